@@ -1,0 +1,89 @@
+/** Hash-consed expression graph with exact rational numbers.
+ *
+ *  Equal expressions are one node, so equality is equality of ids. Ids count up in order of creation, and creation
+ *  follows the table, so every order derived from ids is the same on every machine. Nodes are in normal form:
+ *
+ *    NUMBER   an exact rational
+ *    SYMBOL   index into the owner's symbol table (parameter, state, root, let, ...)
+ *    PRODUCT  coefficient * base_1^e_1 * ... * base_k^e_k   bases distinct, ascending ids, SYMBOL or SUM, e_i != 0;
+ *             never a bare number, never a bare symbol (coefficient 1, k = 1, e = 1)
+ *    SUM      constant + sum of coefficient_i * term_i      terms distinct, ascending ids, SYMBOL or PRODUCT with
+ *             coefficient 1; nested sums are flattened
+ *
+ *  A `let` name is a SYMBOL of its own, so the grouping that its author wrote is kept until a pass expands it.
+ *  Memory: nodes live until the graph is destroyed. Errors: an operation on TTC_NONE, a zero denominator, an exponent
+ *  beyond the limit or more nodes than allowed gives TTC_NONE, and ttc_graph_error() says which, until cleared. */
+#ifndef TTC_GRAPH_H
+#define TTC_GRAPH_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <flint/fmpq.h>
+
+typedef uint32_t ttc_id;
+#define TTC_NONE ((ttc_id)0)
+
+enum { TTC_EXPONENT_LIMIT = 64, TTC_NODE_LIMIT = 1 << 20 };
+
+typedef enum { TTC_NUMBER, TTC_SYMBOL, TTC_PRODUCT, TTC_SUM } ttc_kind;
+
+typedef enum {
+    TTC_GRAPH_OK,
+    TTC_GRAPH_DIVISION_BY_ZERO,
+    TTC_GRAPH_EXPONENT,
+    TTC_GRAPH_TOO_LARGE,
+    TTC_GRAPH_NO_MEMORY
+} ttc_graph_status;
+
+typedef struct {
+    ttc_id id;         /* base of a factor, or term of a sum */
+    int32_t exponent;  /* of a factor; 1 in a sum */
+    const fmpq *coefficient; /* of a term of a sum; the graph's one in a product */
+} ttc_part;
+
+typedef struct ttc_graph ttc_graph;
+
+ttc_graph *ttc_graph_create(void); /* NULL when memory is out */
+void ttc_graph_destroy(ttc_graph *graph); /* legal on NULL */
+
+/* The first error since creation or the last clearing. */
+ttc_graph_status ttc_graph_error(const ttc_graph *graph);
+void ttc_graph_clear_error(ttc_graph *graph);
+
+/* Number of nodes; ids run from 1 to this number. */
+size_t ttc_graph_size(const ttc_graph *graph);
+
+/* Constructors, each returning a node in normal form. */
+ttc_id ttc_number(ttc_graph *graph, const fmpq_t value);
+ttc_id ttc_integer(ttc_graph *graph, long value);
+ttc_id ttc_symbol(ttc_graph *graph, uint32_t symbol);
+ttc_id ttc_add(ttc_graph *graph, ttc_id a, ttc_id b);
+ttc_id ttc_subtract(ttc_graph *graph, ttc_id a, ttc_id b);
+ttc_id ttc_multiply(ttc_graph *graph, ttc_id a, ttc_id b);
+ttc_id ttc_divide(ttc_graph *graph, ttc_id a, ttc_id b);
+ttc_id ttc_power(ttc_graph *graph, ttc_id a, long exponent);
+ttc_id ttc_scale(ttc_graph *graph, ttc_id a, const fmpq_t factor);
+
+/* Inspection. `part` pointers and coefficients stay valid until the graph is destroyed. */
+ttc_kind ttc_kind_of(const ttc_graph *graph, ttc_id id);
+const fmpq *ttc_coefficient(const ttc_graph *graph, ttc_id id); /* NUMBER: value; PRODUCT: coefficient; SUM: constant */
+uint32_t ttc_symbol_of(const ttc_graph *graph, ttc_id id);      /* SYMBOL only */
+size_t ttc_part_count(const ttc_graph *graph, ttc_id id);       /* PRODUCT and SUM; 0 otherwise */
+ttc_part ttc_part_at(const ttc_graph *graph, ttc_id id, size_t index);
+bool ttc_is_number(const ttc_graph *graph, ttc_id id, long value);
+
+/** Replace symbols and rebuild. map(context, symbol) gives the replacement, or TTC_NONE to keep the symbol.
+ *  Cost: one visit a reachable node. */
+typedef ttc_id (*ttc_symbol_map)(void *context, uint32_t symbol);
+ttc_id ttc_substitute(ttc_graph *graph, ttc_id id, ttc_symbol_map map, void *context);
+
+/** Total derivative along a direction: slope(context, symbol) gives the derivative of a symbol, or TTC_NONE for zero.
+ *  A partial derivative with respect to x is slope(x) = 1. Cost: one visit a reachable node. */
+ttc_id ttc_derivative(ttc_graph *graph, ttc_id id, ttc_symbol_map slope, void *context);
+
+/* True when `symbol` is reachable from id without passing through symbol definitions. */
+bool ttc_depends(const ttc_graph *graph, ttc_id id, uint32_t symbol);
+
+#endif

@@ -1,0 +1,94 @@
+/** What a generated kernel is, and the one descriptor through which the world sees it. Written by ttc; do not edit.
+ *
+ *  Layout: x holds the states in table order (with a lifted root after them, without an eliminated state); p is the
+ *  prepared block, filled once by `prepare` from the parameters in table order (levels of eliminated integrals after
+ *  them), whose first entries are those parameters themselves. Matrices are row-major. Units are the table's.
+ *  Kernels are pure and reentrant: no allocation, no globals, no errors; out of the model's domain they give what IEEE
+ *  arithmetic gives (infinities, NaN), which callers test for. x, p and out must not overlap. */
+#ifndef JLT_KERNEL_ABI_H
+#define JLT_KERNEL_ABI_H
+
+#include <complex.h>
+#include <stddef.h>
+
+typedef void (*jlt_kernel_function)(const double *restrict x, const double *restrict p, double *restrict out);
+typedef void (*jlt_kernel_prepare)(const double *restrict params, double *restrict block);
+
+/* The field written from the terms as they stand, unsimplified, in complex arithmetic, on unprepared parameters: for
+ * differentiation by complex step, independent of the symbolic derivative. */
+typedef void (*jlt_kernel_complex)(const double complex *restrict x, const double *restrict params,
+                                   double complex *restrict out);
+
+typedef struct {
+    const char *name;
+    const char *unit;    /* "" when dimensionless or not said */
+    const char *meaning; /* "" when not said */
+    double low, high;    /* states: open interval of the domain, -INFINITY and INFINITY where unbounded;
+                            parameters: the same for their sign condition, [low, high) for >= 0 */
+    double value;        /* parameters: the default, NaN when the table gives none */
+} jlt_quantity;
+
+typedef struct {
+    unsigned add, multiply, fma, divide, root, elementary; /* fma counts one operation of two flops */
+    unsigned depth; /* longest chain, in operations */
+    unsigned live;  /* most temporaries alive at once */
+} jlt_operation_count;
+
+typedef struct {
+    jlt_kernel_function call; /* NULL when the model gives nothing to compute */
+    unsigned outputs;
+    jlt_operation_count optimized, naive;
+    const char *loses_digits; /* where, and why; "" when nowhere */
+} jlt_kernel;
+
+typedef struct {
+    const char *name;
+    const char *condition; /* the `when` clause, "" when it holds always */
+} jlt_named;
+
+/** A family of equilibria: some states given in terms of the others, under conditions on parameters. All its kernels
+ *  take unprepared parameters that already satisfy the condition (see `impose`). */
+typedef struct {
+    const char *name, *condition;
+    const unsigned char *is_free;  /* shape (states,): 1 where the state may be chosen */
+    jlt_kernel_function impose;    /* x, params -> params (params,): the condition's substitutions made */
+    jlt_kernel_function point;     /* x (free entries read), params -> x (states,) */
+    jlt_kernel_function trace;     /* -> (1,), the table's formula; NULL when it gives none */
+    jlt_kernel_function charpoly;  /* -> (states + 1,), the table's formula, highest power first, not normalized; or NULL */
+    jlt_kernel_function matrix;    /* -> (states, states), the table's formula; or NULL */
+    const unsigned char *left_null; /* shape (integrals,): 1 where the gradient is claimed a left null vector */
+    int obstructs;                 /* the table claims that the trace excludes an invariant measure */
+} jlt_equilibria;
+
+typedef struct jlt_descriptor {
+    const char *model, *variant, *time, *elimination; /* "" for the general field, its own time, all states */
+    const char *title, *source;
+    const char *sha256;    /* of the table */
+    const char *generator; /* "ttc VERSION" and flags that change kernels */
+    const char *table;     /* the table's text */
+
+    unsigned state_count, param_count, block_count;
+    const jlt_quantity *states, *params;
+    jlt_kernel_prepare prepare;
+
+    jlt_kernel rhs;                /* f, shape (states,) */
+    jlt_kernel jacobian;           /* df/dx, shape (states, states) */
+    jlt_kernel rhs_jacobian;       /* f, then df/dx */
+    jlt_kernel divergence;         /* trace of df/dx, shape (1,) */
+    unsigned integral_count;
+    const jlt_named *integrals;    /* those whose condition this variant satisfies */
+    jlt_kernel integral_values;    /* shape (integrals,) */
+    jlt_kernel integral_gradients; /* shape (integrals, states) */
+    unsigned measure_count;
+    const jlt_named *measures;
+    jlt_kernel measure_values;      /* densities rho, shape (measures,) */
+    jlt_kernel measure_divergences; /* div(rho f), shape (measures,) */
+    jlt_kernel time_factor;         /* dt/dtau, shape (1,); call NULL in the model's own time */
+    jlt_kernel eliminated;          /* the eliminated state, shape (1,); call NULL when none is */
+    jlt_kernel_complex rhs_complex;
+
+    unsigned equilibria_count;     /* on the general field in its own time only */
+    const jlt_equilibria *equilibria;
+} jlt_descriptor;
+
+#endif

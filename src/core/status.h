@@ -1,0 +1,37 @@
+/** Outcome of every fallible function. */
+#ifndef JLT_CORE_STATUS_H
+#define JLT_CORE_STATUS_H
+
+#define JLT_STATUS_LIST(X)                                                    \
+    X(JLT_OK, "success")                                                      \
+    X(JLT_ERR_ARG, "argument outside its contract")                           \
+    X(JLT_ERR_DOMAIN, "state or parameter outside the model's domain")        \
+    X(JLT_ERR_NONFINITE, "a value is not finite, or overflowed on the way")   \
+    X(JLT_ERR_NO_CONVERGENCE, "an iteration did not converge")                \
+    X(JLT_ERR_NO_PROGRESS, "the step size fell below what time resolves")     \
+    X(JLT_ERR_BUDGET, "the budget of steps is spent")                         \
+    X(JLT_ERR_EMPTY, "no state has the levels asked for")                     \
+    X(JLT_ERR_UNSUPPORTED, "the model has no such kernel")                    \
+    X(JLT_ERR_NOMEM, "out of memory")                                         \
+    X(JLT_ERR_IO, "input or output failed")
+
+#define JLT_STATUS_ENUM(name, text) name,
+typedef enum { JLT_STATUS_LIST(JLT_STATUS_ENUM) } jlt_status;
+#undef JLT_STATUS_ENUM
+
+#if defined(__GNUC__)
+#define JLT_CHECKED __attribute__((warn_unused_result))
+#else
+#define JLT_CHECKED
+#endif
+
+/* Leave through the label `done` with the status in `st` when a call fails. */
+#define JLT_TRY(call)                            \
+    do {                                         \
+        if ((st = (call)) != JLT_OK) goto done;  \
+    } while (0)
+
+/* One sentence without a full stop; never NULL. */
+const char *jlt_status_text(jlt_status status);
+
+#endif

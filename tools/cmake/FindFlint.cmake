@@ -1,0 +1,22 @@
+# Flint::Flint, with Arb: part of FLINT 3, a library of its own (flint-arb on Debian, else arb) beside FLINT 2.
+find_path(Flint_INCLUDE_DIR flint/fmpz_mpoly.h)
+find_library(Flint_LIBRARY flint)
+set(Flint_required Flint_INCLUDE_DIR Flint_LIBRARY)
+set(Flint_libraries ${Flint_LIBRARY})
+if(Flint_INCLUDE_DIR AND NOT EXISTS "${Flint_INCLUDE_DIR}/flint/arb.h")
+  find_library(Arb_LIBRARY NAMES flint-arb arb)
+  list(APPEND Flint_required Arb_LIBRARY)
+  list(PREPEND Flint_libraries ${Arb_LIBRARY})
+endif()
+find_library(Mpfr_LIBRARY mpfr)
+find_library(Gmp_LIBRARY gmp)
+list(APPEND Flint_required Mpfr_LIBRARY Gmp_LIBRARY)
+list(APPEND Flint_libraries ${Mpfr_LIBRARY} ${Gmp_LIBRARY})
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Flint REQUIRED_VARS ${Flint_required})
+if(Flint_FOUND AND NOT TARGET Flint::Flint)
+  add_library(Flint::Flint INTERFACE IMPORTED)
+  # SYSTEM: FLINT's inline functions do not pass -Wconversion.
+  set_target_properties(Flint::Flint PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${Flint_INCLUDE_DIR}"
+                        INTERFACE_LINK_LIBRARIES "${Flint_libraries}")
+endif()
