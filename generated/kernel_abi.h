@@ -56,7 +56,9 @@ typedef struct {
     jlt_kernel_function trace;     /* -> (1,), the table's formula; NULL when it gives none */
     jlt_kernel_function charpoly;  /* -> (states + 1,), the table's formula, highest power first, not normalized; or NULL */
     jlt_kernel_function matrix;    /* -> (states, states), the table's formula; or NULL */
-    const unsigned char *left_null; /* shape (integrals,): 1 where the gradient is claimed a left null vector */
+    unsigned left_null_count;
+    const jlt_named *left_null;    /* the integrals claimed to give left null vectors (those of `leftnull`) */
+    jlt_kernel_function left_null_gradients; /* x, params -> (left_null_count, states): their gradients; NULL when none */
     int obstructs;                 /* the table claims that the trace excludes an invariant measure */
 } jlt_equilibria;
 
@@ -68,7 +70,9 @@ typedef struct jlt_descriptor {
     const char *table;     /* the table's text */
 
     unsigned state_count, param_count, block_count;
-    const jlt_quantity *states, *params;
+    const jlt_quantity *states, *params; /* params: the same, in the same order, in every variant of a model */
+    jlt_kernel_function impose; /* x (may be NULL), params -> params (params,): the variant's substitutions made, so that
+                                   a variant serves parameters that this leaves unchanged; NULL for the general field */
     jlt_kernel_prepare prepare;
 
     jlt_kernel rhs;                /* f, shape (states,) */
