@@ -19,12 +19,15 @@ typedef void (*jlt_kernel_prepare)(const double *restrict params, double *restri
 typedef void (*jlt_kernel_complex)(const double complex *restrict x, const double *restrict params,
                                    double complex *restrict out);
 
+typedef enum { JLT_ANY_SIGN, JLT_POSITIVE, JLT_NONNEGATIVE, JLT_NONZERO } jlt_sign;
+
 typedef struct {
     const char *name;
     const char *unit;    /* "" when dimensionless or not said */
     const char *meaning; /* "" when not said */
-    double low, high;    /* states: open interval of the domain, -INFINITY and INFINITY where unbounded;
-                            parameters: the same for their sign condition, [low, high) for >= 0 */
+    double low, high;    /* states: open interval of the domain, -INFINITY and INFINITY where unbounded, or where the
+                            bound depends on parameters; parameters: -INFINITY and INFINITY */
+    jlt_sign sign;       /* parameters: their sign condition; states: JLT_ANY_SIGN */
     double value;        /* parameters: the default, NaN when the table gives none */
 } jlt_quantity;
 
