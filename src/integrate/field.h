@@ -1,0 +1,53 @@
+/** What is integrated: an autonomous field dx/dtau = f(x), its time, and what is known of it. Plain data; nothing is owned.
+ *
+ *  A field in a time of its own (dt = factor(x) dtau) carries the physical time t as a quadrature: the integrator keeps it
+ *  as one more component after the states, with the same order and in the same error control. */
+#ifndef JLT_INTEGRATE_FIELD_H
+#define JLT_INTEGRATE_FIELD_H
+
+#include "core/status.h"
+#include "kernel_abi.h"
+
+enum { JLT_FIELD_DIM_MAX = 256, JLT_JET_ORDER_MAX = 40 };
+
+/** Taylor coefficients of the solution through x: coefficients[k*columns + i] = (d/dtau)^k x_i / k!, k = 0 .. order, with
+ *  columns = dim in the model's own time, and dim + 1 in a time of its own, where the last column is t (0 in row 0).
+ *  1 <= order <= JLT_JET_ORDER_MAX; p is the field's block; x and coefficients must not overlap. Cost: O(order^2). */
+typedef void (*jlt_jet)(const double *x, const double *p, unsigned order, double *coefficients);
+
+typedef struct {
+    unsigned dim;                  /* 1 .. JLT_FIELD_DIM_MAX */
+    jlt_kernel_function call;      /* x (dim,), p -> dx/dtau (dim,) */
+    const double *p;               /* passed through: a prepared block, or a structure aligned for double, cast */
+    jlt_kernel_function time_rate; /* x, p -> dt/dtau > 0 (1,); NULL: tau is t */
+    jlt_kernel_function jacobian;  /* x, p -> df/dx (dim, dim); NULL where not known */
+    jlt_jet jet;                   /* NULL where not known; the method taylor needs it */
+    unsigned controlled;           /* leading states in the error norm; 0: all of them */
+    int root;                      /* the lifted root whose zero is the pole, as an index into x; -1: none */
+    const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
+                                      against max(|x_i|, scale_i). NULL: 1, and 0 for the root, whose error is relative */
+} jlt_field;
+
+/** The field of a generated kernel. p: its prepared block, kept by the caller as long as the field is in use.
+ *  The last state is taken for the pole's root when the kernel has a time of its own and that state is bounded by 0 below.
+ *  Errors: UNSUPPORTED, the descriptor has no right-hand side. */
+JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p);
+
+/** A field and its variational equations, Y' = (df/dx) Y: states first, then Y by columns (column j at dim + j*dim).
+ *  t is not varied: Y is the derivative of the flow in tau. Plain data that must outlive the field made from it. */
+typedef struct {
+    jlt_kernel_function rhs_jacobian; /* f, then df/dx; used when not NULL */
+    jlt_kernel_function rhs, jacobian;
+    jlt_kernel_function time_rate;
+    const double *p;
+    unsigned dim, columns;
+    double scratch[1]; /* keeps the structure aligned as a block; unused */
+} jlt_variation;
+
+/** The variational field of `field` with `columns` columns; error control sees the states and the columns alike unless
+ *  out->controlled is lowered. rhs_jacobian may be NULL. Errors: UNSUPPORTED, the field knows no Jacobian;
+ *  ARG, dim*(1 + columns) > JLT_FIELD_DIM_MAX. */
+JLT_CHECKED jlt_status jlt_field_vary(jlt_field *out, jlt_variation *keep, const jlt_field *field,
+                                      jlt_kernel_function rhs_jacobian, unsigned columns);
+
+#endif

@@ -1,0 +1,95 @@
+/** One-step methods behind one table.
+ *
+ *  A stepper holds the current point and the last accepted step. Its method advances it by one accepted step at a time with
+ *  its own control of the local error, and gives the step as a polynomial and, more accurately, as a state at a fraction of it.
+ *  Local error is held under tolerance * max(|x_i|, scale_i) in the norm of the method (see there). */
+#ifndef JLT_INTEGRATE_METHOD_H
+#define JLT_INTEGRATE_METHOD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "integrate/field.h"
+
+enum { JLT_DENSE_DEGREE_MAX = JLT_JET_ORDER_MAX };
+
+typedef struct jlt_method jlt_method;
+
+/** The point, the last step and the counters. Read freely; only methods and `jlt_stepper_*` write. Arrays have `stride`
+ *  entries: the states, then t for a field in its own time, then zeros. */
+typedef struct {
+    const jlt_method *method;
+    const jlt_field *field;
+    double tolerance;
+    double max_step;      /* INFINITY: none */
+    unsigned columns;     /* field->dim, and one more in a time of its own */
+    unsigned stride;      /* columns rounded up to 4, 8, or a multiple of 8 */
+    double direction;     /* +1 or -1: sign of the steps */
+
+    double tau;           /* end of the last step, now; compensated by tau_low */
+    double tau_low;
+    double *x, *x_low;    /* the point now, and what rounding has cut off it */
+    double *f;            /* dx/dtau there */
+    double h_next;        /* proposed, > 0 */
+
+    double tau_start;     /* the last accepted step: start, length (signed), state and slope there */
+    double h;
+    double *x_start, *f_start;
+    double *dense;        /* x(tau_start + theta*h)_i = sum_k dense[k*stride + i] theta^k, 0 <= theta <= 1 */
+    unsigned dense_degree;
+    bool dense_ready;
+
+    double *weight;       /* max(|x_i|, scale_i) uses these scales; 0 where not controlled is INFINITY */
+    size_t steps, rejected, evaluations;
+    void *state;          /* the method's own */
+} jlt_stepper;
+
+struct jlt_method {
+    const char *name;        /* as typed on the command line */
+    const char *meaning;     /* one line, with its source */
+    unsigned order;          /* of the accepted solution; 0: variable */
+    unsigned dense_order;    /* local error of the polynomial is O(h^(dense_order + 1)); 0: variable */
+    unsigned evaluations;    /* of the field an accepted step; 0: variable */
+    bool needs_jet;
+    jlt_status (*create)(jlt_stepper *self);    /* makes self->state */
+    void (*destroy)(jlt_stepper *self);         /* legal when create failed or never ran */
+    jlt_status (*start)(jlt_stepper *self);     /* x changed: forget the past, set h_next when it is 0 */
+    jlt_status (*step)(jlt_stepper *self, double limit); /* one accepted step, length <= limit (> 0) */
+    jlt_status (*dense)(jlt_stepper *self);     /* fill dense of the last step */
+    /* The state at tau_start + theta*h by a step of its own from the start, local error not above the whole step's;
+     * out has shape (stride,) and must not be one of the stepper's arrays. theta may leave [0, 1] by a little. */
+    jlt_status (*partial)(jlt_stepper *self, double theta, double *out);
+};
+
+/** The table: dop853, taylor, rk8pd, rkf45, msadams; ends with a NULL name. The first one is the default. */
+extern const jlt_method jlt_methods[];
+
+/** By name; NULL when there is none. */
+const jlt_method *jlt_method_find(const char *name);
+
+/** A stepper at rest at nowhere. tolerance in (0, 1); max_step > 0 or INFINITY. `field` is copied by reference and must live on.
+ *  Errors: ARG; UNSUPPORTED, taylor on a field without a jet; NOMEM. */
+JLT_CHECKED jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field,
+                                          double tolerance, double max_step);
+void jlt_stepper_destroy(jlt_stepper *self); /* NULL is legal */
+
+/** Put it at x, shape (dim,), at physical time t (tau starts at t as well), to go forwards (direction > 0) or backwards.
+ *  first_step > 0 proposes the first step, 0 leaves it to the method. Errors: NONFINITE, x or the field there. */
+JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction,
+                                         double first_step);
+
+/** One accepted step, |h| <= limit. On failure the point is that of the last accepted step.
+ *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau. */
+JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
+
+/** Make the polynomial of the last step, once. Cost: none (taylor), 3 evaluations (dop853), 15 (the others). */
+JLT_CHECKED jlt_status jlt_stepper_dense(jlt_stepper *self);
+
+/** Value of column i (or of all columns) of that polynomial, and its derivative in tau. jlt_stepper_dense came before. */
+double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta);
+void jlt_stepper_values(const jlt_stepper *self, double theta, double *out);
+
+/** Physical time now, at the rounding level. */
+double jlt_stepper_time(const jlt_stepper *self);
+
+#endif
