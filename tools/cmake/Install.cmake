@@ -1,1 +1,45 @@
+# What `cmake --install` lays down: programs, libraries, headers, kernels, models, scenes, man pages, and how to find
+# them by pkg-config (jellett) and by CMake (find_package(jellett): jellett::shared, jellett::static).
+include(CMakePackageConfigHelpers)
+
+set(JLT_INSTALL_HEADERS ${CMAKE_INSTALL_INCLUDEDIR}/jellett)
+set(JLT_INSTALL_DATA ${CMAKE_INSTALL_DATADIR}/jellett)
+set(JLT_INSTALL_PACKAGE ${CMAKE_INSTALL_LIBDIR}/cmake/jellett)
+
 install(TARGETS ttc jellett RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# Two exports, so that a user of the shared library need not have what only the static one is linked with.
+install(TARGETS jellett_shared EXPORT jellett-shared
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS jellett_static EXPORT jellett-static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+foreach(kind shared static)
+  install(EXPORT jellett-${kind} NAMESPACE jellett:: FILE jellett-${kind}.cmake DESTINATION ${JLT_INSTALL_PACKAGE})
+endforeach()
+
+# Headers keep their folders, so that #include "core/status.h" means the same here and there.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ ${PROJECT_SOURCE_DIR}/generated/ DESTINATION ${JLT_INSTALL_HEADERS}
+        FILES_MATCHING PATTERN "*.h" PATTERN "cli" EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated DESTINATION ${JLT_INSTALL_DATA})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models DESTINATION ${JLT_INSTALL_DATA} OPTIONAL)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/scenes DESTINATION ${JLT_INSTALL_DATA} OPTIONAL)
+install(FILES ${PROJECT_SOURCE_DIR}/tools/man/ttc.1 ${PROJECT_SOURCE_DIR}/tools/man/jellett.1
+        DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
+        DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/tools/cmake/jellett-config.cmake.in
+  ${CMAKE_BINARY_DIR}/package/jellett-config.cmake INSTALL_DESTINATION ${JLT_INSTALL_PACKAGE})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/jellett-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/package/jellett-config.cmake ${CMAKE_BINARY_DIR}/package/jellett-config-version.cmake
+        ${PROJECT_SOURCE_DIR}/tools/cmake/FindFlint.cmake DESTINATION ${JLT_INSTALL_PACKAGE})
+
+# The .pc file finds its prefix from where it lies, so that a tree installed elsewhere, or moved, still works.
+file(RELATIVE_PATH JLT_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" JLT_PREFIX_FROM_PC "${JLT_PREFIX_FROM_PC}")
+set(JLT_PC_LIBRARIES "")
+foreach(library ${Flint_libraries})
+  get_filename_component(stem ${library} NAME_WE)
+  string(REGEX REPLACE "^lib" "-l" flag ${stem})
+  string(APPEND JLT_PC_LIBRARIES " ${flag}")
+endforeach()
+configure_file(${PROJECT_SOURCE_DIR}/tools/cmake/jellett.pc.in ${CMAKE_BINARY_DIR}/package/jellett.pc @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/package/jellett.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

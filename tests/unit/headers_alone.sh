@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Every header compiles alone, and twice over, under the strict warnings, with every compiler at hand.
+set -euo pipefail
+cd "$JLT_SOURCE_DIR"
+warnings=(-std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Werror -D_POSIX_C_SOURCE=200809L)
+flags=(-Isrc -Igenerated -Icodegen)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+headers=()
+while IFS= read -r header; do headers+=("$header"); done < <(find src codegen generated -name '*.h' | sort)
+# Macros are the whole of some headers, and an empty translation unit is not C: hence the declaration.
+for i in "${!headers[@]}"; do
+    printf '#include "%s"\n#include "%s"\nextern int nothing;\n' \
+        "$PWD/${headers[i]}" "$PWD/${headers[i]}" > "$scratch/$i.c"
+done
+
+status=0
+for compiler in gcc clang; do
+    command -v $compiler >/dev/null || { echo "no $compiler here"; continue; }
+    for i in "${!headers[@]}"; do
+        $compiler "${warnings[@]}" "${flags[@]}" -fsyntax-only "$scratch/$i.c" ||
+            { echo "${headers[i]}: does not compile alone with $compiler"; status=1; }
+    done
+done
+[ $status -ne 0 ] || echo "${#headers[@]} headers compile alone"
+exit $status

@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# Includes point one way: a folder of src/ includes only folders listed above it, codegen/ nothing of src/, generated/
+# only libc (Arb in ball files); outside libraries are called from their one place; no include goes in a circle.
+set -euo pipefail
+cd "$JLT_SOURCE_DIR"
+
+# FILE:LINE INCLUDED, one a line; <NAME> for system headers, NAME otherwise.
+includes() {
+    find "$@" -name '*.[ch]' -exec awk '
+        match($0, /^[ \t]*#[ \t]*include[ \t]*[<"][^>"]+[>"]/) {
+            name = $0
+            sub(/^[ \t]*#[ \t]*include[ \t]*/, "", name)
+            if (name ~ /^</) sub(/>.*/, ">", name)
+            else { sub(/^"/, "", name); sub(/".*/, "", name) }
+            print FILENAME ":" FNR, name
+        }' {} +
+}
+
+failures=$({
+    includes src | awk '
+        function fail(message) { print place ": includes " $2 ": " message }
+        BEGIN {
+            count = split("core kernel integrate dynamics analysis ext scene report cli", order, " ")
+            for (i = 1; i <= count; i++) rank[order[i]] = i
+            split("integrate dynamics analysis scene", callers, " ")
+            for (i in callers) calls_ext[callers[i]] = 1
+            home["gsl/"] = home["flint/"] = home["arb"] = home["acb"] = home["arpack"] = home["mpi"] = "ext"
+            home["libconfig"] = "scene"
+            home["jansson"] = "report"
+        }
+        {
+            place = $1
+            split(place, part, "/")
+            here = part[2]
+            if (!(here in rank)) { fail("src/" here " is no layer"); next }
+            if ($2 ~ /^</) {
+                for (prefix in home)
+                    if (index($2, "<" prefix) == 1 && rank[here] < rank[home[prefix]] || \
+                        index($2, "<" prefix) == 1 && home[prefix] == "ext" && here != "ext")
+                        fail("only src/" home[prefix] (home[prefix] == "ext" ? "" : " and layers below it") " may")
+                next
+            }
+            if (system("test -f src/" $2) == 0) {
+                split($2, target, "/")
+                there = target[1]
+                if (there == here) next
+                if (there == "ext" && here in calls_ext) next
+                if (here == "ext" && there != "core") fail("ext calls core alone")
+                else if (rank[there] > rank[here]) fail("src/" there " stands below src/" here)
+            } else if (system("test -f generated/" $2) == 0) {
+                if ($2 != "kernel_abi.h" && here != "kernel") fail("only src/kernel knows single models")
+            } else if (system("test -f codegen/" $2) == 0) {
+                if (here != "cli") fail("only src/cli may call the compiler")
+            } else fail("no such header; name it from src/, as in \"core/status.h\"")
+        }'
+    includes codegen | awk '
+        $2 ~ /^</ { next }
+        { name = $2; sub(/^codegen\//, "", name) }
+        system("test -f codegen/" name) != 0 { print $1 ": includes " $2 ": codegen/ knows nothing outside itself" }'
+    includes generated | awk '
+        BEGIN {
+            split("assert complex ctype errno fenv float inttypes limits math stdalign stdbool stddef stdint stdlib string " \
+                  "tgmath", names, " ")
+            for (i in names) libc["<" names[i] ".h>"] = 1
+        }
+        $2 in libc { next }
+        $1 ~ /ball/ && $2 ~ /^<(flint\/)?(arb|acb|arf|mag|fmpq|fmpz)[a-z_]*\.h>$/ { next }
+        $2 !~ /^</ {
+            folder = $1; sub(/\/[^\/]*$/, "", folder)
+            if (system("test -f generated/" $2 " -o -f " folder "/" $2) == 0) next
+        }
+        { print $1 ": includes " $2 ": generated files include libc only (ball files Arb as well)" }'
+    # Circles: walk every header depth first; grey is on the path from the start, black is done.
+    includes src codegen generated | awk '
+        $2 ~ /^</ { next }
+        {
+            from = $1; sub(/:[0-9]+$/, "", from)
+            folder = from; sub(/\/[^\/]*$/, "", folder)
+            target = ""
+            split("src/ generated/ codegen/ " folder "/", roots, " ")
+            for (i = 1; i <= 4 && target == ""; i++)
+                if (system("test -f " roots[i] $2) == 0) target = roots[i] $2
+            if (target != "") edge[from, ++edges[from]] = target
+        }
+        function visit(node, path,    i, next_node) {
+            color[node] = "grey"
+            for (i = 1; i <= edges[node]; i++) {
+                next_node = edge[node, i]
+                if (color[next_node] == "grey") print next_node ": includes itself by way of " path " -> " node
+                else if (color[next_node] == "") visit(next_node, path " -> " node)
+            }
+            color[node] = "black"
+        }
+        END { for (node in edges) if (color[node] == "") visit(node, "") }'
+})
+if [ -n "$failures" ]; then
+    printf '%s\n' "$failures"
+    exit 1
+fi
+echo "$(includes src codegen generated | wc -l) includes point the right way"

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# A public symbol says where it lives: in src/ it begins with jlt_ and the stem of its file, or of the header in the same
+# folder that declares it (jlt_linear_solve: linear.c or linear.h; a plural stem may drop its s); in generated/ with jlt_;
+# in codegen/ with ttc_. Everything else is static.
+set -euo pipefail
+cd "$JLT_SOURCE_DIR"
+status=0
+
+# OBJECT SYMBOL, one a line. Sanitizers and coverage add symbols that begin with two underscores.
+defined() {
+    nm -A --defined-only -g "$1" | awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^__/ {
+        object = $1; sub(/^[^:]*:/, "", object); sub(/:.*/, "", object); print object, $NF }'
+}
+
+check_library() { # ARCHIVE FOLDER...: every symbol of the archive against the files of the folders
+    local archive=$1 object symbol stem file folder header found
+    shift
+    while read -r object symbol; do
+        stem=${object%.o}
+        stem=${stem%.c}
+        found=no
+        while IFS= read -r file; do
+            folder=${file%/*}
+            case $file in
+                codegen/*) [[ $symbol == ttc_* ]] && found=yes ;;
+                generated/*) [[ $symbol == jlt_* ]] && found=yes ;;
+                *)
+                    for header in "$stem" $(grep -lw -- "$symbol" "$folder"/*.h 2>/dev/null || true); do
+                        header=${header##*/}
+                        header=${header%.h}
+                        [[ ${symbol}_ == jlt_${header}_* || ${symbol}_ == jlt_${header%s}_* ]] && found=yes
+                    done
+                    ;;
+            esac
+        done < <(find "$@" -name "$stem.c")
+        if [ $found = no ]; then
+            echo "$(find "$@" -name "$stem.c" | head -1): $symbol: public, but neither its file's nor its header's stem" \
+                "(want jlt_${stem}_... in src/, ttc_... in codegen/; or make it static)"
+            status=1
+        fi
+    done < <(defined "$archive")
+}
+
+check_library "$JLT_BINARY_DIR/libjellett.a" src generated
+check_library "$JLT_BINARY_DIR/libttc_core.a" codegen
+for object in "$JLT_BINARY_DIR"/CMakeFiles/jellett.dir/src/cli/*.o; do
+    while read -r symbol; do
+        [[ $symbol == main || $symbol == jlt_* ]] && continue
+        echo "src/cli/$(basename "$object" .o): $symbol: public, but without the prefix jlt_"
+        status=1
+    done < <(nm --defined-only -g "$object" | awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^__/ { print $NF }')
+done
+[ $status -ne 0 ] || echo "$(defined "$JLT_BINARY_DIR/libjellett.a" | wc -l) + $(defined "$JLT_BINARY_DIR/libttc_core.a" | wc -l) public symbols carry their prefix"
+exit $status
