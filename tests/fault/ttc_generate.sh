@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# `ttc generate` leaves whole files or none: where it cannot write it says so with status 5, and however it is stopped,
+# every file under a final name is complete, and running it again gives exactly what an undisturbed run gives.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+model=$JLT_SOURCE_DIR/codegen/models/spherical_top.tt
+status=0
+fail() { echo "$*"; status=1; }
+
+expect() { # STATUS TITLE COMMAND...
+    local want=$1 title=$2 code
+    shift 2
+    "$@" > "$scratch/out" 2> "$scratch/err"
+    code=$?
+    [ $code -eq "$want" ] || { fail "$title: status $code, not $want"; cat "$scratch/err"; }
+    [ "$want" -eq 0 ] || [ -s "$scratch/err" ] || fail "$title: nothing said on standard error"
+}
+
+start=$(date +%s%N)
+expect 0 "a plain run" ttc generate "$model" --out "$scratch/whole"
+lasts=$(($(date +%s%N) - start))
+
+touch "$scratch/file"
+expect 5 "output folder below a file" ttc generate "$model" --out "$scratch/file/below"
+expect 5 "output folder is a file" ttc generate "$model" --out "$scratch/file"
+expect 5 "output folder where nothing can be made" ttc generate "$model" --out /proc/nothing
+if [ "$(id -u)" -ne 0 ]; then
+    mkdir -m 555 "$scratch/readonly"
+    expect 5 "output folder without permission" ttc generate "$model" --out "$scratch/readonly/out"
+fi
+
+# A full disk, played by a limit on the size of files.
+full() { (ulimit -f 4; trap '' XFSZ; ttc generate "$model" --out "$1"); }
+expect 5 "disk full" full "$scratch/full"
+if [ -d "$scratch/full" ]; then
+    while IFS= read -r file; do
+        cmp -s "$scratch/full/$file" "$scratch/whole/$file" || fail "disk full: $file is left, and is not whole"
+    done < <(cd "$scratch/full" && find . -type f)
+fi
+
+# Stopped at twelve moments of its life by each signal. Files of an earlier version are there already: afterwards each
+# is the old one or the new one. Nothing but SIGKILL may leave a temporary file.
+for signal in INT TERM KILL; do
+    for k in $(seq 1 12); do
+        rm -rf "$scratch/killed"
+        cp -r "$scratch/whole" "$scratch/killed"
+        find "$scratch/killed" -type f -exec sh -c 'for f; do echo old > "$f"; done' sh {} +
+        # With job control, because a background job of a script ignores SIGINT otherwise.
+        set -m
+        ttc generate "$model" --out "$scratch/killed" > /dev/null 2>&1 &
+        job=$!
+        set +m
+        sleep "$(awk -v ns="$lasts" -v k="$k" 'BEGIN { printf "%.6f", ns * 1e-9 * k / 12 }')"
+        kill -$signal $job 2>/dev/null
+        wait $job 2>/dev/null
+        while IFS= read -r file; do
+            if [ ! -e "$scratch/whole/$file" ]; then
+                [ $signal = KILL ] || fail "SIG$signal at $k/12: leaves $file"
+            elif ! cmp -s "$scratch/killed/$file" "$scratch/whole/$file" && [ "$(cat "$scratch/killed/$file")" != old ]; then
+                fail "SIG$signal at $k/12: $file is neither the old one nor the new one"
+            fi
+        done < <(cd "$scratch/killed" && find . -type f)
+    done
+    expect 0 "a run after SIG$signal" ttc generate "$model" --out "$scratch/killed"
+    while IFS= read -r file; do
+        cmp -s "$scratch/killed/$file" "$scratch/whole/$file" || fail "after SIG$signal: $file differs"
+    done < <(cd "$scratch/whole" && find . -type f)
+done
+exit $status

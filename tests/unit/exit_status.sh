@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# The exit statuses of ttc and jellett are the documented ones, results go to standard output, and every failure says what
+# is wrong on standard error.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+fail() { echo "$*"; status=1; }
+
+expect() { # STATUS COMMAND...
+    local want=$1 code
+    shift
+    "$@" > "$scratch/out" 2> "$scratch/err" < /dev/null
+    code=$?
+    if [ $code -ne "$want" ]; then
+        fail "$*: status $code, not $want"
+        head -5 "$scratch/err"
+    elif [ "$want" -ge 2 ] && [ ! -s "$scratch/err" ]; then
+        fail "$*: status $want, and nothing on standard error"
+    fi
+}
+into_full() { "$@" > /dev/full; }
+
+cat > "$scratch/good.tt" <<'TABLE'
+model oscillator
+param k > 0
+state x
+state v
+eq x =
+    + v
+eq v =
+    - k*x
+integral E = k*x^2/2 + v^2/2
+TABLE
+sed 's/+ v^2/+ v^2*x/' "$scratch/good.tt" > "$scratch/refuted.tt"
+sed 's/k\*x$/k*y/' "$scratch/good.tt" > "$scratch/bad.tt"
+head -c 2000 /dev/urandom > "$scratch/noise.tt"
+: > "$scratch/empty.tt"
+mkdir "$scratch/folder.tt"
+
+for program in ttc jellett; do
+    expect 0 $program --help
+    expect 0 $program --version
+    expect 2 $program
+    expect 2 $program no-such-command
+    expect 2 $program --no-such-option
+    expect 5 into_full $program --help
+    expect 5 into_full $program --version
+done
+
+for command in check prove cost show; do
+    expect 0 ttc $command "$scratch/good.tt"
+    expect 3 ttc $command "$scratch/bad.tt"
+    expect 3 ttc $command "$scratch/noise.tt"
+    expect 3 ttc $command "$scratch/empty.tt"
+    expect 5 ttc $command "$scratch/missing.tt"
+    expect 5 ttc $command "$scratch/folder.tt"
+    expect 2 ttc $command
+    expect 2 ttc $command --no-such-option "$scratch/good.tt"
+done
+for command in prove cost show; do expect 5 into_full ttc $command "$scratch/good.tt"; done
+expect 5 into_full ttc prove --json "$scratch/good.tt"
+expect 1 ttc prove "$scratch/refuted.tt"
+expect 1 ttc prove --json "$scratch/refuted.tt"
+expect 0 ttc check "$scratch/refuted.tt"
+expect 2 ttc generate "$scratch/good.tt"
+expect 2 ttc generate "$scratch/good.tt" --out
+expect 3 ttc generate "$scratch/bad.tt" --out "$scratch/generated"
+[ ! -e "$scratch/generated" ] || fail "ttc generate touched its output folder for a bad table"
+
+at=gamma3=0.3,v_nu=0.7,omega3=1.1
+expect 0 jellett models
+expect 0 jellett eigen --set a3=0 --at $at
+expect 0 jellett eigen --set a3=0 --at $at --json
+expect 0 jellett measure --set I3=0
+expect 2 jellett eigen --no-such-option
+expect 2 jellett eigen --set
+expect 2 jellett eigen --set a3=0 --at
+expect 3 jellett eigen no_such_model --set a3=0 --at $at
+expect 3 jellett eigen --set nothing=1 --at $at
+expect 3 jellett eigen --set a3=0 --at gamma3=2,v_nu=0.7,omega3=1.1
+expect 3 jellett eigen --set a3=0 --at $at,omega_tau=0.5
+expect 3 jellett eigen --set a3=nan --at $at
+expect 3 jellett eigen --set I1=-1 --at $at
+for command in models "eigen --set a3=0 --at $at" "measure --set I3=0"; do
+    # shellcheck disable=SC2086
+    expect 5 into_full jellett $command
+done
+exit $status
