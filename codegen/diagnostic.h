@@ -1,4 +1,4 @@
-/** Errors and warnings about a table, collected in order and printed in one form:
+/** Errors and warnings about tables, collected and printed in order of file and place, in one form:
  *
  *      FILE:LINE:COLUMN: error: what is wrong (what was expected)
  *          the line
@@ -11,16 +11,23 @@
 #include <stdint.h>
 #include <stdio.h>
 
-typedef enum { TTC_ERROR, TTC_WARNING } ttc_severity;
+/* A file that cannot be read is an error without a place: `FILE: error: ...`. */
+typedef enum { TTC_ERROR, TTC_WARNING, TTC_IO_ERROR } ttc_severity;
+
+typedef struct {
+    ttc_severity severity;
+    uint32_t line, column; /* 1-based; column counts bytes */
+    const char *file, *message;
+} ttc_diagnostic;
 
 typedef struct ttc_diagnostics ttc_diagnostics;
 
-enum { TTC_DIAGNOSTIC_LIMIT = 50 }; /* errors kept; the rest are counted */
+enum { TTC_DIAGNOSTIC_LIMIT = 50 }; /* errors and warnings kept of one file; the rest are counted */
 
 ttc_diagnostics *ttc_diagnostics_create(void); /* NULL when memory is out */
 void ttc_diagnostics_destroy(ttc_diagnostics *diagnostics); /* legal on NULL */
 
-/* The text that later places refer to; borrowed, must outlive the reports made about it. */
+/* The text that later places refer to; both borrowed, and used by the reports that follow only: they keep copies. */
 void ttc_diagnostics_source(ttc_diagnostics *diagnostics, const char *file, const char *text, size_t length);
 
 #if defined(__GNUC__)
@@ -29,8 +36,15 @@ __attribute__((format(printf, 5, 6)))
 void ttc_report(ttc_diagnostics *diagnostics, ttc_severity severity, uint32_t line, uint32_t column, const char *format,
                 ...);
 
+/* Errors of all kinds, kept or not; those of them that are TTC_IO_ERROR; warnings. */
 size_t ttc_error_count(const ttc_diagnostics *diagnostics);
+size_t ttc_io_error_count(const ttc_diagnostics *diagnostics);
 size_t ttc_warning_count(const ttc_diagnostics *diagnostics);
+
+/* Those kept, in order. Strings live as long as `diagnostics`. */
+size_t ttc_diagnostics_size(const ttc_diagnostics *diagnostics);
+ttc_diagnostic ttc_diagnostics_at(const ttc_diagnostics *diagnostics, size_t index);
+
 void ttc_diagnostics_print(const ttc_diagnostics *diagnostics, FILE *stream);
 
 #endif

@@ -12,7 +12,8 @@
  *
  *  A `let` name is a SYMBOL of its own, so the grouping that its author wrote is kept until a pass expands it.
  *  Memory: nodes live until the graph is destroyed. Errors: an operation on TTC_NONE, a zero denominator, an exponent
- *  beyond the limit or more nodes than allowed gives TTC_NONE, and ttc_graph_error() says which, until cleared. */
+ *  beyond the limit, a number, a depth or a size beyond what is allowed gives TTC_NONE, and ttc_graph_error() says
+ *  which, until cleared. The limits bound memory, time and the recursion of every later pass on hostile input. */
 #ifndef TTC_GRAPH_H
 #define TTC_GRAPH_H
 
@@ -25,7 +26,15 @@
 typedef uint32_t ttc_id;
 #define TTC_NONE ((ttc_id)0)
 
-enum { TTC_EXPONENT_LIMIT = 64, TTC_NODE_LIMIT = 1 << 20 };
+enum {
+    TTC_EXPONENT_LIMIT = 64, /* as written in a table */
+    TTC_POWER_LIMIT = 256,   /* of a base in a product, where derivatives and substitutions may go further */
+    TTC_COEFFICIENT_BITS = 4096,  /* of a numerator or denominator */
+    TTC_DEPTH_LIMIT = 1024,       /* of parts within parts */
+    TTC_PART_LIMIT = 1 << 13,     /* parts of one node */
+    TTC_NODE_LIMIT = 1 << 20,
+    TTC_MEMORY_LIMIT = 1 << 29    /* bytes of all nodes */
+};
 
 typedef enum { TTC_NUMBER, TTC_SYMBOL, TTC_PRODUCT, TTC_SUM } ttc_kind;
 
@@ -33,6 +42,8 @@ typedef enum {
     TTC_GRAPH_OK,
     TTC_GRAPH_DIVISION_BY_ZERO,
     TTC_GRAPH_EXPONENT,
+    TTC_GRAPH_COEFFICIENT,
+    TTC_GRAPH_DEPTH,
     TTC_GRAPH_TOO_LARGE,
     TTC_GRAPH_NO_MEMORY
 } ttc_graph_status;
@@ -51,6 +62,7 @@ void ttc_graph_destroy(ttc_graph *graph); /* legal on NULL */
 /* The first error since creation or the last clearing. */
 ttc_graph_status ttc_graph_error(const ttc_graph *graph);
 void ttc_graph_clear_error(ttc_graph *graph);
+const char *ttc_graph_status_text(ttc_graph_status status); /* a phrase; never NULL */
 
 /* Number of nodes; ids run from 1 to this number. */
 size_t ttc_graph_size(const ttc_graph *graph);
@@ -65,6 +77,11 @@ ttc_id ttc_multiply(ttc_graph *graph, ttc_id a, ttc_id b);
 ttc_id ttc_divide(ttc_graph *graph, ttc_id a, ttc_id b);
 ttc_id ttc_power(ttc_graph *graph, ttc_id a, long exponent);
 ttc_id ttc_scale(ttc_graph *graph, ttc_id a, const fmpq_t factor);
+
+/* sum of weights[i] * terms[i], and product of bases[i]^exponents[i], at once: linear where repeated two-term operations
+ * are quadratic. weights may be NULL for ones. */
+ttc_id ttc_sum(ttc_graph *graph, const ttc_id *terms, const fmpq *weights, size_t count);
+ttc_id ttc_product(ttc_graph *graph, const ttc_id *bases, const long *exponents, size_t count);
 
 /* Inspection. `part` pointers and coefficients stay valid until the graph is destroyed. */
 ttc_kind ttc_kind_of(const ttc_graph *graph, ttc_id id);
@@ -82,6 +99,16 @@ ttc_id ttc_substitute(ttc_graph *graph, ttc_id id, ttc_symbol_map map, void *con
 /** Total derivative along a direction: slope(context, symbol) gives the derivative of a symbol, or TTC_NONE for zero.
  *  A partial derivative with respect to x is slope(x) = 1. Cost: one visit a reachable node. */
 ttc_id ttc_derivative(ttc_graph *graph, ttc_id id, ttc_symbol_map slope, void *context);
+
+/** The same through definitions: definition(context, symbol) names the node that a symbol stands for, or TTC_NONE; it must
+ *  have a smaller id than the symbol's own. value(context, symbol, v) then gives the replacement (or the derivative) of the
+ *  symbol, v being that of its definition, TTC_NONE where it has none. Cost: one visit a node, definitions included. */
+typedef ttc_id (*ttc_symbol_definition)(void *context, uint32_t symbol);
+typedef ttc_id (*ttc_symbol_value)(void *context, uint32_t symbol, ttc_id definition_value);
+ttc_id ttc_substitute_through(ttc_graph *graph, ttc_id id, ttc_symbol_definition definition, ttc_symbol_value value,
+                              void *context);
+ttc_id ttc_derivative_through(ttc_graph *graph, ttc_id id, ttc_symbol_definition definition, ttc_symbol_value slope,
+                              void *context);
 
 /* True when `symbol` is reachable from id without passing through symbol definitions. */
 bool ttc_depends(const ttc_graph *graph, ttc_id id, uint32_t symbol);

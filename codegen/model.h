@@ -30,7 +30,7 @@ typedef struct {
     ttc_symbol_kind kind;
     ttc_place place;
     ttc_id node;       /* the symbol itself in the graph */
-    ttc_id definition; /* see the kinds; TTC_NONE otherwise */
+    ttc_id definition; /* see the kinds; TTC_NONE otherwise. Its node stands before `node` in the graph */
     uint32_t partner;  /* of an angle pair */
     ttc_sign sign;     /* TTC_PARAM */
     ttc_id low, high;  /* TTC_STATE: open interval, constants or expressions in parameters; TTC_NONE: unbounded */
@@ -81,7 +81,7 @@ typedef struct {
     char *name;
     uint32_t state; /* symbol of the state that goes */
     uint32_t integral; /* index into claims */
-    uint32_t level; /* symbol, TTC_LEVEL */
+    uint32_t level; /* symbol: TTC_LEVEL, or a TTC_PARAM that the table declares itself */
     ttc_id solution; /* the state in terms of the others and the level; the integral is linear in it */
     ttc_place place;
 } ttc_elimination;
@@ -130,6 +130,7 @@ typedef struct ttc_model {
     uint32_t *params, *states; /* symbols in order of appearance */
     size_t param_count, state_count;
     ttc_equation *equations; /* in the order of states */
+    size_t equation_count;   /* equals state_count in a complete model */
     ttc_variant *variants;
     size_t variant_count;
     ttc_time *times;
@@ -150,6 +151,8 @@ ttc_model *ttc_model_read(const char *path, ttc_diagnostics *diagnostics);
 
 void ttc_model_destroy(ttc_model *model); /* legal on NULL */
 
+void ttc_claim_clear(ttc_claim *claim); /* frees what it holds */
+
 /* Symbol or claim by name; false when there is none. */
 bool ttc_model_find_symbol(const ttc_model *model, const char *name, uint32_t *symbol);
 bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim);
@@ -157,12 +160,22 @@ bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *cl
 /* Replace every `let` by its definition, all the way down. Roots and angles stay symbols. */
 ttc_id ttc_model_expand(const ttc_model *model, ttc_id id);
 
+/* True when `id` depends on `symbol`, through lets, roots and angles. */
+bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol);
+
+/* All symbols that any of the `count` expressions depends on, through definitions: shape (symbol_count,), 1 or 0, for the
+ * caller to free; NULL when memory is out. */
+unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size_t count);
+
 /** Partial derivative with respect to a state (or parameter), through lets, roots and angles by the chain rule; lets
  *  themselves stay as they are in the factors. */
 ttc_id ttc_model_partial(const ttc_model *model, ttc_id id, uint32_t symbol);
 
 /* The k-th equation's right-hand side: the sum of its terms. */
 ttc_id ttc_model_field(const ttc_model *model, size_t k);
+
+/* Claims whose name is that of an equilibria claim: trace, charpoly, obstructs, matrix, leftnull. */
+bool ttc_claim_speaks_of_family(ttc_claim_kind kind);
 
 const char *ttc_claim_kind_name(ttc_claim_kind kind); /* as written in the table: "integral", ... */
 
