@@ -28,6 +28,10 @@ static const command commands[] = {
     { "check", "read tables and report what is wrong with them", ttc_command_check, check_options,
       "Read each table and report every error and warning as FILE:LINE:COLUMN, with the line and a caret. Nothing is "
       "proved and nothing is written." },
+    { "prove", "prove or refute every claim of tables, exactly", ttc_command_prove, check_options,
+      "Prove every claim of each table over Q(parameters)(states, roots), and that its variants, times and eliminations "
+      "follow from it. A refuted claim is printed with its place and the remainder that is not zero; one that says "
+      "nothing (a vanishing denominator, an empty zero level) is an error of the table." },
     { "show", "print equations and Jacobian as text, LaTeX or a graph", ttc_command_show, show_options,
       "Print the right-hand side of each equation and every entry of the Jacobian that is not zero, differentiated "
       "exactly." },

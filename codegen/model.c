@@ -95,6 +95,7 @@ const char *ttc_claim_kind_name(ttc_claim_kind kind)
     case TTC_CLAIM_MATRIX: return "matrix";
     case TTC_CLAIM_LEFT_NULL: return "leftnull";
     case TTC_CLAIM_EQUAL: return "equal";
+    case TTC_CLAIM_RATE: return "rate";
     case TTC_CLAIM_REDUCTION: return "reduction";
     }
     return "claim";

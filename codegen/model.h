@@ -98,6 +98,7 @@ typedef enum {
     TTC_CLAIM_MATRIX,     /* entries: the Jacobian on the family, row by row */
     TTC_CLAIM_LEFT_NULL,  /* members: integrals whose gradients on the family are left null vectors */
     TTC_CLAIM_EQUAL,      /* expression = other */
+    TTC_CLAIM_RATE,       /* d(expression)/dt = other */
     TTC_CLAIM_REDUCTION   /* bindings_of_target: target's STATE or ROOT = expression here, see `target` */
 } ttc_claim_kind;
 

@@ -1,0 +1,91 @@
+/* ttc prove: every claim of the tables, proved or refuted exactly. */
+#include "command.h"
+#include "prove.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+
+static void print_text(const ttc_proof_report *report)
+{
+    for (size_t i = 0; i < report->proof_count; i++) {
+        const ttc_proof *proof = &report->proofs[i];
+        printf("%-8s %-11s %s", ttc_proof_status_name(proof->status), proof->kind, proof->name);
+        if (proof->status == TTC_PROVED && proof->remainder != NULL) printf("  (%s)", proof->remainder);
+        if (proof->status != TTC_PROVED)
+            printf("\n         %s:%u: %s", report->file, (unsigned)proof->place.line,
+                   proof->remainder != NULL ? proof->remainder : "no reason could be stored");
+        printf("\n");
+    }
+    printf("%s: %zu claims: %zu proved, %zu refuted", report->model, report->proof_count, report->proved, report->refuted);
+    if (report->meaningless > 0) printf(", %zu without meaning", report->meaningless);
+    printf("\n");
+}
+
+static json_t *proof_json(const ttc_proof *proof)
+{
+    json_t *object = json_pack("{s:s, s:s, s:i, s:s, s:s?}", "name", proof->name, "kind", proof->kind, "line",
+                               (int)proof->place.line, "status", ttc_proof_status_name(proof->status), "remainder",
+                               proof->status == TTC_PROVED ? NULL : proof->remainder);
+    if (object != NULL && proof->status == TTC_PROVED && proof->remainder != NULL)
+        json_object_set_new(object, "witness", json_string(proof->remainder));
+    return object;
+}
+
+static json_t *report_json(const ttc_proof_report *report)
+{
+    json_t *claims = json_array();
+    for (size_t i = 0; i < report->proof_count; i++) json_array_append_new(claims, proof_json(&report->proofs[i]));
+    return json_pack("{s:s, s:s, s:s, s:o, s:{s:I, s:I, s:I, s:I}}", "model", report->model, "file", report->file, "hash",
+                     report->sha256, "claims", claims, "totals", "claims", (json_int_t)report->proof_count, "proved",
+                     (json_int_t)report->proved, "refuted", (json_int_t)report->refuted, "error",
+                     (json_int_t)report->meaningless);
+}
+
+static void complain(const ttc_proof_report *report)
+{
+    for (size_t i = 0; i < report->proof_count; i++)
+        if (report->proofs[i].status == TTC_MEANINGLESS)
+            fprintf(stderr, "%s:%u:%u: error: the %s claim '%s' says nothing: %s\n", report->file,
+                    (unsigned)report->proofs[i].place.line, (unsigned)report->proofs[i].place.column,
+                    report->proofs[i].kind, report->proofs[i].name,
+                    report->proofs[i].remainder != NULL ? report->proofs[i].remainder : "no reason could be stored");
+}
+
+static void raise_status(int *status, int to)
+{
+    if (*status < to) *status = to;
+}
+
+/* One table gives an object, several an array of them. */
+static void print_json(json_t *reports, size_t file_count)
+{
+    json_t *shown = file_count == 1 && json_array_size(reports) == 1 ? json_array_get(reports, 0) : reports;
+    json_dumpf(shown, stdout, JSON_INDENT(2));
+    printf("\n");
+}
+
+int ttc_command_prove(const ttc_options *options)
+{
+    int status = TTC_EXIT_DONE;
+    json_t *reports = json_array();
+    for (size_t i = 0; i < options->file_count; i++) {
+        ttc_proof_report *report = NULL;
+        ttc_model *model = ttc_command_read(options->files[i], &status);
+        if (model == NULL) continue;
+        if (!ttc_prove(model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report)) {
+            fprintf(stderr, "ttc: out of memory while proving %s\n", options->files[i]);
+            raise_status(&status, TTC_EXIT_IO);
+        } else {
+            if (options->json) json_array_append_new(reports, report_json(report));
+            else print_text(report);
+            complain(report);
+            if (report->refuted > 0) raise_status(&status, TTC_EXIT_REFUTED);
+            if (report->meaningless > 0) raise_status(&status, TTC_EXIT_BAD_TABLE);
+        }
+        ttc_proof_report_destroy(report);
+        ttc_model_destroy(model);
+    }
+    if (options->json) print_json(reports, options->file_count);
+    json_decref(reports);
+    return status;
+}

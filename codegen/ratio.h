@@ -1,0 +1,92 @@
+/** Exact rational functions: the field Q(variables)(generators), where each generator is a square root.
+ *
+ *  A ratio is numerator / denominator over Z[variables, generators]: coprime, the denominator free of generators with
+ *  positive leading coefficient, the numerator of degree at most one in each generator. As the generators are kept
+ *  independent (no product of some of them is rational), this form is unique, and a ratio is zero exactly when its
+ *  numerator is. Nothing is ever rounded or sampled.
+ *
+ *  Errors are sticky: the first failure stays in `status`, later results mean nothing, and whoever draws a conclusion
+ *  asks for it first. FLINT ends the program when memory is out. */
+#ifndef TTC_RATIO_H
+#define TTC_RATIO_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include <flint/fmpq.h>
+#include <flint/fmpz_mpoly.h>
+
+typedef enum {
+    TTC_RING_OK,
+    TTC_RING_DIVISION_BY_ZERO,
+    TTC_RING_ROOT_OF_ZERO,     /* roots are positive by declaration */
+    TTC_RING_ROOT_OF_NEGATIVE,
+    TTC_RING_ROOT_UNDECIDED,   /* independence of a nested root was not established */
+    TTC_RING_CIRCULAR,
+    TTC_RING_ANGLE,
+    TTC_RING_TOO_LARGE,
+    TTC_RING_NO_MEMORY
+} ttc_ring_status;
+
+enum { TTC_GENERATOR_LIMIT = 8, TTC_PRODUCT_LIMIT = 1 << 26 /* pairs of terms in one multiplication */ };
+
+typedef struct {
+    fmpz_mpoly_t numerator, denominator;
+} ttc_ratio;
+
+typedef struct {
+    slong variable;
+    ttc_ratio square; /* in variables and earlier generators */
+    bool positive;    /* a root: never zero. Otherwise an algebraic function of either sign. */
+} ttc_generator;
+
+typedef struct {
+    fmpz_mpoly_ctx_t context;
+    size_t variable_count, next_spare; /* variables from next_spare on are not yet in use */
+    const char **names;                /* borrowed */
+    const bool *positive;              /* by variable; borrowed */
+    ttc_generator generators[TTC_GENERATOR_LIMIT];
+    size_t generator_count;
+    /* A root whose radicand turns out to be a square q^2 is q or -q. Where the sign cannot be told, bit number
+     * choice_count of `choices` decides, and the count goes up: whoever proves, proves every choice. */
+    unsigned choices, choice_count;
+    ttc_ring_status status;
+} ttc_ring;
+
+/* names and positive: shape (variable_count,), must outlive the ring; spares follow from first_spare on. */
+ttc_ring *ttc_ring_create(size_t variable_count, size_t first_spare, const char **names, const bool *positive);
+void ttc_ring_destroy(ttc_ring *ring); /* legal on NULL */
+void ttc_ring_fail(ttc_ring *ring, ttc_ring_status status);
+const char *ttc_ring_status_text(ttc_ring_status status); /* a phrase; never NULL */
+
+void ttc_ratio_init(ttc_ring *ring, ttc_ratio *a);
+void ttc_ratio_clear(ttc_ring *ring, ttc_ratio *a);
+void ttc_ratio_set(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a);
+void ttc_ratio_set_rational(ttc_ring *ring, ttc_ratio *out, const fmpq_t value);
+void ttc_ratio_set_integer(ttc_ring *ring, ttc_ratio *out, slong value);
+void ttc_ratio_set_variable(ttc_ring *ring, ttc_ratio *out, slong variable);
+void ttc_ratio_set_polynomial(ttc_ring *ring, ttc_ratio *out, const fmpz_mpoly_t polynomial);
+
+/* out may be an operand. */
+void ttc_ratio_add(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, const ttc_ratio *b);
+void ttc_ratio_subtract(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, const ttc_ratio *b);
+void ttc_ratio_multiply(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, const ttc_ratio *b);
+void ttc_ratio_divide(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, const ttc_ratio *b);
+void ttc_ratio_power(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, long exponent);
+void ttc_ratio_scale(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, const fmpq_t factor);
+void ttc_ratio_add_product(ttc_ring *ring, ttc_ratio *sum, const ttc_ratio *a, const ttc_ratio *b); /* sum += a*b */
+
+bool ttc_ratio_is_zero(const ttc_ring *ring, const ttc_ratio *a);
+bool ttc_ratio_get_rational(const ttc_ring *ring, fmpq_t value, const ttc_ratio *a); /* false: not a number */
+bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable);
+int ttc_ratio_sign(const ttc_ring *ring, const ttc_ratio *a); /* 1, -1 where evident from the terms; else 0 */
+char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a); /* for free(); NULL when memory is out */
+
+/** Numerator of the norm down to Q(variables): zero exactly where some conjugate of a is zero. */
+void ttc_ratio_norm(ttc_ring *ring, fmpz_mpoly_t norm, const ttc_ratio *a);
+
+/** A square root of `radicand`, positive or (positive = false) any. Expressed through what the ring has when the radicand
+ *  times squares of generators is a square; otherwise `variable` (or a spare one when negative) becomes a generator. */
+void ttc_ring_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, slong variable, bool positive);
+
+#endif
