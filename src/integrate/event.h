@@ -20,6 +20,7 @@ typedef struct {
     unsigned column;
     double level;
     double (*value)(void *context, const double *x);
+    double (*rate)(void *context, const double *x, const double *f);
     void *context;
     jlt_direction direction;
     bool grazing; /* report touches too, whatever the direction asked */

@@ -8,7 +8,7 @@
 #include "core/status.h"
 #include "kernel_abi.h"
 
-enum { JLT_FIELD_DIM_MAX = 256, JLT_JET_ORDER_MAX = 40 };
+enum { JLT_FIELD_DIM_MAX = 256, JLT_VARIATION_DIM_MAX = 32, JLT_JET_ORDER_MAX = 40 };
 
 /** Taylor coefficients of the solution through x: coefficients[k*columns + i] = (d/dtau)^k x_i / k!, k = 0 .. order, with
  *  columns = dim in the model's own time, and dim + 1 in a time of its own, where the last column is t (0 in row 0).
@@ -34,19 +34,19 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p);
 
 /** A field and its variational equations, Y' = (df/dx) Y: states first, then Y by columns (column j at dim + j*dim).
- *  t is not varied: Y is the derivative of the flow in tau. Plain data that must outlive the field made from it. */
+ *  t is not varied: Y is the derivative of the flow in tau. Plain data that must outlive the field made from it and
+ *  serves as its block, hence the alignment. */
 typedef struct {
-    jlt_kernel_function rhs_jacobian; /* f, then df/dx; used when not NULL */
+    _Alignas(double) jlt_kernel_function rhs_jacobian; /* f, then df/dx; used when not NULL */
     jlt_kernel_function rhs, jacobian;
     jlt_kernel_function time_rate;
     const double *p;
     unsigned dim, columns;
-    double scratch[1]; /* keeps the structure aligned as a block; unused */
 } jlt_variation;
 
 /** The variational field of `field` with `columns` columns; error control sees the states and the columns alike unless
  *  out->controlled is lowered. rhs_jacobian may be NULL. Errors: UNSUPPORTED, the field knows no Jacobian;
- *  ARG, dim*(1 + columns) > JLT_FIELD_DIM_MAX. */
+ *  ARG, dim > JLT_VARIATION_DIM_MAX or dim*(1 + columns) > JLT_FIELD_DIM_MAX. */
 JLT_CHECKED jlt_status jlt_field_vary(jlt_field *out, jlt_variation *keep, const jlt_field *field,
                                       jlt_kernel_function rhs_jacobian, unsigned columns);
 

@@ -23,7 +23,7 @@ typedef struct {
     double tolerance;
     double max_step;      /* INFINITY: none */
     unsigned columns;     /* field->dim, and one more in a time of its own */
-    unsigned stride;      /* columns rounded up to 4, 8, or a multiple of 8 */
+    unsigned stride;      /* columns rounded up to a multiple of 8 */
     double direction;     /* +1 or -1: sign of the steps */
 
     double tau;           /* end of the last step, now; compensated by tau_low */
@@ -39,7 +39,8 @@ typedef struct {
     unsigned dense_degree;
     bool dense_ready;
 
-    double *weight;       /* max(|x_i|, scale_i) uses these scales; 0 where not controlled is INFINITY */
+    double *scale;        /* below it a column counts as small; INFINITY: not controlled */
+    unsigned controlled;  /* columns in the error norm */
     size_t steps, rejected, evaluations;
     void *state;          /* the method's own */
 } jlt_stepper;
@@ -52,19 +53,22 @@ struct jlt_method {
     unsigned evaluations;    /* of the field an accepted step; 0: variable */
     bool needs_jet;
     jlt_status (*create)(jlt_stepper *self);    /* makes self->state */
-    void (*destroy)(jlt_stepper *self);         /* legal when create failed or never ran */
-    jlt_status (*start)(jlt_stepper *self);     /* x changed: forget the past, set h_next when it is 0 */
-    jlt_status (*step)(jlt_stepper *self, double limit); /* one accepted step, length <= limit (> 0) */
-    jlt_status (*dense)(jlt_stepper *self);     /* fill dense of the last step */
+    void (*destroy)(jlt_stepper *self);         /* legal when create failed */
+    jlt_status (*start)(jlt_stepper *self);     /* x and f changed: forget the past, set h_next when it is 0 */
+    /* One accepted step of length <= limit (> 0): sets h, h_next, x, x_low, f, x_start, f_start. */
+    jlt_status (*step)(jlt_stepper *self, double limit);
+    jlt_status (*dense)(jlt_stepper *self);     /* fill dense and dense_degree (>= 3) for the last step */
     /* The state at tau_start + theta*h by a step of its own from the start, local error not above the whole step's;
      * out has shape (stride,) and must not be one of the stepper's arrays. theta may leave [0, 1] by a little. */
     jlt_status (*partial)(jlt_stepper *self, double theta, double *out);
+    /* An estimate from above of the total variation of a column on the last step, from what is at hand. */
+    double (*variation)(const jlt_stepper *self, unsigned column);
 };
 
-/** The table: dop853, taylor, rk8pd, rkf45, msadams; ends with a NULL name. The first one is the default. */
-extern const jlt_method jlt_methods[];
+/** The table: dop853 (the default), taylor, rk8pd, rkf45, msadams. NULL past the end. */
+const jlt_method *jlt_method_at(size_t index);
 
-/** By name; NULL when there is none. */
+/** By name; NULL when there is none; the default for NULL. */
 const jlt_method *jlt_method_find(const char *name);
 
 /** A stepper at rest at nowhere. tolerance in (0, 1); max_step > 0 or INFINITY. `field` is copied by reference and must live on.
@@ -78,6 +82,10 @@ void jlt_stepper_destroy(jlt_stepper *self); /* NULL is legal */
 JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction,
                                          double first_step);
 
+/** Put another state in place of the point, near it (a projection): time, counters and proposed step stay. The last step's
+ *  polynomial is bent to end there. Errors: NONFINITE. Cost: 1 evaluation; msadams loses its past. */
+JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x);
+
 /** One accepted step, |h| <= limit. On failure the point is that of the last accepted step.
  *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau. */
 JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
@@ -85,7 +93,7 @@ JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
 /** Make the polynomial of the last step, once. Cost: none (taylor), 3 evaluations (dop853), 15 (the others). */
 JLT_CHECKED jlt_status jlt_stepper_dense(jlt_stepper *self);
 
-/** Value of column i (or of all columns) of that polynomial, and its derivative in tau. jlt_stepper_dense came before. */
+/** Value of one column, or of all (columns,), of that polynomial; jlt_stepper_dense came before. */
 double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta);
 void jlt_stepper_values(const jlt_stepper *self, double theta, double *out);
 

@@ -12,13 +12,7 @@
 #include <signal.h>
 
 #include "integrate/event.h"
-
-/** Functions constant along the flow, all in one kernel: values (count,), gradients (count, dim). */
-typedef struct {
-    unsigned count; /* at most 8 */
-    jlt_kernel_function values, gradients; /* gradients may be NULL where nothing is projected */
-    const double *p;
-} jlt_invariants;
+#include "integrate/invariant.h"
 
 /** Zero means the default, in all fields. */
 typedef struct {

@@ -1,0 +1,106 @@
+#include "ext/eigen.h"
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_math.h>
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+static jlt_status status_of(int gsl)
+{
+    if (gsl == GSL_SUCCESS) return JLT_OK;
+    if (gsl == GSL_ENOMEM) return JLT_ERR_NOMEM;
+    return gsl == GSL_EMAXITER || gsl == GSL_EFAILED ? JLT_ERR_NO_CONVERGENCE : JLT_ERR_NONFINITE;
+}
+
+static bool all_finite(const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(values[i])) return false;
+    return true;
+}
+
+/* Insertion sort by (re, im). */
+static void sort_ascending(double *re, double *im, size_t n)
+{
+    for (size_t i = 1; i < n; i++)
+        for (size_t j = i; j > 0; j--) {
+            double held = re[j];
+            if (re[j - 1] < re[j] || (!(re[j - 1] > re[j]) && im[j - 1] <= im[j])) break;
+            re[j] = re[j - 1], re[j - 1] = held;
+            held = im[j];
+            im[j] = im[j - 1], im[j - 1] = held;
+        }
+}
+
+jlt_status jlt_eigen_values(double *re, double *im, const double *a, size_t n)
+{
+    gsl_error_handler_t *handler;
+    jlt_status st = JLT_ERR_NOMEM;
+    gsl_matrix *work = NULL;
+    gsl_vector_complex *values = NULL;
+    gsl_eigen_nonsymm_workspace *space = NULL;
+
+    if (n == 0) return JLT_OK;
+    if (!all_finite(a, n * n)) return JLT_ERR_NONFINITE;
+    handler = gsl_set_error_handler_off();
+    work = gsl_matrix_alloc(n, n);
+    values = gsl_vector_complex_alloc(n);
+    space = gsl_eigen_nonsymm_alloc(n);
+    if (work == NULL || values == NULL || space == NULL) goto done;
+    memcpy(work->data, a, n * n * sizeof *a);
+    gsl_eigen_nonsymm_params(0, 1, space);
+    JLT_TRY(status_of(gsl_eigen_nonsymm(work, values, space)));
+    for (size_t i = 0; i < n; i++) {
+        re[i] = GSL_REAL(gsl_vector_complex_get(values, i));
+        im[i] = GSL_IMAG(gsl_vector_complex_get(values, i));
+    }
+    sort_ascending(re, im, n);
+    if (!all_finite(re, n) || !all_finite(im, n)) st = JLT_ERR_NONFINITE;
+done:
+    gsl_eigen_nonsymm_free(space);
+    gsl_vector_complex_free(values);
+    gsl_matrix_free(work);
+    gsl_set_error_handler(handler);
+    return st;
+}
+
+jlt_status jlt_eigen_least_squares(double *z, const double *a, const double *b, size_t rows, size_t columns, double cutoff)
+{
+    /* GSL decomposes tall matrices only: zero rows change neither the least squares nor the shortest solution. */
+    const size_t tall = rows > columns ? rows : columns;
+    gsl_error_handler_t *handler;
+    jlt_status st = JLT_ERR_NOMEM;
+    gsl_matrix *u = NULL, *v = NULL;
+    gsl_vector *s = NULL;
+    double largest;
+
+    if (columns == 0) return JLT_OK;
+    if (!all_finite(a, rows * columns) || !all_finite(b, rows)) return JLT_ERR_NONFINITE;
+    handler = gsl_set_error_handler_off();
+    u = gsl_matrix_calloc(tall, columns);
+    v = gsl_matrix_alloc(columns, columns);
+    s = gsl_vector_alloc(columns);
+    if (u == NULL || v == NULL || s == NULL) goto done;
+    memcpy(u->data, a, rows * columns * sizeof *a);
+    JLT_TRY(status_of(gsl_linalg_SV_decomp_jacobi(u, v, s)));
+    largest = gsl_vector_get(s, 0);
+    for (size_t j = 0; j < columns; j++) z[j] = 0.0;
+    for (size_t k = 0; k < columns; k++) {
+        const double singular = gsl_vector_get(s, k);
+        double along = 0.0;
+        if (!(singular > cutoff * largest)) continue;
+        for (size_t i = 0; i < rows; i++) along += gsl_matrix_get(u, i, k) * b[i];
+        for (size_t j = 0; j < columns; j++) z[j] += gsl_matrix_get(v, j, k) * (along / singular);
+    }
+    if (!all_finite(z, columns)) st = JLT_ERR_NONFINITE;
+done:
+    gsl_vector_free(s);
+    gsl_matrix_free(v);
+    gsl_matrix_free(u);
+    gsl_set_error_handler(handler);
+    return st;
+}

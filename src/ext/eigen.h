@@ -1,0 +1,21 @@
+/** Eigenvalues and least squares of small dense real matrices, by GSL. Matrices are row-major and not changed.
+ *  GSL's error handler is switched off around every call and put back. */
+#ifndef JLT_EXT_EIGEN_H
+#define JLT_EXT_EIGEN_H
+
+#include "core/status.h"
+
+#include <stddef.h>
+
+/** Eigenvalues of a real n x n matrix, balanced, by the Francis QR algorithm.
+ *  Out: re, im, shape (n,), in ascending order of (re, im). In: a, shape (n, n), finite.
+ *  Errors: NONFINITE, NO_CONVERGENCE, NOMEM. Accuracy: normwise backward stable; a defective eigenvalue of index k keeps a
+ *  k-th part of the digits. Cost: 10 n^3. Source: Golub, Van Loan, Matrix Computations, 7.5. */
+JLT_CHECKED jlt_status jlt_eigen_values(double *re, double *im, const double *a, size_t n);
+
+/** The shortest z with least |a z - b|, singular values below cutoff * largest taken as zero.
+ *  Out: z, shape (columns,). In: a, shape (rows, columns); b, shape (rows,). Errors: NONFINITE, NOMEM. */
+JLT_CHECKED jlt_status jlt_eigen_least_squares(double *z, const double *a, const double *b, size_t rows, size_t columns,
+                                               double cutoff);
+
+#endif

@@ -1,0 +1,72 @@
+#include "ext/gsl_ode.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#include <math.h>
+#include <stdlib.h>
+
+struct jlt_gsl_ode {
+    gsl_odeiv2_system system;
+    gsl_odeiv2_driver *driver;
+    jlt_gsl_ode_field field;
+    void *context;
+    size_t dim;
+};
+
+static int call(double t, const double x[], double f[], void *self)
+{
+    const jlt_gsl_ode *ode = self;
+    (void)t;
+    ode->field(ode->context, x, f);
+    return GSL_SUCCESS;
+}
+
+jlt_status jlt_gsl_ode_create(jlt_gsl_ode **out, jlt_gsl_ode_kind kind, size_t dim, jlt_gsl_ode_field field, void *context,
+                              double tolerance, const double *scale)
+{
+    const gsl_odeiv2_step_type *const types[] = { gsl_odeiv2_step_rk8pd, gsl_odeiv2_step_rkf45, gsl_odeiv2_step_msadams };
+    jlt_gsl_ode *self;
+
+    *out = NULL;
+    gsl_set_error_handler_off();
+    self = calloc(1, sizeof *self);
+    if (self == NULL) return JLT_ERR_NOMEM;
+    self->system = (gsl_odeiv2_system){ .function = call, .dimension = dim, .params = self };
+    self->field = field;
+    self->context = context;
+    self->dim = dim;
+    self->driver = gsl_odeiv2_driver_alloc_scaled_new(&self->system, types[kind], 1e-3, tolerance, tolerance, 1, 0, scale);
+    if (self->driver == NULL) {
+        free(self);
+        return JLT_ERR_NOMEM;
+    }
+    *out = self;
+    return JLT_OK;
+}
+
+void jlt_gsl_ode_destroy(jlt_gsl_ode *self)
+{
+    if (self == NULL) return;
+    gsl_odeiv2_driver_free(self->driver);
+    free(self);
+}
+
+jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self)
+{
+    return gsl_odeiv2_driver_reset(self->driver) == GSL_SUCCESS ? JLT_OK : JLT_ERR_ARG;
+}
+
+jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *h, double *taken, size_t *rejected, double limit)
+{
+    gsl_odeiv2_driver *d = self->driver;
+    const unsigned long failed = d->e->failed_steps;
+    double t = 0; /* the field has no time: each step starts its own clock, so that none is lost to rounding */
+    const int code = gsl_odeiv2_evolve_apply(d->e, d->c, d->s, &self->system, &t, limit, h, x);
+
+    *rejected += d->e->failed_steps - failed;
+    if (code != GSL_SUCCESS || t == 0) return JLT_ERR_NO_PROGRESS;
+    for (size_t i = 0; i < self->dim; i++)
+        if (!isfinite(x[i])) return JLT_ERR_NONFINITE;
+    *taken = t;
+    return JLT_OK;
+}

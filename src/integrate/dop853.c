@@ -1,0 +1,365 @@
+/* E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5 and II.6.
+ *
+ * The stage sums are straight lines over vectors of eight columns. The newest slope enters each sum last and by scalars:
+ * the kernel has just stored it entry by entry, and a vector load of it would wait for those stores. */
+#include "integrate/dop853.h"
+
+#include <stdlib.h>
+
+#include "core/memory.h"
+#include "integrate/dop853_coefficients.h"
+#include "integrate/step_control.h"
+
+enum { WIDTH = 8, SLOPES = 16 };
+typedef double lanes __attribute__((vector_size(WIDTH * sizeof(double))));
+
+struct jlt_dop853 {
+    double *k;       /* (SLOPES, stride): the slopes k1 .. k16 */
+    double *part;    /* (stride,): stage sum without its newest slope */
+    double *stage;   /* (stride,): where the field is evaluated */
+    double *trial, *trial_low; /* (stride,) */
+};
+
+jlt_dop853 *jlt_dop853_new(const jlt_stepper *stepper)
+{
+    const size_t stride = stepper->stride;
+    jlt_dop853 *self = jlt_memory_array(1, sizeof *self);
+    if (self == NULL) return NULL;
+    double *block = jlt_memory_array((SLOPES + 4) * stride, sizeof *block);
+    if (block == NULL) {
+        free(self);
+        return NULL;
+    }
+    self->k = block;
+    self->part = block + SLOPES * stride;
+    self->stage = self->part + stride;
+    self->trial = self->stage + stride;
+    self->trial_low = self->trial + stride;
+    return self;
+}
+
+static inline void slope(const jlt_field *field, const double *x, double *k)
+{
+    field->call(x, field->p, k);
+    if (field->time_rate != NULL) field->time_rate(x, field->p, k + field->dim);
+}
+
+/* Add the newest slope to the sum, and evaluate the field there. */
+static inline void close_stage(jlt_dop853 *self, const jlt_field *field, double ha, const double *newest, double *k)
+{
+    const unsigned dim = field->dim;
+    double *stage = self->stage;
+    const double *part = self->part;
+#if defined(__clang__)
+#pragma clang loop vectorize(disable)
+#endif
+    for (unsigned i = 0; i < dim; i++) stage[i] = part[i] + ha * newest[i];
+    slope(field, stage, k);
+}
+
+#define K(j) k[((j) - 1) * blocks + b]
+#define ROW(j) (self->k + ((j) - 1) * (size_t)stride)
+#define FOR_BLOCKS for (unsigned b = 0; b < blocks; b++)
+#define STAGE(i, last, older)                                              \
+    FOR_BLOCKS part[b] = x0[b] + h * (older);                              \
+    close_stage(self, field, h * DOP_A_##i##_##last, ROW(last), ROW(i))
+
+/* k2 .. k12 from k1, and the sum of the solution but for k12 in `part`. */
+static inline __attribute__((always_inline)) void stages(jlt_dop853 *self, const jlt_field *field, const double *x,
+                                                         double h, unsigned blocks)
+{
+    const unsigned stride = blocks * WIDTH;
+    const lanes *k = (const lanes *)(const void *)self->k;
+    const lanes *x0 = (const lanes *)(const void *)x;
+    lanes *part = (lanes *)(void *)self->part;
+
+    FOR_BLOCKS part[b] = x0[b];
+    close_stage(self, field, h * DOP_A_2_1, ROW(1), ROW(2));
+    STAGE(3, 2, DOP_A_3_1 * K(1));
+    STAGE(4, 3, DOP_A_4_1 * K(1));
+    STAGE(5, 4, DOP_A_5_1 * K(1) + DOP_A_5_3 * K(3));
+    STAGE(6, 5, DOP_A_6_1 * K(1) + DOP_A_6_4 * K(4));
+    STAGE(7, 6, DOP_A_7_1 * K(1) + DOP_A_7_4 * K(4) + DOP_A_7_5 * K(5));
+    STAGE(8, 7, DOP_A_8_1 * K(1) + DOP_A_8_4 * K(4) + DOP_A_8_5 * K(5) + DOP_A_8_6 * K(6));
+    STAGE(9, 8, DOP_A_9_1 * K(1) + DOP_A_9_4 * K(4) + DOP_A_9_5 * K(5) + DOP_A_9_6 * K(6) + DOP_A_9_7 * K(7));
+    STAGE(10, 9, DOP_A_10_1 * K(1) + DOP_A_10_4 * K(4) + DOP_A_10_5 * K(5) + DOP_A_10_6 * K(6)
+                     + DOP_A_10_7 * K(7) + DOP_A_10_8 * K(8));
+    STAGE(11, 10, DOP_A_11_1 * K(1) + DOP_A_11_4 * K(4) + DOP_A_11_5 * K(5) + DOP_A_11_6 * K(6)
+                      + DOP_A_11_7 * K(7) + DOP_A_11_8 * K(8) + DOP_A_11_9 * K(9));
+    STAGE(12, 11, DOP_A_12_1 * K(1) + DOP_A_12_4 * K(4) + DOP_A_12_5 * K(5) + DOP_A_12_6 * K(6)
+                      + DOP_A_12_7 * K(7) + DOP_A_12_8 * K(8) + DOP_A_12_9 * K(9) + DOP_A_12_10 * K(10));
+    FOR_BLOCKS part[b] = h * (DOP_A_13_1 * K(1) + DOP_A_13_6 * K(6) + DOP_A_13_7 * K(7) + DOP_A_13_8 * K(8)
+                              + DOP_A_13_9 * K(9) + DOP_A_13_10 * K(10) + DOP_A_13_11 * K(11));
+}
+
+/* Solution into trial, with what rounding cuts off into trial_low; then k13, the slope there. */
+static inline void solution(jlt_dop853 *self, const jlt_stepper *stepper, const double *x, const double *x_low, double h)
+{
+    const unsigned stride = stepper->stride, columns = stepper->columns;
+    const double hb = h * DOP_A_13_12, *newest = ROW(12);
+#if defined(__clang__)
+#pragma clang loop vectorize(disable)
+#endif
+    for (unsigned i = 0; i < columns; i++) {
+        const double move = (self->part[i] + hb * newest[i]) + x_low[i];
+        self->trial[i] = x[i] + move;
+        self->trial_low[i] = (x[i] - self->trial[i]) + move;
+    }
+    slope(stepper->field, self->trial, ROW(13));
+}
+
+/* max(|a|, |b|, c) lane by lane, c >= 0, by masks: C has no conditional on vectors. */
+static inline void largest(lanes *out, const lanes *a, const lanes *b, const lanes *c)
+{
+    typedef long long bits __attribute__((vector_size(WIDTH * sizeof(long long))));
+    const bits magnitude = (bits){ 0 } + 0x7fffffffffffffffLL;
+    const lanes p = (lanes)((bits)*a & magnitude), q = (lanes)((bits)*b & magnitude);
+    const bits first = (bits)(p > q);
+    const lanes m = (lanes)(((bits)p & first) | ((bits)q & ~first));
+    const bits second = (bits)(m > *c);
+    *out = (lanes)(((bits)m & second) | ((bits)*c & ~second));
+}
+
+/* The error norm of dop853, in units of the tolerance; NaN where a slope is not finite. */
+static inline __attribute__((always_inline)) double error_norm(const jlt_dop853 *self, const jlt_stepper *stepper,
+                                                               double h, unsigned blocks)
+{
+    const lanes *k = (const lanes *)(const void *)self->k;
+    const lanes *x0 = (const lanes *)(const void *)stepper->x, *x1 = (const lanes *)(const void *)self->trial;
+    const lanes *scale = (const lanes *)(const void *)stepper->scale;
+    lanes sum5 = { 0 }, sum3 = { 0 };
+
+    FOR_BLOCKS {
+        lanes weight;
+        largest(&weight, &x0[b], &x1[b], &scale[b]);
+        const lanes e5 = (DOP_E5_1 * K(1) + DOP_E5_6 * K(6) + DOP_E5_7 * K(7) + DOP_E5_8 * K(8) + DOP_E5_9 * K(9)
+                          + DOP_E5_10 * K(10) + DOP_E5_11 * K(11) + DOP_E5_12 * K(12)) / weight;
+        const lanes e3 = (DOP_E3_1 * K(1) + DOP_E3_6 * K(6) + DOP_E3_7 * K(7) + DOP_E3_8 * K(8) + DOP_E3_9 * K(9)
+                          + DOP_E3_10 * K(10) + DOP_E3_11 * K(11) + DOP_E3_12 * K(12)) / weight;
+        sum5 += e5 * e5;
+        sum3 += e3 * e3;
+    }
+    const double five = ((sum5[0] + sum5[1]) + (sum5[2] + sum5[3])) + ((sum5[4] + sum5[5]) + (sum5[6] + sum5[7]));
+    const double three = ((sum3[0] + sum3[1]) + (sum3[2] + sum3[3])) + ((sum3[4] + sum3[5]) + (sum3[6] + sum3[7]));
+    const double denominator = five + 0.01 * three;
+    if (denominator == 0) return 0;
+    return fabs(h) * five / (sqrt(denominator * stepper->controlled) * stepper->tolerance);
+}
+
+static inline __attribute__((always_inline)) double attempt_blocks(jlt_dop853 *self, const jlt_stepper *stepper, double h,
+                                                                   unsigned blocks)
+{
+    stages(self, stepper->field, stepper->x, h, blocks);
+    solution(self, stepper, stepper->x, stepper->x_low, h);
+    return error_norm(self, stepper, h, blocks);
+}
+
+static double attempt(jlt_dop853 *self, const jlt_stepper *stepper, double h)
+{
+    return stepper->stride == WIDTH ? attempt_blocks(self, stepper, h, 1)
+                                    : attempt_blocks(self, stepper, h, stepper->stride / WIDTH);
+}
+
+static void copy(double *to, const double *from, unsigned stride)
+{
+    for (unsigned i = 0; i < stride; i++) to[i] = from[i];
+}
+
+static jlt_status step(jlt_stepper *stepper, double limit)
+{
+    jlt_dop853 *self = stepper->state;
+    const unsigned stride = stepper->stride;
+    const double asked = fmin(stepper->h_next, stepper->max_step), size = fmin(asked, limit);
+    double h = stepper->direction * size, error;
+    bool rejected = false, finite = true;
+
+    for (;;) {
+        if (jlt_step_vanishes(stepper->tau, h)) return finite ? JLT_ERR_NO_PROGRESS : JLT_ERR_NONFINITE;
+        error = attempt(self, stepper, h);
+        stepper->evaluations += 12;
+        if (error <= 1) break;
+        finite = isfinite(error);
+        h *= finite ? fmax(0.9 * jlt_inverse_root(error, 1.0 / 8), 0.2) : 0.1;
+        stepper->rejected++;
+        rejected = true;
+    }
+
+    double factor = 0.9 * jlt_inverse_root(error, 1.0 / 8);
+    factor = fmin(fmax(factor, 1.0 / 3), rejected ? 1 : 6);
+    const double proposed = fabs(h) * factor;
+    stepper->h_next = !rejected && size < asked ? fmax(proposed, asked) : proposed;
+
+    stepper->h = h;
+    copy(stepper->x_start, stepper->x, stride);
+    copy(stepper->f_start, stepper->f, stride);
+    copy(stepper->x, self->trial, stride);
+    copy(stepper->x_low, self->trial_low, stride);
+    copy(stepper->f, ROW(13), stride);
+    copy(ROW(1), ROW(13), stride);
+    return JLT_OK;
+}
+
+#define D_SUM(i)                                                                                                  \
+    (DOP_D_##i##_1 * f0[b] + DOP_D_##i##_6 * K(6) + DOP_D_##i##_7 * K(7) + DOP_D_##i##_8 * K(8)                   \
+     + DOP_D_##i##_9 * K(9) + DOP_D_##i##_10 * K(10) + DOP_D_##i##_11 * K(11) + DOP_D_##i##_12 * K(12)            \
+     + DOP_D_##i##_13 * K(13) + DOP_D_##i##_14 * K(14) + DOP_D_##i##_15 * K(15) + DOP_D_##i##_16 * K(16))
+
+/* Nested form of the book, x0 + theta (r1 + (1 - theta)(r2 + theta (r3 + ...))), multiplied out into powers of theta. */
+static void expand(jlt_stepper *stepper, const lanes r[8], unsigned b)
+{
+    lanes c[8] = { r[7] }; /* r7 is the innermost */
+    for (unsigned m = 6; m >= 1; m--) {
+        /* c <- r[m] + (theta or 1 - theta) c; degree of c is 6 - m */
+        const unsigned degree = 6 - m;
+        const bool inward = m % 2 == 1;
+        for (unsigned j = degree + 1; j >= 1; j--) {
+            const lanes stay = j <= degree ? c[j] : (lanes){ 0 };
+            c[j] = inward ? stay - c[j - 1] : c[j - 1];
+        }
+        if (inward) c[0] += r[m];
+        else c[0] = r[m];
+    }
+    for (unsigned j = 7; j >= 1; j--) c[j] = c[j - 1];
+    c[0] = r[0];
+    for (unsigned j = 0; j < 8; j++) *(lanes *)(void *)(stepper->dense + j * stepper->stride + b * WIDTH) = c[j];
+}
+
+/* Slopes k2 .. k13 of the step from x to x_end are in place; k1 is given. */
+static void polynomial(jlt_dop853 *self, jlt_stepper *stepper, const double *x, const double *f, double h,
+                       const double *x_end)
+{
+    const unsigned stride = stepper->stride, blocks = stride / WIDTH;
+    const jlt_field *field = stepper->field;
+    const lanes *k = (const lanes *)(const void *)self->k;
+    const lanes *x0 = (const lanes *)(const void *)x, *f0 = (const lanes *)(const void *)f;
+    const lanes *x1 = (const lanes *)(const void *)x_end;
+    lanes *part = (lanes *)(void *)self->part;
+
+    STAGE(14, 13, DOP_A_14_1 * f0[b] + DOP_A_14_7 * K(7) + DOP_A_14_8 * K(8) + DOP_A_14_9 * K(9)
+                      + DOP_A_14_10 * K(10) + DOP_A_14_11 * K(11) + DOP_A_14_12 * K(12));
+    STAGE(15, 14, DOP_A_15_1 * f0[b] + DOP_A_15_6 * K(6) + DOP_A_15_7 * K(7) + DOP_A_15_8 * K(8)
+                      + DOP_A_15_11 * K(11) + DOP_A_15_12 * K(12) + DOP_A_15_13 * K(13));
+    STAGE(16, 15, DOP_A_16_1 * f0[b] + DOP_A_16_6 * K(6) + DOP_A_16_7 * K(7) + DOP_A_16_8 * K(8)
+                      + DOP_A_16_9 * K(9) + DOP_A_16_13 * K(13) + DOP_A_16_14 * K(14));
+    stepper->evaluations += 3;
+    FOR_BLOCKS {
+        const lanes move = x1[b] - x0[b];
+        const lanes r[8] = { x0[b], move, h * f0[b] - move, 2 * move - h * (f0[b] + K(13)),
+                             h * D_SUM(4), h * D_SUM(5), h * D_SUM(6), h * D_SUM(7) };
+        expand(stepper, r, b);
+    }
+    stepper->dense_degree = 7;
+}
+
+static jlt_status dense(jlt_stepper *stepper)
+{
+    polynomial(stepper->state, stepper, stepper->x_start, stepper->f_start, stepper->h, stepper->x);
+    return JLT_OK;
+}
+
+void jlt_dop853_single(jlt_dop853 *self, const jlt_stepper *stepper, const double *x, const double *f, double h,
+                       double *out)
+{
+    const unsigned stride = stepper->stride;
+    const double hb = h * DOP_A_13_12;
+
+    copy(ROW(1), f, stride);
+    stages(self, stepper->field, x, h, stride / WIDTH);
+    for (unsigned i = 0; i < stride; i++) out[i] = x[i] + (self->part[i] + hb * ROW(12)[i]);
+}
+
+void jlt_dop853_dense(jlt_dop853 *self, jlt_stepper *stepper, const double *x, double h, const double *x_end)
+{
+    const unsigned stride = stepper->stride;
+    slope(stepper->field, x_end, ROW(13));
+    polynomial(self, stepper, x, ROW(1), h, x_end);
+    stepper->evaluations++;
+}
+
+/* The slopes of the whole step are still needed (its polynomial may be asked for later), so they are kept aside. */
+static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
+{
+    jlt_status st = jlt_stepper_dense(stepper);
+    if (st != JLT_OK) return st;
+    jlt_dop853 *self = stepper->state;
+    jlt_dop853_single(self, stepper, stepper->x_start, stepper->f_start, theta * stepper->h, out);
+    copy(self->k, stepper->f, stepper->stride);
+    stepper->evaluations += 11;
+    return JLT_OK;
+}
+
+/* First step after Hairer, Norsett and Wanner, II.4: an explicit Euler step that should change little. */
+static double first_step(jlt_dop853 *self, jlt_stepper *stepper)
+{
+    const unsigned columns = stepper->columns;
+    double size = 0, speed = 0, bend = 0;
+
+    for (unsigned i = 0; i < columns; i++) {
+        const double w = fmax(fabs(stepper->x[i]), stepper->scale[i]);
+        size = fmax(size, fabs(stepper->x[i]) / w);
+        speed = fmax(speed, fabs(stepper->f[i]) / w);
+    }
+    double h = size < 1e-5 || speed < 1e-5 ? 1e-6 : 0.01 * size / speed;
+    h = fmin(h, stepper->max_step);
+    for (unsigned i = 0; i < columns; i++) self->trial[i] = stepper->x[i] + stepper->direction * h * stepper->f[i];
+    slope(stepper->field, self->trial, self->stage);
+    stepper->evaluations++;
+    for (unsigned i = 0; i < columns; i++) {
+        const double w = fmax(fabs(stepper->x[i]), stepper->scale[i]);
+        bend = fmax(bend, fabs(self->stage[i] - stepper->f[i]) / w / h);
+    }
+    const double steepest = fmax(speed, bend);
+    const double by_order = steepest <= 1e-15 ? fmax(1e-6, h * 1e-3)
+                                              : 0.5 * jlt_inverse_root(steepest / stepper->tolerance, 1.0 / 8);
+    return isfinite(bend) ? fmin(fmin(100 * h, by_order), stepper->max_step) : h;
+}
+
+static jlt_status start(jlt_stepper *stepper)
+{
+    jlt_dop853 *self = stepper->state;
+    copy(self->k, stepper->f, stepper->stride);
+    if (!(stepper->h_next > 0)) stepper->h_next = first_step(self, stepper);
+    return JLT_OK;
+}
+
+/* |x_i(theta) - x_i(0)| summed over the step, from the slopes at its stages: see method.h. */
+static double variation(const jlt_stepper *stepper, unsigned column)
+{
+    const jlt_dop853 *self = stepper->state;
+    double most = fmax(fabs(stepper->f_start[column]), fabs(stepper->f[column]));
+    for (unsigned j = 2; j <= 12; j++) most = fmax(most, fabs(self->k[(j - 1) * stepper->stride + column]));
+    return fabs(stepper->h) * most;
+}
+
+static jlt_status create(jlt_stepper *stepper)
+{
+    stepper->state = jlt_dop853_new(stepper);
+    return stepper->state != NULL ? JLT_OK : JLT_ERR_NOMEM;
+}
+
+void jlt_dop853_free(jlt_dop853 *self)
+{
+    if (self == NULL) return;
+    free(self->k);
+    free(self);
+}
+
+static void destroy(jlt_stepper *stepper)
+{
+    jlt_dop853_free(stepper->state);
+}
+
+const jlt_method jlt_method_dop853 = {
+    .name = "dop853",
+    .meaning = "Dormand and Prince 8(5,3), 12 stages, dense output of order 7 (Hairer, Norsett and Wanner)",
+    .order = 8,
+    .dense_order = 7,
+    .evaluations = 12,
+    .create = create,
+    .destroy = destroy,
+    .start = start,
+    .step = step,
+    .dense = dense,
+    .partial = partial,
+    .variation = variation,
+};

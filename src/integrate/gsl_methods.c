@@ -1,0 +1,139 @@
+/* GSL gives no dense output. One step of DOP853 over the accepted step provides it, of local order 7, bent to
+ * end at GSL's point: its error is at most that of DOP853 on the same step, plus GSL's own. Partial steps are
+ * DOP853's as well; a step of GSL's controlled methods is short enough for that, being of order 8 or lower or (msadams, order
+ * up to 12) shorter still by its stability. */
+#include "integrate/gsl_methods.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/memory.h"
+#include "ext/gsl_ode.h"
+#include "integrate/dop853.h"
+#include "integrate/step_control.h"
+
+typedef struct {
+    jlt_gsl_ode *ode;
+    jlt_dop853 *companion;
+    jlt_stepper *stepper;
+    double *trial, *end; /* (stride,) */
+} gsl_state;
+
+static void field(void *context, const double *x, double *f)
+{
+    jlt_stepper *stepper = context;
+    const jlt_field *of = stepper->field;
+    of->call(x, of->p, f);
+    if (of->time_rate != NULL) of->time_rate(x, of->p, f + of->dim);
+    stepper->evaluations++;
+}
+
+static jlt_status create_kind(jlt_stepper *stepper, jlt_gsl_ode_kind kind)
+{
+    gsl_state *self = jlt_memory_array(1, sizeof *self);
+    stepper->state = self;
+    if (self == NULL) return JLT_ERR_NOMEM;
+    self->companion = jlt_dop853_new(stepper);
+    self->trial = jlt_memory_array(2 * (size_t)stepper->stride, sizeof *self->trial);
+    if (self->companion == NULL || self->trial == NULL) return JLT_ERR_NOMEM;
+    self->end = self->trial + stepper->stride;
+
+    double scale[JLT_FIELD_DIM_MAX + 1]; /* GSL multiplies them, so "not controlled" must stay finite */
+    for (unsigned i = 0; i < stepper->columns; i++) scale[i] = fmin(stepper->scale[i], 1e200);
+    return jlt_gsl_ode_create(&self->ode, kind, stepper->columns, field, stepper, stepper->tolerance, scale);
+}
+
+static void destroy(jlt_stepper *stepper)
+{
+    gsl_state *self = stepper->state;
+    if (self == NULL) return;
+    jlt_gsl_ode_destroy(self->ode);
+    jlt_dop853_free(self->companion);
+    free(self->trial);
+    free(self);
+}
+
+static jlt_status start(jlt_stepper *stepper)
+{
+    gsl_state *self = stepper->state;
+    if (!(stepper->h_next > 0)) stepper->h_next = fmin(1e-3, stepper->max_step);
+    return jlt_gsl_ode_reset(self->ode);
+}
+
+static jlt_status step(jlt_stepper *stepper, double limit)
+{
+    gsl_state *self = stepper->state;
+    const double asked = fmin(stepper->h_next, stepper->max_step), reach = fmin(limit, stepper->max_step);
+    double h = stepper->direction * asked, taken = 0;
+
+    memcpy(self->trial, stepper->x, stepper->columns * sizeof *self->trial);
+    const jlt_status st = jlt_gsl_ode_step(self->ode, self->trial, &h, &taken, &stepper->rejected,
+                                           stepper->direction * fmin(reach, 1e300));
+    if (st != JLT_OK) return st;
+    if (jlt_step_vanishes(stepper->tau, taken)) return JLT_ERR_NO_PROGRESS;
+    stepper->h = taken;
+    stepper->h_next = fabs(taken) < asked ? fmax(fabs(h), asked) : fabs(h);
+    memcpy(stepper->x_start, stepper->x, stepper->stride * sizeof *stepper->x);
+    memcpy(stepper->f_start, stepper->f, stepper->stride * sizeof *stepper->f);
+    memcpy(stepper->x, self->trial, stepper->columns * sizeof *stepper->x);
+    field(stepper, stepper->x, stepper->f);
+    return JLT_OK;
+}
+
+static jlt_status dense(jlt_stepper *stepper)
+{
+    gsl_state *self = stepper->state;
+    jlt_dop853_single(self->companion, stepper, stepper->x_start, stepper->f_start, stepper->h, self->end);
+    jlt_dop853_dense(self->companion, stepper, stepper->x_start, stepper->h, self->end);
+    stepper->evaluations += 11;
+    return JLT_OK;
+}
+
+static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
+{
+    gsl_state *self = stepper->state;
+    jlt_dop853_single(self->companion, stepper, stepper->x_start, stepper->f_start, theta * stepper->h, out);
+    stepper->evaluations += 11;
+    return JLT_OK;
+}
+
+/* Only the slopes at the ends are at hand; four times the larger one is generous for steps under error control. */
+static double variation(const jlt_stepper *stepper, unsigned column)
+{
+    return 4 * fabs(stepper->h) * fmax(fabs(stepper->f_start[column]), fabs(stepper->f[column]));
+}
+
+static jlt_status create_rk8pd(jlt_stepper *stepper) { return create_kind(stepper, JLT_GSL_RK8PD); }
+static jlt_status create_rkf45(jlt_stepper *stepper) { return create_kind(stepper, JLT_GSL_RKF45); }
+static jlt_status create_msadams(jlt_stepper *stepper) { return create_kind(stepper, JLT_GSL_MSADAMS); }
+
+#define SHARED .destroy = destroy, .start = start, .step = step, .dense = dense, .partial = partial, .variation = variation
+
+const jlt_method jlt_method_rk8pd = {
+    .name = "rk8pd",
+    .meaning = "Prince and Dormand 8(7), 13 stages, from GSL",
+    .order = 8,
+    .dense_order = 7,
+    .evaluations = 14,
+    .create = create_rk8pd,
+    SHARED,
+};
+
+const jlt_method jlt_method_rkf45 = {
+    .name = "rkf45",
+    .meaning = "Runge, Kutta and Fehlberg 4(5), from GSL",
+    .order = 5,
+    .dense_order = 7,
+    .evaluations = 7,
+    .create = create_rkf45,
+    SHARED,
+};
+
+const jlt_method jlt_method_msadams = {
+    .name = "msadams",
+    .meaning = "Adams of orders 1 to 12 in Nordsieck form, P(EC)^m, from GSL",
+    .dense_order = 7,
+    .create = create_msadams,
+    SHARED,
+};

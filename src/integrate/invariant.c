@@ -1,0 +1,74 @@
+#include "integrate/invariant.h"
+
+#include <float.h>
+#include <math.h>
+
+enum { COUNT = JLT_INVARIANTS_MAX };
+
+void jlt_invariant_begin(jlt_invariant_watch *self, const jlt_invariants *of, const double *x)
+{
+    *self = (jlt_invariant_watch){ .drift = { 0 } };
+    if (of->count > 0) of->values(x, of->p, self->level);
+}
+
+/* Solve the symmetric positive system in place by Gaussian elimination; false when it is singular. */
+static bool solve(double a[COUNT][COUNT], double *b, unsigned n)
+{
+    for (unsigned k = 0; k < n; k++) {
+        if (!(a[k][k] > 0)) return false;
+        for (unsigned i = k + 1; i < n; i++) {
+            const double factor = a[i][k] / a[k][k], before = a[i][i];
+            for (unsigned j = k; j < n; j++) a[i][j] -= factor * a[k][j];
+            b[i] -= factor * b[k];
+            if (!(a[i][i] > 1e-12 * before)) return false;
+        }
+    }
+    for (unsigned k = n; k-- > 0;) {
+        for (unsigned j = k + 1; j < n; j++) b[k] -= a[k][j] * b[j];
+        b[k] /= a[k][k];
+    }
+    return true;
+}
+
+/* One Gauss-Newton step on x; false where it cannot be made. */
+static bool restore(double *x, const jlt_invariant_watch *self, const jlt_invariants *of, const jlt_stepper *stepper)
+{
+    const unsigned n = of->count, dim = stepper->field->dim;
+    double gradient[COUNT * JLT_FIELD_DIM_MAX], gram[COUNT][COUNT], off[COUNT], weight[JLT_FIELD_DIM_MAX];
+
+    of->gradients(x, of->p, gradient);
+    of->values(x, of->p, off);
+    for (unsigned k = 0; k < dim; k++) {
+        const double size = isfinite(stepper->scale[k]) ? fmax(fabs(x[k]), stepper->scale[k]) : 0;
+        weight[k] = size * size;
+    }
+    for (unsigned i = 0; i < n; i++) {
+        off[i] -= self->level[i];
+        for (unsigned j = 0; j < n; j++) {
+            gram[i][j] = 0;
+            for (unsigned k = 0; k < dim; k++) gram[i][j] += gradient[i * dim + k] * weight[k] * gradient[j * dim + k];
+        }
+    }
+    if (!solve(gram, off, n)) return false;
+    for (unsigned k = 0; k < dim; k++)
+        for (unsigned i = 0; i < n; i++) x[k] -= weight[k] * gradient[i * dim + k] * off[i];
+    return true;
+}
+
+jlt_status jlt_invariant_watch_step(jlt_invariant_watch *self, const jlt_invariants *of, jlt_stepper *stepper, bool project)
+{
+    double now[COUNT], x[JLT_FIELD_DIM_MAX];
+    bool off = false;
+
+    of->values(stepper->x, of->p, now);
+    for (unsigned i = 0; i < of->count; i++) {
+        const double size = fmax(1, fabs(self->level[i])), drift = fabs(now[i] - self->level[i]) / size;
+        self->drift[i] = fmax(self->drift[i], drift);
+        off = off || drift > 4 * DBL_EPSILON;
+    }
+    if (!project || !off) return JLT_OK;
+    for (unsigned k = 0; k < stepper->field->dim; k++) x[k] = stepper->x[k];
+    for (unsigned round = 0; round < 2; round++)
+        if (!restore(x, self, of, stepper)) return JLT_OK;
+    return jlt_stepper_replace(stepper, x);
+}

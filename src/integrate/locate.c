@@ -1,0 +1,286 @@
+#include "integrate/locate.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "integrate/bernstein.h"
+
+enum { SIZE = JLT_BERNSTEIN_DEGREE_MAX + 1, NODES = 13 };
+static const double near_section = 1e-13; /* of the size of g's terms: on the section */
+
+static int sign(double v)
+{
+    return (v > 0) - (v < 0);
+}
+
+double jlt_event_value(const jlt_event *event, const double *x)
+{
+    return event->value != NULL ? event->value(event->context, x) : x[event->column] - event->level;
+}
+
+double jlt_event_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f)
+{
+    const unsigned columns = stepper->columns;
+    double shifted[JLT_FIELD_DIM_MAX + 1] = { 0 };
+
+    if (event->value == NULL) return f[event->column];
+    if (event->rate != NULL) return event->rate(event->context, x, f);
+    /* Central difference along the flow: enough for Newton's method, whose residual is exact. */
+    const double step = 1e-5 * fabs(stepper->h);
+    for (unsigned i = 0; i < columns; i++) shifted[i] = x[i] + step * f[i];
+    const double ahead = event->value(event->context, shifted);
+    for (unsigned i = 0; i < columns; i++) shifted[i] = x[i] - step * f[i];
+    return (ahead - event->value(event->context, shifted)) / (2 * step);
+}
+
+void jlt_watch_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper)
+{
+    self->event = *event;
+    self->value = jlt_event_value(event, stepper->x);
+    const double size = event->value == NULL ? fmax(1, fabs(event->level)) : 1;
+    self->side = fabs(self->value) <= near_section * size ? 0 : sign(self->value);
+}
+
+/* g on the step as a polynomial in Bernstein form; returns its degree. A function of the state is interpolated at the
+ * Chebyshev-Lobatto points by divided differences. */
+static unsigned event_polynomial(double *b, const jlt_event *event, const jlt_stepper *stepper)
+{
+    if (event->value == NULL) {
+        jlt_bernstein_of(b, stepper->dense + event->column, stepper->stride, stepper->dense_degree);
+        for (unsigned j = 0; j <= stepper->dense_degree; j++) b[j] -= event->level;
+        return stepper->dense_degree;
+    }
+
+    double x[JLT_FIELD_DIM_MAX + 1], node[NODES], difference[NODES], c[NODES] = { 0 };
+    for (unsigned j = 0; j < NODES; j++) {
+        node[j] = 0.5 * (1 - cos(3.14159265358979323846 * j / (NODES - 1)));
+        jlt_stepper_values(stepper, node[j], x);
+        difference[j] = event->value(event->context, x);
+    }
+    for (unsigned round = 1; round < NODES; round++)
+        for (unsigned j = NODES - 1; j >= round; j--)
+            difference[j] = (difference[j] - difference[j - 1]) / (node[j] - node[j - round]);
+    for (unsigned j = NODES; j-- > 0;) { /* c <- difference_j + (theta - node_j) c */
+        for (unsigned k = NODES - 1; k >= 1; k--) c[k] = c[k - 1] - node[j] * c[k];
+        c[0] = difference[j] - node[j] * c[0];
+    }
+    jlt_bernstein_of(b, c, 1, NODES - 1);
+    return NODES - 1;
+}
+
+/* Whether g cannot have reached zero between two values of the same sign. */
+static bool stays_away(const jlt_watch *self, const jlt_stepper *stepper, double before, double after)
+{
+    if (self->event.value != NULL || self->side == 0 || stepper->dense_ready) return false;
+    if (sign(before) != self->side || sign(after) != self->side) return false;
+    return fabs(before) + fabs(after) > 1.5 * stepper->method->variation(stepper, self->event.column);
+}
+
+/* State and slope at theta by a partial step. */
+static jlt_status state_at(const jlt_event *event, jlt_stepper *stepper, double theta, double *x, double *f, double *value,
+                           double *slope)
+{
+    const jlt_field *field = stepper->field;
+    const jlt_status st = stepper->method->partial(stepper, theta, x);
+    if (st != JLT_OK) return st;
+    field->call(x, field->p, f);
+    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
+    stepper->evaluations++;
+    *value = jlt_event_value(event, x);
+    *slope = jlt_event_slope(event, stepper, x, f);
+    return JLT_OK;
+}
+
+typedef struct {
+    double theta, value, bend; /* an extremum: g and d2g/dtheta2 there */
+    bool past;                 /* the polynomial has it on the far side of zero */
+} extremum;
+
+/* Newton's method for the zero of the slope, with the polynomial's second derivative. */
+static jlt_status refine_extremum(extremum *e, const jlt_event *event, jlt_stepper *stepper)
+{
+    double x[JLT_FIELD_DIM_MAX + 8], f[JLT_FIELD_DIM_MAX + 8], slope;
+
+    for (unsigned i = 0; i < 3; i++) {
+        const jlt_status st = state_at(event, stepper, e->theta, x, f, &e->value, &slope);
+        if (st != JLT_OK) return st;
+        const double move = -slope * stepper->h / e->bend;
+        if (!(fabs(move) < 0.25)) break;
+        e->value += 0.5 * slope * stepper->h * move;
+        e->theta += move;
+        if (fabs(move) < 1e-9) break;
+    }
+    return JLT_OK;
+}
+
+typedef struct {
+    double roots[SIZE + 1];
+    unsigned count;
+    double touch[SIZE];
+    unsigned touches;
+} zeros;
+
+/* Take out or put in the pair of sign changes about an extremum that nearly touches zero, as the flow decides. */
+static void settle_pair(zeros *z, const extremum *e, double noise)
+{
+    const double depth = -e->value * (e->bend > 0 ? 1 : -1); /* > 0: past the section */
+    unsigned after = 0;
+    while (after < z->count && z->roots[after] < e->theta) after++;
+    const double reach = sqrt(2 * fabs(e->value / e->bend));
+    if (e->past && (after == 0 || after == z->count)) return; /* one of the pair lies beyond an end, whose sign is certain */
+
+    if (depth > noise) {
+        if (!e->past && z->count + 2 <= SIZE) {
+            for (unsigned i = z->count; i > after; i--) z->roots[i + 1] = z->roots[i - 1];
+            z->roots[after] = fmax(e->theta - reach, 0);
+            z->roots[after + 1] = fmin(e->theta + reach, 1);
+            z->count += 2;
+        } else if (e->past) {
+            z->roots[after - 1] = fmax(e->theta - reach, 0);
+            z->roots[after] = fmin(e->theta + reach, 1);
+        }
+        return;
+    }
+    if (e->past) {
+        for (unsigned i = after + 1; i < z->count; i++) z->roots[i - 2] = z->roots[i];
+        z->count -= 2;
+    }
+    if (depth >= -noise && z->touches < SIZE) z->touch[z->touches++] = e->theta;
+}
+
+/* Extrema of the polynomial that lie within its error of zero are decided on the flow. */
+static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *stepper, const double *b, unsigned degree)
+{
+    double slope[SIZE], bend[SIZE], at[SIZE], size = 0;
+    if (degree < 2) return JLT_OK;
+
+    for (unsigned j = 0; j <= degree; j++) size = fmax(size, fabs(b[j]));
+    size += fabs(self->event.value == NULL ? self->event.level : 0);
+    const double doubt = 1e3 * stepper->tolerance * fmax(size, 1), noise = 16 * DBL_EPSILON * size;
+    jlt_bernstein_derive(slope, b, degree);
+    jlt_bernstein_derive(bend, slope, degree - 1);
+    const unsigned count = jlt_bernstein_sign_changes(at, slope, degree - 1);
+    for (unsigned i = 0; i < count; i++) {
+        extremum e = { .theta = at[i], .value = jlt_bernstein_value(b, degree, at[i]) };
+        if (fabs(e.value) > doubt) continue;
+        e.bend = jlt_bernstein_value(bend, degree - 2, e.theta);
+        if (e.bend == 0 || 0.5 * fabs(e.bend) < noise) continue;
+        e.past = e.value * e.bend < 0;
+        const jlt_status st = refine_extremum(&e, &self->event, stepper);
+        if (st != JLT_OK) return st;
+        if (e.theta > 0 && e.theta < 1) settle_pair(z, &e, noise);
+    }
+    return JLT_OK;
+}
+
+static int sign_right_of_zero(const double *b, unsigned degree)
+{
+    for (unsigned j = 0; j <= degree; j++)
+        if (b[j] != 0) return sign(b[j]);
+    return 0;
+}
+
+static void note(jlt_crossing *list, unsigned *count, const jlt_watch *self, const jlt_stepper *stepper, double theta,
+                 int turn)
+{
+    const int direction = turn * (stepper->direction > 0 ? 1 : -1);
+    const bool wanted = turn == 0 ? self->event.grazing
+                                  : self->event.direction == JLT_BOTH || (int)self->event.direction == direction;
+    if (!wanted || *count == JLT_CROSSINGS_MAX) return;
+    unsigned at = (*count)++;
+    for (; at > 0 && list[at - 1].theta > theta; at--) list[at] = list[at - 1];
+    list[at] = (jlt_crossing){ .theta = theta, .direction = direction };
+}
+
+jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
+{
+    jlt_status st = JLT_OK;
+    const double before = jlt_event_value(&self->event, stepper->x_start);
+    const double after = jlt_event_value(&self->event, stepper->x);
+    double b[SIZE];
+    zeros z = { .count = 0 };
+
+    *count = 0;
+    self->value = after;
+    if (stays_away(self, stepper, before, after)) return JLT_OK;
+    JLT_TRY(jlt_stepper_dense(stepper));
+    unsigned degree = event_polynomial(b, &self->event, stepper);
+    b[0] = before;
+    b[degree] = after;
+
+    /* On the section at the start: the zero there is divided out, and again where the slope is rounding error too. */
+    const bool starts_on = self->side == 0 || before == 0;
+    if (starts_on) {
+        double size = 0;
+        for (unsigned j = 0; j <= degree; j++) size = fmax(size, fabs(b[j]));
+        for (unsigned divided = 0; degree > 1 && divided < 2; divided++) {
+            if (divided > 0 && fabs(b[0]) > near_section * size) break;
+            jlt_bernstein_deflate(b, degree--);
+        }
+    }
+    z.count = jlt_bernstein_sign_changes(z.roots, b, degree);
+    if (!starts_on) JLT_TRY(settle_touches(&z, self, stepper, b, degree));
+
+    int side = sign_right_of_zero(b, degree);
+    if (self->side != 0 && side == -self->side) note(list, count, self, stepper, 0, side);
+    for (unsigned i = 0; i < z.count; i++) {
+        side = -side;
+        note(list, count, self, stepper, z.roots[i], side);
+    }
+    for (unsigned i = 0; i < z.touches; i++) note(list, count, self, stepper, z.touch[i], 0);
+    /* A value of exactly 0 at the end leaves the decision to the next step. */
+    self->side = after != 0 ? sign(after) : side;
+done:
+    return st;
+}
+
+/* Follow the flow for a short time, in place: the midpoint rule, whose error is of third order in move. */
+static void nudge(jlt_stepper *stepper, double *x, double *f, double move)
+{
+    const jlt_field *field = stepper->field;
+    double middle[JLT_FIELD_DIM_MAX + 8], slope[JLT_FIELD_DIM_MAX + 8];
+
+    for (unsigned i = 0; i < stepper->columns; i++) middle[i] = x[i] + 0.5 * move * f[i];
+    field->call(middle, field->p, slope);
+    if (field->time_rate != NULL) field->time_rate(middle, field->p, slope + field->dim);
+    for (unsigned i = 0; i < stepper->columns; i++) x[i] += move * slope[i];
+    field->call(x, field->p, f);
+    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
+    stepper->evaluations += 2;
+}
+
+jlt_status jlt_crossing_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
+                               jlt_stepper *stepper)
+{
+    jlt_status st = JLT_OK;
+    double *f = slope_work, *theta = &crossing->theta;
+    double lo = fmax(*theta - 0.5, -0.01), hi = fmin(*theta + 0.5, 1.01); /* shrinks about the sign change */
+    const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
+    unsigned nudged = 0;
+
+    JLT_TRY(state_at(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
+    if (crossing->direction == 0) goto done;
+    for (unsigned i = 0; i < 64; i++) {
+        const double g = crossing->residual, move = -g / crossing->slope;
+        const bool downhill = crossing->slope * stepper->direction * turn > 0;
+        if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) goto done;
+        if (nudged == 3) goto done; /* at the rounding level of g */
+        if (downhill && fabs(move) <= 1e-6 * span) {
+            nudge(stepper, x, f, move);
+            *theta += move / stepper->h;
+            crossing->residual = jlt_event_value(event, x);
+            crossing->slope = jlt_event_slope(event, stepper, x, f);
+            nudged++;
+            continue;
+        }
+        if (g * turn < 0) lo = *theta;
+        else hi = *theta;
+        const double newton = *theta + move / stepper->h;
+        *theta = downhill && newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
+        if (hi - lo <= DBL_EPSILON) goto done;
+        JLT_TRY(state_at(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
+    }
+    st = JLT_ERR_NO_CONVERGENCE;
+done:
+    return st;
+}

@@ -1,0 +1,32 @@
+/** Finding the crossings of the last step. Used by orbit.c. */
+#ifndef JLT_INTEGRATE_LOCATE_H
+#define JLT_INTEGRATE_LOCATE_H
+
+#include "integrate/event.h"
+
+enum { JLT_CROSSINGS_MAX = JLT_DENSE_DEGREE_MAX };
+
+/** An event under watch. */
+typedef struct {
+    jlt_event event;
+    int side;     /* sign of g now, or what the next step begins with; 0: on the section */
+    double value; /* g at the end of the last step */
+} jlt_watch;
+
+/** g at x; its rate in tau, where f is the field at x. */
+double jlt_event_value(const jlt_event *event, const double *x);
+double jlt_event_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f);
+
+/** Begin at the stepper's point. A value within 1e-13 of the size of its terms is on the section. */
+void jlt_watch_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper);
+
+/** All crossings of the last step, ascending in theta, into list (JLT_CROSSINGS_MAX,): theta of the polynomial, not yet
+ *  refined. Directions not asked for are left out. Errors: those of partial steps. */
+JLT_CHECKED jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count);
+
+/** Refine crossing->theta on the flow, and give the state there, x (stride,). A grazing is left where it is.
+ *  slope_work: (stride,). Errors: NO_CONVERGENCE, a sign change without a zero (g is not continuous). */
+JLT_CHECKED jlt_status jlt_crossing_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
+                                           jlt_stepper *stepper);
+
+#endif

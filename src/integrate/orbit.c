@@ -1,0 +1,323 @@
+#include "integrate/orbit.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/memory.h"
+#include "integrate/locate.h"
+#include "integrate/pole.h"
+
+enum { EVENTS_MAX = 8 };
+static const double default_tolerance = 1e-12;
+static const size_t default_steps = 10000000;
+static const double left_at_pole = 1e-14;
+
+struct jlt_orbit {
+    jlt_stepper *stepper;
+    jlt_options options;
+    jlt_observer observer;
+    void *observer_context;
+
+    jlt_watch watch[EVENTS_MAX];
+    unsigned watch_count;
+    jlt_crossing pending[EVENTS_MAX * JLT_CROSSINGS_MAX]; /* of the last step, ascending, from `next_pending` on */
+    unsigned pending_count, next_pending;
+    double cursor;  /* theta up to which the last step has been handed out */
+    double *at, *slope; /* (stride,): the state handed out, and work */
+
+    jlt_invariant_watch invariants;
+    jlt_pole_verdict pole;
+};
+
+jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt_field *field, const jlt_options *options)
+{
+    jlt_status st = JLT_OK;
+    jlt_orbit *self;
+
+    *out = NULL;
+    if (options == NULL) options = &(jlt_options){ 0 };
+    if (options->tolerance < 0 || options->max_step < 0 || options->first_step < 0) return JLT_ERR_ARG;
+    if (options->invariants.count > JLT_INVARIANTS_MAX) return JLT_ERR_ARG;
+    if (options->project && options->invariants.gradients == NULL) return JLT_ERR_ARG;
+    self = jlt_memory_array(1, sizeof *self);
+    if (self == NULL) return JLT_ERR_NOMEM;
+    self->options = *options;
+    if (self->options.tolerance == 0) self->options.tolerance = default_tolerance;
+    if (self->options.max_step == 0) self->options.max_step = INFINITY;
+    if (self->options.max_steps == 0) self->options.max_steps = default_steps;
+    JLT_TRY(jlt_stepper_create(&self->stepper, method, field, self->options.tolerance, self->options.max_step));
+    self->at = jlt_memory_array(2 * (size_t)self->stepper->stride, sizeof *self->at);
+    if (self->at == NULL) {
+        st = JLT_ERR_NOMEM;
+        goto done;
+    }
+    self->slope = self->at + self->stepper->stride;
+    *out = self;
+    self = NULL;
+done:
+    jlt_orbit_destroy(self);
+    return st;
+}
+
+void jlt_orbit_destroy(jlt_orbit *self)
+{
+    if (self == NULL) return;
+    jlt_stepper_destroy(self->stepper);
+    free(self->at);
+    free(self);
+}
+
+jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direction)
+{
+    self->watch_count = self->pending_count = self->next_pending = 0;
+    self->cursor = 1;
+    self->pole.ends = false;
+    const jlt_status st = jlt_stepper_start(self->stepper, t, x, direction, self->options.first_step);
+    if (st == JLT_OK) jlt_invariant_begin(&self->invariants, &self->options.invariants, self->stepper->x);
+    return st;
+}
+
+void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context)
+{
+    self->observer = observer;
+    self->observer_context = context;
+}
+
+const jlt_stepper *jlt_orbit_stepper(const jlt_orbit *self)
+{
+    return self->stepper;
+}
+
+void jlt_orbit_drift(const jlt_orbit *self, double *drift)
+{
+    memcpy(drift, self->invariants.drift, self->options.invariants.count * sizeof *drift);
+}
+
+static bool same_event(const jlt_event *a, const jlt_event *b)
+{
+    return a->value == b->value && a->context == b->context && a->rate == b->rate && a->direction == b->direction
+           && a->grazing == b->grazing && a->column == b->column && !(a->level < b->level) && !(a->level > b->level);
+}
+
+/* Crossings of all events on the last step, merged in order. */
+static jlt_status locate_step(jlt_orbit *self)
+{
+    jlt_crossing list[JLT_CROSSINGS_MAX];
+
+    self->pending_count = self->next_pending = 0;
+    for (unsigned e = 0; e < self->watch_count; e++) {
+        unsigned count;
+        const jlt_status st = jlt_watch_step(&self->watch[e], self->stepper, list, &count);
+        if (st != JLT_OK) return st;
+        for (unsigned i = 0; i < count; i++) {
+            unsigned at = self->pending_count++;
+            list[i].event = e;
+            for (; at > 0 && self->pending[at - 1].theta > list[i].theta; at--) self->pending[at] = self->pending[at - 1];
+            self->pending[at] = list[i];
+        }
+    }
+    return JLT_OK;
+}
+
+/* Take over the list of events. A new one is located anew on what is left of the last step. */
+static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigned count)
+{
+    bool same = count == self->watch_count;
+    for (unsigned e = 0; same && e < count; e++) same = same_event(&events[e], &self->watch[e].event);
+    if (same) return JLT_OK;
+
+    jlt_status st = JLT_OK;
+    self->watch_count = count;
+    for (unsigned e = 0; e < count; e++) jlt_watch_begin(&self->watch[e], &events[e], self->stepper);
+    self->pending_count = self->next_pending = 0;
+    if (self->stepper->h == 0 || self->cursor >= 1) return JLT_OK;
+    for (unsigned e = 0; e < count; e++) {
+        const double before = jlt_event_value(&events[e], self->stepper->x_start);
+        self->watch[e].side = (before > 0) - (before < 0);
+    }
+    st = locate_step(self);
+    while (self->next_pending < self->pending_count && self->pending[self->next_pending].theta <= self->cursor)
+        self->next_pending++;
+    return st;
+}
+
+static void hand_out(jlt_orbit *self, jlt_outcome *out, jlt_end end, double theta)
+{
+    const jlt_stepper *stepper = self->stepper;
+    self->cursor = theta;
+    *out = (jlt_outcome){ .end = end, .x = self->at };
+    out->tau = theta == 1 ? stepper->tau : stepper->tau_start + theta * stepper->h;
+    out->t = stepper->columns > stepper->field->dim ? self->at[stepper->field->dim] : out->tau;
+}
+
+static void hand_out_point(jlt_orbit *self, jlt_outcome *out, jlt_end end)
+{
+    memcpy(self->at, self->stepper->x, self->stepper->stride * sizeof *self->at);
+    hand_out(self, out, end, 1);
+}
+
+static double time_at_start(const jlt_stepper *stepper)
+{
+    return stepper->columns > stepper->field->dim ? stepper->x_start[stepper->field->dim] : stepper->tau_start;
+}
+
+/* Up to rounding: the last step to t_end may fall short of it by an ulp. */
+static bool at_time(const jlt_stepper *stepper, double t)
+{
+    const double now = jlt_stepper_time(stepper);
+    return fabs(now - t) <= 4 * DBL_EPSILON * fmax(fabs(now), fabs(stepper->h));
+}
+
+/* The state at physical time t_end inside the last step. */
+static jlt_status hand_out_time(jlt_orbit *self, jlt_outcome *out, double t_end)
+{
+    jlt_stepper *stepper = self->stepper;
+    const double now = jlt_stepper_time(stepper), from = time_at_start(stepper);
+    jlt_crossing at = { .theta = now == from ? 1 : (t_end - from) / (now - from), .direction = 1 };
+    jlt_status st = JLT_OK;
+
+    if (at_time(stepper, t_end)) {
+        hand_out_point(self, out, JLT_END_TIME);
+    } else if (stepper->columns == stepper->field->dim) {
+        JLT_TRY(stepper->method->partial(stepper, at.theta, self->at));
+        hand_out(self, out, JLT_END_TIME, at.theta);
+    } else {
+        const jlt_event clock = { .column = stepper->field->dim, .level = t_end };
+        JLT_TRY(jlt_crossing_refine(&at, self->at, self->slope, &clock, stepper));
+        hand_out(self, out, JLT_END_TIME, at.theta);
+    }
+    out->t = t_end;
+done:
+    return st;
+}
+
+/* What the last step still holds: a crossing, or t_end, whichever is first. *found: something was handed out. */
+static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, double t_end)
+{
+    jlt_status st = JLT_OK;
+    jlt_stepper *stepper = self->stepper;
+    *found = false;
+
+    if (self->next_pending < self->pending_count) {
+        jlt_crossing crossing = self->pending[self->next_pending];
+        JLT_TRY(jlt_crossing_refine(&crossing, self->at, self->slope, &self->watch[crossing.event].event, stepper));
+        const double theta = fmax(crossing.theta, self->cursor < 1 ? self->cursor : 0);
+        const double t = stepper->columns > stepper->field->dim ? self->at[stepper->field->dim]
+                                                                : stepper->tau_start + theta * stepper->h;
+        if ((t - t_end) * stepper->direction <= 0) {
+            self->next_pending++;
+            hand_out(self, out, JLT_END_EVENT, crossing.theta);
+            out->crossing = crossing;
+            *found = true;
+            return JLT_OK;
+        }
+    }
+    if ((jlt_stepper_time(stepper) - t_end) * stepper->direction >= 0 || at_time(stepper, t_end)) {
+        JLT_TRY(hand_out_time(self, out, t_end));
+        *found = true;
+    }
+done:
+    return st;
+}
+
+static jlt_status look_for_pole(jlt_orbit *self)
+{
+    if (self->stepper->field->root < 0 || self->options.ignore_pole) return JLT_OK;
+    return jlt_pole_judge(&self->pole, self->stepper, left_at_pole);
+}
+
+/* The limit has the root at 0 and everything else where it is. */
+static void hand_out_pole(jlt_orbit *self, jlt_outcome *out)
+{
+    hand_out_point(self, out, JLT_END_POLE);
+    self->at[self->stepper->field->root] = 0;
+    out->t = self->pole.t_end;
+    out->tau = self->stepper->direction * INFINITY;
+    out->pole_rates[0] = self->pole.mu;
+    out->pole_rates[1] = self->pole.kappa;
+}
+
+/* One step, and what is looked at after each. */
+static jlt_status advance(jlt_orbit *self, double limit)
+{
+    jlt_status st = JLT_OK;
+    JLT_TRY(jlt_stepper_advance(self->stepper, limit));
+    self->cursor = 0;
+    if (self->options.invariants.count > 0)
+        JLT_TRY(jlt_invariant_watch_step(&self->invariants, &self->options.invariants, self->stepper,
+                                         self->options.project));
+    JLT_TRY(locate_step(self));
+    JLT_TRY(look_for_pole(self));
+done:
+    return st;
+}
+
+jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events, unsigned count, jlt_outcome *out)
+{
+    jlt_status st = JLT_OK;
+    jlt_stepper *stepper = self->stepper;
+    const size_t spent = stepper->steps + stepper->rejected;
+    bool found = false;
+
+    if (count > EVENTS_MAX || isnan(t_end)) return JLT_ERR_ARG;
+    for (unsigned e = 0; e < count; e++)
+        if (events[e].value == NULL && events[e].column >= stepper->columns) return JLT_ERR_ARG;
+    if (!isfinite(t_end)) t_end = stepper->direction * INFINITY;
+    JLT_TRY(watch_events(self, events, count));
+
+    for (;;) {
+        JLT_TRY(rest_of_step(self, out, &found, t_end));
+        if (found) return JLT_OK;
+        if (self->pole.ends) {
+            hand_out_pole(self, out);
+            return JLT_OK;
+        }
+        if (self->options.interrupt != NULL && *self->options.interrupt) {
+            hand_out_point(self, out, JLT_END_INTERRUPT);
+            return JLT_OK;
+        }
+        if (stepper->steps + stepper->rejected - spent >= self->options.max_steps) {
+            st = JLT_ERR_BUDGET;
+            goto done;
+        }
+        /* In its own time a step ends at t_end at the latest: there may be no field beyond. */
+        const double limit = stepper->columns > stepper->field->dim ? INFINITY : fabs(t_end - stepper->tau);
+        JLT_TRY(advance(self, limit));
+        if (self->observer != NULL && self->observer(self->observer_context, self) != 0) {
+            hand_out_point(self, out, JLT_END_OBSERVER);
+            return JLT_OK;
+        }
+    }
+done:
+    if (st != JLT_OK) hand_out_point(self, out, JLT_END_TIME);
+    return st;
+}
+
+jlt_status jlt_orbit_propagate(jlt_orbit *self, double t_end, double *x)
+{
+    jlt_outcome out;
+    jlt_status st = JLT_OK;
+
+    JLT_TRY(jlt_orbit_next(self, t_end, NULL, 0, &out));
+    memcpy(x, out.x, self->stepper->field->dim * sizeof *x);
+    if (out.end == JLT_END_POLE) st = JLT_ERR_DOMAIN;
+done:
+    return st;
+}
+
+jlt_status jlt_orbit_sample(jlt_orbit *self, double *states, size_t *done, const double *times, size_t count)
+{
+    const unsigned dim = self->stepper->field->dim;
+    jlt_outcome out;
+
+    for (*done = 0; *done < count; ++*done) {
+        const jlt_status st = jlt_orbit_next(self, times[*done], NULL, 0, &out);
+        if (st != JLT_OK) return st;
+        if (out.end == JLT_END_POLE) return JLT_ERR_DOMAIN;
+        if (out.end != JLT_END_TIME) return JLT_OK;
+        memcpy(states + *done * dim, out.x, dim * sizeof *states);
+    }
+    return JLT_OK;
+}

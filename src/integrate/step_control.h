@@ -1,0 +1,31 @@
+/** Pieces of step-size control that all methods share, without libm in the loop. */
+#ifndef JLT_INTEGRATE_STEP_CONTROL_H
+#define JLT_INTEGRATE_STEP_CONTROL_H
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+/** a^(-r) for a > 0 within 6 r percent, 0 < r <= 1: bits of a double are a piecewise linear logarithm. a is clipped to
+ *  [1e-60, 1e60]; NaN gives the value at 1e60. */
+static inline double jlt_inverse_root(double a, double r)
+{
+    const int64_t one = INT64_C(0x3ff0000000000000);
+    int64_t bits;
+
+    if (!(a < 1e60)) a = 1e60;
+    if (a < 1e-60) a = 1e-60;
+    memcpy(&bits, &a, sizeof bits);
+    bits = one - (int64_t)((double)(bits - one) * r);
+    memcpy(&a, &bits, sizeof a);
+    return a;
+}
+
+/** Whether a step h from tau is too short to be told from none. */
+static inline int jlt_step_vanishes(double tau, double h)
+{
+    return !(fabs(h) > 4 * DBL_EPSILON * fabs(tau)) || !(fabs(h) > 1e-290);
+}
+
+#endif

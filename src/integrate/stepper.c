@@ -1,0 +1,189 @@
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/memory.h"
+#include "integrate/method.h"
+
+enum { WIDTH = 8 };
+
+static void evaluate(const jlt_field *field, const double *x, double *f)
+{
+    field->call(x, field->p, f);
+    if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
+}
+
+static bool all_finite(const double *x, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (!isfinite(x[i])) return false;
+    return true;
+}
+
+/* Zero scales are lifted to a tiny one, so that 0/0 cannot arise. Scales past the columns are 1, where all is 0. */
+static void set_scales(jlt_stepper *self)
+{
+    const jlt_field *field = self->field;
+    const unsigned controlled = field->controlled == 0 ? field->dim : field->controlled;
+
+    for (unsigned i = 0; i < self->stride; i++) self->scale[i] = 1;
+    for (unsigned i = 0; i < field->dim; i++) {
+        double scale = field->scale != NULL ? field->scale[i] : (int)i == field->root ? 0 : 1;
+        self->scale[i] = i < controlled ? fmax(scale, 1e-290) : INFINITY;
+    }
+    self->controlled = controlled + (self->columns - field->dim);
+}
+
+jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field, double tolerance,
+                              double max_step)
+{
+    jlt_status st = JLT_OK;
+    jlt_stepper *self = NULL;
+    double *block;
+
+    *out = NULL;
+    if (method == NULL || field == NULL || field->call == NULL) return JLT_ERR_ARG;
+    if (field->dim == 0 || field->dim > JLT_FIELD_DIM_MAX || field->controlled > field->dim) return JLT_ERR_ARG;
+    if (!(tolerance > 0) || !(tolerance < 1) || !(max_step > 0)) return JLT_ERR_ARG;
+    if (method->needs_jet && field->jet == NULL) return JLT_ERR_UNSUPPORTED;
+
+    self = jlt_memory_array(1, sizeof *self);
+    if (self == NULL) return JLT_ERR_NOMEM;
+    self->method = method;
+    self->field = field;
+    self->tolerance = tolerance;
+    self->max_step = max_step;
+    self->direction = 1;
+    self->columns = field->dim + (field->time_rate != NULL);
+    self->stride = (self->columns + WIDTH - 1) / WIDTH * WIDTH;
+    block = jlt_memory_array((6 + JLT_DENSE_DEGREE_MAX + 1) * (size_t)self->stride, sizeof *block);
+    if (block == NULL) {
+        st = JLT_ERR_NOMEM;
+        goto done;
+    }
+    self->x = block;
+    self->x_low = self->x + self->stride;
+    self->f = self->x_low + self->stride;
+    self->x_start = self->f + self->stride;
+    self->f_start = self->x_start + self->stride;
+    self->scale = self->f_start + self->stride;
+    self->dense = self->scale + self->stride;
+    set_scales(self);
+    JLT_TRY(method->create(self));
+    *out = self;
+    self = NULL;
+done:
+    jlt_stepper_destroy(self);
+    return st;
+}
+
+void jlt_stepper_destroy(jlt_stepper *self)
+{
+    if (self == NULL) return;
+    self->method->destroy(self);
+    free(self->x);
+    free(self);
+}
+
+/* The last step becomes an empty one at the point. */
+static void forget_step(jlt_stepper *self)
+{
+    const size_t size = self->stride * sizeof *self->x;
+    self->tau_start = self->tau;
+    self->h = 0;
+    self->dense_ready = false;
+    memcpy(self->x_start, self->x, size);
+    memcpy(self->f_start, self->f, size);
+}
+
+jlt_status jlt_stepper_start(jlt_stepper *self, double t, const double *x, double direction, double first_step)
+{
+    const unsigned dim = self->field->dim;
+
+    if (!isfinite(t) || !all_finite(x, dim)) return JLT_ERR_NONFINITE;
+    memcpy(self->x, x, dim * sizeof *x);
+    if (self->columns > dim) self->x[dim] = t;
+    memset(self->x_low, 0, self->stride * sizeof *self->x_low);
+    self->tau = t;
+    self->tau_low = 0;
+    self->direction = direction < 0 ? -1 : 1;
+    self->h_next = first_step > 0 ? first_step : 0;
+    evaluate(self->field, self->x, self->f);
+    self->evaluations++;
+    forget_step(self);
+    if (!all_finite(self->f, self->columns)) return JLT_ERR_NONFINITE;
+    return self->method->start(self);
+}
+
+jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x)
+{
+    const double h_next = self->h_next;
+
+    if (!all_finite(x, self->field->dim)) return JLT_ERR_NONFINITE;
+    memcpy(self->x, x, self->field->dim * sizeof *x);
+    memset(self->x_low, 0, self->field->dim * sizeof *self->x_low);
+    evaluate(self->field, self->x, self->f);
+    self->evaluations++;
+    self->dense_ready = false;
+    self->h_next = h_next;
+    return self->method->start(self);
+}
+
+jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
+{
+    const double tau = self->tau;
+    jlt_status st = self->method->step(self, limit);
+    if (st != JLT_OK) return st;
+
+    const double move = self->h + self->tau_low;
+    self->tau_start = tau;
+    self->tau = tau + move;
+    self->tau_low = (tau - self->tau) + move;
+    self->dense_ready = false;
+    self->steps++;
+    return JLT_OK;
+}
+
+/* The polynomial is bent by a smooth step, so that it ends at the point exactly. */
+static void meet_end(jlt_stepper *self)
+{
+    for (unsigned i = 0; i < self->columns; i++) {
+        const double gap = self->x[i] - jlt_stepper_value(self, i, 1);
+        self->dense[2 * self->stride + i] += 3 * gap;
+        self->dense[3 * self->stride + i] -= 2 * gap;
+    }
+}
+
+jlt_status jlt_stepper_dense(jlt_stepper *self)
+{
+    if (self->dense_ready) return JLT_OK;
+    if (self->h == 0) {
+        memcpy(self->dense, self->x, self->stride * sizeof *self->x);
+        self->dense_degree = 0;
+    } else {
+        const jlt_status st = self->method->dense(self);
+        if (st != JLT_OK) return st;
+        meet_end(self);
+    }
+    self->dense_ready = true;
+    return JLT_OK;
+}
+
+double jlt_stepper_value(const jlt_stepper *self, unsigned column, double theta)
+{
+    const double *c = self->dense + column;
+    double sum = 0;
+    for (unsigned k = self->dense_degree + 1; k-- > 0;) sum = sum * theta + c[k * (size_t)self->stride];
+    return sum;
+}
+
+void jlt_stepper_values(const jlt_stepper *self, double theta, double *out)
+{
+    for (unsigned i = 0; i < self->columns; i++) out[i] = jlt_stepper_value(self, i, theta);
+}
+
+double jlt_stepper_time(const jlt_stepper *self)
+{
+    return self->columns > self->field->dim ? self->x[self->field->dim] : self->tau;
+}

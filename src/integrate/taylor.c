@@ -1,0 +1,157 @@
+/* A. Jorba, M. Zou, A software package for the numerical integration of ODEs by means of high-order Taylor methods,
+ * Experimental Mathematics 14 (2005), with this analysis.
+ *
+ * Coefficients of a solution with radius of convergence rho fall like |c_k| ~ C rho^-k. A step h = q rho leaves out
+ *     sum over k > p of |c_k| h^k  ~  |c_p| h^p q/(1 - q).
+ * A jet costs p^2 to leading order, so cost per time is p^2/(rho q) with q^p = eps (relative to C): with L = -ln eps,
+ * minimizing p^2 exp(L/p) gives p = L/2 and q = exp(-2) whatever rho. One order more pays for C above the scale.
+ * With q = exp(-2) the left-out part is 0.1565 |c_p| h^p, so the last term may be as large as eps/0.1565 = 6.39 eps, the one
+ * before it exp(2) times that, and the third from the end exp(4) times: each gives a bound for h, and the least is taken,
+ * so that a coefficient that happens to vanish does no harm. */
+#include "integrate/taylor.h"
+
+#include <stdlib.h>
+
+#include "core/memory.h"
+#include "integrate/step_control.h"
+
+typedef struct {
+    unsigned order;
+    double *jet;     /* (order + 1, columns) */
+    double *move;    /* (columns,) */
+} taylor;
+
+unsigned jlt_taylor_order(double tolerance)
+{
+    const double order = ceil(-0.5 * log(tolerance)) + 1;
+    return order < 4 ? 4 : order > JLT_JET_ORDER_MAX ? JLT_JET_ORDER_MAX : (unsigned)order;
+}
+
+static jlt_status create(jlt_stepper *stepper)
+{
+    taylor *self = jlt_memory_array(1, sizeof *self);
+    stepper->state = self;
+    if (self == NULL) return JLT_ERR_NOMEM;
+    self->order = jlt_taylor_order(stepper->tolerance);
+    self->jet = jlt_memory_array((self->order + 2) * (size_t)stepper->columns, sizeof *self->jet);
+    if (self->jet == NULL) return JLT_ERR_NOMEM;
+    self->move = self->jet + (self->order + 1) * (size_t)stepper->columns;
+    return JLT_OK;
+}
+
+static void destroy(jlt_stepper *stepper)
+{
+    taylor *self = stepper->state;
+    if (self == NULL) return;
+    free(self->jet);
+    free(self);
+}
+
+static jlt_status start(jlt_stepper *stepper)
+{
+    if (!(stepper->h_next > 0)) stepper->h_next = INFINITY; /* the jet at the point decides */
+    return JLT_OK;
+}
+
+/* Longest step that each of the last three terms allows; 0 or NaN where the jet is not finite. */
+static double longest_step(const taylor *self, const jlt_stepper *stepper)
+{
+    static const double allowance[3] = { 6.39, 47.2, 349 };
+    const unsigned columns = stepper->columns;
+    double longest = INFINITY;
+
+    for (unsigned back = 0; back < 3; back++) {
+        const unsigned k = self->order - back;
+        double norm = 0;
+        for (unsigned i = 0; i < columns; i++) {
+            const double w = fmax(fabs(stepper->x[i]), stepper->scale[i]);
+            const double term = fabs(self->jet[k * (size_t)columns + i]) / w;
+            if (!(term < INFINITY)) return NAN;
+            norm = fmax(norm, term);
+        }
+        if (norm > 0) {
+            const double h = jlt_inverse_root(norm / (allowance[back] * stepper->tolerance), 1.0 / k);
+            longest = fmin(longest, h);
+        }
+    }
+    return longest;
+}
+
+static jlt_status step(jlt_stepper *stepper, double limit)
+{
+    taylor *self = stepper->state;
+    const jlt_field *field = stepper->field;
+    const unsigned columns = stepper->columns, stride = stepper->stride;
+
+    field->jet(stepper->x, field->p, self->order, self->jet);
+    stepper->evaluations++;
+    const double longest = longest_step(self, stepper);
+    if (isnan(longest)) return JLT_ERR_NONFINITE;
+    double size = fmin(longest, fmin(stepper->max_step, limit));
+    if (size == INFINITY) size = 1; /* nothing moves */
+    const double h = stepper->direction * size;
+    if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_NO_PROGRESS;
+
+    double power = 1;
+    for (unsigned k = 0; k <= self->order; k++) {
+        for (unsigned i = 0; i < columns; i++)
+            stepper->dense[k * (size_t)stride + i] = power * self->jet[k * (size_t)columns + i];
+        power *= h;
+    }
+    if (columns > field->dim) stepper->dense[field->dim] = stepper->x[field->dim];
+    stepper->dense_degree = self->order;
+
+    for (unsigned i = 0; i < columns; i++) {
+        double move = 0; /* small terms first */
+        for (unsigned k = self->order; k >= 1; k--) move += stepper->dense[k * (size_t)stride + i];
+        self->move[i] = move + stepper->x_low[i];
+        if (!isfinite(self->move[i])) return JLT_ERR_NONFINITE;
+    }
+
+    stepper->h = h;
+    for (unsigned i = 0; i < columns; i++) {
+        const double from = stepper->x[i];
+        stepper->x_start[i] = from;
+        stepper->f_start[i] = stepper->f[i];
+        stepper->x[i] = from + self->move[i];
+        stepper->x_low[i] = (from - stepper->x[i]) + self->move[i];
+    }
+    field->call(stepper->x, field->p, stepper->f);
+    if (field->time_rate != NULL) field->time_rate(stepper->x, field->p, stepper->f + field->dim);
+    stepper->h_next = size;
+    return JLT_OK;
+}
+
+static jlt_status dense(jlt_stepper *stepper)
+{
+    (void)stepper; /* the step is its own polynomial */
+    return JLT_OK;
+}
+
+static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
+{
+    const jlt_status st = jlt_stepper_dense(stepper);
+    if (st == JLT_OK) jlt_stepper_values(stepper, theta, out);
+    return st;
+}
+
+static double variation(const jlt_stepper *stepper, unsigned column)
+{
+    double sum = 0;
+    for (unsigned k = 1; k <= stepper->dense_degree; k++)
+        sum += k * fabs(stepper->dense[k * (size_t)stepper->stride + column]);
+    return sum;
+}
+
+const jlt_method jlt_method_taylor = {
+    .name = "taylor",
+    .meaning = "Taylor series from generated jets, order by tolerance (after Jorba and Zou)",
+    .needs_jet = true,
+    .create = create,
+    .destroy = destroy,
+    .start = start,
+    .step = step,
+    .dense = dense,
+    .partial = partial,
+    .variation = variation,
+};
