@@ -1,0 +1,70 @@
+/** Writing C: constants, expressions, kernel bodies, and whole files. Everything is a pure function of its arguments. */
+#ifndef TTC_EMIT_H
+#define TTC_EMIT_H
+
+#include "block.h"
+#include "plan.h"
+#include "program.h"
+#include "text.h"
+
+/** An exact rational as a C expression of type double that rounds correctly: an integer below 2^53 as it is, a quotient
+ *  of two such as a division, which compilers fold with one rounding, everything else as a hexadecimal constant.
+ *  Marks the text failed when the value overflows, or vanishes, in double precision. */
+void ttc_emit_constant(ttc_text *text, const fmpq_t value);
+
+/* How a symbol is written. */
+typedef void (*ttc_symbol_writer)(void *context, ttc_text *text, uint32_t symbol);
+
+/** An expression in C syntax, powers as repeated products, numbers as doubles. */
+void ttc_emit_expression(ttc_text *text, const ttc_graph *graph, ttc_id id, ttc_symbol_writer symbol, void *context);
+
+/** The same for readers: integers as integers, powers with ^. */
+void ttc_emit_formula(ttc_text *text, const ttc_graph *graph, ttc_id id, ttc_symbol_writer symbol, void *context);
+
+/* Writes the name of a field's symbol; context: the field. */
+void ttc_emit_symbol_name(void *context, ttc_text *text, uint32_t symbol);
+
+/** The statements of a kernel. Temporaries are t0, t1, ...; each carries its formula.
+ *  block: where p[] points to, NULL for raw parameters; parameters: the C name of that array;
+ *  offset: index of the first output. */
+void ttc_emit_body(ttc_text *text, const ttc_program *program, const ttc_field *field, const ttc_block *block,
+                   const char *parameters, size_t offset);
+
+/* `static void NAME(x, PARAMETERS, out) { ... }` */
+void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *program, const ttc_field *field,
+                       const ttc_block *block);
+
+/* The unsimplified field in complex arithmetic, a function named rhs_complex. */
+void ttc_emit_complex(ttc_text *text, ttc_field *field);
+
+/* Where a kernel loses digits, from the denominators and roots it evaluates; nothing when nowhere. */
+void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel);
+
+/* `NAME = expression, ...` as the table has it. */
+void ttc_emit_condition(ttc_text *text, ttc_field *field, const ttc_bindings *bindings);
+
+/* Kernels and table of the equilibria served; the table is named `equilibria`. False: memory, or a claim's expression is
+ * not of the form it must have. */
+bool ttc_emit_equilibria(ttc_text *text, ttc_kernels *kernels);
+
+/* The name of the table's file without its folder; borrowed. */
+const char *ttc_emit_base_name(const ttc_model *model);
+
+/* Name parts: "general", "balanced_in_regular_on_level_G", ... */
+void ttc_emit_stem(ttc_text *text, const ttc_field *field);
+
+/* The file of one descriptor. */
+bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *kernels);
+
+/* The model's table as a character array. */
+void ttc_emit_table(ttc_text *text, const ttc_model *model);
+
+/* The ball-arithmetic file of one model, of its fields without variant. */
+bool ttc_emit_ball(ttc_text *text, const ttc_plan *plan);
+
+/* Files that are the same for all models. */
+void ttc_emit_abi(ttc_text *text);
+void ttc_emit_arithmetic(ttc_text *text);
+void ttc_emit_ball_header(ttc_text *text);
+
+#endif

@@ -1,0 +1,102 @@
+/** Straight-line programs: what a kernel computes, operation by operation, in exact symbolic form.
+ *
+ *  A program is a list of instructions, each of which uses values made before it (static single assignment), and a list
+ *  of outputs. It is the one source of everything emitted, and can be read again: its values are rational functions of
+ *  inputs, parameters, and of roots, cosines and sines of such. Equal instructions are one value, constants are folded,
+ *  and x + 0, x * 1, x * 0, -(-x) and the like vanish while it is built.
+ *
+ *  Errors: memory or a division by a zero constant makes the program failed for good; every later call then returns
+ *  TTC_NO_VALUE, and ttc_program_failed() tells. */
+#ifndef TTC_PROGRAM_H
+#define TTC_PROGRAM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <flint/fmpq.h>
+
+typedef enum {
+    TTC_OP_INPUT,     /* x[index] */
+    TTC_OP_PARAMETER, /* p[index], or params[index] */
+    TTC_OP_CONSTANT,  /* an exact rational */
+    TTC_OP_NEGATE,    /* -a */
+    TTC_OP_ADD,       /* a + b */
+    TTC_OP_SUBTRACT,  /* a - b */
+    TTC_OP_MULTIPLY,  /* a * b */
+    TTC_OP_DIVIDE,    /* a / b */
+    TTC_OP_FMA,       /* a * b + c, rounded once where the target can */
+    TTC_OP_FMS,       /* a * b - c */
+    TTC_OP_FNMA,      /* c - a * b */
+    TTC_OP_ROOT,      /* sqrt(a) */
+    TTC_OP_COSINE,
+    TTC_OP_SINE
+} ttc_op;
+
+typedef uint32_t ttc_value;
+#define TTC_NO_VALUE UINT32_MAX
+
+typedef struct {
+    ttc_op op;
+    ttc_value a, b, c; /* operands; TTC_NO_VALUE where the operation has none */
+    uint32_t index;    /* INPUT, PARAMETER */
+    fmpq_t constant;   /* CONSTANT */
+    char *label;       /* see ttc_program_label */
+} ttc_instruction;
+
+typedef struct ttc_program ttc_program;
+
+typedef struct {
+    unsigned add, multiply, fma, divide, root, elementary; /* a negation counts as an addition */
+    unsigned depth, live;
+} ttc_count;
+
+ttc_program *ttc_program_create(void); /* NULL when memory is out */
+void ttc_program_destroy(ttc_program *program); /* legal on NULL */
+bool ttc_program_failed(const ttc_program *program);
+/* From now on equal operations stay apart, as in a formula evaluated as it stands; inputs and constants are still one. */
+void ttc_program_keep_duplicates(ttc_program *program);
+
+ttc_value ttc_program_input(ttc_program *program, uint32_t index);
+ttc_value ttc_program_parameter(ttc_program *program, uint32_t index);
+ttc_value ttc_program_constant(ttc_program *program, const fmpq_t value);
+ttc_value ttc_program_integer(ttc_program *program, long value);
+ttc_value ttc_program_apply(ttc_program *program, ttc_op op, ttc_value a, ttc_value b, ttc_value c);
+ttc_value ttc_program_negate(ttc_program *program, ttc_value a);
+ttc_value ttc_program_add(ttc_program *program, ttc_value a, ttc_value b);
+ttc_value ttc_program_subtract(ttc_program *program, ttc_value a, ttc_value b);
+ttc_value ttc_program_multiply(ttc_program *program, ttc_value a, ttc_value b);
+ttc_value ttc_program_divide(ttc_program *program, ttc_value a, ttc_value b);
+ttc_value ttc_program_root(ttc_program *program, ttc_value a);
+/* a^exponent by repeated squaring; one division when the exponent is negative. */
+ttc_value ttc_program_power(ttc_program *program, ttc_value a, long exponent);
+void ttc_program_output(ttc_program *program, ttc_value value);
+
+/* Name a value for readers of the emitted code; the first name given to it stays. */
+void ttc_program_label(ttc_program *program, ttc_value value, const char *label);
+const char *ttc_program_label_of(const ttc_program *program, ttc_value value); /* NULL when it has none */
+
+size_t ttc_program_size(const ttc_program *program);
+const ttc_instruction *ttc_program_at(const ttc_program *program, ttc_value value);
+size_t ttc_program_output_count(const ttc_program *program);
+ttc_value ttc_program_output_at(const ttc_program *program, size_t index);
+/* Number of operands of an operation: 0 to 3, in the order a, b, c. */
+unsigned ttc_op_arity(ttc_op op);
+
+/* An operation as it is, not folded: for copying from a program that is folded already. */
+ttc_value ttc_program_copy(ttc_program *program, ttc_op op, ttc_value a, ttc_value b, ttc_value c);
+
+/** A new program of the values in `order`, operands before their users, with the same outputs. NULL: memory. */
+ttc_program *ttc_program_reorder(const ttc_program *program, const ttc_value *order, size_t count);
+
+/** A new program without the values that no output needs. NULL: memory. */
+ttc_program *ttc_program_trim(const ttc_program *program);
+
+/* reached, shape (size,), zeroed: 1 for the values that outputs need. */
+void ttc_program_mark(const ttc_program *program, unsigned char *reached);
+
+ttc_count ttc_program_count(const ttc_program *program);
+/* Operations with an fma counted as two. */
+unsigned ttc_count_flops(ttc_count count);
+
+#endif
