@@ -317,8 +317,7 @@ static ttc_field_status status_of(ttc_graph *graph)
     ttc_graph_status error = ttc_graph_error(graph);
     ttc_graph_clear_error(graph);
     if (error == TTC_GRAPH_DIVISION_BY_ZERO) return TTC_FIELD_DIVIDES_BY_ZERO;
-    if (error == TTC_GRAPH_EXPONENT || error == TTC_GRAPH_TOO_LARGE) return TTC_FIELD_TOO_LARGE;
-    return TTC_FIELD_NO_MEMORY;
+    return error == TTC_GRAPH_OK || error == TTC_GRAPH_NO_MEMORY ? TTC_FIELD_NO_MEMORY : TTC_FIELD_TOO_LARGE;
 }
 
 ttc_field_status ttc_field_create(ttc_field **out, const ttc_model *model, const ttc_variant *variant,

@@ -17,6 +17,11 @@ static const struct argp_option show_options[] = {
     END_OF_OPTIONS
 };
 
+static const struct argp_option generate_options[] = {
+    { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files; made when it is missing", 0 }, END_OF_OPTIONS
+};
+static const struct argp_option cost_options[] = { JSON_OPTION, END_OF_OPTIONS };
+
 typedef struct {
     const char *name, *summary;
     int (*run)(const ttc_options *options);
@@ -35,6 +40,11 @@ static const command commands[] = {
     { "show", "print equations and Jacobian as text, LaTeX or a graph", ttc_command_show, show_options,
       "Print the right-hand side of each equation and every entry of the Jacobian that is not zero, differentiated "
       "exactly." },
+    { "generate", "write C kernels", ttc_command_generate, generate_options,
+      "Write kernels for every variant, time and elimination of each table, the registry of all of them, a manifest and "
+      "operation counts. Output is a pure function of the tables; on any error no file is touched." },
+    { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
+      "Print operations, depth and live temporaries of every kernel, as generated and as the terms stand." },
 };
 
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };

@@ -1,0 +1,35 @@
+/* Written by ttc; do not edit. */
+#include "kernel_ball.h"
+
+extern const jlt_ball_table jlt_balls_chaplygin_sleigh_general;
+extern const jlt_ball_table jlt_balls_spherical_top_general;
+extern const jlt_ball_table jlt_balls_spherical_top_general_on_level_G;
+extern const jlt_ball_table jlt_balls_spherical_top_general_on_level_G_omega3;
+extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular;
+extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G;
+extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G_omega3;
+extern const jlt_ball_table jlt_balls_spherical_top_level_general;
+extern const jlt_ball_table jlt_balls_spherical_top_level_general_in_regular;
+
+const jlt_ball_table *const jlt_ball_registry[] = {
+    &jlt_balls_chaplygin_sleigh_general,
+    &jlt_balls_spherical_top_general,
+    &jlt_balls_spherical_top_general_on_level_G,
+    &jlt_balls_spherical_top_general_on_level_G_omega3,
+    &jlt_balls_spherical_top_general_in_regular,
+    &jlt_balls_spherical_top_general_in_regular_on_level_G,
+    &jlt_balls_spherical_top_general_in_regular_on_level_G_omega3,
+    &jlt_balls_spherical_top_level_general,
+    &jlt_balls_spherical_top_level_general_in_regular,
+};
+
+const unsigned jlt_ball_registry_count = 9;
+
+void jlt_ball_rational(arb_t out, const char *digits, slong prec)
+{
+    fmpq_t q;
+    fmpq_init(q);
+    if (fmpq_set_str(q, digits, 10) == 0) arb_set_fmpq(out, q, prec);
+    else arb_indeterminate(out);
+    fmpq_clear(q);
+}

@@ -1,0 +1,257 @@
+/* Chaplygin sleigh, reduced
+ *
+ *  Source:     S. A. Chaplygin, On the theory of motion of nonholonomic systems. The reducing-multiplier theorem, Mat. Sb. 28 (1911) 303-314; English translation: Regul. Chaotic Dyn. 13 (2008) 369-376
+ *  Variant:    balanced: a = 0
+ *  Table:      chaplygin_sleigh, SHA-256 ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166
+ *  Command:    ttc generate --out DIR chaplygin_sleigh.tt (ttc 0.1.0); do not edit
+ *
+ *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
+ *  rhs                 0    0    0    0    0    0      0    0   (0)
+ *  jacobian            0    0    0    0    0    0      0    0   (0)
+ *  rhs_jacobian        0    0    0    0    0    0      0    0   (0)
+ *  divergence          0    0    0    0    0    0      0    0   (0)
+ *  integral_values     1    6    0    0    0    0      4    3   (7)
+ *  integral_gradients  0    2    0    0    0    0      1    1   (2)
+ *  measure_values      0    0    0    0    0    0      0    0   (0)
+ *  measure_divergences 0    0    0    0    0    0      0    0   (0)
+ *
+ *  Accuracy: no denominator or radicand of the field vanishes in the domain.
+ */
+#include "kernel_abi.h"
+#include "kernel_arithmetic.h"
+
+#include <math.h>
+
+extern const char jlt_table_chaplygin_sleigh[];
+extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced;
+
+static void impose(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = 0.0;
+}
+
+static void prepare(const double *restrict params, double *restrict out)
+{
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[2];
+}
+
+static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x;
+    (void)p;
+    out[0] = 0.0;
+    out[1] = 0.0;
+}
+
+static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x;
+    (void)p;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+}
+
+static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x;
+    (void)p;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+}
+
+static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x;
+    (void)p;
+    out[0] = 0.0;
+}
+
+static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = x[0]*x[0]; /* v*v */
+    const double t1 = p[0]*t0; /* m*v*v */
+    const double t2 = t1*(1.0 / 2.0); /* m*v*v*1/2 */
+    const double t3 = x[1]*x[1]; /* w*w */
+    const double t4 = p[1]*t3; /* I*w*w */
+    const double t5 = (1.0 / 2.0)*t4; /* 1/2*I*w*w */
+    const double t6 = t2 + t5; /* m*v*v*1/2 + 1/2*I*w*w */
+    out[0] = t6;
+    out[1] = x[0];
+    out[2] = x[1];
+}
+
+static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = p[0]*x[0]; /* m*v */
+    const double t1 = p[1]*x[1]; /* I*w */
+    out[0] = t0;
+    out[1] = t1;
+    out[2] = 1.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 1.0;
+}
+
+static void measure_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x;
+    (void)p;
+    out[0] = 1.0;
+}
+
+static void measure_divergences(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x;
+    (void)p;
+    out[0] = 0.0;
+}
+
+static void rhs_complex(const double complex *restrict x, const double *restrict params,
+                        double complex *restrict out)
+{
+    const double v_a = (0.0);
+    const double complex v_w = x[1];
+    out[0] = (v_a*v_w*v_w);
+    const double v_m = params[0];
+    const double complex v_v = x[0];
+    const double v_I = params[1];
+    out[1] = (-v_m*v_a*v_v*v_w/(v_I + v_m*v_a*v_a));
+}
+
+static const unsigned char family0_is_free[] = { 1, 0 };
+
+static void family0_impose(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[2];
+}
+
+static void family0_point(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)params;
+    out[0] = x[0];
+    out[1] = 0.0;
+}
+
+static void family0_trace(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    (void)params;
+    out[0] = 0.0;
+}
+
+static void family0_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = params[1];
+    out[1] = 0.0;
+    out[2] = 0.0;
+}
+
+static void family0_matrix(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    (void)params;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+}
+
+static void family0_left_null_gradients(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    const double t0 = params[0]*x[0]; /* m*v */
+    out[0] = t0;
+    out[1] = 0.0;
+}
+
+static const jlt_named family0_left_null[] = {
+    { "E", "" },
+};
+
+static const jlt_equilibria equilibria[] = {
+    { .name = "straight", .condition = "",
+      .is_free = family0_is_free,
+      .impose = family0_impose,
+      .point = family0_point,
+      .trace = family0_trace,
+      .charpoly = family0_charpoly,
+      .matrix = family0_matrix,
+      .left_null = family0_left_null,
+      .left_null_gradients = family0_left_null_gradients,
+      .left_null_count = 1, .obstructs = 1 },
+};
+
+static const jlt_quantity states[] = {
+    { "v", "m/s", "speed along the blade", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "w", "1/s", "angular velocity", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+};
+
+static const jlt_quantity params[] = {
+    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "I", "kg m^2", "moment of inertia about the centre of mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "a", "m", "distance of the centre of mass from the blade", -INFINITY, INFINITY, JLT_ANY_SIGN, 1.0 },
+};
+
+static const jlt_named integrals[] = {
+    { "E", "" },
+    { "speed", "a = 0" },
+    { "turning", "a = 0" },
+};
+
+static const jlt_named measures[] = {
+    { "uniform", "a = 0" },
+};
+
+const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
+    .model = "chaplygin_sleigh",
+    .variant = "balanced",
+    .time = "",
+    .elimination = "",
+    .title = "Chaplygin sleigh, reduced",
+    .source = "S. A. Chaplygin, On the theory of motion of nonholonomic systems. The reducing-multiplier theorem, Mat. Sb. 28 (1911) 303-314; English translation: Regul. Chaotic Dyn. 13 (2008) 369-376",
+    .sha256 = "ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166",
+    .generator = "ttc 0.1.0",
+    .table = jlt_table_chaplygin_sleigh,
+    .state_count = 2, .param_count = 3, .block_count = 3,
+    .states = states,
+    .params = params,
+    .impose = impose,
+    .prepare = prepare,
+    .rhs = { rhs, 2, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .jacobian = { jacobian, 4, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .rhs_jacobian = { rhs_jacobian, 6, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .divergence = { divergence, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .integral_values = { integral_values, 3, { 1, 6, 0, 0, 0, 0, 4, 3 }, { 1, 6, 0, 0, 0, 0, 4, 3 },
+        "" },
+    .integral_gradients = { integral_gradients, 6, { 0, 2, 0, 0, 0, 0, 1, 1 }, { 0, 2, 0, 0, 0, 0, 1, 1 },
+        "" },
+    .measure_values = { measure_values, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .measure_divergences = { measure_divergences, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .time_factor = { .loses_digits = "" },
+    .eliminated = { .loses_digits = "" },
+    .integral_count = 3, .measure_count = 1, .equilibria_count = 1,
+    .integrals = integrals,
+    .measures = measures,
+    .equilibria = equilibria,
+    .rhs_complex = rhs_complex,
+};

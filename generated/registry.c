@@ -1,0 +1,68 @@
+/* Written by ttc; do not edit. */
+#include "registry.h"
+
+extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_general;
+extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced;
+extern const jlt_descriptor jlt_kernels_spherical_top_general;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_general;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_general_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_balanced;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_balanced_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_rod;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular;
+
+const jlt_descriptor *const jlt_registry[] = {
+    &jlt_kernels_chaplygin_sleigh_general,
+    &jlt_kernels_chaplygin_sleigh_balanced,
+    &jlt_kernels_spherical_top_general,
+    &jlt_kernels_spherical_top_general_on_level_G,
+    &jlt_kernels_spherical_top_general_on_level_G_omega3,
+    &jlt_kernels_spherical_top_general_in_regular,
+    &jlt_kernels_spherical_top_general_in_regular_on_level_G,
+    &jlt_kernels_spherical_top_general_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced,
+    &jlt_kernels_spherical_top_balanced_on_level_G,
+    &jlt_kernels_spherical_top_balanced_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_in_regular,
+    &jlt_kernels_spherical_top_balanced_in_regular_on_level_G,
+    &jlt_kernels_spherical_top_balanced_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_rod,
+    &jlt_kernels_spherical_top_rod_on_level_G,
+    &jlt_kernels_spherical_top_rod_in_regular,
+    &jlt_kernels_spherical_top_rod_in_regular_on_level_G,
+    &jlt_kernels_spherical_top_balanced_equal,
+    &jlt_kernels_spherical_top_balanced_equal_on_level_G,
+    &jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_equal_in_regular,
+    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G,
+    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_level_general,
+    &jlt_kernels_spherical_top_level_general_in_regular,
+    &jlt_kernels_spherical_top_level_balanced,
+    &jlt_kernels_spherical_top_level_balanced_in_regular,
+    &jlt_kernels_spherical_top_level_rod,
+    &jlt_kernels_spherical_top_level_rod_in_regular,
+};
+
+const unsigned jlt_registry_count = 30;

@@ -1,0 +1,10 @@
+/** All descriptors, those of a model together, the general field of each first. Written by ttc; do not edit. */
+#ifndef JLT_REGISTRY_H
+#define JLT_REGISTRY_H
+
+#include "kernel_abi.h"
+
+extern const jlt_descriptor *const jlt_registry[];
+extern const unsigned jlt_registry_count;
+
+#endif
