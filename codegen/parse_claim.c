@@ -45,36 +45,6 @@ static bool parse_clauses(ttc_parser *parser, ttc_claim *claim)
     }
 }
 
-/* The symbols bound in `bound` must not stand, through definitions, in the expressions of `in` (after `first` is
- * substituted into them, when it is not NULL). */
-static bool check_circle(ttc_parser *parser, const ttc_bindings *bound, const ttc_bindings *in, const ttc_bindings *first)
-{
-    const ttc_model *model = parser->model;
-    size_t count = 0, most = in->count + (first == NULL ? 0 : first->count);
-    if (bound->count == 0 || most == 0) return true;
-    ttc_id *ids = malloc(most * sizeof *ids);
-    if (ids == NULL) return ttc_parse_no_memory(parser);
-    for (size_t i = 0; i < in->count; i++) ids[count++] = in->items[i].expression;
-    unsigned char *support = ttc_model_support(model, ids, count);
-    if (support != NULL && first != NULL) {
-        for (size_t i = 0; i < first->count; i++)
-            if (support[first->items[i].symbol]) ids[count++] = first->items[i].expression;
-        unsigned char *after = ttc_model_support(model, ids, count);
-        for (size_t i = 0; after != NULL && i < first->count; i++) after[first->items[i].symbol] = 0;
-        free(support);
-        support = after;
-    }
-    free(ids);
-    if (support == NULL) return ttc_parse_no_memory(parser);
-    bool ok = true;
-    for (size_t i = 0; ok && i < bound->count; i++)
-        if (support[bound->items[i].symbol])
-            ok = ttc_parse_error(parser, bound->items[i].place, "'%s' is set here and stands in a right-hand side, directly or "
-                                 "through definitions: a circle", model->symbols[bound->items[i].symbol].name);
-    free(support);
-    return ok;
-}
-
 static bool parse_reversor(ttc_parser *parser, ttc_claim *claim)
 {
     do {
@@ -178,7 +148,7 @@ static bool parse_target_bindings(ttc_parser *parser, ttc_claim *claim)
         if (names[count] == NULL) return false;
         items[count] = (ttc_binding){ 0, expression, ttc_token_place(name) };
         claim->bindings.count++;
-    } while (ttc_parse_accept_mark(parser, ',') );
+    } while (ttc_parse_accept_mark(parser, ','));
     return true;
 }
 
@@ -241,6 +211,21 @@ static ttc_claim_kind kind_of(ttc_keyword keyword)
     }
 }
 
+/* What `when` sets, the record itself must not set again. */
+static bool check_set_once(ttc_parser *parser, const ttc_claim *claim)
+{
+    unsigned char *set = calloc(parser->model->symbol_count, 1);
+    if (set == NULL) return ttc_parse_no_memory(parser);
+    bool ok = true;
+    for (size_t i = 0; i < claim->bindings.count; i++) set[claim->bindings.items[i].symbol] = 1;
+    for (size_t i = 0; ok && i < claim->when.count; i++)
+        if (set[claim->when.items[i].symbol])
+            ok = ttc_parse_error(parser, claim->when.items[i].place, "'%s' is set twice",
+                                 parser->model->symbols[claim->when.items[i].symbol].name);
+    free(set);
+    return ok;
+}
+
 /* A claim's own name is new; the records that speak of a family stand once for each. */
 static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_token *name)
 {
@@ -271,9 +256,10 @@ static bool parse_parts(ttc_parser *parser, const ttc_token *keyword, ttc_claim 
         return false;
     if (!parse_body(parser, claim)) return false;
     if (is_clause_allowed(claim->kind) && !parse_clauses(parser, claim)) return false;
-    if (!check_circle(parser, &claim->when, &claim->when, NULL)) return false;
+    if (!ttc_parse_check_circle(parser, &claim->when, &claim->when, NULL)) return false;
     if (claim->kind != TTC_CLAIM_EQUILIBRIA) return true;
-    return check_circle(parser, &claim->bindings, &claim->bindings, &claim->when);
+    return check_set_once(parser, claim) &&
+           ttc_parse_check_circle(parser, &claim->bindings, &claim->bindings, &claim->when);
 }
 
 /* A claim that is wrong is kept with its name, so that what refers to it is not reported as well. */

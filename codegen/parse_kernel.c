@@ -1,75 +1,26 @@
-/* Records that ask for kernels of their own: variant, time, eliminate. And lists of substitutions. */
+/* Records that ask for kernels of their own: variant, time, eliminate. */
 #include "parser.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-/* NAME = expr, ... with names of the given kinds (a mask of 1 << kind), each bound once. */
-bool ttc_parse_bindings(ttc_parser *parser, ttc_bindings *bindings, unsigned kinds, const char *expected)
-{
-    do {
-        uint32_t symbol;
-        const ttc_token *name = ttc_parse_name(parser, expected);
-        if (name == NULL) return false;
-        if (!ttc_parse_find(parser, name, &symbol)) {
-            ttc_parse_unknown(parser, name);
-            return false;
-        }
-        const ttc_symbol_entry *entry = parser->model->symbols + symbol;
-        if ((kinds & 1u << entry->kind) == 0)
-            return ttc_parse_error(parser, ttc_token_place(name), "'%s' cannot be set here (expected %s)", entry->name, expected);
-        for (size_t i = 0; i < bindings->count; i++)
-            if (bindings->items[i].symbol == symbol)
-                return ttc_parse_error(parser, ttc_token_place(name), "'%s' is set twice", entry->name);
-        if (!ttc_parse_expect_mark(parser, '=', "the name")) return false;
-        ttc_id expression = ttc_parse_expression(parser);
-        if (expression == TTC_NONE) return false;
-        ttc_binding *items = ttc_parse_extend(bindings->items, bindings->count, sizeof *items);
-        if (items == NULL) return ttc_parse_no_memory(parser);
-        bindings->items = items;
-        items[bindings->count++] = (ttc_binding){ symbol, expression, ttc_token_place(name) };
-    } while (ttc_parse_accept_mark(parser, ','));
-    return true;
-}
-
-void ttc_parse_check_constants(ttc_parser *parser, const ttc_bindings *bindings)
-{
-    for (size_t i = 0; i < bindings->count; i++) {
-        const ttc_binding *b = bindings->items + i;
-        const ttc_symbol_entry *entry = parser->model->symbols + b->symbol;
-        if (ttc_kind_of(parser->model->graph, b->expression) != TTC_NUMBER) continue;
-        int sign = fmpq_sgn(ttc_coefficient(parser->model->graph, b->expression));
-        bool excluded = (entry->sign == TTC_POSITIVE && sign <= 0) || (entry->sign == TTC_NONNEGATIVE && sign < 0) ||
-                        (entry->sign == TTC_NONZERO && sign == 0);
-        if (excluded)
-            ttc_report(parser->diagnostics, TTC_WARNING, b->place.line, b->place.column,
-                       "this value of '%s' lies outside the condition that its record states", entry->name);
-    }
-}
-
-/* Bound names must not stand on a right-hand side of the same record, nor must states. */
-static bool check_variant(ttc_parser *parser, const ttc_variant *variant)
+/* A variant is a matter of parameters: nothing that moves stands on its right-hand sides. */
+static bool check_fixed(ttc_parser *parser, const ttc_bindings *bindings)
 {
     const ttc_model *model = parser->model;
-    for (size_t i = 0; i < variant->bindings.count; i++) {
-        const ttc_binding *b = variant->bindings.items + i;
-        unsigned char *support = ttc_model_support(model, &b->expression, 1);
-        if (support == NULL) return ttc_parse_no_memory(parser);
-        const char *wrong = NULL, *name = NULL;
-        for (size_t s = 0; s < model->symbol_count; s++)
-            if (support[s] && model->symbols[s].kind == TTC_STATE) {
-                wrong = "moves (expected parameters and numbers)";
-                name = model->symbols[s].name;
-            }
-        for (size_t k = 0; k < variant->bindings.count; k++)
-            if (support[variant->bindings.items[k].symbol]) {
-                wrong = "is itself set here: a circle (expected parameters that stay free)";
-                name = model->symbols[variant->bindings.items[k].symbol].name;
-            }
-        free(support);
-        if (wrong != NULL) return ttc_parse_error(parser, b->place, "'%s' %s", name, wrong);
-    }
-    return true;
+    ttc_id *ids = malloc(bindings->count * sizeof *ids);
+    if (ids == NULL) return ttc_parse_no_memory(parser);
+    for (size_t i = 0; i < bindings->count; i++) ids[i] = bindings->items[i].expression;
+    unsigned char *support = ttc_model_support(model, ids, bindings->count);
+    free(ids);
+    if (support == NULL) return ttc_parse_no_memory(parser);
+    const char *moving = NULL;
+    for (size_t s = 0; s < model->symbol_count; s++)
+        if (support[s] && model->symbols[s].kind == TTC_STATE) moving = model->symbols[s].name;
+    free(support);
+    if (moving == NULL) return true;
+    return ttc_parse_error(parser, bindings->items->place, "the state '%s' stands in a variant (expected parameters and "
+                           "numbers)", moving);
 }
 
 static bool is_name(const ttc_token *token, const char *name)
@@ -104,7 +55,7 @@ static bool parse_variant(ttc_parser *parser, const ttc_token *name)
     model->variant_count++;
     if (!ttc_parse_bindings(parser, &variant->bindings, 1u << TTC_PARAM, "a parameter")) return false;
     ttc_parse_check_constants(parser, &variant->bindings);
-    return check_variant(parser, variant);
+    return check_fixed(parser, &variant->bindings) && ttc_parse_check_circle(parser, &variant->bindings, &variant->bindings, NULL);
 }
 
 static bool parse_lifted(ttc_parser *parser, ttc_time *time)

@@ -61,6 +61,12 @@ bool ttc_parse_no_memory(ttc_parser *parser)
     return false;
 }
 
+static ttc_place place_after(const ttc_token *token)
+{
+    bool enclosed = token->kind == TTC_TOKEN_STRING || token->kind == TTC_TOKEN_UNIT;
+    return (ttc_place){ token->line, token->column + token->length + (enclosed ? 2 : 0) };
+}
+
 bool ttc_parse_unexpected(ttc_parser *parser, const char *expected)
 {
     const ttc_token *token = ttc_parse_peek(parser);
@@ -70,10 +76,9 @@ bool ttc_parse_unexpected(ttc_parser *parser, const char *expected)
     case TTC_TOKEN_BAD:
         return false;
     case TTC_TOKEN_END:
-        return ttc_parse_error(parser, place, "the table ends within a record (expected %s)", expected);
+        return ttc_parse_error(parser, place_after(token - 1), "the table ends within a record (expected %s)", expected);
     case TTC_TOKEN_RECORD:
-        return ttc_parse_error(parser, place, "the record above is not complete (expected %s before '%.*s')", expected, length,
-                               token->text);
+        return ttc_parse_error(parser, place_after(token - 1), "the record ends too early (expected %s)", expected);
     case TTC_TOKEN_KEYWORD:
         return ttc_parse_error(parser, place, "'%.*s' is a keyword and names nothing (expected %s)", length, token->text,
                                expected);

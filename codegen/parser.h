@@ -88,7 +88,10 @@ char *ttc_parse_copy(ttc_parser *parser, const char *text, size_t length); /* NU
 
 /* Lists shared by records. */
 bool ttc_parse_bindings(ttc_parser *parser, ttc_bindings *bindings, unsigned kinds, const char *expected);
-void ttc_parse_check_constants(ttc_parser *parser, const ttc_bindings *bindings);
+void ttc_parse_check_constants(ttc_parser *parser, const ttc_bindings *bindings); /* warns of excluded values */
+/* The symbols set in `bound` must not stand, through definitions, in the expressions of `in` (after `first` is substituted
+ * into them, when it is not NULL). */
+bool ttc_parse_check_circle(ttc_parser *parser, const ttc_bindings *bound, const ttc_bindings *in, const ttc_bindings *first);
 
 /* Records: the token at hand is the one after the keyword. */
 bool ttc_parse_title(ttc_parser *parser, const ttc_token *keyword);
