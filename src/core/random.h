@@ -1,0 +1,29 @@
+/** Pseudo-random numbers with a seed: the same seed gives the same numbers on every machine.
+ *
+ *  Generator: xoshiro256++, period 2^256 - 1, seeded through splitmix64. Not for secrets.
+ *  Source: D. Blackman, S. Vigna, Scrambled linear pseudorandom number generators, ACM TOMS 47(4), 2021. */
+#ifndef JLT_CORE_RANDOM_H
+#define JLT_CORE_RANDOM_H
+
+#include <stdint.h>
+
+typedef struct {
+    uint64_t word[4];
+} jlt_random;
+
+void jlt_random_seed(jlt_random *random, uint64_t seed);
+uint64_t jlt_random_bits(jlt_random *random);
+
+/* Uniform in [0, count); count > 0. */
+uint64_t jlt_random_below(jlt_random *random, uint64_t count);
+
+/* Uniform in the open interval (0, 1), 53 bits. */
+double jlt_random_unit(jlt_random *random);
+
+/* Uniform in (low, high). */
+double jlt_random_between(jlt_random *random, double low, double high);
+
+/* A magnitude uniform in the logarithm over (10^low, 10^high), by multiplications alone. */
+double jlt_random_magnitude(jlt_random *random, double low, double high);
+
+#endif

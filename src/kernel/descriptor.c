@@ -1,0 +1,116 @@
+#include "kernel/descriptor.h"
+
+#include "registry.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { PARAMS_MAX = 256 };
+
+size_t jlt_descriptor_count(void)
+{
+    return jlt_registry_count;
+}
+
+const jlt_descriptor *jlt_descriptor_at(size_t index)
+{
+    return index < jlt_registry_count ? jlt_registry[index] : NULL;
+}
+
+static bool same(const char *name, const char *asked)
+{
+    return strcmp(name, asked == NULL ? "" : asked) == 0;
+}
+
+const jlt_descriptor *jlt_descriptor_find(const char *model, const char *variant, const char *time,
+                                          const char *elimination)
+{
+    for (size_t i = 0; i < jlt_registry_count; i++) {
+        const jlt_descriptor *d = jlt_registry[i];
+        if (same(d->model, model) && same(d->variant, variant) && same(d->time, time) &&
+            same(d->elimination, elimination))
+            return d;
+    }
+    return NULL;
+}
+
+static bool serves(const jlt_descriptor *descriptor, const double *params)
+{
+    double imposed[PARAMS_MAX];
+    double state[PARAMS_MAX] = { 0 };
+
+    if (descriptor->impose == NULL) return true;
+    if (descriptor->param_count > PARAMS_MAX || descriptor->state_count > PARAMS_MAX) return false;
+    descriptor->impose(state, params, imposed);
+    for (unsigned i = 0; i < descriptor->param_count; i++)
+        if (imposed[i] != params[i]) return false;
+    return true;
+}
+
+static unsigned operations(const jlt_operation_count *count)
+{
+    return count->add + count->multiply + count->fma + count->divide + count->root + count->elementary;
+}
+
+static bool more_special(const jlt_descriptor *a, const jlt_descriptor *b)
+{
+    if (a->integral_count != b->integral_count) return a->integral_count > b->integral_count;
+    return operations(&a->rhs_jacobian.optimized) < operations(&b->rhs_jacobian.optimized);
+}
+
+const jlt_descriptor *jlt_descriptor_choose(const char *model, const char *time, const char *elimination,
+                                            const double *params)
+{
+    const jlt_descriptor *best = NULL;
+
+    for (size_t i = 0; i < jlt_registry_count; i++) {
+        const jlt_descriptor *d = jlt_registry[i];
+        if (!same(d->model, model) || !same(d->time, time) || !same(d->elimination, elimination)) continue;
+        if (serves(d, params) && (best == NULL || more_special(d, best))) best = d;
+    }
+    return best;
+}
+
+static bool position(const jlt_quantity *quantities, unsigned count, const char *name, size_t *index)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (strcmp(quantities[i].name, name) == 0) {
+            *index = i;
+            return true;
+        }
+    return false;
+}
+
+bool jlt_descriptor_state(const jlt_descriptor *descriptor, const char *name, size_t *index)
+{
+    return position(descriptor->states, descriptor->state_count, name, index);
+}
+
+bool jlt_descriptor_param(const jlt_descriptor *descriptor, const char *name, size_t *index)
+{
+    return position(descriptor->params, descriptor->param_count, name, index);
+}
+
+jlt_status jlt_descriptor_check_state(const jlt_descriptor *descriptor, const double *x, size_t *index)
+{
+    for (unsigned i = 0; i < descriptor->state_count; i++) {
+        const jlt_quantity *q = &descriptor->states[i];
+        *index = i;
+        if (!isfinite(x[i])) return JLT_ERR_NONFINITE;
+        if (x[i] <= q->low || x[i] >= q->high) return JLT_ERR_DOMAIN;
+    }
+    return JLT_OK;
+}
+
+jlt_status jlt_descriptor_check_params(const jlt_descriptor *descriptor, const double *params, size_t *index)
+{
+    for (unsigned i = 0; i < descriptor->param_count; i++) {
+        const jlt_sign sign = descriptor->params[i].sign;
+        *index = i;
+        if (!isfinite(params[i])) return JLT_ERR_NONFINITE;
+        if (sign == JLT_POSITIVE && !(params[i] > 0.0)) return JLT_ERR_DOMAIN;
+        if (sign == JLT_NONNEGATIVE && !(params[i] >= 0.0)) return JLT_ERR_DOMAIN;
+        if (sign == JLT_NONZERO && params[i] == 0.0) return JLT_ERR_DOMAIN;
+    }
+    return JLT_OK;
+}

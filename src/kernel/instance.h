@@ -1,0 +1,27 @@
+/** A descriptor with parameter values: everything a kernel call needs besides the state. */
+#ifndef JLT_KERNEL_INSTANCE_H
+#define JLT_KERNEL_INSTANCE_H
+
+#include "core/status.h"
+#include "kernel_abi.h"
+
+typedef struct {
+    const jlt_descriptor *descriptor;
+    double *params; /* shape (param_count,), owned */
+    double *block;  /* shape (block_count,), owned, prepared from params */
+} jlt_instance;
+
+/** Bind a descriptor to parameters, checked against the table's conditions and prepared.
+ *  Out: *instance, NULL on failure; destroy with jlt_instance_destroy. In: params, shape (param_count,), copied.
+ *  Errors: ARG, NONFINITE, DOMAIN, NOMEM. */
+JLT_CHECKED jlt_status jlt_instance_create(jlt_instance **instance, const jlt_descriptor *descriptor,
+                                           const double *params);
+void jlt_instance_destroy(jlt_instance *instance); /* legal on NULL */
+
+/** Checked forms, as jlt_kernel_eval; x, shape (states,), must lie in the table's domain (else DOMAIN). */
+JLT_CHECKED jlt_status jlt_instance_rhs(const jlt_instance *instance, double *f, const double *x);
+JLT_CHECKED jlt_status jlt_instance_jacobian(const jlt_instance *instance, double *jacobian, const double *x);
+JLT_CHECKED jlt_status jlt_instance_divergence(const jlt_instance *instance, double *divergence, const double *x);
+JLT_CHECKED jlt_status jlt_instance_gradients(const jlt_instance *instance, double *gradients, const double *x);
+
+#endif

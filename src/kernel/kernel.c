@@ -1,0 +1,55 @@
+#include "kernel/kernel.h"
+
+#include "core/guard.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+static bool all_finite(const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!isfinite(values[i])) return false;
+    return true;
+}
+
+jlt_status jlt_kernel_eval_function(double *out, jlt_kernel_function function, size_t outputs, const double *x,
+                                    size_t count, const double *params, size_t param_count)
+{
+    double result[JLT_KERNEL_OUTPUTS_MAX];
+    jlt_guard guard;
+    jlt_status st;
+
+    if (function == NULL || outputs > JLT_KERNEL_OUTPUTS_MAX) return JLT_ERR_UNSUPPORTED;
+    if ((x != NULL && !all_finite(x, count)) || !all_finite(params, param_count)) return JLT_ERR_NONFINITE;
+    jlt_guard_enter(&guard);
+    function(x, params, result);
+    st = jlt_guard_leave(&guard);
+    if (st != JLT_OK) return st;
+    if (!all_finite(result, outputs)) return JLT_ERR_NONFINITE;
+    memcpy(out, result, outputs * sizeof *out);
+    return JLT_OK;
+}
+
+jlt_status jlt_kernel_eval(double *out, const jlt_kernel *kernel, const double *x, size_t count, const double *block)
+{
+    /* The block was checked when it was prepared. */
+    return jlt_kernel_eval_function(out, kernel->call, kernel->outputs, x, count, block, 0);
+}
+
+jlt_status jlt_kernel_prepare_block(double *block, const jlt_descriptor *descriptor, const double *params)
+{
+    double result[JLT_KERNEL_OUTPUTS_MAX];
+    jlt_guard guard;
+    jlt_status st;
+
+    if (descriptor->prepare == NULL || descriptor->block_count > JLT_KERNEL_OUTPUTS_MAX) return JLT_ERR_UNSUPPORTED;
+    if (!all_finite(params, descriptor->param_count)) return JLT_ERR_NONFINITE;
+    jlt_guard_enter(&guard);
+    descriptor->prepare(params, result);
+    st = jlt_guard_leave(&guard);
+    if (st != JLT_OK) return st;
+    if (!all_finite(result, descriptor->block_count)) return JLT_ERR_NONFINITE;
+    memcpy(block, result, descriptor->block_count * sizeof *block);
+    return JLT_OK;
+}
