@@ -1,0 +1,405 @@
+#include "analysis/deflation.h"
+
+#include "analysis/charpoly.h"
+#include "analysis/quadratic.h"
+#include "ext/arpack.h"
+#include "ext/eigen.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = JLT_DEFLATION_SIZE_MAX, CHOICES_MAX = 20000 };
+
+static const double roundoff = DBL_EPSILON / 2;
+
+/* The problem, scaled by a power of two so that the largest entry of a is near one. */
+typedef struct {
+    size_t n, rank;
+    double a[SIZE * SIZE], error[SIZE * SIZE];
+    double w[SIZE * SIZE]; /* independent gradients, rows scaled near one, shape (rank, n) */
+    int row[SIZE];         /* which gradient each is */
+    int exponent;
+} problem;
+
+typedef struct {
+    size_t pivots[SIZE], others[SIZE];
+    double follow[SIZE * SIZE]; /* W_p^(-1) W_f, shape (rank, n - rank) */
+    double block[SIZE * SIZE], error[SIZE * SIZE];
+    double merit;               /* largest bound on an error of B, relative to its largest entry */
+} choice;
+
+/* Solve (rank x rank) W_p X = W_f by elimination with row pivoting; false when singular. */
+static bool eliminate(choice *c, const problem *p)
+{
+    const size_t k = p->rank, rest = p->n - k;
+    double m[SIZE * SIZE];
+
+    for (size_t i = 0; i < k; i++) {
+        for (size_t j = 0; j < k; j++) m[i * p->n + j] = p->w[i * p->n + c->pivots[j]];
+        for (size_t j = 0; j < rest; j++) m[i * p->n + k + j] = p->w[i * p->n + c->others[j]];
+    }
+    for (size_t j = 0; j < k; j++) {
+        size_t best = j;
+        for (size_t i = j + 1; i < k; i++)
+            if (fabs(m[i * p->n + j]) > fabs(m[best * p->n + j])) best = i;
+        if (m[best * p->n + j] == 0.0) return false;
+        for (size_t l = 0; l < p->n; l++) {
+            const double held = m[j * p->n + l];
+            m[j * p->n + l] = m[best * p->n + l];
+            m[best * p->n + l] = held;
+        }
+        for (size_t i = 0; i < k; i++) {
+            const double factor = m[i * p->n + j] / m[j * p->n + j];
+            if (i == j || factor == 0.0) continue;
+            for (size_t l = j; l < p->n; l++) m[i * p->n + l] -= factor * m[j * p->n + l];
+        }
+    }
+    for (size_t i = 0; i < k; i++)
+        for (size_t j = 0; j < rest; j++) {
+            c->follow[i * rest + j] = m[i * p->n + k + j] / m[i * p->n + i];
+            if (!isfinite(c->follow[i * rest + j])) return false;
+        }
+    return true;
+}
+
+/* B and its error bound for one choice of pivots. */
+static bool reduce(choice *c, const problem *p)
+{
+    const size_t n = p->n, k = p->rank, rest = n - k;
+    double largest = 0.0, worst = 0.0, amplification = 1.0;
+
+    if (!eliminate(c, p)) return false;
+    for (size_t i = 0; i < k * rest; i++) amplification = fmax(amplification, fabs(c->follow[i]));
+    for (size_t i = 0; i < rest; i++)
+        for (size_t j = 0; j < rest; j++) {
+            const size_t row = c->others[i] * n;
+            double sum = 0.0, bound = 0.0;
+            for (size_t l = 0; l < k; l++) {
+                const double x = c->follow[l * rest + j], before = p->a[row + c->pivots[l]];
+                sum += before * x;
+                /* The gradients carry a few roundings, which the elimination amplifies by about its largest entry. */
+                bound += p->error[row + c->pivots[l]] * fabs(x) +
+                         fabs(before) * (double)(k + 8) * roundoff * (fabs(x) + amplification);
+            }
+            c->block[i * rest + j] = p->a[row + c->others[j]] - sum;
+            bound += p->error[row + c->others[j]] + (sum == 0.0 ? 0.0 : roundoff * fabs(c->block[i * rest + j]));
+            c->error[i * rest + j] = bound;
+            if (!isfinite(c->block[i * rest + j]) || !isfinite(bound)) return false;
+            largest = fmax(largest, fabs(c->block[i * rest + j]));
+            worst = fmax(worst, bound);
+        }
+    c->merit = largest > 0.0 ? worst / largest : worst;
+    return true;
+}
+
+/* The next ascending choice of k out of n; false after the last. */
+static bool advance(size_t *pivots, size_t k, size_t n)
+{
+    for (size_t i = k; i-- > 0;)
+        if (pivots[i] < n - k + i) {
+            pivots[i]++;
+            for (size_t j = i + 1; j < k; j++) pivots[j] = pivots[j - 1] + 1;
+            return true;
+        }
+    return false;
+}
+
+static bool choose(choice *best, const problem *p)
+{
+    choice c;
+    bool found = false;
+    long tried = 0;
+
+    for (size_t i = 0; i < p->rank; i++) c.pivots[i] = i;
+    do {
+        size_t count = 0, next = 0;
+        for (size_t i = 0; i < p->n; i++) {
+            if (next < p->rank && c.pivots[next] == i) next++;
+            else c.others[count++] = i;
+        }
+        if (reduce(&c, p) && (!found || c.merit < best->merit)) {
+            *best = c;
+            found = true;
+        }
+    } while (++tried < CHOICES_MAX && advance(c.pivots, p->rank, p->n));
+    return found;
+}
+
+/* Keep gradients that are independent of those before them: rows and columns are scaled near one, and a row whose
+ * remainder after elimination falls below 1e-10 is left out. */
+static void independent(problem *p, const double *gradients, size_t count)
+{
+    const size_t n = p->n;
+    double m[SIZE * SIZE], columns[SIZE] = { 0 };
+    size_t lead[SIZE];
+
+    p->rank = 0;
+    for (size_t r = 0; r < count; r++) {
+        const int exponent = jlt_charpoly_exponent(gradients + r * n, n);
+        for (size_t j = 0; j < n; j++) columns[j] = fmax(columns[j], fabs(ldexp(gradients[r * n + j], -exponent)));
+    }
+    for (size_t r = 0; r < count && p->rank < n; r++) {
+        double *row = m + p->rank * n, largest = 0.0, left = 0.0;
+        const int exponent = jlt_charpoly_exponent(gradients + r * n, n);
+        for (size_t j = 0; j < n; j++) {
+            p->w[p->rank * n + j] = ldexp(gradients[r * n + j], -exponent);
+            row[j] = columns[j] > 0.0 ? p->w[p->rank * n + j] / columns[j] : 0.0;
+            largest = fmax(largest, fabs(row[j]));
+        }
+        for (size_t i = 0; i < p->rank; i++) {
+            const double factor = row[lead[i]] / m[i * n + lead[i]];
+            for (size_t j = 0; j < n; j++) row[j] -= factor * m[i * n + j];
+            row[lead[i]] = 0.0;
+        }
+        for (size_t j = 0; j < n; j++)
+            if (fabs(row[j]) > left) {
+                left = fabs(row[j]);
+                lead[p->rank] = j;
+            }
+        if (left > 1e-10 * largest && largest > 0.0) p->row[p->rank++] = (int)r;
+    }
+}
+
+static double defect(const problem *p)
+{
+    double worst = 0.0;
+
+    for (size_t i = 0; i < p->rank; i++)
+        for (size_t j = 0; j < p->n; j++) {
+            double sum = 0.0, size = 0.0;
+            for (size_t l = 0; l < p->n; l++) {
+                sum += p->w[i * p->n + l] * p->a[l * p->n + j];
+                size += fabs(p->w[i * p->n + l] * p->a[l * p->n + j]);
+            }
+            if (size > 0.0) worst = fmax(worst, fabs(sum) / size);
+        }
+    return worst;
+}
+
+/* Rank of a by elimination with complete pivoting. */
+static size_t rank_of(const double *a, size_t n)
+{
+    double m[SIZE * SIZE], first = 0.0;
+    size_t rank = 0;
+
+    memcpy(m, a, n * n * sizeof *m);
+    for (; rank < n; rank++) {
+        size_t row = rank, column = rank;
+        for (size_t i = rank; i < n; i++)
+            for (size_t j = rank; j < n; j++)
+                if (fabs(m[i * n + j]) > fabs(m[row * n + column])) row = i, column = j;
+        const double pivot = m[row * n + column];
+        if (rank == 0) first = fabs(pivot);
+        if (fabs(pivot) <= 32 * roundoff * first) break;
+        for (size_t j = 0; j < n; j++) {
+            const double held = m[rank * n + j];
+            m[rank * n + j] = m[row * n + j];
+            m[row * n + j] = held;
+        }
+        for (size_t i = 0; i < n; i++) {
+            const double held = m[i * n + rank];
+            m[i * n + rank] = m[i * n + column];
+            m[i * n + column] = held;
+        }
+        for (size_t i = rank + 1; i < n; i++) {
+            const double factor = m[i * n + rank] / pivot;
+            for (size_t j = rank; j < n; j++) m[i * n + j] -= factor * m[rank * n + j];
+        }
+    }
+    return rank;
+}
+
+static double norm(const double *values, size_t count)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < count; i++) sum += values[i] * values[i];
+    return sqrt(sum);
+}
+
+/* |x| |y| / |v u| of the whole matrix for an eigenvalue of B: u, v from the adjugate of B, x = (-follow u, u) and
+ * y = A_f^T v / lambda. The product of the other distances, too, in *distances. */
+static double condition(double *distances, const problem *p, const choice *c, const double *re, const double *im, size_t at)
+{
+    const size_t n = p->n, k = p->rank, rest = n - k;
+    double adjugate[2 * SIZE * SIZE], x2 = 0.0, y2 = 0.0, product_re = 0.0, product_im = 0.0;
+    const double *real = adjugate, *imaginary = adjugate + rest * rest;
+    size_t row = 0, column = 0;
+
+    *distances = 1.0;
+    for (size_t i = 0; i < rest; i++)
+        if (i != at) *distances *= hypot(re[i] - re[at], im[i] - im[at]);
+    (void)jlt_charpoly_adjugate(adjugate, c->block, rest, re[at], im[at]);
+    for (size_t i = 0; i < rest; i++)
+        for (size_t j = 0; j < rest; j++)
+            if (hypot(real[i * rest + j], imaginary[i * rest + j]) >
+                hypot(real[row * rest + column], imaginary[row * rest + column]))
+                row = i, column = j;
+    for (size_t i = 0; i < rest; i++) {
+        const double ur = real[i * rest + column], ui = imaginary[i * rest + column];
+        const double vr = real[row * rest + i], vi = imaginary[row * rest + i];
+        x2 += ur * ur + ui * ui;
+        product_re += ur * vr - ui * vi;
+        product_im += ur * vi + ui * vr;
+    }
+    for (size_t l = 0; l < k; l++) {
+        double r = 0.0, i = 0.0;
+        for (size_t j = 0; j < rest; j++) {
+            r += c->follow[l * rest + j] * real[j * rest + column];
+            i += c->follow[l * rest + j] * imaginary[j * rest + column];
+        }
+        x2 += r * r + i * i;
+    }
+    for (size_t j = 0; j < n; j++) {
+        double r = 0.0, i = 0.0;
+        for (size_t l = 0; l < rest; l++) {
+            r += real[row * rest + l] * p->a[c->others[l] * n + j];
+            i += imaginary[row * rest + l] * p->a[c->others[l] * n + j];
+        }
+        y2 += r * r + i * i;
+    }
+    const double lambda = hypot(re[at], im[at]), product = hypot(product_re, product_im);
+    if (lambda == 0.0) return NAN;
+    return product == 0.0 ? INFINITY : sqrt(x2) * (sqrt(y2) / lambda) / product;
+}
+
+/* Eigenvalues of B with error bounds: closed form up to two rows, GSL beyond. */
+static jlt_status solve_block(double *re, double *im, double *error, const problem *p, const choice *c)
+{
+    const size_t rest = p->n - p->rank;
+    jlt_status st;
+    double size, noise, distances;
+
+    if (rest == 0) return JLT_OK;
+    if (rest == 1) {
+        re[0] = c->block[0];
+        im[0] = 0.0;
+        error[0] = c->error[0];
+        return JLT_OK;
+    }
+    if (rest == 2) return jlt_quadratic_eigenvalues(re, im, error, c->block, c->error);
+    st = jlt_eigen_values(re, im, c->block, rest);
+    if (st != JLT_OK) return st;
+    size = norm(c->block, rest * rest);
+    noise = norm(c->error, rest * rest) + 10 * (double)rest * roundoff * size;
+    for (size_t i = 0; i < rest; i++) {
+        const double adjugate = jlt_charpoly_adjugate(NULL, c->block, rest, re[i], im[i]);
+        /* First order where the eigenvalue is simple enough, Elsner's bound in any case. */
+        error[i] = pow(2 * size + noise, 1.0 - 1.0 / (double)rest) * pow(noise, 1.0 / (double)rest);
+        (void)condition(&distances, p, c, re, im, i);
+        if (distances > 0.0) error[i] = fmin(error[i], 2 * noise * adjugate / distances);
+    }
+    return JLT_OK;
+}
+
+/* The largest distance from a value of one list to the nearest of the other. */
+static double farthest(const double *re, const double *im, size_t count, const double *others_re, const double *others_im,
+                       size_t others)
+{
+    double worst = 0.0;
+
+    for (size_t i = 0; i < count; i++) {
+        double nearest = INFINITY;
+        for (size_t j = 0; j < others; j++) nearest = fmin(nearest, hypot(re[i] - others_re[j], im[i] - others_im[j]));
+        worst = fmax(worst, nearest);
+    }
+    return worst;
+}
+
+/* The same eigenvalues by other routes. */
+static jlt_status cross_check(jlt_deflation *result, const problem *p, const choice *c)
+{
+    const size_t n = p->n, rest = n - p->rank;
+    const double size = fmax(norm(p->a, n * n), DBL_MIN);
+    double re[SIZE], im[SIZE], other_re[SIZE], other_im[SIZE];
+    size_t nonzero = 0, wanted, found = 0;
+    jlt_status st;
+
+    for (size_t i = 0; i < n; i++) {
+        re[i] = result->values[i].re;
+        im[i] = result->values[i].im;
+        nonzero += re[i] != 0.0 || im[i] != 0.0;
+    }
+    st = jlt_eigen_values(other_re, other_im, c->block, rest);
+    if (st != JLT_OK) return st;
+    result->gsl_difference = farthest(re + p->rank, im + p->rank, rest, other_re, other_im, rest) / size;
+    st = jlt_eigen_values(other_re, other_im, p->a, n);
+    if (st != JLT_OK) return st;
+    result->plain_difference = fmax(farthest(re, im, n, other_re, other_im, n),
+                                    farthest(other_re, other_im, n, re, im, n)) / size;
+    result->arpack_difference = NAN;
+    result->arpack_note = "";
+    if (n < 3) result->arpack_note = "ARPACK needs three rows";
+    else if (nonzero == 0) result->arpack_note = "no eigenvalue differs from zero";
+    if (result->arpack_note[0] != '\0') return JLT_OK;
+    wanted = nonzero < n - 2 ? nonzero : n - 2;
+    st = jlt_arpack_largest(other_re, other_im, &found, p->a, n, wanted);
+    if (st == JLT_ERR_NOMEM) return st;
+    if (st != JLT_OK || found == 0) result->arpack_note = "ARPACK did not converge";
+    else result->arpack_difference = farthest(other_re, other_im, found, re, im, n) / size;
+    return JLT_OK;
+}
+
+static jlt_status set_up(problem *p, const double *a, const double *error, size_t n, const double *gradients, size_t count)
+{
+    p->n = n;
+    p->exponent = jlt_charpoly_exponent(a, n * n);
+    for (size_t i = 0; i < n * n; i++) {
+        if (!isfinite(a[i]) || (error != NULL && !isfinite(error[i]))) return JLT_ERR_NONFINITE;
+        p->a[i] = ldexp(a[i], -p->exponent);
+        if (a[i] != 0.0 && !isnormal(p->a[i])) return JLT_ERR_NONFINITE;
+        p->error[i] = error == NULL ? 4 * roundoff * fabs(p->a[i]) : ldexp(error[i], -p->exponent);
+    }
+    for (size_t i = 0; i < count * n; i++)
+        if (!isfinite(gradients[i])) return JLT_ERR_NONFINITE;
+    independent(p, gradients, count);
+    return JLT_OK;
+}
+
+jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
+                                 const double *gradients, size_t count)
+{
+    problem p = { 0 };
+    choice best = { 0 };
+    jlt_deflation r = { 0 };
+    double re[SIZE], im[SIZE], errors[SIZE], distances;
+    size_t rest, zeros;
+    jlt_status st;
+
+    if (n == 0 || n > SIZE || count > SIZE) return JLT_ERR_ARG;
+    JLT_TRY(set_up(&p, a, error, n, gradients, count));
+    if (!choose(&best, &p)) return JLT_ERR_NONFINITE;
+    rest = n - p.rank;
+    JLT_TRY(solve_block(re, im, errors, &p, &best));
+    r.n = n;
+    r.kept = rest;
+    zeros = p.rank;
+    for (size_t i = 0; i < p.rank; i++) r.values[i] = (jlt_eigenvalue){ 0.0, 0.0, NAN, 0.0, p.row[i] };
+    for (size_t i = 0; i < rest; i++) {
+        r.values[p.rank + i] = (jlt_eigenvalue){ re[i], im[i], condition(&distances, &p, &best, re, im, i), errors[i], -1 };
+        zeros += hypot(re[i], im[i]) <= errors[i];
+        r.coordinates[i] = best.others[i];
+    }
+    r.defective_zero = zeros > p.rank && n - rank_of(p.a, n) < zeros;
+    r.defect = defect(&p);
+    JLT_TRY(cross_check(&r, &p, &best));
+    for (size_t i = 0; i < n; i++) {
+        jlt_eigenvalue *value = &r.values[i];
+        const bool small = value->re == 0.0 && value->im == 0.0;
+        value->re = ldexp(value->re, p.exponent);
+        value->im = ldexp(value->im, p.exponent);
+        value->error = ldexp(value->error, p.exponent);
+        if (!isfinite(value->re) || !isfinite(value->im) || (!small && !isnormal(hypot(value->re, value->im))))
+            st = JLT_ERR_NONFINITE;
+        if (small && value->source < 0 && r.defective_zero) value->condition = INFINITY;
+    }
+    for (size_t i = 0; i < rest * rest; i++) {
+        r.block[i] = ldexp(best.block[i], p.exponent);
+        r.block_error[i] = ldexp(best.error[i], p.exponent);
+    }
+    if (st == JLT_OK) *result = r;
+done:
+    return st;
+}

@@ -1,0 +1,50 @@
+/** Eigenvalues at an equilibrium of a system with integrals: those that the integrals make zero are taken out exactly.
+ *
+ *  Gradients w of integrals at an equilibrium satisfy w A = 0. Let W hold k independent ones, choose k coordinates p
+ *  ("pivots") with W_p invertible, and f the others. On the leaf W x = 0 the pivots follow the rest,
+ *  x_p = -W_p^(-1) W_f x_f, so the other n - k eigenvalues are those of
+ *
+ *      B = A_ff - A_fp W_p^(-1) W_f,
+ *
+ *  and k eigenvalues are zero, attributed to the integrals. Of all choices of p the one with the least bound on the
+ *  rounding error of B is taken: columns that vanish in A cost nothing, so B is then a block of A itself, unrounded. */
+#ifndef JLT_ANALYSIS_DEFLATION_H
+#define JLT_ANALYSIS_DEFLATION_H
+
+#include "core/status.h"
+
+#include <stddef.h>
+
+enum { JLT_DEFLATION_SIZE_MAX = 16 };
+
+typedef struct {
+    double re, im;
+    double condition; /* |x| |y| / |y^H x|, of the whole matrix; INFINITY when defective, NaN when not defined: zero */
+    double error;     /* first-order bound on the absolute error, from the errors of the entries and of the arithmetic */
+    int source;       /* row of the gradient that it is attributed to, exactly zero; -1 otherwise */
+} jlt_eigenvalue;
+
+typedef struct {
+    size_t n, kept;                              /* size of A; of B, n - zeros */
+    size_t coordinates[JLT_DEFLATION_SIZE_MAX]; /* the coordinates f, ascending, shape (kept,) */
+    double block[JLT_DEFLATION_SIZE_MAX * JLT_DEFLATION_SIZE_MAX]; /* B, shape (kept, kept) */
+    double block_error[JLT_DEFLATION_SIZE_MAX * JLT_DEFLATION_SIZE_MAX]; /* bound on |error of B| */
+    jlt_eigenvalue values[JLT_DEFLATION_SIZE_MAX]; /* shape (n,): first the zeros attributed, then the rest, ascending */
+    double defect;      /* largest |W A| / (|W| |A|), entry by entry; about 2^-53 for true integrals */
+    double gsl_difference;    /* largest distance from B's eigenvalues to GSL's for B; relative to |B| */
+    double plain_difference;  /* the same to GSL's for A as it is, without deflation */
+    double arpack_difference; /* the same to ARPACK's for A, largest magnitudes first; NaN where ARPACK cannot serve */
+    const char *arpack_note;  /* why not; "" when it did */
+    int defective_zero; /* a zero eigenvalue beyond those of the integrals has too few eigenvectors: linear growth */
+} jlt_deflation;
+
+/** Out: *result, untouched on failure.
+ *  In:  a, shape (n, n); error, shape (n, n), bound on |error of a|, or NULL: 4 units roundoff of each entry; gradients,
+ *       shape (count, n), dependent ones allowed (the later is left out). n <= JLT_DEFLATION_SIZE_MAX.
+ *  Errors: ARG, NONFINITE, NO_CONVERGENCE, NOMEM.
+ *  Blocks of one or two rows are solved in closed form, with the discriminant in doubled precision; larger ones by GSL.
+ *  Cost: choose(n, k) eliminations of k rows. Not reentrant: it calls ARPACK. */
+JLT_CHECKED jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
+                                             const double *gradients, size_t count);
+
+#endif

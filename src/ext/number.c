@@ -1,0 +1,150 @@
+#include "ext/number.h"
+
+#include <flint/fmpq.h>
+#include <flint/fmpz.h>
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/* One unsigned decimal from *at, into value * 10^exponent; false when there is none. */
+static bool read_decimal(fmpz_t digits, long *exponent, const char **at, const char *end)
+{
+    char buffer[JLT_NUMBER_LENGTH_MAX + 1];
+    size_t count = 0;
+    long shift = 0, written = 0;
+    bool negative = false;
+
+    while (*at < end && is_digit(**at)) buffer[count++] = *(*at)++;
+    if (*at < end && **at == '.') {
+        ++*at;
+        while (*at < end && is_digit(**at)) {
+            buffer[count++] = *(*at)++;
+            shift--;
+        }
+    }
+    if (count == 0) return false;
+    buffer[count] = '\0';
+    if (fmpz_set_str(digits, buffer, 10) != 0) return false;
+    if (*at < end && (**at == 'e' || **at == 'E')) {
+        ++*at;
+        if (*at < end && (**at == '+' || **at == '-')) negative = *(*at)++ == '-';
+        if (*at == end || !is_digit(**at)) return false;
+        while (*at < end && is_digit(**at)) {
+            written = 10 * written + (*(*at)++ - '0');
+            if (written > JLT_NUMBER_EXPONENT_MAX) return false;
+        }
+    }
+    *exponent = shift + (negative ? -written : written);
+    return true;
+}
+
+static bool read_fraction(fmpq_t value, const char *text, size_t length)
+{
+    const char *at = text, *const end = text + length;
+    fmpz_t denominator, power;
+    long up = 0, down = 0;
+    bool good = false, negative = false;
+
+    if (length == 0 || length > JLT_NUMBER_LENGTH_MAX) return false;
+    fmpz_init_set_ui(denominator, 1);
+    fmpz_init(power);
+    if (*at == '+' || *at == '-') negative = *at++ == '-';
+    fmpz_set_ui(fmpq_denref(value), 1);
+    good = read_decimal(fmpq_numref(value), &up, &at, end);
+    if (good && at < end && *at == '/') {
+        at++;
+        good = read_decimal(denominator, &down, &at, end) && !fmpz_is_zero(denominator);
+    }
+    good = good && at == end;
+    if (good) {
+        const long exponent = up - down;
+        fmpz_set_ui(power, 10);
+        fmpz_pow_ui(power, power, (unsigned long)labs(exponent));
+        fmpz_mul(exponent < 0 ? denominator : fmpq_numref(value), exponent < 0 ? denominator : fmpq_numref(value), power);
+        if (negative) fmpz_neg(fmpq_numref(value), fmpq_numref(value));
+        fmpz_set(fmpq_denref(value), denominator);
+        fmpq_canonicalise(value);
+    }
+    fmpz_clear(power);
+    fmpz_clear(denominator);
+    return good;
+}
+
+/* |value| = p/q rounded to 53 bits: with 2^54 <= p*2^k/q < 2^56 the integer quotient and a sticky bit decide exactly. */
+static jlt_status round_nearest(double *result, const fmpq_t value)
+{
+    fmpz_t p, quotient, remainder;
+    long shift;
+    int surplus;
+    double magnitude;
+
+    if (fmpq_is_zero(value)) {
+        *result = 0.0;
+        return JLT_OK;
+    }
+    fmpz_init(p);
+    fmpz_init(quotient);
+    fmpz_init(remainder);
+    fmpz_abs(p, fmpq_numref(value));
+    shift = 55 - ((long)fmpz_bits(p) - (long)fmpz_bits(fmpq_denref(value)));
+    if (shift >= 0) {
+        fmpz_mul_2exp(p, p, (unsigned long)shift);
+        fmpz_fdiv_qr(quotient, remainder, p, fmpq_denref(value));
+    } else {
+        fmpz_t q;
+        fmpz_init(q);
+        fmpz_mul_2exp(q, fmpq_denref(value), (unsigned long)-shift);
+        fmpz_fdiv_qr(quotient, remainder, p, q);
+        fmpz_clear(q);
+    }
+    surplus = (int)fmpz_bits(quotient) - 53;
+    {
+        unsigned long bits = fmpz_get_ui(quotient);
+        const unsigned long unit = 1ul << surplus, half = unit >> 1, tail = bits & (unit - 1);
+        bits -= tail;
+        if (tail > half || (tail == half && (!fmpz_is_zero(remainder) || (bits & unit) != 0))) bits += unit;
+        magnitude = shift < -2000 ? INFINITY : shift > 2000 ? 0.0 : ldexp((double)bits, (int)-shift);
+    }
+    fmpz_clear(remainder);
+    fmpz_clear(quotient);
+    fmpz_clear(p);
+    if (!isnormal(magnitude)) return JLT_ERR_NONFINITE;
+    *result = fmpz_sgn(fmpq_numref(value)) < 0 ? -magnitude : magnitude;
+    return JLT_OK;
+}
+
+jlt_status jlt_number_parse(double *value, const char *text, size_t length)
+{
+    fmpq_t exact;
+    jlt_status st = JLT_ERR_ARG;
+
+    fmpq_init(exact);
+    if (read_fraction(exact, text, length)) st = round_nearest(value, exact);
+    fmpq_clear(exact);
+    return st;
+}
+
+jlt_status jlt_number_fraction(char **fraction, const char *text, size_t length)
+{
+    fmpq_t exact;
+    char *written = NULL;
+    jlt_status st = JLT_ERR_ARG;
+
+    *fraction = NULL;
+    fmpq_init(exact);
+    if (read_fraction(exact, text, length)) {
+        written = fmpq_get_str(NULL, 10, exact);
+        *fraction = written == NULL ? NULL : strdup(written);
+        st = *fraction == NULL ? JLT_ERR_NOMEM : JLT_OK;
+        flint_free(written);
+    }
+    fmpq_clear(exact);
+    return st;
+}

@@ -1,0 +1,24 @@
+/** Numbers as people write them, read exactly: 2, -0.51, 1e-3, 1/3, 0.1/3e2.
+ *
+ *  The value is an exact rational until it is rounded, once, to the nearest double (ties to even). Independent of locale. */
+#ifndef JLT_EXT_NUMBER_H
+#define JLT_EXT_NUMBER_H
+
+#include "core/status.h"
+
+#include <stddef.h>
+
+/* Longest text and largest decimal exponent accepted. */
+enum { JLT_NUMBER_LENGTH_MAX = 1024, JLT_NUMBER_EXPONENT_MAX = 4096 };
+
+/** Read [+-]DIGITS[.DIGITS][(e|E)[+-]DIGITS] [ / the same without sign ].
+ *  Out: *value, correctly rounded, untouched on failure.
+ *  In:  text, `length` bytes, all of which must belong to the number.
+ *  Errors: ARG (not a number; zero denominator; longer than the limits; "nan" and "inf" are no numbers),
+ *          NONFINITE (beyond the range of normal doubles: overflow, or underflow to a subnormal or to zero), NOMEM. */
+JLT_CHECKED jlt_status jlt_number_parse(double *value, const char *text, size_t length);
+
+/** The same as an exact fraction in lowest terms, "p/q" or "p", in a string that the caller frees. */
+JLT_CHECKED jlt_status jlt_number_fraction(char **fraction, const char *text, size_t length);
+
+#endif

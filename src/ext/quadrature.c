@@ -1,0 +1,51 @@
+#include "ext/quadrature.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+
+#include <math.h>
+
+enum { SUBINTERVALS = 2000 };
+
+typedef struct {
+    jlt_quadrature_integrand integrand;
+    void *context;
+    jlt_status status; /* the first failure */
+} call;
+
+static double evaluate(double at, void *parameters)
+{
+    call *c = parameters;
+    double value = 0.0;
+
+    if (c->status != JLT_OK) return 0.0;
+    c->status = c->integrand(c->context, &value, at);
+    return c->status == JLT_OK ? value : 0.0;
+}
+
+jlt_status jlt_quadrature_integrate(double *integral, double *error, jlt_quadrature_integrand integrand, void *context,
+                                    double low, double high, double absolute, double relative)
+{
+    call c = { integrand, context, JLT_OK };
+    const gsl_function function = { evaluate, &c };
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    gsl_integration_workspace *space = gsl_integration_workspace_alloc(SUBINTERVALS);
+    jlt_status st = JLT_ERR_NOMEM;
+    double result = 0.0, estimate = 0.0;
+    int gsl;
+
+    if (space == NULL) goto done;
+    gsl = gsl_integration_qags(&function, low, high, absolute, relative, SUBINTERVALS, space, &result, &estimate);
+    st = c.status;
+    if (st != JLT_OK) goto done;
+    /* GSL_EROUND: the rest is rounding, and the estimate says how much. */
+    if (gsl != GSL_SUCCESS && gsl != GSL_EROUND) st = JLT_ERR_NO_CONVERGENCE;
+    else if (!isfinite(result)) st = JLT_ERR_NONFINITE;
+    if (st != JLT_OK) goto done;
+    *integral = result;
+    *error = estimate;
+done:
+    gsl_integration_workspace_free(space);
+    gsl_set_error_handler(handler);
+    return st;
+}
