@@ -1,0 +1,139 @@
+#include "cli/assign.h"
+
+#include "core/memory.h"
+#include "ext/number.h"
+#include "kernel/descriptor.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static jlt_exit add(jlt_assign_list *list, const char *name, size_t name_length, const char *value, size_t length,
+                    const char *option)
+{
+    jlt_assignment item = { 0 };
+    jlt_assignment *items = realloc(list->items, (list->count + 1) * sizeof *items);
+    jlt_status st = items == NULL ? JLT_ERR_NOMEM : JLT_OK;
+
+    if (items != NULL) list->items = items;
+    if (st == JLT_OK) st = jlt_number_parse(&item.value, value, length);
+    if (st == JLT_OK) st = jlt_number_fraction(&item.fraction, value, length);
+    if (st == JLT_OK && (item.name = strndup(name, name_length)) == NULL) st = JLT_ERR_NOMEM;
+    if (st == JLT_OK) {
+        list->items[list->count++] = item;
+        return JLT_EXIT_DONE;
+    }
+    free(item.fraction);
+    if (st == JLT_ERR_ARG)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is no finite number (write 2, -0.51, 1e-3 or 1/3)", option,
+                                (int)length, value);
+    if (st == JLT_ERR_NONFINITE)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is outside the range of doubles, 2.3e-308 to 1.8e308", option,
+                                (int)length, value);
+    return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(st));
+}
+
+jlt_exit jlt_assign_parse(jlt_assign_list *list, const char *text, const char *option)
+{
+    while (*text != '\0') {
+        const size_t length = strcspn(text, ",");
+        const char *equals = memchr(text, '=', length);
+        const size_t name_length = equals == NULL ? 0 : (size_t)(equals - text);
+        jlt_exit code;
+
+        if (name_length == 0 || name_length + 1 == length)
+            return jlt_command_fail(JLT_EXIT_USAGE, "%s: '%.*s' is no assignment (write NAME=VALUE,NAME=VALUE)", option,
+                                    (int)length, text);
+        code = add(list, text, name_length, equals + 1, length - name_length - 1, option);
+        if (code != JLT_EXIT_DONE) return code;
+        text += length;
+        if (*text == ',') text++;
+    }
+    return JLT_EXIT_DONE;
+}
+
+void jlt_assign_clear(jlt_assign_list *list)
+{
+    for (size_t i = 0; i < list->count; i++) {
+        free(list->items[i].name);
+        free(list->items[i].fraction);
+    }
+    free(list->items);
+    *list = (jlt_assign_list){ 0 };
+}
+
+static jlt_exit unknown(const char *name, const jlt_quantity *quantities, size_t count, const char *what,
+                        const char *where)
+{
+    fprintf(stderr, "jellett: %s has no %s '%s'; it has", where, what, name);
+    for (size_t i = 0; i < count; i++) fprintf(stderr, "%s %s", i == 0 ? "" : ",", quantities[i].name);
+    fputc('\n', stderr);
+    return JLT_EXIT_INPUT;
+}
+
+jlt_exit jlt_assign_apply(double *values, unsigned char *given, const jlt_assign_list *list,
+                          const jlt_quantity *quantities, size_t count, const char *what, const char *where)
+{
+    for (size_t i = 0; i < list->count; i++) {
+        size_t at = 0;
+        while (at < count && strcmp(quantities[at].name, list->items[i].name) != 0) at++;
+        if (at == count) return unknown(list->items[i].name, quantities, count, what, where);
+        values[at] = list->items[i].value;
+        if (given != NULL) given[at] = 1;
+    }
+    return JLT_EXIT_DONE;
+}
+
+const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name)
+{
+    for (size_t i = list->count; i-- > 0;)
+        if (strcmp(list->items[i].name, name) == 0) return list->items[i].fraction;
+    return NULL;
+}
+
+static jlt_exit no_model(const char *model)
+{
+    fprintf(stderr, "jellett: there is no model '%s' built in; there are", model);
+    for (size_t i = 0, shown = 0; i < jlt_descriptor_count(); i++) {
+        const jlt_descriptor *d = jlt_descriptor_at(i);
+        if (i > 0 && strcmp(d->model, jlt_descriptor_at(i - 1)->model) == 0) continue;
+        fprintf(stderr, "%s %s", shown++ == 0 ? "" : ",", d->model);
+    }
+    fputs(" ('jellett models' tells more)\n", stderr);
+    return JLT_EXIT_INPUT;
+}
+
+static const char *condition(jlt_sign sign)
+{
+    return sign == JLT_POSITIVE ? "> 0" : sign == JLT_NONNEGATIVE ? ">= 0" : "!= 0";
+}
+
+jlt_exit jlt_assign_model(const jlt_descriptor **descriptor, double **params, const char *model,
+                          const jlt_assign_list *list)
+{
+    const jlt_descriptor *d = jlt_descriptor_find(model, NULL, NULL, NULL);
+    double *values;
+    size_t index = 0;
+    jlt_exit code;
+
+    *params = NULL;
+    if (d == NULL) return no_model(model);
+    values = jlt_memory_array(d->param_count, sizeof *values);
+    if (values == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    for (unsigned i = 0; i < d->param_count; i++) values[i] = d->params[i].value;
+    code = jlt_assign_apply(values, NULL, list, d->params, d->param_count, "parameter", d->model);
+    for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++)
+        if (isnan(values[i]))
+            code = jlt_command_fail(JLT_EXIT_INPUT, "parameter %s has no default in %s: add --set %s=VALUE",
+                                    d->params[i].name, d->model, d->params[i].name);
+    if (code == JLT_EXIT_DONE && jlt_descriptor_check_params(d, values, &index) != JLT_OK)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "parameter %s = %.17g: %s needs %s %s", d->params[index].name,
+                                values[index], d->model, d->params[index].name, condition(d->params[index].sign));
+    if (code != JLT_EXIT_DONE) {
+        free(values);
+        return code;
+    }
+    *descriptor = d;
+    *params = values;
+    return JLT_EXIT_DONE;
+}

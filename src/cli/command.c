@@ -1,0 +1,69 @@
+#include "cli/command.h"
+
+#include "report/file.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...)
+{
+    va_list arguments;
+
+    fflush(stdout);
+    fputs("jellett: ", stderr);
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+    return code;
+}
+
+jlt_exit jlt_command_exit(jlt_status status)
+{
+    switch (status) {
+    case JLT_OK: return JLT_EXIT_DONE;
+    case JLT_ERR_ARG:
+    case JLT_ERR_DOMAIN:
+    case JLT_ERR_EMPTY:
+    case JLT_ERR_UNSUPPORTED: return JLT_EXIT_INPUT;
+    case JLT_ERR_IO: return JLT_EXIT_IO;
+    default: return JLT_EXIT_NUMERICAL;
+    }
+}
+
+jlt_status jlt_command_open(jlt_command_output *output)
+{
+    *output = (jlt_command_output){ 0 };
+    output->stream = open_memstream(&output->text, &output->size);
+    return output->stream == NULL ? JLT_ERR_NOMEM : JLT_OK;
+}
+
+jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path)
+{
+    jlt_exit code = JLT_EXIT_DONE;
+    const int failed = ferror(output->stream) | fclose(output->stream);
+
+    output->stream = NULL;
+    if (failed) {
+        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    } else if (path == NULL || strcmp(path, "-") == 0) {
+        if (fwrite(output->text, 1, output->size, stdout) != output->size || fflush(stdout) != 0) {
+            code = jlt_command_fail(JLT_EXIT_IO, "cannot write to standard output: %s", strerror(errno));
+            clearerr(stdout);
+        }
+    } else if (jlt_file_write(path, output->text, output->size) != JLT_OK) {
+        code = jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': %s (choose a folder that exists and has room)", path,
+                                strerror(errno));
+    }
+    jlt_command_discard(output);
+    return code;
+}
+
+void jlt_command_discard(jlt_command_output *output)
+{
+    if (output->stream != NULL) fclose(output->stream);
+    free(output->text);
+    *output = (jlt_command_output){ 0 };
+}

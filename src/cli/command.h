@@ -1,0 +1,54 @@
+/** Commands of the program: one file each, all in the table of main.c. */
+#ifndef JLT_CLI_COMMAND_H
+#define JLT_CLI_COMMAND_H
+
+#include "core/status.h"
+
+#include <stdio.h>
+
+/* Exit statuses, as documented. */
+typedef enum {
+    JLT_EXIT_DONE = 0,
+    JLT_EXIT_FAILED = 1,    /* a claim or a check does not hold */
+    JLT_EXIT_USAGE = 2,
+    JLT_EXIT_INPUT = 3,     /* a name, a number or a state that cannot be used */
+    JLT_EXIT_NUMERICAL = 4, /* a method did not reach what was asked, or memory is out */
+    JLT_EXIT_IO = 5
+} jlt_exit;
+
+typedef struct {
+    const char *name;
+    const char *arguments; /* as shown in the list of commands */
+    const char *summary;   /* one line, no full stop */
+    jlt_exit (*run)(int argc, char **argv); /* argv[0] is "jellett NAME" */
+} jlt_command;
+
+extern const jlt_command jlt_command_verify;
+extern const jlt_command jlt_command_eigen;
+extern const jlt_command jlt_command_measure;
+extern const jlt_command jlt_command_models;
+
+/* "jellett: " message, on standard error; returns `code`. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...);
+
+/* The exit status that a library status calls for. */
+jlt_exit jlt_command_exit(jlt_status status);
+
+/** Results of a command, collected in memory and delivered at once: to a file, whole or not at all, or to standard output.
+ *  `stream` is to be written to; failures show at delivery. */
+typedef struct {
+    FILE *stream;
+    char *text;
+    size_t size;
+} jlt_command_output;
+
+JLT_CHECKED jlt_status jlt_command_open(jlt_command_output *output);
+
+/* Deliver and close; path NULL or "-" is standard output. Says what went wrong, and returns the exit status. */
+jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path);
+void jlt_command_discard(jlt_command_output *output); /* legal when never opened, if zeroed */
+
+#endif

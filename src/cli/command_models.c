@@ -1,0 +1,203 @@
+#include "cli/command.h"
+
+#include "kernel/descriptor.h"
+#include "report/json.h"
+
+#include <argp.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    bool json;
+    const char *model; /* NULL: all */
+} options;
+
+static const struct argp_option option_table[] = {
+    { "json", 'j', NULL, 0, "Print JSON", 0 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+
+    switch (key) {
+    case 'j': o->json = true; return 0;
+    case ARGP_KEY_ARG:
+        if (o->model != NULL) argp_error(state, "one model at most: '%s' is too many", value);
+        o->model = value;
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp parser = {
+    option_table, parse, "[MODEL]",
+    "What is built in: models, their states and parameters, variants, kernels with operation counts, and hashes."
+    "\vCounts are operations of one call of the right-hand side, of the Jacobian, and of both fused, on prepared parameters; "
+    "a fused multiply-add counts once. "
+    "The hash is that of the table that the kernels were written from.",
+    NULL, NULL, NULL,
+};
+
+/* Kernels of a descriptor in the order of the ABI. */
+typedef struct {
+    const char *name;
+    const jlt_kernel *kernel;
+} entry;
+enum { KERNELS = 10 };
+
+static void list_kernels(entry out[KERNELS], const jlt_descriptor *d)
+{
+    const entry all[KERNELS] = {
+        { "rhs", &d->rhs },
+        { "jacobian", &d->jacobian },
+        { "rhs_jacobian", &d->rhs_jacobian },
+        { "divergence", &d->divergence },
+        { "integral_values", &d->integral_values },
+        { "integral_gradients", &d->integral_gradients },
+        { "measure_values", &d->measure_values },
+        { "measure_divergences", &d->measure_divergences },
+        { "time_factor", &d->time_factor },
+        { "eliminated", &d->eliminated },
+    };
+    memcpy(out, all, sizeof all);
+}
+
+static unsigned total(const jlt_operation_count *c)
+{
+    return c->add + c->multiply + c->fma + c->divide + c->root + c->elementary;
+}
+
+static json_t *count_json(const jlt_operation_count *c)
+{
+    return json_pack("{s:i,s:i,s:i,s:i,s:i,s:i,s:i,s:i}", "add", (int)c->add, "multiply", (int)c->multiply, "fma",
+                     (int)c->fma, "divide", (int)c->divide, "root", (int)c->root, "elementary", (int)c->elementary,
+                     "depth", (int)c->depth, "live", (int)c->live);
+}
+
+static json_t *names_json(const jlt_named *named, unsigned count)
+{
+    json_t *array = json_array();
+
+    for (unsigned i = 0; i < count; i++)
+        json_array_append_new(array, json_pack("{s:s,s:s}", "name", named[i].name, "when", named[i].condition));
+    return array;
+}
+
+static json_t *quantities_json(const jlt_quantity *quantities, unsigned count, bool defaults)
+{
+    json_t *array = json_array();
+
+    for (unsigned i = 0; i < count; i++) {
+        json_t *item = json_pack("{s:s,s:s,s:s}", "name", quantities[i].name, "unit", quantities[i].unit, "meaning",
+                                 quantities[i].meaning);
+        if (defaults) json_object_set_new(item, "default", jlt_json_number(quantities[i].value));
+        json_array_append_new(array, item);
+    }
+    return array;
+}
+
+static json_t *descriptor_json(const jlt_descriptor *d)
+{
+    entry kernels[KERNELS];
+    json_t *object = json_pack("{s:s,s:s,s:s,s:s,s:s,s:s,s:s}", "model", d->model, "variant", d->variant, "time", d->time,
+                               "elimination", d->elimination, "title", d->title, "sha256", d->sha256, "generator",
+                               d->generator);
+    json_t *counts = json_object();
+
+    list_kernels(kernels, d);
+    for (size_t i = 0; i < KERNELS; i++)
+        if (kernels[i].kernel->call != NULL)
+            json_object_set_new(counts, kernels[i].name,
+                                json_pack("{s:i,s:o,s:o,s:s}", "outputs", (int)kernels[i].kernel->outputs, "optimized",
+                                          count_json(&kernels[i].kernel->optimized), "naive",
+                                          count_json(&kernels[i].kernel->naive), "loses_digits",
+                                          kernels[i].kernel->loses_digits));
+    json_object_set_new(object, "states", quantities_json(d->states, d->state_count, false));
+    json_object_set_new(object, "parameters", quantities_json(d->params, d->param_count, true));
+    json_object_set_new(object, "integrals", names_json(d->integrals, d->integral_count));
+    json_object_set_new(object, "measures", names_json(d->measures, d->measure_count));
+    json_object_set_new(object, "kernels", counts);
+    return object;
+}
+
+static void print_quantities(FILE *stream, const char *title, const jlt_quantity *quantities, unsigned count)
+{
+    fprintf(stream, "  %s\n", title);
+    for (unsigned i = 0; i < count; i++) {
+        const jlt_quantity *q = &quantities[i];
+        fprintf(stream, "    %-10s %-9s %s", q->name, q->unit, q->meaning);
+        if (q->value == q->value && title[0] == 'p') fprintf(stream, " (default %.10g)", q->value);
+        fputc('\n', stream);
+    }
+}
+
+static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
+{
+    char name[128];
+
+    if (first) {
+        fprintf(stream, "%s: %s\n  table %s\n  %s\n", d->model, d->title, d->sha256, d->generator);
+        print_quantities(stream, "states", d->states, d->state_count);
+        print_quantities(stream, "parameters", d->params, d->param_count);
+        if (d->equilibria_count > 0) fputs("  equilibria\n", stream);
+        for (unsigned i = 0; i < d->equilibria_count; i++)
+            fprintf(stream, "    %-22s %s%s\n", d->equilibria[i].name, d->equilibria[i].condition,
+                    d->equilibria[i].obstructs ? "  [its trace excludes an invariant measure]" : "");
+        fprintf(stream, "  %-46s %6s %6s %9s %7s  %s\n", "kernels (variant, time, elimination)", "states", "rhs",
+                "jacobian", "fused", "integrals, measures");
+    }
+    snprintf(name, sizeof name, "%s%s%s%s%s", d->variant[0] != '\0' ? d->variant : "general",
+             d->time[0] != '\0' ? ", " : "", d->time, d->elimination[0] != '\0' ? ", " : "", d->elimination);
+    fprintf(stream, "    %-44s %6u %6u %9u %7u ", name, d->state_count, total(&d->rhs.optimized),
+            total(&d->jacobian.optimized), total(&d->rhs_jacobian.optimized));
+    for (unsigned i = 0; i < d->integral_count; i++) fprintf(stream, " %s", d->integrals[i].name);
+    for (unsigned i = 0; i < d->measure_count; i++) fprintf(stream, " %s", d->measures[i].name);
+    fputc('\n', stream);
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { 0 };
+    jlt_command_output output;
+    json_t *all = NULL;
+    size_t shown = 0;
+
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    if (jlt_command_open(&output) != JLT_OK)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (o.json) all = json_array();
+    for (size_t i = 0; i < jlt_descriptor_count(); i++) {
+        const jlt_descriptor *d = jlt_descriptor_at(i);
+        const bool first = i == 0 || strcmp(d->model, jlt_descriptor_at(i - 1)->model) != 0;
+        if (o.model != NULL && strcmp(o.model, d->model) != 0) continue;
+        if (o.json) {
+            json_array_append_new(all, descriptor_json(d));
+        } else {
+            if (first && shown > 0) fputc('\n', output.stream);
+            print_descriptor(output.stream, d, first);
+        }
+        shown++;
+    }
+    if (shown == 0) {
+        json_decref(all);
+        jlt_command_discard(&output);
+        return jlt_command_fail(JLT_EXIT_INPUT, "there is no model '%s' built in; 'jellett models' lists what there is",
+                                o.model == NULL ? "" : o.model);
+    }
+    if (o.json) {
+        char *text;
+        if (jlt_json_text(&text, all) != JLT_OK) {
+            jlt_command_discard(&output);
+            return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+        }
+        fputs(text, output.stream);
+        free(text);
+    }
+    return jlt_command_deliver(&output, NULL);
+}
+
+const jlt_command jlt_command_models = {
+    "models", "[MODEL] [--json]", "What is built in: models, variants, kernels, operation counts, hashes", run
+};

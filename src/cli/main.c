@@ -1,0 +1,77 @@
+#include "cli/command.h"
+
+#include <argp.h>
+#include <errno.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const jlt_command *const commands[] = {
+    &jlt_command_verify,
+    &jlt_command_eigen,
+    &jlt_command_measure,
+    &jlt_command_models,
+};
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+/* What standard output still holds must arrive, also after --help of a command, which ends the program by itself. */
+static void close_output(void)
+{
+    const bool failed = ferror(stdout) != 0;
+
+    if (fclose(stdout) != 0 || failed) {
+        fprintf(stderr, "jellett: cannot write to standard output: %s\n", strerror(errno));
+        _exit(JLT_EXIT_IO);
+    }
+}
+
+static void print_help(FILE *stream)
+{
+    fputs("Usage: jellett COMMAND [MODEL] [OPTION...]\n"
+          "Verify and study models of nonholonomic mechanics through proved kernels.\n\n"
+          "Commands:\n",
+          stream);
+    for (size_t i = 0; i < COMMANDS; i++)
+        fprintf(stream, "  %s %s\n        %s\n", commands[i]->name, commands[i]->arguments, commands[i]->summary);
+    fputs("\nMODEL is spherical_top when none is named. Values are exact: 1/3, 0.51, 1e-3.\n\n"
+          "  jellett COMMAND --help    options of a command, with examples\n"
+          "  jellett --help            this page\n"
+          "  jellett --version         the version\n\n"
+          "Exit status: 0 done, 1 a claim or check failed, 2 wrong usage, 3 bad input, 4 a numerical method failed,\n"
+          "5 a file cannot be read or written.\n",
+          stream);
+}
+
+static int run(const jlt_command *command, int argc, char **argv)
+{
+    char name[64];
+
+    /* argp takes the name of the program from here. */
+    snprintf(name, sizeof name, "jellett %s", command->name);
+    argv[0] = name;
+    return (int)command->run(argc, argv);
+}
+
+int main(int argc, char **argv)
+{
+    if (atexit(close_output) != 0) return JLT_EXIT_NUMERICAL;
+    argp_err_exit_status = JLT_EXIT_USAGE;
+    if (argc < 2) {
+        print_help(stderr);
+        return JLT_EXIT_USAGE;
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
+        print_help(stdout);
+        return JLT_EXIT_DONE;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        puts("jellett " JLT_VERSION);
+        return JLT_EXIT_DONE;
+    }
+    for (size_t i = 0; i < COMMANDS; i++)
+        if (strcmp(argv[1], commands[i]->name) == 0) return run(commands[i], argc - 1, argv + 1);
+    fprintf(stderr, "jellett: there is no %s '%s'; 'jellett --help' lists what there is\n",
+            argv[1][0] == '-' ? "option" : "command", argv[1]);
+    return JLT_EXIT_USAGE;
+}

@@ -1,0 +1,25 @@
+#include "report/csv.h"
+
+#include <math.h>
+
+void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *descriptor, const double *params)
+{
+    if (command != NULL) fprintf(stream, "# command: %s\n", command);
+    fprintf(stream, "# jellett %s, kernels of %s", JLT_VERSION, descriptor->model);
+    if (descriptor->variant[0] != '\0') fprintf(stream, ", variant %s", descriptor->variant);
+    if (descriptor->time[0] != '\0') fprintf(stream, ", time %s", descriptor->time);
+    if (descriptor->elimination[0] != '\0') fprintf(stream, ", %s", descriptor->elimination);
+    fprintf(stream, " (table %s, %s)\n#", descriptor->sha256, descriptor->generator);
+    for (unsigned i = 0; i < descriptor->param_count; i++)
+        fprintf(stream, " %s=%.17g", descriptor->params[i].name, params[i]);
+    fputc('\n', stream);
+}
+
+void jlt_csv_row(FILE *stream, const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (i > 0) fputc(',', stream);
+        if (!isnan(values[i])) fprintf(stream, "%.17g", values[i]);
+    }
+    fputc('\n', stream);
+}

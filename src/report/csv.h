@@ -1,0 +1,17 @@
+/** The comment header of CSV files: enough to repeat the run. */
+#ifndef JLT_REPORT_CSV_H
+#define JLT_REPORT_CSV_H
+
+#include "kernel_abi.h"
+
+#include <stdio.h>
+
+/** Write lines that begin with "# ": the command, the version, the kernel with the hash of its table, and the parameters
+ *  with the 17 digits that read back bit for bit. Failures show in ferror(stream).
+ *  In: command, what was typed, or NULL; descriptor; params, shape (params,). */
+void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *descriptor, const double *params);
+
+/* One row of numbers with 17 digits, NaN as an empty field, ended by a newline. */
+void jlt_csv_row(FILE *stream, const double *values, size_t count);
+
+#endif

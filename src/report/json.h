@@ -1,0 +1,22 @@
+/** JSON for programs: numbers that read back bit for bit, keys in the order in which they are set. */
+#ifndef JLT_REPORT_JSON_H
+#define JLT_REPORT_JSON_H
+
+#include "core/status.h"
+#include "kernel_abi.h"
+
+#include <jansson.h>
+
+/* A new reference: a real, or null for NaN and infinities. */
+json_t *jlt_json_number(double value);
+
+/* New references: an array of numbers; an array of rows; an object with the names of `quantities` as keys. */
+json_t *jlt_json_numbers(const double *values, size_t count);
+json_t *jlt_json_matrix(const double *values, size_t rows, size_t columns);
+json_t *jlt_json_named(const jlt_quantity *quantities, const double *values, size_t count);
+
+/** The text, indented by two, with a newline at the end, 17 digits, for the caller to free(). Takes the reference.
+ *  Errors: NOMEM, also when `value` is NULL. */
+JLT_CHECKED jlt_status jlt_json_text(char **text, json_t *value);
+
+#endif
