@@ -92,7 +92,7 @@ jlt_status jlt_charpoly_from_roots(double *coefficients, double *scale, const do
 {
     double complex c[SIZE + 1] = { 1.0 };
     double sizes[SIZE + 1] = { 1.0 };
-    double largest[2 * SIZE];
+    double largest[2 * SIZE] = { 0 };
     int exponent;
 
     if (n > SIZE) return JLT_ERR_ARG;

@@ -8,9 +8,6 @@
 #include <unistd.h>
 
 static const jlt_command *const commands[] = {
-    &jlt_command_verify,
-    &jlt_command_eigen,
-    &jlt_command_measure,
     &jlt_command_models,
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };

@@ -1,0 +1,295 @@
+#include "analysis/linearization.h"
+
+#include "analysis/charpoly.h"
+#include "ext/eigen.h"
+#include "kernel/descriptor.h"
+#include "kernel/instance.h"
+#include "kernel/kernel.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256, NEWTON_STEPS = 60, HALVINGS = 30 };
+
+static const double roundoff = DBL_EPSILON / 2;
+
+const char *jlt_linearization_verdict(jlt_verdict verdict)
+{
+    static const char *const texts[] = { "stable", "unstable", "centre" };
+    return texts[verdict];
+}
+
+static bool near(double a, double b)
+{
+    return fabs(a - b) <= JLT_LINEARIZATION_TOLERANCE * fmax(fabs(a), fabs(b));
+}
+
+/* The parameters satisfy the family's condition at x. */
+static bool admits(const jlt_equilibria *family, const jlt_descriptor *d, const double *params, const double *x)
+{
+    double imposed[PARAMS_MAX];
+
+    if (d->param_count > PARAMS_MAX) return false;
+    if (jlt_kernel_eval_function(imposed, family->impose, d->param_count, x, d->state_count, params, d->param_count) !=
+        JLT_OK)
+        return false;
+    for (unsigned i = 0; i < d->param_count; i++)
+        if (!near(imposed[i], params[i])) return false;
+    return true;
+}
+
+/* The family's point with the free states of x; false when there is none. */
+static bool point_of(double *point, const jlt_equilibria *family, const jlt_descriptor *d, const double *params,
+                     const double *x)
+{
+    return jlt_kernel_eval_function(point, family->point, d->state_count, x, d->state_count, params, d->param_count) ==
+           JLT_OK;
+}
+
+void jlt_linearization_complete(double *x, const unsigned char *given, const jlt_descriptor *descriptor,
+                                const double *params)
+{
+    const unsigned n = descriptor->state_count;
+    double point[SIZE];
+
+    if (n > SIZE) return;
+    for (unsigned i = 0; i < n; i++)
+        if (!given[i]) x[i] = 0.0;
+    for (unsigned k = 0; k < descriptor->equilibria_count; k++) {
+        const jlt_equilibria *family = &descriptor->equilibria[k];
+        if (!admits(family, descriptor, params, x) || !point_of(point, family, descriptor, params, x)) continue;
+        for (unsigned i = 0; i < n; i++)
+            if (!given[i]) x[i] = point[i];
+        return;
+    }
+}
+
+/* The family that x lies on; of several the one with most to say. */
+static const jlt_equilibria *family_of(const jlt_descriptor *d, const double *params, const double *x)
+{
+    const jlt_equilibria *best = NULL;
+    int most = -1;
+
+    for (unsigned k = 0; k < d->equilibria_count; k++) {
+        const jlt_equilibria *family = &d->equilibria[k];
+        const int says = (family->trace != NULL) + (family->charpoly != NULL) + (family->matrix != NULL);
+        double point[SIZE];
+        bool on = admits(family, d, params, x) && point_of(point, family, d, params, x);
+        for (unsigned i = 0; on && i < d->state_count; i++) on = near(point[i], x[i]);
+        if (on && says > most) {
+            best = family;
+            most = says;
+        }
+    }
+    return best;
+}
+
+static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *instance, const double *x)
+{
+    const size_t n = instance->descriptor->state_count;
+    jlt_status st;
+
+    r->descriptor = instance->descriptor;
+    r->n = n;
+    JLT_TRY(jlt_instance_rhs(instance, r->f, x));
+    JLT_TRY(jlt_instance_jacobian(instance, r->jacobian, x));
+    r->residual = r->residual_ratio = 0.0;
+    for (size_t i = 0; i < n; i++) {
+        double size = 0.0;
+        for (size_t j = 0; j < n; j++) size += fabs(r->jacobian[i * n + j] * x[j]);
+        r->residual = fmax(r->residual, fabs(r->f[i]));
+        if (r->f[i] != 0.0) r->residual_ratio = fmax(r->residual_ratio, size > 0.0 ? fabs(r->f[i]) / size : INFINITY);
+    }
+done:
+    return st;
+}
+
+static jlt_status bind(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params)
+{
+    const jlt_descriptor *special = jlt_descriptor_choose(descriptor->model, NULL, NULL, params);
+
+    *instance = NULL;
+    if (descriptor->state_count > SIZE || descriptor->state_count == 0) return JLT_ERR_UNSUPPORTED;
+    return jlt_instance_create(instance, special == NULL ? descriptor : special, params);
+}
+
+jlt_status jlt_linearization_residual(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params,
+                                      const double *x)
+{
+    jlt_instance *instance;
+    jlt_status st = bind(&instance, descriptor, params);
+
+    if (st == JLT_OK) st = measure_residual(result, instance, x);
+    jlt_instance_destroy(instance);
+    return st;
+}
+
+static jlt_status polynomial(jlt_linearization *r, const double *error)
+{
+    const size_t n = r->n;
+    double majorant[SIZE * SIZE], scale[SIZE + 1];
+    jlt_status st;
+
+    for (size_t i = 0; i < n * n; i++)
+        majorant[i] = error == NULL ? 4 * fabs(r->jacobian[i]) : fmax(fabs(r->jacobian[i]), error[i] / roundoff);
+    st = jlt_charpoly_faddeev_leverrier(r->charpoly, scale, r->jacobian, majorant, n);
+    if (st != JLT_OK) return st;
+    for (size_t k = 0; k <= n; k++) {
+        r->charpoly_error[k] = (double)(k * (n + 3)) * roundoff * scale[k];
+        if (k > r->eigen.kept) r->charpoly[k] = r->charpoly_error[k] = 0.0;
+    }
+    return JLT_OK;
+}
+
+static jlt_status formulas(jlt_linearization *r, const jlt_descriptor *general, const double *params, const double *x)
+{
+    const size_t n = r->n;
+    jlt_status st = JLT_OK;
+
+    r->trace_formula = NAN;
+    for (size_t k = 0; k <= n; k++) r->charpoly_formula[k] = NAN;
+    r->family = family_of(general, params, x);
+    if (r->family == NULL) return JLT_OK;
+    if (r->family->trace != NULL)
+        JLT_TRY(jlt_kernel_eval_function(&r->trace_formula, r->family->trace, 1, x, n, params, general->param_count));
+    if (r->family->charpoly != NULL) {
+        double c[SIZE + 1];
+        JLT_TRY(jlt_kernel_eval_function(c, r->family->charpoly, n + 1, x, n, params, general->param_count));
+        for (size_t k = 0; k <= n; k++) r->charpoly_formula[k] = k == 0 ? 1.0 : c[k] / c[0];
+    }
+done:
+    return st;
+}
+
+static void judge(jlt_linearization *r, const double *error)
+{
+    const size_t n = r->n;
+    bool negative = true;
+
+    r->trace_error = 0.0;
+    for (size_t i = 0; i < n; i++)
+        r->trace_error += error == NULL ? 4 * roundoff * fabs(r->jacobian[i * n + i]) : error[i * n + i];
+    r->trace_error += 2 * (double)n * roundoff * fabs(r->trace);
+    r->obstructs = fabs(r->trace) > r->trace_error;
+    r->verdict = r->eigen.defective_zero ? JLT_UNSTABLE : JLT_STABLE;
+    if (r->eigen.kept == 0) negative = false;
+    for (size_t i = 0; i < n; i++) {
+        const jlt_eigenvalue *value = &r->eigen.values[i];
+        if (value->source >= 0) continue;
+        /* A conjugate pair has the trace for twice its real part: its error is the trace's. */
+        const double slack = value->im != 0.0 && r->eigen.kept == 2 ? fmin(value->error, r->trace_error) : value->error;
+        if (value->re > slack) r->verdict = JLT_UNSTABLE;
+        if (!(value->re < -slack)) negative = false;
+    }
+    if (r->verdict == JLT_STABLE && !negative) r->verdict = JLT_CENTRE;
+}
+
+jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params,
+                                     const double *x, const double *jacobian_error)
+{
+    double gradients[SIZE * SIZE];
+    size_t integrals = 0;
+    jlt_instance *instance;
+    jlt_status st;
+
+    memset(result, 0, sizeof *result);
+    JLT_TRY(bind(&instance, descriptor, params));
+    JLT_TRY(measure_residual(result, instance, x));
+    if (result->residual_ratio > JLT_LINEARIZATION_TOLERANCE) {
+        st = JLT_ERR_EMPTY;
+        goto done;
+    }
+    if (instance->descriptor->integral_gradients.call != NULL && instance->descriptor->integral_count <= SIZE) {
+        integrals = instance->descriptor->integral_count;
+        JLT_TRY(jlt_instance_gradients(instance, gradients, x));
+        for (size_t i = 0; i < integrals; i++) result->sources[i] = instance->descriptor->integrals[i].name;
+    }
+    JLT_TRY(jlt_instance_divergence(instance, &result->trace, x));
+    JLT_TRY(jlt_deflation_compute(&result->eigen, result->jacobian, jacobian_error, result->n, gradients, integrals));
+    JLT_TRY(polynomial(result, jacobian_error));
+    JLT_TRY(formulas(result, descriptor, params, x));
+    judge(result, jacobian_error);
+done:
+    jlt_instance_destroy(instance);
+    return st;
+}
+
+static double length(const double *values, size_t n)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < n; i++) sum = hypot(sum, values[i]);
+    return sum;
+}
+
+/* One Newton step with `held` states fixed, halved until |f| falls. *settled: there is nothing left to gain. */
+static jlt_status advance(jlt_linearization *r, double *x, bool *settled, const jlt_instance *instance,
+                          const unsigned char *fixed)
+{
+    const size_t n = r->n;
+    double a[SIZE * SIZE], step[SIZE], trial[SIZE];
+    size_t moving = 0, columns[SIZE];
+    const double before = length(r->f, n);
+    jlt_linearization next;
+    jlt_status st;
+
+    for (size_t j = 0; j < n; j++)
+        if (!fixed[j]) columns[moving++] = j;
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < moving; j++) a[i * moving + j] = r->jacobian[i * n + columns[j]];
+    *settled = moving == 0 || before == 0.0;
+    if (*settled) return JLT_OK;
+    JLT_TRY(jlt_eigen_least_squares(step, a, r->f, n, moving, 1e-10));
+    for (int halving = 0; halving < HALVINGS; halving++) {
+        memcpy(trial, x, n * sizeof *x);
+        for (size_t j = 0; j < moving; j++) trial[columns[j]] -= ldexp(step[j], -halving);
+        st = measure_residual(&next, instance, trial);
+        if (st == JLT_OK && length(next.f, n) < before) {
+            *r = next;
+            memcpy(x, trial, n * sizeof *x);
+            return JLT_OK;
+        }
+    }
+    *settled = true;
+    st = JLT_OK;
+done:
+    return st;
+}
+
+static jlt_status newton(double *x, const jlt_instance *instance, const unsigned char *fixed)
+{
+    jlt_linearization r;
+    bool settled = false;
+    jlt_status st;
+
+    JLT_TRY(measure_residual(&r, instance, x));
+    for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(&r, x, &settled, instance, fixed));
+    if (r.residual_ratio > JLT_LINEARIZATION_TOLERANCE) st = JLT_ERR_NO_CONVERGENCE;
+done:
+    return st;
+}
+
+jlt_status jlt_linearization_find(double *x, const jlt_descriptor *descriptor, const double *params, const size_t *order,
+                                  size_t held)
+{
+    jlt_instance *instance;
+    jlt_status st;
+
+    JLT_TRY(bind(&instance, descriptor, params));
+    for (size_t keep = held + 1; keep-- > 0;) {
+        unsigned char fixed[SIZE] = { 0 };
+        double trial[SIZE];
+        memcpy(trial, x, descriptor->state_count * sizeof *x);
+        for (size_t i = 0; i < keep; i++) fixed[order[i]] = 1;
+        st = newton(trial, instance, fixed);
+        if (st == JLT_OK) {
+            memcpy(x, trial, descriptor->state_count * sizeof *x);
+            break;
+        }
+        if (st == JLT_ERR_NOMEM) break;
+    }
+done:
+    jlt_instance_destroy(instance);
+    return st;
+}

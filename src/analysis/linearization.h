@@ -1,0 +1,72 @@
+/** Everything about one equilibrium: residual, Jacobian, characteristic polynomial, trace, eigenvalues, stability, and what
+ *  follows for an invariant measure. */
+#ifndef JLT_ANALYSIS_LINEARIZATION_H
+#define JLT_ANALYSIS_LINEARIZATION_H
+
+#include "analysis/deflation.h"
+#include "core/status.h"
+#include "kernel_abi.h"
+
+enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
+
+/* A residual f_i counts as rounding when it stays below this part of sum_j |df_i/dx_j x_j|, the size of what cancels. */
+#define JLT_LINEARIZATION_TOLERANCE 1e-12
+
+/* Motion near the equilibrium, on the common level of the integrals. */
+typedef enum {
+    JLT_STABLE,   /* every eigenvalue not due to an integral has a negative real part */
+    JLT_UNSTABLE, /* one has a positive real part, or a zero eigenvalue is defective: growth, at least linear */
+    JLT_CENTRE    /* none of both, and some on the imaginary axis to within their error, or none at all */
+} jlt_verdict;
+
+typedef struct {
+    const jlt_descriptor *descriptor; /* the variant whose kernels were used: the most special that serves */
+    const jlt_equilibria *family;     /* the family of the table that the point belongs to, or NULL */
+    size_t n;
+    double f[JLT_LINEARIZATION_SIZE_MAX];
+    double residual;                  /* largest |f_i| */
+    double residual_ratio;            /* largest |f_i| / sum_j |df_i/dx_j x_j|; 0 where f_i is exactly 0 */
+    double jacobian[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* row-major, shape (n, n) */
+    double charpoly[JLT_LINEARIZATION_SIZE_MAX + 1]; /* monic, highest power first, Faddeev-LeVerrier; coefficients beyond
+                                                        n - zeros are exactly zero by the integrals and set so */
+    double charpoly_error[JLT_LINEARIZATION_SIZE_MAX + 1];
+    double charpoly_formula[JLT_LINEARIZATION_SIZE_MAX + 1]; /* the table's, made monic; NaN when it has none */
+    double trace, trace_error;        /* the generated divergence */
+    double trace_formula;             /* the table's; NaN when it has none */
+    jlt_deflation eigen;
+    const char *sources[JLT_LINEARIZATION_SIZE_MAX]; /* names of the integrals, by jlt_eigenvalue.source */
+    jlt_verdict verdict;
+    int obstructs;                    /* the trace differs from zero by more than its error: no smooth positive density */
+} jlt_linearization;
+
+const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre" */
+
+/** Fill states that were not given, from the family of equilibria whose condition the parameters satisfy; zero where no
+ *  family says otherwise.
+ *  In/out: x, shape (states,). In: given, shape (states,), 1 where x is kept; descriptor, a general field. */
+void jlt_linearization_complete(double *x, const unsigned char *given, const jlt_descriptor *descriptor,
+                                const double *params);
+
+/** Residual alone, and the variant that computed it. Out: f, residual, residual_ratio, jacobian, descriptor, n of *result.
+ *  Errors: as jlt_linearization_compute, but a large residual is none. */
+JLT_CHECKED jlt_status jlt_linearization_residual(jlt_linearization *result, const jlt_descriptor *descriptor,
+                                                  const double *params, const double *x);
+
+/** The whole report.
+ *  Out: *result; on failure only what jlt_linearization_residual fills is meaningful, and only for EMPTY.
+ *  In:  descriptor, the general field of a model; params, shape (params,); x, shape (states,); jacobian_error, shape (n, n),
+ *       bound on the absolute error of the Jacobian's entries with respect to exact inputs, or NULL: four units roundoff.
+ *  Errors: EMPTY (no equilibrium: residual_ratio > JLT_LINEARIZATION_TOLERANCE), DOMAIN, NONFINITE (overflow or lost
+ *          underflow anywhere), UNSUPPORTED (more than JLT_LINEARIZATION_SIZE_MAX states), NO_CONVERGENCE, NOMEM.
+ *  Not reentrant: it calls ARPACK. Source: Kilin, Ivanova 2023, (4.4)-(4.6), Proposition 1. */
+JLT_CHECKED jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor,
+                                                 const double *params, const double *x, const double *jacobian_error);
+
+/** Newton's method (shortest steps in the least-squares sense, since equilibria come in families) from x to a nearby
+ *  equilibrium. States marked as given are held as far as possible: first all, then all but the last, and so on.
+ *  In/out: x, untouched on failure. In: given, shape (states,); order, shape (held,), the given states in order of
+ *  importance. Errors: NO_CONVERGENCE, DOMAIN, NONFINITE, UNSUPPORTED, NOMEM. */
+JLT_CHECKED jlt_status jlt_linearization_find(double *x, const jlt_descriptor *descriptor, const double *params,
+                                              const size_t *order, size_t held);
+
+#endif
