@@ -27,8 +27,15 @@ static bool generate_model(ttc_output *output, const ttc_plan *plan)
         ttc_text stem = { 0 };
         ttc_emit_stem(&stem, plan->fields[i].kernels->field);
         text = add_file(output, model->name, ttc_text_string(&stem), ".c");
+        bool ok = text != NULL && ttc_emit_descriptor(text, plan->fields[i].kernels);
+        text = ok ? add_file(output, model->name, ttc_text_string(&stem), "_lanes.inc") : NULL;
         ttc_text_clear(&stem);
-        if (text == NULL || !ttc_emit_descriptor(text, plan->fields[i].kernels)) return false;
+        if (text == NULL) return false;
+        ttc_emit_lanes(text, plan->fields[i].kernels);
+    }
+    for (unsigned isa = 0; isa < TTC_ISA_COUNT && !output->failed; isa++) {
+        text = add_file(output, model->name, "batch_", ttc_isa_files[isa]);
+        if (text != NULL) ttc_emit_batch(text, plan, isa);
     }
     text = output->failed ? NULL : add_file(output, model->name, model->name, "_ball.c");
     return text != NULL && ttc_emit_ball(text, plan);
@@ -42,6 +49,7 @@ static bool generate_shared(ttc_output *output, const ttc_plan *plans, size_t co
     } fixed[] = { { "kernel_abi.h", ttc_emit_abi },
                   { "kernel_arithmetic.h", ttc_emit_arithmetic },
                   { "kernel_ball.h", ttc_emit_ball_header },
+                  { "lanes.h", ttc_emit_lanes_header },
                   { "registry.h", ttc_emit_registry_header } };
     static const struct {
         const char *name;

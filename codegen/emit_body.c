@@ -9,8 +9,15 @@ typedef enum { BINDS_SUM, BINDS_PRODUCT, BINDS_ATOM } binding;
 
 enum { FORMULA_LIMIT = 60 }; /* longer operands appear in formulas by the name of their temporary */
 
+const ttc_dialect ttc_dialect_scalar = {
+    .type = "double", .input = "x[", .input_end = "]", .broadcast = "", .broadcast_end = "",
+    .root = "sqrt(", .cosine = "cos(", .sine = "sin(",
+    .output = "out[", .output_middle = "] = ", .output_end = "", .formulas = true,
+};
+
 typedef struct {
     ttc_text *text;
+    const ttc_dialect *dialect;
     const ttc_program *program;
     const ttc_field *field;
     const ttc_block *block;
@@ -23,14 +30,27 @@ typedef struct {
 static void add_operand(body *b, ttc_value value)
 {
     const ttc_instruction *i = ttc_program_at(b->program, value);
-    if (i->op == TTC_OP_INPUT) ttc_text_format(b->text, "x[%u]", i->index);
-    else if (i->op == TTC_OP_PARAMETER) ttc_text_format(b->text, "%s[%u]", b->parameters, i->index);
-    else if (i->op == TTC_OP_CONSTANT) ttc_emit_constant(b->text, i->constant);
-    else ttc_text_format(b->text, "t%zu", b->numbers[value]);
+    const char *open = b->dialect->broadcast, *close = b->dialect->broadcast_end;
+    if (i->op == TTC_OP_INPUT) {
+        ttc_text_format(b->text, "%s%u%s", b->dialect->input, i->index, b->dialect->input_end);
+    } else if (i->op == TTC_OP_PARAMETER) {
+        ttc_text_format(b->text, "%s%s[%u]%s", open, b->parameters, i->index, close);
+    } else if (i->op == TTC_OP_CONSTANT) {
+        ttc_text_add(b->text, open);
+        ttc_emit_constant(b->text, i->constant);
+        ttc_text_add(b->text, close);
+    } else {
+        ttc_text_format(b->text, "t%zu", b->numbers[value]);
+    }
 }
 
 static void add_operation(body *b, const ttc_instruction *i)
 {
+    const char *const functions[][4] = {
+        [TTC_OP_ROOT] = { b->dialect->root, ")", "", "" },
+        [TTC_OP_COSINE] = { b->dialect->cosine, ")", "", "" },
+        [TTC_OP_SINE] = { b->dialect->sine, ")", "", "" },
+    };
     static const char *const shapes[][4] = {
         [TTC_OP_NEGATE] = { "-", "", "", "" },
         [TTC_OP_ADD] = { "", " + ", "", "" },
@@ -40,17 +60,15 @@ static void add_operation(body *b, const ttc_instruction *i)
         [TTC_OP_FMA] = { "JLT_FMA(", ", ", ", ", ")" },
         [TTC_OP_FMS] = { "JLT_FMS(", ", ", ", ", ")" },
         [TTC_OP_FNMA] = { "JLT_FNMA(", ", ", ", ", ")" },
-        [TTC_OP_ROOT] = { "sqrt(", ")", "", "" },
-        [TTC_OP_COSINE] = { "cos(", ")", "", "" },
-        [TTC_OP_SINE] = { "sin(", ")", "", "" },
     };
+    const char *const *shape = i->op >= TTC_OP_ROOT ? functions[i->op] : shapes[i->op];
     const ttc_value operands[] = { i->a, i->b, i->c };
     unsigned arity = ttc_op_arity(i->op);
     for (unsigned k = 0; k < arity; k++) {
-        ttc_text_add(b->text, shapes[i->op][k]);
+        ttc_text_add(b->text, shape[k]);
         add_operand(b, operands[k]);
     }
-    ttc_text_add(b->text, shapes[i->op][arity]);
+    ttc_text_add(b->text, shape[arity]);
 }
 
 /* The operand's formula, in brackets where it binds more loosely than it must. */
@@ -145,8 +163,12 @@ static void add_statement(body *b, ttc_value value, size_t *count)
     }
     b->bindings[value] = operation_formula(b, formula, i);
     b->numbers[value] = (*count)++;
-    ttc_text_format(b->text, "    const double t%zu = ", b->numbers[value]);
+    ttc_text_format(b->text, "    const %s t%zu = ", b->dialect->type, b->numbers[value]);
     add_operation(b, i);
+    if (!b->dialect->formulas) {
+        ttc_text_add(b->text, ";\n");
+        return;
+    }
     ttc_text_add(b->text, "; /* ");
     if (label != NULL) {
         ttc_text_add_comment(b->text, label);
@@ -156,11 +178,11 @@ static void add_statement(body *b, ttc_value value, size_t *count)
     ttc_text_add(b->text, " */\n");
 }
 
-void ttc_emit_body(ttc_text *text, const ttc_program *program, const ttc_field *field, const ttc_block *block,
-                   const char *parameters, size_t offset)
+void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program *program, const ttc_field *field,
+                   const ttc_block *block, const char *parameters, size_t offset)
 {
     size_t n = ttc_program_size(program), count = 0;
-    body b = { text, program, field, block, parameters, NULL, NULL, NULL };
+    body b = { text, dialect, program, field, block, parameters, NULL, NULL, NULL };
     b.numbers = calloc(n + 1, sizeof *b.numbers);
     b.formulas = calloc(n + 1, sizeof *b.formulas);
     b.bindings = calloc(n + 1, sizeof *b.bindings);
@@ -170,9 +192,9 @@ void ttc_emit_body(ttc_text *text, const ttc_program *program, const ttc_field *
     }
     for (size_t k = 0; k < n; k++) add_statement(&b, (ttc_value)k, &count);
     for (size_t k = 0; k < ttc_program_output_count(program); k++) {
-        ttc_text_format(text, "    out[%zu] = ", offset + k);
+        ttc_text_format(text, "    %s%zu%s", dialect->output, offset + k, dialect->output_middle);
         add_operand(&b, ttc_program_output_at(program, k));
-        ttc_text_add(text, ";\n");
+        ttc_text_format(text, "%s;\n", dialect->output_end);
     }
 done:
     for (size_t k = 0; b.formulas != NULL && k < n; k++) {
@@ -184,7 +206,7 @@ done:
     free(b.bindings);
 }
 
-static bool uses(const ttc_program *program, ttc_op op)
+bool ttc_emit_uses(const ttc_program *program, ttc_op op)
 {
     for (size_t k = 0; k < ttc_program_size(program); k++)
         if (ttc_program_at(program, (ttc_value)k)->op == op) return true;
@@ -197,8 +219,8 @@ void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *prog
     const char *parameters = block == NULL ? "params" : "p";
     ttc_text_format(text, "static void %s(const double *restrict x, const double *restrict %s, double *restrict out)\n{\n",
                     name, parameters);
-    if (!uses(program, TTC_OP_INPUT)) ttc_text_add(text, "    (void)x;\n");
-    if (!uses(program, TTC_OP_PARAMETER)) ttc_text_format(text, "    (void)%s;\n", parameters);
-    ttc_emit_body(text, program, field, block, parameters, 0);
+    if (!ttc_emit_uses(program, TTC_OP_INPUT)) ttc_text_add(text, "    (void)x;\n");
+    if (!ttc_emit_uses(program, TTC_OP_PARAMETER)) ttc_text_format(text, "    (void)%s;\n", parameters);
+    ttc_emit_body(text, &ttc_dialect_scalar, program, field, block, parameters, 0);
     ttc_text_add(text, "}\n");
 }

@@ -94,7 +94,7 @@ static void add_prepare(ttc_text *text, const ttc_kernels *k)
     ttc_text_add(text, "static void prepare(const double *restrict params, double *restrict out)\n{\n");
     if (n == 0 && k->block.count == 0) ttc_text_add(text, "    (void)params;\n    (void)out;\n");
     for (size_t i = 0; i < n; i++) ttc_text_format(text, "    out[%zu] = params[%zu];\n", i, i);
-    ttc_emit_body(text, k->prepare, k->field, NULL, "params", n);
+    ttc_emit_body(text, &ttc_dialect_scalar, k->prepare, k->field, NULL, "params", n);
     ttc_text_add(text, "}\n\n");
 }
 
@@ -218,7 +218,13 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k)
     if (k->integral_count > 0) ttc_text_add(text, "    .integrals = integrals,\n");
     if (k->measure_count > 0) ttc_text_add(text, "    .measures = measures,\n");
     if (k->family_count > 0) ttc_text_add(text, "    .equilibria = equilibria,\n");
-    ttc_text_add(text, "    .rhs_complex = rhs_complex,\n};\n");
+    ttc_text_add(text, "    .rhs_complex = rhs_complex,\n    .batches = {\n");
+    for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
+        ttc_text_format(text, "        &jlt_batch_%s_", model->name);
+        ttc_emit_stem(text, field);
+        ttc_text_format(text, "_%s,\n", ttc_isa_names[isa]);
+    }
+    ttc_text_add(text, "    },\n};\n");
 }
 
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
@@ -229,7 +235,13 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     ttc_text_format(text, "extern const char jlt_table_%s[];\nextern const jlt_descriptor jlt_kernels_%s_", field->model->name,
                     field->model->name);
     ttc_emit_stem(text, field);
-    ttc_text_add(text, ";\n\n");
+    ttc_text_add(text, ";\n");
+    for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
+        ttc_text_format(text, "extern const jlt_kernel_batch jlt_batch_%s_", field->model->name);
+        ttc_emit_stem(text, field);
+        ttc_text_format(text, "_%s;\n", ttc_isa_names[isa]);
+    }
+    ttc_text_add(text, "\n");
     if (!add_impose(text, k)) return false;
     add_prepare(text, k);
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {

@@ -44,6 +44,26 @@ typedef struct {
     const char *loses_digits; /* where, and why; "" when nowhere */
 } jlt_kernel;
 
+/* Batches are structures of arrays: entry i of lane j at x[i*stride + j] and out[i*stride + j], lane j < lanes; rows are
+ * aligned to 8*lanes bytes. p is one block for all lanes. */
+typedef void (*jlt_kernel_lanes)(const double *restrict x, const double *restrict p, double *restrict out, size_t stride);
+
+/* A stage of a one-step method, stride = lanes: z = x + h * sum_l weight[l]*slope[l], out = f(z); count >= 1. */
+typedef void (*jlt_kernel_stage)(const double *restrict x, const double *const *restrict slope,
+                                 const double *restrict weight, unsigned count, const double *restrict h,
+                                 const double *restrict p, double *restrict z, double *restrict out);
+
+/* The batched kernels for one instruction set: every lane does what the scalar kernel does, in the same order. */
+typedef struct {
+    const char *isa; /* "baseline", "avx2" (with FMA) or "avx512": what the processor must have */
+    unsigned lanes;
+    jlt_kernel_lanes rhs, jacobian, rhs_jacobian, divergence, integral_values, integral_gradients, measure_values,
+        measure_divergences, time_factor, eliminated; /* NULL where the scalar kernel is */
+    jlt_kernel_stage stage;
+} jlt_kernel_batch;
+
+enum { JLT_ISA_COUNT = 3 };
+
 typedef struct {
     const char *name;
     const char *condition; /* the `when` clause, "" when it holds always */
@@ -93,6 +113,7 @@ typedef struct jlt_descriptor {
     jlt_kernel time_factor;         /* dt/dtau, shape (1,); call NULL in the model's own time */
     jlt_kernel eliminated;          /* the eliminated state, shape (1,); call NULL when none is */
     jlt_kernel_complex rhs_complex;
+    const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has */
 
     unsigned equilibria_count;     /* on the general field in its own time only */
     const jlt_equilibria *equilibria;

@@ -24,6 +24,9 @@
 
 extern const char jlt_table_chaplygin_sleigh[];
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced;
+extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_balanced_baseline;
+extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_balanced_avx2;
+extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_balanced_avx512;
 
 static void impose(const double *restrict x, const double *restrict params, double *restrict out)
 {
@@ -254,4 +257,9 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
     .measures = measures,
     .equilibria = equilibria,
     .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_chaplygin_sleigh_balanced_baseline,
+        &jlt_batch_chaplygin_sleigh_balanced_avx2,
+        &jlt_batch_chaplygin_sleigh_balanced_avx512,
+    },
 };

@@ -21,6 +21,9 @@
 
 extern const char jlt_table_chaplygin_sleigh[];
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_general;
+extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_general_baseline;
+extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_general_avx2;
+extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_general_avx512;
 
 static void prepare(const double *restrict params, double *restrict out)
 {
@@ -257,4 +260,9 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .integrals = integrals,
     .equilibria = equilibria,
     .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_chaplygin_sleigh_general_baseline,
+        &jlt_batch_chaplygin_sleigh_general_avx2,
+        &jlt_batch_chaplygin_sleigh_general_avx512,
+    },
 };

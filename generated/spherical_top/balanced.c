@@ -22,6 +22,9 @@
 
 extern const char jlt_table_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced;
+extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_baseline;
+extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_avx2;
+extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_avx512;
 
 static void impose(const double *restrict x, const double *restrict params, double *restrict out)
 {
@@ -1007,4 +1010,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced = {
     .integrals = integrals,
     .equilibria = equilibria,
     .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_spherical_top_balanced_baseline,
+        &jlt_batch_spherical_top_balanced_avx2,
+        &jlt_batch_spherical_top_balanced_avx512,
+    },
 };

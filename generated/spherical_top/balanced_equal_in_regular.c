@@ -24,6 +24,9 @@
 
 extern const char jlt_table_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular;
+extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_equal_in_regular_baseline;
+extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_equal_in_regular_avx2;
+extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_equal_in_regular_avx512;
 
 static void impose(const double *restrict x, const double *restrict params, double *restrict out)
 {
@@ -757,4 +760,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .integral_count = 4, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_spherical_top_balanced_equal_in_regular_baseline,
+        &jlt_batch_spherical_top_balanced_equal_in_regular_avx2,
+        &jlt_batch_spherical_top_balanced_equal_in_regular_avx512,
+    },
 };

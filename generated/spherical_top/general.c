@@ -21,6 +21,9 @@
 
 extern const char jlt_table_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_general;
+extern const jlt_kernel_batch jlt_batch_spherical_top_general_baseline;
+extern const jlt_kernel_batch jlt_batch_spherical_top_general_avx2;
+extern const jlt_kernel_batch jlt_batch_spherical_top_general_avx512;
 
 static void prepare(const double *restrict params, double *restrict out)
 {
@@ -1468,4 +1471,9 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .integrals = integrals,
     .equilibria = equilibria,
     .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_spherical_top_general_baseline,
+        &jlt_batch_spherical_top_general_avx2,
+        &jlt_batch_spherical_top_general_avx512,
+    },
 };

@@ -25,6 +25,9 @@
 
 extern const char jlt_table_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_omega3;
+extern const jlt_kernel_batch jlt_batch_spherical_top_general_in_regular_on_level_G_omega3_baseline;
+extern const jlt_kernel_batch jlt_batch_spherical_top_general_in_regular_on_level_G_omega3_avx2;
+extern const jlt_kernel_batch jlt_batch_spherical_top_general_in_regular_on_level_G_omega3_avx512;
 
 static void prepare(const double *restrict params, double *restrict out)
 {
@@ -1045,4 +1048,9 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_ome
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_spherical_top_general_in_regular_on_level_G_omega3_baseline,
+        &jlt_batch_spherical_top_general_in_regular_on_level_G_omega3_avx2,
+        &jlt_batch_spherical_top_general_in_regular_on_level_G_omega3_avx512,
+    },
 };

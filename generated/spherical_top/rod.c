@@ -24,6 +24,9 @@
 
 extern const char jlt_table_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_rod;
+extern const jlt_kernel_batch jlt_batch_spherical_top_rod_baseline;
+extern const jlt_kernel_batch jlt_batch_spherical_top_rod_avx2;
+extern const jlt_kernel_batch jlt_batch_spherical_top_rod_avx512;
 
 static void impose(const double *restrict x, const double *restrict params, double *restrict out)
 {
@@ -711,4 +714,9 @@ const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .integrals = integrals,
     .measures = measures,
     .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_spherical_top_rod_baseline,
+        &jlt_batch_spherical_top_rod_avx2,
+        &jlt_batch_spherical_top_rod_avx512,
+    },
 };

@@ -26,6 +26,9 @@
 
 extern const char jlt_table_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G;
+extern const jlt_kernel_batch jlt_batch_spherical_top_rod_in_regular_on_level_G_baseline;
+extern const jlt_kernel_batch jlt_batch_spherical_top_rod_in_regular_on_level_G_avx2;
+extern const jlt_kernel_batch jlt_batch_spherical_top_rod_in_regular_on_level_G_avx512;
 
 static void impose(const double *restrict x, const double *restrict params, double *restrict out)
 {
@@ -635,4 +638,9 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G = {
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_spherical_top_rod_in_regular_on_level_G_baseline,
+        &jlt_batch_spherical_top_rod_in_regular_on_level_G_avx2,
+        &jlt_batch_spherical_top_rod_in_regular_on_level_G_avx512,
+    },
 };

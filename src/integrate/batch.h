@@ -1,0 +1,57 @@
+/** Many orbits at once, one a lane: section maps by DOP853 on batched kernels.
+ *
+ *  Every lane has its own step, its own error control and its own fate; a finished lane is refilled from the list of
+ *  starts, so that none runs empty before the list ends. Crossings are queued and refined a full vector at a time.
+ *  Lanes do not see each other: an orbit's rows do not depend on its neighbours, on its lane or on the number of lanes of
+ *  the same instruction set. */
+#ifndef JLT_INTEGRATE_BATCH_H
+#define JLT_INTEGRATE_BATCH_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/status.h"
+#include "kernel_abi.h"
+
+/** Where a lane's orbit ended. */
+typedef enum {
+    JLT_LANE_DONE,    /* all its returns are made */
+    JLT_LANE_ROOT,    /* the lifted root fell below root_floor: near a pole; go on from there with a scalar method */
+    JLT_LANE_STALLED, /* the step fell below what time resolves, or a value is not finite */
+    JLT_LANE_BUDGET   /* max_steps */
+} jlt_lane_end;
+
+/** What the map needs to know. Plain data. */
+typedef struct {
+    const jlt_kernel_batch *kernels; /* of one instruction set, see jlt_batch_kernels_best */
+    const double *p;                 /* prepared block */
+    unsigned dim;                    /* states; t is not carried unless kernels have it */
+    unsigned column;                 /* the section is x[column] = 0 */
+    int direction;                   /* +1: crossed upwards; -1: downwards; 0: both */
+    int root;                        /* index of the lifted root, whose error is controlled relative to itself; -1: none */
+    double root_floor;               /* the lane ends where the root is below */
+    double tolerance;                /* of the local error, against max(|x_i|, 1), for the root against |x_i| */
+    size_t max_steps;                /* of one orbit, accepted and rejected */
+    const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step; NULL: none */
+} jlt_batch_map;
+
+/** Called at each crossing, for one orbit in order of time: x (dim,); number counts from 1. A nonzero answer ends the run. */
+typedef int (*jlt_batch_row)(void *context, size_t orbit, size_t number, const double *x);
+
+/** Called once an orbit, with its last point. */
+typedef int (*jlt_batch_end)(void *context, size_t orbit, jlt_lane_end end, size_t returns, const double *x);
+
+typedef struct {
+    size_t steps;    /* of lanes, accepted and rejected */
+    size_t rejected;
+    size_t stages;   /* evaluations of a full vector */
+} jlt_batch_work;
+
+/** The map from starts (count, dim), row after row, `returns` times each. work may be NULL.
+ *  Errors: ARG; NOMEM. Cost: 12 stages of a full vector a step. No memory grows with `returns`. */
+JLT_CHECKED jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,
+                                         jlt_batch_row row, jlt_batch_end end, void *context, jlt_batch_work *work);
+
+#endif

@@ -1,0 +1,118 @@
+/* Batched kernels against scalar ones.
+ *
+ * The baseline lanes do the scalar kernel's operations in the scalar kernel's order, so they agree bit for bit when both
+ * are compiled for the baseline. The wider instruction sets fuse multiply-adds, which rounds once where the scalar code
+ * rounds twice: AVX2 and AVX-512 agree with each other bit for bit, and with the scalar kernels to the conditioning of the
+ * sums in them. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+
+#include "kernel/batch_isa.h"
+#include "registry.h"
+
+enum { LANES_MAX = 8, OUTPUTS_MAX = 512, INPUTS_MAX = 64, ROUNDS = 20 };
+
+typedef struct {
+    const jlt_kernel *scalar;
+    jlt_kernel_lanes lanes[JLT_ISA_COUNT];
+} pair;
+
+/* A small deterministic generator is enough here: xorshift64*, Vigna 2016. */
+static double uniform(uint64_t *state)
+{
+    *state ^= *state >> 12;
+    *state ^= *state << 25;
+    *state ^= *state >> 27;
+    return (double)((*state * UINT64_C(2685821657736338717)) >> 11) * 0x1p-53;
+}
+
+static unsigned pairs_of(const jlt_descriptor *d, pair *pairs)
+{
+#define PAIR(member)                                                                                                   \
+    (pair)                                                                                                             \
+    {                                                                                                                  \
+        &d->member, { d->batches[0]->member, d->batches[1]->member, d->batches[2]->member }                            \
+    }
+    const pair all[] = { PAIR(rhs), PAIR(jacobian), PAIR(rhs_jacobian), PAIR(divergence), PAIR(integral_values),
+                         PAIR(integral_gradients), PAIR(measure_values), PAIR(measure_divergences), PAIR(time_factor),
+                         PAIR(eliminated) };
+    memcpy(pairs, all, sizeof all);
+    return sizeof all / sizeof *all;
+}
+
+static double inside(const jlt_quantity *q, uint64_t *state)
+{
+    double low = isfinite(q->low) ? q->low : -2, high = isfinite(q->high) ? q->high : 2;
+    return low + (high - low) * (0.01 + 0.98 * uniform(state));
+}
+
+static void check_kernel(const jlt_descriptor *d, const pair *k, uint64_t *state)
+{
+    static double x[INPUTS_MAX * LANES_MAX] __attribute__((aligned(64)));
+    static double out[JLT_ISA_COUNT][OUTPUTS_MAX * LANES_MAX] __attribute__((aligned(64)));
+    double params[INPUTS_MAX], *p = malloc((d->block_count + 1) * sizeof *p);
+    double one[INPUTS_MAX], expected[OUTPUTS_MAX];
+
+    assert_non_null(p);
+    assert_true(k->scalar->outputs <= OUTPUTS_MAX && d->state_count <= INPUTS_MAX && d->param_count <= INPUTS_MAX);
+    for (unsigned i = 0; i < d->param_count; i++) params[i] = 0.2 + uniform(state);
+    if (d->impose != NULL) {
+        double imposed[INPUTS_MAX];
+        d->impose(NULL, params, imposed);
+        memcpy(params, imposed, d->param_count * sizeof *params);
+    }
+    d->prepare(params, p);
+    for (unsigned i = 0; i < d->state_count; i++)
+        for (unsigned lane = 0; lane < LANES_MAX; lane++) x[i * LANES_MAX + lane] = inside(&d->states[i], state);
+    for (unsigned isa = 0; isa < JLT_ISA_COUNT; isa++) {
+        unsigned lanes = d->batches[isa]->lanes;
+        assert_true((k->scalar->call == NULL) == (k->lanes[isa] == NULL));
+        if (k->lanes[isa] == NULL || !jlt_batch_isa_runs(d->batches[isa])) continue;
+        for (unsigned lane = 0; lane < LANES_MAX; lane += lanes) k->lanes[isa](x + lane, p, out[isa] + lane, LANES_MAX);
+    }
+    for (unsigned lane = 0; k->scalar->call != NULL && lane < LANES_MAX; lane++) {
+        for (unsigned i = 0; i < d->state_count; i++) one[i] = x[i * LANES_MAX + lane];
+        k->scalar->call(one, p, expected);
+        double size = 0;
+        for (unsigned i = 0; i < k->scalar->outputs; i++) size = fmax(size, fabs(expected[i]));
+        for (unsigned i = 0; i < k->scalar->outputs; i++) {
+            unsigned at = i * LANES_MAX + lane;
+#ifndef FP_FAST_FMA
+            assert_memory_equal(&out[0][at], &expected[i], sizeof expected[i]);
+#endif
+            if (jlt_batch_isa_runs(d->batches[1]) && jlt_batch_isa_runs(d->batches[2]))
+                assert_memory_equal(&out[1][at], &out[2][at], sizeof out[1][at]);
+            /* At most a few hundred roundings, each amplified by at most 1e4: denominators and radicands are above
+             * 1e-2 at these points, and enter squared. */
+            if (jlt_batch_isa_runs(d->batches[1]))
+                assert_true(fabs(out[1][at] - expected[i]) <= 300 * 1e4 * 0x1p-53 * size);
+        }
+    }
+    free(p);
+}
+
+static void lanes_agree_with_scalar_kernels(void **unused)
+{
+    uint64_t state = 20231;
+
+    (void)unused;
+    for (unsigned i = 0; i < jlt_registry_count; i++) {
+        pair pairs[16];
+        unsigned count = pairs_of(jlt_registry[i], pairs);
+        for (unsigned k = 0; k < count; k++)
+            for (int round = 0; round < ROUNDS; round++) check_kernel(jlt_registry[i], &pairs[k], &state);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(lanes_agree_with_scalar_kernels) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
