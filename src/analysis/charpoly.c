@@ -46,7 +46,7 @@ static void recur(double *coefficients, const double *a, size_t n, double sign)
     for (size_t i = 0; i < n; i++) m[i * n + i] = 1.0;
     coefficients[0] = 1.0;
     for (size_t k = 1; k <= n; k++) {
-        coefficients[k] = sign * trace_of_product(a, m, n) / (double)k;
+        coefficients[k] = 0.0 + sign * trace_of_product(a, m, n) / (double)k;
         step(next, a, m, coefficients[k], n);
         memcpy(m, next, n * n * sizeof *m);
     }

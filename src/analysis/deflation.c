@@ -28,7 +28,7 @@ typedef struct {
     size_t pivots[SIZE], others[SIZE];
     double follow[SIZE * SIZE]; /* W_p^(-1) W_f, shape (rank, n - rank) */
     double block[SIZE * SIZE], error[SIZE * SIZE];
-    double merit;               /* largest bound on an error of B, relative to its largest entry */
+    double merit;               /* largest error that the elimination adds to B, relative to its largest entry */
 } choice;
 
 /* Solve (rank x rank) W_p X = W_f by elimination with row pivoting; false when singular. */
@@ -76,20 +76,21 @@ static bool reduce(choice *c, const problem *p)
     for (size_t i = 0; i < rest; i++)
         for (size_t j = 0; j < rest; j++) {
             const size_t row = c->others[i] * n;
-            double sum = 0.0, bound = 0.0;
+            double sum = 0.0, added = 0.0;
             for (size_t l = 0; l < k; l++) {
                 const double x = c->follow[l * rest + j], before = p->a[row + c->pivots[l]];
                 sum += before * x;
+                if (x == 0.0) continue; /* exact: gradients share their zeros, and elimination keeps them */
                 /* The gradients carry a few roundings, which the elimination amplifies by about its largest entry. */
-                bound += p->error[row + c->pivots[l]] * fabs(x) +
+                added += p->error[row + c->pivots[l]] * fabs(x) +
                          fabs(before) * (double)(k + 8) * roundoff * (fabs(x) + amplification);
             }
             c->block[i * rest + j] = p->a[row + c->others[j]] - sum;
-            bound += p->error[row + c->others[j]] + (sum == 0.0 ? 0.0 : roundoff * fabs(c->block[i * rest + j]));
-            c->error[i * rest + j] = bound;
-            if (!isfinite(c->block[i * rest + j]) || !isfinite(bound)) return false;
+            if (sum != 0.0) added += roundoff * fabs(c->block[i * rest + j]);
+            c->error[i * rest + j] = p->error[row + c->others[j]] + added;
+            if (!isfinite(c->block[i * rest + j]) || !isfinite(c->error[i * rest + j])) return false;
             largest = fmax(largest, fabs(c->block[i * rest + j]));
-            worst = fmax(worst, bound);
+            worst = fmax(worst, added);
         }
     c->merit = largest > 0.0 ? worst / largest : worst;
     return true;

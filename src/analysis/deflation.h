@@ -6,8 +6,8 @@
  *
  *      B = A_ff - A_fp W_p^(-1) W_f,
  *
- *  and k eigenvalues are zero, attributed to the integrals. Of all choices of p the one with the least bound on the
- *  rounding error of B is taken: columns that vanish in A cost nothing, so B is then a block of A itself, unrounded. */
+ *  and k eigenvalues are zero, attributed to the integrals. Of all choices of p the one that adds the
+ *  least rounding error to B is taken: columns that vanish in A cost nothing, so B is then a block of A itself, unrounded. */
 #ifndef JLT_ANALYSIS_DEFLATION_H
 #define JLT_ANALYSIS_DEFLATION_H
 

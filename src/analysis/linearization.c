@@ -95,6 +95,7 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
     r->n = n;
     JLT_TRY(jlt_instance_rhs(instance, r->f, x));
     JLT_TRY(jlt_instance_jacobian(instance, r->jacobian, x));
+    for (size_t i = 0; i < n * n; i++) r->jacobian[i] += 0.0; /* -0 becomes 0 */
     r->residual = r->residual_ratio = 0.0;
     for (size_t i = 0; i < n; i++) {
         double size = 0.0;

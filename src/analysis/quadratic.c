@@ -59,7 +59,7 @@ static bool solve(solution *s, const double *b, const double *e)
     const int first = larger < smaller ? 0 : 1;
     s->re[first] = larger;
     s->error[first] = larger_error;
-    s->re[1 - first] = smaller;
+    s->re[1 - first] = smaller + 0.0;
     s->error[1 - first] = smaller_error;
     s->im[0] = s->im[1] = 0.0;
     return true;

@@ -33,6 +33,19 @@ jlt_exit jlt_command_exit(jlt_status status)
     }
 }
 
+char *jlt_command_line(int argc, char **argv)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+
+    if (stream == NULL) return NULL;
+    for (int i = 0; i < argc; i++) fprintf(stream, "%s%s", i == 0 ? "" : " ", argv[i]);
+    if (fclose(stream) == 0) return text;
+    free(text);
+    return NULL;
+}
+
 jlt_status jlt_command_open(jlt_command_output *output)
 {
     *output = (jlt_command_output){ 0 };

@@ -37,6 +37,9 @@ jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...);
 /* The exit status that a library status calls for. */
 jlt_exit jlt_command_exit(jlt_status status);
 
+/* The command as typed, for headers of files; for the caller to free(). NULL when memory is out. */
+char *jlt_command_line(int argc, char **argv);
+
 /** Results of a command, collected in memory and delivered at once: to a file, whole or not at all, or to standard output.
  *  `stream` is to be written to; failures show at delivery. */
 typedef struct {

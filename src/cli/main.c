@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 static const jlt_command *const commands[] = {
+    &jlt_command_eigen,
     &jlt_command_models,
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };

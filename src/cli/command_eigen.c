@@ -1,0 +1,232 @@
+#include "cli/eigen.h"
+
+#include "kernel/descriptor.h"
+#include "report/picture.h"
+
+#include <argp.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { KEY_FIND = 256, KEY_SWEEP, KEY_PLOT };
+
+static const struct argp_option option_table[] = {
+    { "set", 's', "NAME=VALUE,...", 0, "Parameters; the table's defaults hold for the others", 0 },
+    { "at", 'a', "NAME=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 0 },
+    { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and go to an equilibrium nearby by Newton's method", 0 },
+    { "sweep", KEY_SWEEP, "NAME=FROM:TO:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 0 },
+    { "json", 'j', NULL, 0, "Print JSON", 0 },
+    { "csv", 'c', NULL, 0, "Print CSV with a comment header (a sweep does so by itself)", 0 },
+    { "plot", KEY_PLOT, "FILE", 0, "Draw the eigenvalues, or their root locus: FILE.svg, .png or .pdf", 0 },
+    { "output", 'o', "FILE", 0, "Write to FILE instead of standard output", 0 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    jlt_eigen_request *r = state->input;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    switch (key) {
+    case 's': code = jlt_assign_parse(&r->set, value, "--set"); break;
+    case 'a': code = jlt_assign_parse(&r->at, value, "--at"); break;
+    case KEY_FIND: r->find = true; break;
+    case KEY_SWEEP: code = jlt_eigen_parse_sweep(r, value); break;
+    case 'j': r->json = true; break;
+    case 'c': r->csv = true; break;
+    case KEY_PLOT:
+        r->plot = value;
+        if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' must end in .svg, .png or .pdf", value);
+        break;
+    case 'o': r->output = value; break;
+    case ARGP_KEY_ARG:
+        if (state->arg_num > 0) argp_error(state, "one model at most: '%s' is too many", value);
+        r->model = value;
+        break;
+    case ARGP_KEY_END:
+        if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
+        break;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+    if (code != JLT_EXIT_DONE) exit((int)code);
+    return 0;
+}
+
+static const struct argp parser = {
+    option_table, parse, "[MODEL]",
+    "Report on an equilibrium: residual, Jacobian, characteristic polynomial, trace, eigenvalues, stability, and what follows "
+    "for an invariant measure."
+    "\vExamples:\n"
+    "  jellett eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1\n"
+    "  jellett eigen --set a3=0,I1=2/5 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.99:0.99:201 --plot locus.svg\n"
+    "  jellett eigen --at gamma3=-0.6,omega_n=1 --find\n\n"
+    "Values are read exactly (1/3, 0.51). Eigenvalues that integrals force to vanish are deflated through the integrals' "
+    "gradients, and are exactly zero; each other one comes with its condition number and a bound on its error, which counts "
+    "the rounding of the values typed. A state whose residual is more than rounding is refused with status 3.",
+    NULL, NULL, NULL,
+};
+
+static void explain(jlt_eigen_row *row, const char *text)
+{
+    snprintf(row->reason, sizeof row->reason, "%s", text);
+}
+
+/* The bound on each entry's error against the exact values typed; four units roundoff where there is no enclosure. */
+static jlt_status entry_errors(double *errors, jlt_eigen_row *row, const double *params, const double *x)
+{
+    const jlt_eigen_request *q = row->request;
+    const size_t n = q->descriptor->state_count;
+    ttc_enclosure *exact = calloc(n * n, sizeof *exact);
+    jlt_status st = exact == NULL ? JLT_ERR_NOMEM : JLT_OK;
+
+    if (st == JLT_OK) st = jlt_linearization_residual(&row->result, q->descriptor, params, x);
+    if (st == JLT_OK) {
+        const bool moved = q->find || q->axis_count > 0;
+        jlt_oracle_set_params(q->oracle, params, q->axis_count > 0 ? NULL : &q->set);
+        jlt_oracle_set_states(q->oracle, x, moved ? NULL : &q->at);
+        st = jlt_oracle_enclose(q->oracle, exact, q->oracle->jacobian, n * n);
+    }
+    for (size_t i = 0; st == JLT_OK && i < n * n; i++) {
+        errors[i] = jlt_oracle_error(row->result.jacobian[i], &exact[i]);
+        if (!isfinite(errors[i])) st = JLT_ERR_NONFINITE;
+    }
+    free(exact);
+    return st;
+}
+
+void jlt_eigen_compute(jlt_eigen_row *row, const jlt_eigen_request *request, double *params, double *x,
+                       const unsigned char *given)
+{
+    const jlt_descriptor *d = request->descriptor;
+    double errors[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX];
+    size_t index = 0;
+
+    row->request = request;
+    row->params = params;
+    row->x = x;
+    row->reason[0] = '\0';
+    row->status = jlt_descriptor_check_params(d, params, &index);
+    if (row->status != JLT_OK) {
+        snprintf(row->reason, sizeof row->reason, "%s = %.17g is no value that %s allows", d->params[index].name,
+                 params[index], d->model);
+        return;
+    }
+    jlt_linearization_complete(x, given, d, params);
+    row->status = jlt_descriptor_check_state(d, x, &index);
+    if (row->status != JLT_OK) {
+        snprintf(row->reason, sizeof row->reason, "%s = %.17g lies outside (%g, %g), where %s is defined", d->states[index].name,
+                 x[index], d->states[index].low, d->states[index].high, d->model);
+        return;
+    }
+    if (request->find) row->status = jlt_linearization_find(x, d, params, request->order, request->held);
+    if (row->status != JLT_OK) {
+        explain(row, "Newton's method finds no equilibrium from here (try another guess with --at)");
+        return;
+    }
+    row->status = entry_errors(errors, row, params, x);
+    if (row->status == JLT_OK) row->status = jlt_linearization_compute(&row->result, d, params, x, errors);
+    if (row->status == JLT_ERR_EMPTY)
+        snprintf(row->reason, sizeof row->reason,
+                 "this state is no equilibrium: residual %.6g, relative %.3g (--find looks for one nearby)",
+                 row->result.residual, row->result.residual_ratio);
+    else if (row->status == JLT_ERR_NONFINITE)
+        explain(row, "a value overflows or underflows on the way: use units in which parameters and states are nearer one");
+    else if (row->status == JLT_ERR_DOMAIN)
+        explain(row, "the field has a pole at this state");
+    else if (row->status != JLT_OK) explain(row, jlt_status_text(row->status));
+}
+
+static jlt_exit single(jlt_eigen_request *r)
+{
+    jlt_eigen_row *row = calloc(1, sizeof *row);
+    jlt_command_output output = { 0 };
+    jlt_exit code = JLT_EXIT_NUMERICAL;
+
+    if (row == NULL || jlt_command_open(&output) != JLT_OK) {
+        free(row);
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    }
+    jlt_eigen_compute(row, r, r->params, r->x, r->given);
+    if (row->status != JLT_OK) {
+        code = jlt_command_fail(jlt_command_exit(row->status), "%s", row->reason);
+        goto done;
+    }
+    if (r->plot != NULL && (code = jlt_eigen_draw(r, row, 1)) != JLT_EXIT_DONE) goto done;
+    if (r->json) {
+        if (jlt_eigen_write_json(output.stream, row, 1, false) != JLT_OK) {
+            code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+            goto done;
+        }
+    } else if (r->csv) {
+        jlt_eigen_write_csv_header(output.stream, r);
+        jlt_eigen_write_csv_row(output.stream, row);
+    } else {
+        jlt_eigen_write_text(output.stream, row);
+    }
+    code = jlt_command_deliver(&output, r->output);
+done:
+    jlt_command_discard(&output);
+    free(row);
+    return code;
+}
+
+/* The list of states as given, the axes by name. */
+static jlt_exit prepare(jlt_eigen_request *r)
+{
+    const jlt_descriptor *d;
+    jlt_exit code = jlt_assign_model(&r->descriptor, &r->params, r->model, &r->set);
+
+    if (code != JLT_EXIT_DONE) return code;
+    d = r->descriptor;
+    if (d->state_count > JLT_LINEARIZATION_SIZE_MAX)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; eigen serves up to %d", d->model, d->state_count,
+                                JLT_LINEARIZATION_SIZE_MAX);
+    code = jlt_assign_apply(r->x, r->given, &r->at, d->states, d->state_count, "state", d->model);
+    if (code != JLT_EXIT_DONE) return code;
+    for (size_t i = 0; i < r->at.count; i++) {
+        size_t index = 0, known = 0;
+        (void)jlt_descriptor_state(d, r->at.items[i].name, &index);
+        while (known < r->held && r->order[known] != index) known++;
+        if (known == r->held) r->order[r->held++] = index;
+    }
+    for (size_t i = 0; i < r->axis_count; i++) {
+        jlt_eigen_axis *axis = &r->axes[i];
+        axis->is_state = jlt_descriptor_state(d, axis->name, &axis->index);
+        if (!axis->is_state && !jlt_descriptor_param(d, axis->name, &axis->index))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: %s has no state or parameter '%s'", d->model, axis->name);
+    }
+    if (jlt_oracle_create(&r->oracle, d) != JLT_OK)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot read the table of %s back: %s", d->model,
+                                jlt_status_text(JLT_ERR_NOMEM));
+    return JLT_EXIT_DONE;
+}
+
+void jlt_eigen_clear(jlt_eigen_request *request)
+{
+    for (size_t i = 0; i < request->axis_count; i++) free(request->axes[i].name);
+    free(request->axes);
+    free(request->params);
+    jlt_assign_clear(&request->set);
+    jlt_assign_clear(&request->at);
+    jlt_oracle_destroy(request->oracle);
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    jlt_eigen_request request = { .model = "spherical_top" };
+    char *command = jlt_command_line(argc, argv);
+    jlt_exit code;
+
+    argp_parse(&parser, argc, argv, 0, NULL, &request);
+    request.command = command;
+    code = prepare(&request);
+    if (code == JLT_EXIT_DONE) code = request.axis_count > 0 ? jlt_eigen_sweep(&request) : single(&request);
+    jlt_eigen_clear(&request);
+    free(command);
+    return code;
+}
+
+const jlt_command jlt_command_eigen = {
+    "eigen", "[MODEL] --set NAME=VALUE,... --at NAME=VALUE,... [--find] [--sweep ...] [--json|--csv] [--plot FILE]",
+    "Report on an equilibrium: matrix, characteristic polynomial, eigenvalues, stability", run
+};

@@ -1,0 +1,80 @@
+#include "cli/eigen.h"
+
+#include "report/picture.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Values that stay the same over the picture, for its caption. */
+static void write_caption(FILE *stream, const jlt_eigen_request *r)
+{
+    const jlt_descriptor *d = r->descriptor;
+
+    fprintf(stream, "set title \"Eigenvalues at equilibria of %s\\n", d->model);
+    for (unsigned i = 0; i < d->param_count + d->state_count; i++) {
+        const bool state = i >= d->param_count;
+        const unsigned index = state ? i - d->param_count : i;
+        bool swept = false;
+        for (size_t k = 0; k < r->axis_count; k++)
+            swept = swept || (r->axes[k].is_state == state && r->axes[k].index == index);
+        if (swept || (state && r->axis_count > 0 && !r->given[index])) continue;
+        fprintf(stream, " %s=%.6g", state ? d->states[index].name : d->params[index].name,
+                state ? r->x[index] : r->params[index]);
+    }
+    fputs("\" noenhanced\n", stream);
+}
+
+static void write_script(FILE *stream, const jlt_eigen_request *r, const jlt_eigen_row *rows, size_t count)
+{
+    const jlt_eigen_axis *axis = r->axis_count > 0 ? &r->axes[0] : NULL;
+
+    fputs("$values << EOD\n", stream);
+    for (size_t k = 0; k < count; k++) {
+        const jlt_eigen_row *row = &rows[k];
+        if (row->status != JLT_OK) continue;
+        for (size_t i = 0; i < row->result.n; i++) {
+            const jlt_eigenvalue *value = &row->result.eigen.values[i];
+            const double colour = axis == NULL ? 0.0 : axis->is_state ? row->x[axis->index] : row->params[axis->index];
+            if (value->source < 0) fprintf(stream, "%.17g %.17g %.17g\n", value->re, value->im, colour);
+        }
+    }
+    fputs("EOD\n", stream);
+    write_caption(stream, r);
+    fputs("set xlabel 'Re {/Symbol l} [1/s]'\nset ylabel 'Im {/Symbol l} [1/s]'\nset grid\nset zeroaxis lt -1\n"
+          "set key inside top right\n",
+          stream);
+    if (axis == NULL) {
+        fputs("plot $values using 1:2 with points pt 7 ps 1 title 'eigenvalues', "
+              "'-' using 1:2 with points pt 2 ps 1.5 title 'zero, by the integrals'\n0 0\ne\n",
+              stream);
+        return;
+    }
+    fprintf(stream, "set cblabel '%s' noenhanced\nset palette defined (0 '#2166ac', 1 '#bbbbbb', 2 '#b2182b')\n", axis->name);
+    fputs("plot $values using 1:2:3 with points pt 7 ps 0.5 palette notitle, "
+          "'-' using 1:2 with points pt 2 ps 1.5 lc black title 'zero, by the integrals'\n0 0\ne\n",
+          stream);
+}
+
+jlt_exit jlt_eigen_draw(const jlt_eigen_request *request, const jlt_eigen_row *rows, size_t count)
+{
+    char *script = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&script, &size);
+    jlt_status st = stream == NULL ? JLT_ERR_NOMEM : JLT_OK;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    if (stream != NULL) {
+        write_script(stream, request, rows, count);
+        if (fclose(stream) != 0) st = JLT_ERR_NOMEM;
+    }
+    if (st == JLT_OK) st = jlt_picture_draw(request->plot, script, NULL);
+    if (st == JLT_ERR_UNSUPPORTED)
+        code = jlt_command_fail(JLT_EXIT_IO, "--plot: the program gnuplot is not installed");
+    else if (st == JLT_ERR_IO)
+        code = jlt_command_fail(JLT_EXIT_IO, "--plot: cannot write '%s': %s", request->plot, strerror(errno));
+    else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "--plot: %s", jlt_status_text(st));
+    free(script);
+    return code;
+}

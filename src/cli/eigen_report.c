@@ -1,0 +1,198 @@
+#include "cli/eigen.h"
+
+#include "report/csv.h"
+#include "report/json.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *source_of(const jlt_linearization *r, const jlt_eigenvalue *value)
+{
+    return value->source < 0 ? NULL : r->sources[value->source];
+}
+
+static const char *consequence(const jlt_linearization *r)
+{
+    return r->obstructs ? "the trace is not zero: no invariant measure has a smooth positive density around this equilibrium "
+                          "(Proposition 1)"
+                        : "the trace is zero to within its error: this equilibrium excludes no invariant measure";
+}
+
+static void write_values(FILE *stream, const char *title, const jlt_quantity *quantities, const double *values,
+                         size_t count)
+{
+    fprintf(stream, "%-12s", title);
+    for (size_t i = 0; i < count; i++) fprintf(stream, " %s=%.17g", quantities[i].name, values[i]);
+    fputc('\n', stream);
+}
+
+static void write_eigenvalue(FILE *stream, const jlt_linearization *r, const jlt_eigenvalue *value)
+{
+    const char *source = source_of(r, value);
+    char number[80];
+
+    if (source != NULL) {
+        fprintf(stream, "  %-48s by the integral %s\n", "0 exactly", source);
+        return;
+    }
+    if (value->im == 0.0) snprintf(number, sizeof number, "%.17g", value->re);
+    else snprintf(number, sizeof number, "%.17g %+.17gi", value->re, value->im);
+    fprintf(stream, "  %-48s error < %.2g, condition ", number, value->error);
+    if (isfinite(value->condition)) fprintf(stream, "%.3g\n", value->condition);
+    else fputs(isnan(value->condition) ? "not defined\n" : "infinite: defective\n", stream);
+}
+
+void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
+{
+    const jlt_descriptor *d = row->request->descriptor;
+    const jlt_linearization *r = &row->result;
+    const size_t n = r->n;
+
+    fprintf(stream, "%s: %s\n", d->model, d->title);
+    fprintf(stream, "kernels      %s, table %.12s\n", r->descriptor->variant[0] == '\0' ? "general" : r->descriptor->variant,
+            d->sha256);
+    write_values(stream, "parameters", d->params, row->params, d->param_count);
+    write_values(stream, "state", d->states, row->x, n);
+    fprintf(stream, "family       %s%s%s\n", r->family == NULL ? "none of the table" : r->family->name,
+            r->family == NULL || r->family->condition[0] == '\0' ? "" : ", when ",
+            r->family == NULL ? "" : r->family->condition);
+    fprintf(stream, "residual     %.3g (relative %.2g; refused above %.0e)\n\nJacobian\n", r->residual, r->residual_ratio,
+            JLT_LINEARIZATION_TOLERANCE);
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < n; j++) fprintf(stream, " %24.16g", r->jacobian[i * n + j]);
+        fputc('\n', stream);
+    }
+    fputs("\ncharacteristic polynomial, highest power first\n", stream);
+    for (size_t k = 0; k <= n; k++) {
+        fprintf(stream, "  lambda^%-2zu %24.17g", n - k, r->charpoly[k]);
+        if (r->charpoly_error[k] > 0.0) fprintf(stream, "   error < %.2g", r->charpoly_error[k]);
+        if (!isnan(r->charpoly_formula[k])) fprintf(stream, "   formula %.17g", r->charpoly_formula[k]);
+        fputc('\n', stream);
+    }
+    fprintf(stream, "\ntrace        %.17g, error < %.2g", r->trace, r->trace_error);
+    if (!isnan(r->trace_formula)) fprintf(stream, "; formula %.17g", r->trace_formula);
+    fputs("\n\neigenvalues\n", stream);
+    for (size_t i = 0; i < n; i++) write_eigenvalue(stream, r, &r->eigen.values[i]);
+    if (r->eigen.defective_zero) fputs("  zero is defective: perturbations grow at least linearly in time\n", stream);
+    fprintf(stream, "  other routes, relative to the matrix: GSL on the deflated block %.2g, GSL on the whole %.2g, ARPACK ",
+            r->eigen.gsl_difference, r->eigen.plain_difference);
+    if (isnan(r->eigen.arpack_difference)) fprintf(stream, "not used (%s)\n", r->eigen.arpack_note);
+    else fprintf(stream, "%.2g\n", r->eigen.arpack_difference);
+    fprintf(stream, "\nverdict      %s\nmeasure      %s\n", jlt_linearization_verdict(r->verdict), consequence(r));
+}
+
+static json_t *text_or_null(const char *text)
+{
+    return text == NULL ? json_null() : json_string(text);
+}
+
+static json_t *eigenvalues_json(const jlt_linearization *r)
+{
+    json_t *array = json_array();
+
+    for (size_t i = 0; i < r->n; i++) {
+        const jlt_eigenvalue *value = &r->eigen.values[i];
+        json_array_append_new(array, json_pack("{s:o,s:o,s:o,s:o,s:o}", "re", jlt_json_number(value->re), "im",
+                                               jlt_json_number(value->im), "condition", jlt_json_number(value->condition),
+                                               "error", jlt_json_number(value->error), "integral",
+                                               text_or_null(source_of(r, value))));
+    }
+    return array;
+}
+
+static json_t *row_json(const jlt_eigen_row *row)
+{
+    const jlt_descriptor *d = row->request->descriptor;
+    const jlt_linearization *r = &row->result;
+    const size_t n = d->state_count;
+    json_t *o = json_object();
+
+    json_object_set_new(o, "model", json_string(d->model));
+    json_object_set_new(o, "sha256", json_string(d->sha256));
+    json_object_set_new(o, "parameters", jlt_json_named(d->params, row->params, d->param_count));
+    json_object_set_new(o, "state", jlt_json_named(d->states, row->x, n));
+    if (row->status != JLT_OK) {
+        json_object_set_new(o, "refused", json_string(row->reason));
+        return o;
+    }
+    json_object_set_new(o, "variant", json_string(r->descriptor->variant));
+    json_object_set_new(o, "family", text_or_null(r->family == NULL ? NULL : r->family->name));
+    json_object_set_new(o, "residual", jlt_json_number(r->residual));
+    json_object_set_new(o, "residual_relative", jlt_json_number(r->residual_ratio));
+    json_object_set_new(o, "jacobian", jlt_json_matrix(r->jacobian, n, n));
+    json_object_set_new(o, "charpoly", jlt_json_numbers(r->charpoly, n + 1));
+    json_object_set_new(o, "charpoly_error", jlt_json_numbers(r->charpoly_error, n + 1));
+    json_object_set_new(o, "charpoly_formula",
+                        isnan(r->charpoly_formula[0]) ? json_null() : jlt_json_numbers(r->charpoly_formula, n + 1));
+    json_object_set_new(o, "trace", jlt_json_number(r->trace));
+    json_object_set_new(o, "trace_error", jlt_json_number(r->trace_error));
+    json_object_set_new(o, "trace_formula", jlt_json_number(r->trace_formula));
+    json_object_set_new(o, "eigenvalues", eigenvalues_json(r));
+    json_object_set_new(o, "defective_zero", json_boolean(r->eigen.defective_zero));
+    json_object_set_new(o, "left_null_defect", jlt_json_number(r->eigen.defect));
+    json_object_set_new(o, "gsl_difference", jlt_json_number(r->eigen.gsl_difference));
+    json_object_set_new(o, "gsl_undeflated_difference", jlt_json_number(r->eigen.plain_difference));
+    json_object_set_new(o, "arpack_difference", jlt_json_number(r->eigen.arpack_difference));
+    json_object_set_new(o, "arpack_note", json_string(r->eigen.arpack_note));
+    json_object_set_new(o, "verdict", json_string(jlt_linearization_verdict(r->verdict)));
+    json_object_set_new(o, "measure_excluded", json_boolean(r->obstructs));
+    json_object_set_new(o, "measure", json_string(consequence(r)));
+    return o;
+}
+
+jlt_status jlt_eigen_write_json(FILE *stream, const jlt_eigen_row *rows, size_t count, bool array)
+{
+    json_t *value = array ? json_array() : row_json(rows);
+    char *text;
+    jlt_status st;
+
+    for (size_t k = 0; array && k < count; k++) json_array_append_new(value, row_json(&rows[k]));
+    st = jlt_json_text(&text, value);
+    if (st == JLT_OK) fputs(text, stream);
+    free(text);
+    return st;
+}
+
+void jlt_eigen_write_csv_header(FILE *stream, const jlt_eigen_request *request)
+{
+    const jlt_descriptor *d = request->descriptor;
+
+    jlt_csv_header(stream, request->command, d, request->params);
+    fputs("# eigenvalues: first those that integrals make zero, then ascending; error_k bounds the error of the k-th\n", stream);
+    for (size_t i = 0; i < request->axis_count; i++)
+        if (!request->axes[i].is_state) fprintf(stream, "%s,", request->axes[i].name);
+    for (unsigned i = 0; i < d->state_count; i++) fprintf(stream, "%s,", d->states[i].name);
+    fputs("residual,trace,trace_formula", stream);
+    for (unsigned k = 1; k <= d->state_count; k++) fprintf(stream, ",c%u", k);
+    for (unsigned k = 1; k <= d->state_count; k++) fprintf(stream, ",re%u,im%u,error%u", k, k, k);
+    fputs(",verdict\n", stream);
+}
+
+static void field(FILE *stream, double value)
+{
+    if (!isnan(value)) fprintf(stream, "%.17g", value);
+    fputc(',', stream);
+}
+
+void jlt_eigen_write_csv_row(FILE *stream, const jlt_eigen_row *row)
+{
+    const jlt_eigen_request *q = row->request;
+    const jlt_linearization *r = &row->result;
+    const size_t n = q->descriptor->state_count;
+    const bool good = row->status == JLT_OK;
+
+    for (size_t i = 0; i < q->axis_count; i++)
+        if (!q->axes[i].is_state) field(stream, row->params[q->axes[i].index]);
+    for (size_t i = 0; i < n; i++) field(stream, row->x[i]);
+    field(stream, good || row->status == JLT_ERR_EMPTY ? r->residual : NAN);
+    field(stream, good ? r->trace : NAN);
+    field(stream, good ? r->trace_formula : NAN);
+    for (size_t k = 1; k <= n; k++) field(stream, good ? r->charpoly[k] : NAN);
+    for (size_t k = 0; k < n; k++) {
+        field(stream, good ? r->eigen.values[k].re : NAN);
+        field(stream, good ? r->eigen.values[k].im : NAN);
+        field(stream, good ? r->eigen.values[k].error : NAN);
+    }
+    fprintf(stream, "%s\n", good ? jlt_linearization_verdict(r->verdict) : "refused");
+}

@@ -1,0 +1,111 @@
+#include "cli/oracle.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static uint32_t *symbols_of(const ttc_model *model, const jlt_quantity *quantities, size_t count)
+{
+    uint32_t *symbols = calloc(count + 1, sizeof *symbols);
+
+    for (size_t i = 0; symbols != NULL && i < count; i++)
+        if (!ttc_model_find_symbol(model, quantities[i].name, &symbols[i])) {
+            free(symbols);
+            symbols = NULL;
+        }
+    return symbols;
+}
+
+static jlt_status differentiate(jlt_oracle *o)
+{
+    const size_t n = o->model->state_count;
+
+    o->field = calloc(n + 1, sizeof *o->field);
+    o->jacobian = calloc(n * n + 1, sizeof *o->jacobian);
+    if (o->field == NULL || o->jacobian == NULL) return JLT_ERR_NOMEM;
+    o->trace = ttc_integer(o->model->graph, 0);
+    for (size_t i = 0; i < n; i++) {
+        o->field[i] = ttc_model_field(o->model, i);
+        for (size_t j = 0; j < n; j++)
+            o->jacobian[i * n + j] = ttc_model_partial(o->model, o->field[i], o->model->states[j]);
+        o->trace = ttc_add(o->model->graph, o->trace, o->jacobian[i * n + i]);
+    }
+    return o->trace == TTC_NONE ? JLT_ERR_NOMEM : JLT_OK;
+}
+
+jlt_status jlt_oracle_create(jlt_oracle **oracle, const jlt_descriptor *descriptor)
+{
+    jlt_oracle *self = calloc(1, sizeof *self);
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    char file[256];
+    jlt_status st = JLT_ERR_NOMEM;
+
+    *oracle = NULL;
+    if (self == NULL || diagnostics == NULL) goto done;
+    self->descriptor = descriptor;
+    snprintf(file, sizeof file, "%s.tt", descriptor->model);
+    self->model = ttc_model_parse(descriptor->table, strlen(descriptor->table), file, diagnostics);
+    st = JLT_ERR_UNSUPPORTED;
+    if (self->model == NULL || self->model->state_count != descriptor->state_count) goto done;
+    st = JLT_ERR_NOMEM;
+    self->ball = ttc_ball_create(self->model);
+    self->states = symbols_of(self->model, descriptor->states, descriptor->state_count);
+    self->params = symbols_of(self->model, descriptor->params, descriptor->param_count);
+    if (self->ball == NULL || self->states == NULL || self->params == NULL) goto done;
+    JLT_TRY(differentiate(self));
+    *oracle = self;
+    self = NULL; /* ownership moved to the caller */
+done:
+    ttc_diagnostics_destroy(diagnostics);
+    jlt_oracle_destroy(self);
+    return st;
+}
+
+void jlt_oracle_destroy(jlt_oracle *oracle)
+{
+    if (oracle == NULL) return;
+    ttc_ball_destroy(oracle->ball);
+    ttc_model_destroy(oracle->model);
+    free(oracle->states);
+    free(oracle->params);
+    free(oracle->field);
+    free(oracle->jacobian);
+    free(oracle);
+}
+
+static void set(jlt_oracle *o, const uint32_t *symbols, const jlt_quantity *quantities, const double *values,
+                size_t count, const jlt_assign_list *exact)
+{
+    for (size_t i = 0; i < count; i++) {
+        const char *fraction = exact == NULL ? NULL : jlt_assign_fraction(exact, quantities[i].name);
+        const ttc_id written = o->model->symbols[symbols[i]].value;
+        if (fraction != NULL && ttc_ball_set_fraction(o->ball, symbols[i], fraction)) continue;
+        if (exact != NULL && written != TTC_NONE) ttc_ball_bind(o->ball, symbols[i], written);
+        else (void)ttc_ball_set(o->ball, symbols[i], values[i]);
+    }
+}
+
+void jlt_oracle_set_params(jlt_oracle *oracle, const double *params, const jlt_assign_list *exact)
+{
+    const jlt_descriptor *d = oracle->descriptor;
+    set(oracle, oracle->params, d->params, params, d->param_count, exact);
+}
+
+void jlt_oracle_set_states(jlt_oracle *oracle, const double *x, const jlt_assign_list *exact)
+{
+    const jlt_descriptor *d = oracle->descriptor;
+    set(oracle, oracle->states, d->states, x, d->state_count, exact);
+}
+
+jlt_status jlt_oracle_enclose(jlt_oracle *oracle, ttc_enclosure *out, const ttc_id *ids, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!ttc_ball_enclose(&out[i], oracle->ball, ids[i])) return JLT_ERR_DOMAIN;
+    return JLT_OK;
+}
+
+double jlt_oracle_error(double computed, const ttc_enclosure *enclosure)
+{
+    const double error = fabs((computed - enclosure->value) - enclosure->rest) + enclosure->radius;
+    return error * (1.0 + 0x1p-50);
+}
