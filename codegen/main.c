@@ -116,6 +116,14 @@ static char *quote_command_line(int argc, char **argv)
     return line;
 }
 
+/* What stdio still holds goes out now, so that a full disk is noticed. */
+static int flushed(int status)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout)) return status;
+    fprintf(stderr, "ttc: cannot write the result\n");
+    return TTC_EXIT_IO;
+}
+
 static int run_command(const command *chosen, int argc, char **argv)
 {
     char name[64];
@@ -137,10 +145,7 @@ static int run_command(const command *chosen, int argc, char **argv)
     argv[1] = name;
     argp_err_exit_status = TTC_EXIT_USAGE;
     if (argp_parse(&argp, argc - 1, argv + 1, 0, NULL, &options) == 0) status = chosen->run(&options);
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        fprintf(stderr, "ttc: cannot write the result\n");
-        status = TTC_EXIT_IO;
-    }
+    status = flushed(status);
 done:
     free(options.files);
     free(help);
@@ -153,11 +158,11 @@ int main(int argc, char **argv)
     const char *word = argc > 1 ? argv[1] : "";
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "-?") == 0 || strcmp(word, "help") == 0) {
         print_help(stdout);
-        return fflush(stdout) == 0 ? TTC_EXIT_DONE : TTC_EXIT_IO;
+        return flushed(TTC_EXIT_DONE);
     }
     if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
         puts("ttc " JLT_VERSION);
-        return fflush(stdout) == 0 ? TTC_EXIT_DONE : TTC_EXIT_IO;
+        return flushed(TTC_EXIT_DONE);
     }
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(commands[i].name, word) == 0) return run_command(commands + i, argc, argv);

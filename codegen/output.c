@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -123,6 +124,13 @@ static int process(const ttc_output_file *file, const char *folder, phase what)
 
 int ttc_output_write(const ttc_output *output, const char *folder, const char **where)
 {
+    /* Signals that end the program wait, so that none leaves staged files, or files of two versions. */
+    sigset_t ending, before;
+    sigemptyset(&ending);
+    sigaddset(&ending, SIGINT);
+    sigaddset(&ending, SIGTERM);
+    sigaddset(&ending, SIGHUP);
+    sigprocmask(SIG_BLOCK, &ending, &before);
     *where = folder;
     int error = make_folder(folder);
     for (int what = STAGE; what <= COMMIT && error == 0; what++)
@@ -132,5 +140,6 @@ int ttc_output_write(const ttc_output *output, const char *folder, const char **
         }
     if (error != 0)
         for (size_t i = 0; i < output->count; i++) process(output->files + i, folder, DISCARD);
+    sigprocmask(SIG_SETMASK, &before, NULL);
     return error;
 }

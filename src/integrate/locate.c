@@ -13,12 +13,12 @@ static int sign(double v)
     return (v > 0) - (v < 0);
 }
 
-double jlt_event_value(const jlt_event *event, const double *x)
+double jlt_locate_value(const jlt_event *event, const double *x)
 {
     return event->value != NULL ? event->value(event->context, x) : x[event->column] - event->level;
 }
 
-double jlt_event_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f)
+double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f)
 {
     const unsigned columns = stepper->columns;
     double shifted[JLT_FIELD_DIM_MAX + 1] = { 0 };
@@ -33,10 +33,10 @@ double jlt_event_slope(const jlt_event *event, const jlt_stepper *stepper, const
     return (ahead - event->value(event->context, shifted)) / (2 * step);
 }
 
-void jlt_watch_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper)
+void jlt_locate_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper)
 {
     self->event = *event;
-    self->value = jlt_event_value(event, stepper->x);
+    self->value = jlt_locate_value(event, stepper->x);
     const double size = event->value == NULL ? fmax(1, fabs(event->level)) : 1;
     self->side = fabs(self->value) <= near_section * size ? 0 : sign(self->value);
 }
@@ -86,8 +86,8 @@ static jlt_status state_at(const jlt_event *event, jlt_stepper *stepper, double 
     field->call(x, field->p, f);
     if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
     stepper->evaluations++;
-    *value = jlt_event_value(event, x);
-    *slope = jlt_event_slope(event, stepper, x, f);
+    *value = jlt_locate_value(event, x);
+    *slope = jlt_locate_slope(event, stepper, x, f);
     return JLT_OK;
 }
 
@@ -192,11 +192,11 @@ static void note(jlt_crossing *list, unsigned *count, const jlt_watch *self, con
     list[at] = (jlt_crossing){ .theta = theta, .direction = direction };
 }
 
-jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
+jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
 {
     jlt_status st = JLT_OK;
-    const double before = jlt_event_value(&self->event, stepper->x_start);
-    const double after = jlt_event_value(&self->event, stepper->x);
+    const double before = jlt_locate_value(&self->event, stepper->x_start);
+    const double after = jlt_locate_value(&self->event, stepper->x);
     double b[SIZE];
     zeros z = { .count = 0 };
 
@@ -249,7 +249,7 @@ static void nudge(jlt_stepper *stepper, double *x, double *f, double move)
     stepper->evaluations += 2;
 }
 
-jlt_status jlt_crossing_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
+jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
                                jlt_stepper *stepper)
 {
     jlt_status st = JLT_OK;
@@ -268,8 +268,8 @@ jlt_status jlt_crossing_refine(jlt_crossing *crossing, double *x, double *slope_
         if (downhill && fabs(move) <= 1e-6 * span) {
             nudge(stepper, x, f, move);
             *theta += move / stepper->h;
-            crossing->residual = jlt_event_value(event, x);
-            crossing->slope = jlt_event_slope(event, stepper, x, f);
+            crossing->residual = jlt_locate_value(event, x);
+            crossing->slope = jlt_locate_slope(event, stepper, x, f);
             nudged++;
             continue;
         }

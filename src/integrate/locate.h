@@ -14,19 +14,19 @@ typedef struct {
 } jlt_watch;
 
 /** g at x; its rate in tau, where f is the field at x. */
-double jlt_event_value(const jlt_event *event, const double *x);
-double jlt_event_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f);
+double jlt_locate_value(const jlt_event *event, const double *x);
+double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f);
 
 /** Begin at the stepper's point. A value within 1e-13 of the size of its terms is on the section. */
-void jlt_watch_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper);
+void jlt_locate_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper);
 
 /** All crossings of the last step, ascending in theta, into list (JLT_CROSSINGS_MAX,): theta of the polynomial, not yet
  *  refined. Directions not asked for are left out. Errors: those of partial steps. */
-JLT_CHECKED jlt_status jlt_watch_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count);
+JLT_CHECKED jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count);
 
 /** Refine crossing->theta on the flow, and give the state there, x (stride,). A grazing is left where it is.
  *  slope_work: (stride,). Errors: NO_CONVERGENCE, a sign change without a zero (g is not continuous). */
-JLT_CHECKED jlt_status jlt_crossing_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
+JLT_CHECKED jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
                                            jlt_stepper *stepper);
 
 #endif

@@ -109,7 +109,7 @@ static jlt_status locate_step(jlt_orbit *self)
     self->pending_count = self->next_pending = 0;
     for (unsigned e = 0; e < self->watch_count; e++) {
         unsigned count;
-        const jlt_status st = jlt_watch_step(&self->watch[e], self->stepper, list, &count);
+        const jlt_status st = jlt_locate_step(&self->watch[e], self->stepper, list, &count);
         if (st != JLT_OK) return st;
         for (unsigned i = 0; i < count; i++) {
             unsigned at = self->pending_count++;
@@ -130,11 +130,11 @@ static jlt_status watch_events(jlt_orbit *self, const jlt_event *events, unsigne
 
     jlt_status st = JLT_OK;
     self->watch_count = count;
-    for (unsigned e = 0; e < count; e++) jlt_watch_begin(&self->watch[e], &events[e], self->stepper);
+    for (unsigned e = 0; e < count; e++) jlt_locate_begin(&self->watch[e], &events[e], self->stepper);
     self->pending_count = self->next_pending = 0;
     if (self->stepper->h == 0 || self->cursor >= 1) return JLT_OK;
     for (unsigned e = 0; e < count; e++) {
-        const double before = jlt_event_value(&events[e], self->stepper->x_start);
+        const double before = jlt_locate_value(&events[e], self->stepper->x_start);
         self->watch[e].side = (before > 0) - (before < 0);
     }
     st = locate_step(self);
@@ -185,7 +185,7 @@ static jlt_status hand_out_time(jlt_orbit *self, jlt_outcome *out, double t_end)
         hand_out(self, out, JLT_END_TIME, at.theta);
     } else {
         const jlt_event clock = { .column = stepper->field->dim, .level = t_end };
-        JLT_TRY(jlt_crossing_refine(&at, self->at, self->slope, &clock, stepper));
+        JLT_TRY(jlt_locate_refine(&at, self->at, self->slope, &clock, stepper));
         hand_out(self, out, JLT_END_TIME, at.theta);
     }
     out->t = t_end;
@@ -202,7 +202,7 @@ static jlt_status rest_of_step(jlt_orbit *self, jlt_outcome *out, bool *found, d
 
     if (self->next_pending < self->pending_count) {
         jlt_crossing crossing = self->pending[self->next_pending];
-        JLT_TRY(jlt_crossing_refine(&crossing, self->at, self->slope, &self->watch[crossing.event].event, stepper));
+        JLT_TRY(jlt_locate_refine(&crossing, self->at, self->slope, &self->watch[crossing.event].event, stepper));
         const double theta = fmax(crossing.theta, self->cursor < 1 ? self->cursor : 0);
         const double t = stepper->columns > stepper->field->dim ? self->at[stepper->field->dim]
                                                                 : stepper->tau_start + theta * stepper->h;

@@ -39,10 +39,10 @@ if [ -d "$scratch/full" ]; then
     done < <(cd "$scratch/full" && find . -type f)
 fi
 
-# Stopped at twelve moments of its life by each signal. Files of an earlier version are there already: afterwards each
-# is the old one or the new one. Nothing but SIGKILL may leave a temporary file.
+# Stopped at eight moments of its life by each signal. Files of an earlier version are there already: afterwards each
+# is the old one or the new one, and only SIGKILL may leave files of both versions, or a temporary file.
 for signal in INT TERM KILL; do
-    for k in $(seq 1 12); do
+    for k in $(seq 1 8); do
         rm -rf "$scratch/killed"
         cp -r "$scratch/whole" "$scratch/killed"
         find "$scratch/killed" -type f -exec sh -c 'for f; do echo old > "$f"; done' sh {} +
@@ -51,16 +51,23 @@ for signal in INT TERM KILL; do
         ttc generate "$model" --out "$scratch/killed" > /dev/null 2>&1 &
         job=$!
         set +m
-        sleep "$(awk -v ns="$lasts" -v k="$k" 'BEGIN { printf "%.6f", ns * 1e-9 * k / 12 }')"
+        sleep "$(awk -v ns="$lasts" -v k="$k" 'BEGIN { printf "%.6f", ns * 1e-9 * k / 8 }')"
         kill -$signal $job 2>/dev/null
         wait $job 2>/dev/null
+        fresh=0 stale=0
         while IFS= read -r file; do
             if [ ! -e "$scratch/whole/$file" ]; then
-                [ $signal = KILL ] || fail "SIG$signal at $k/12: leaves $file"
-            elif ! cmp -s "$scratch/killed/$file" "$scratch/whole/$file" && [ "$(cat "$scratch/killed/$file")" != old ]; then
-                fail "SIG$signal at $k/12: $file is neither the old one nor the new one"
+                [ $signal = KILL ] || fail "SIG$signal at $k/8: leaves $file"
+            elif cmp -s "$scratch/killed/$file" "$scratch/whole/$file"; then
+                fresh=$((fresh + 1))
+            elif [ "$(cat "$scratch/killed/$file")" = old ]; then
+                stale=$((stale + 1))
+            else
+                fail "SIG$signal at $k/8: $file is neither the old one nor the new one"
             fi
         done < <(cd "$scratch/killed" && find . -type f)
+        [ $signal = KILL ] || [ $fresh -eq 0 ] || [ $stale -eq 0 ] ||
+            fail "SIG$signal at $k/8: files of two versions together: $fresh new, $stale old"
     done
     expect 0 "a run after SIG$signal" ttc generate "$model" --out "$scratch/killed"
     while IFS= read -r file; do

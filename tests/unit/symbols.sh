@@ -1,21 +1,22 @@
 #!/usr/bin/env bash
 # A public symbol says where it lives: in src/ it begins with jlt_ and the stem of its file, or of the header in the same
-# folder that declares it (jlt_linear_solve: linear.c or linear.h; a plural stem may drop its s); in generated/ with jlt_;
-# in codegen/ with ttc_. Everything else is static.
+# folder that declares it (jlt_linear_solve: linear.c or linear.h; a plural stem may drop its s); a const table may carry
+# the header of the interface that it implements (jlt_method_dop853: method.h). In generated/ it begins with jlt_, in
+# codegen/ with ttc_. Everything else is static.
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 status=0
 
-# OBJECT SYMBOL, one a line. Sanitizers and coverage add symbols that begin with two underscores.
+# OBJECT KIND SYMBOL, one a line. Sanitizers and coverage add symbols that begin with two underscores.
 defined() {
     nm -A --defined-only -g "$1" | awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^__/ {
-        object = $1; sub(/^[^:]*:/, "", object); sub(/:.*/, "", object); print object, $NF }'
+        object = $1; sub(/^[^:]*:/, "", object); sub(/:.*/, "", object); print object, $(NF-1), $NF }'
 }
 
 check_library() { # ARCHIVE FOLDER...: every symbol of the archive against the files of the folders
-    local archive=$1 object symbol stem file folder header found
+    local archive=$1 object kind symbol stem file folder headers header found
     shift
-    while read -r object symbol; do
+    while read -r object kind symbol; do
         stem=${object%.o}
         stem=${stem%.c}
         found=no
@@ -25,7 +26,9 @@ check_library() { # ARCHIVE FOLDER...: every symbol of the archive against the f
                 codegen/*) [[ $symbol == ttc_* ]] && found=yes ;;
                 generated/*) [[ $symbol == jlt_* ]] && found=yes ;;
                 *)
-                    for header in "$stem" $(grep -lw -- "$symbol" "$folder"/*.h 2>/dev/null || true); do
+                    headers=$(grep -lw -- "$symbol" "$folder"/*.h || true)
+                    [[ $kind != [DRB] ]] || headers=$(ls "$folder"/*.h)
+                    for header in "$stem" $headers; do
                         header=${header##*/}
                         header=${header%.h}
                         [[ ${symbol}_ == jlt_${header}_* || ${symbol}_ == jlt_${header%s}_* ]] && found=yes
