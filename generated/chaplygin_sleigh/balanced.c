@@ -10,7 +10,7 @@
  *  jacobian            0    0    0    0    0    0      0    0   (0)
  *  rhs_jacobian        0    0    0    0    0    0      0    0   (0)
  *  divergence          0    0    0    0    0    0      0    0   (0)
- *  integral_values     1    6    0    0    0    0      4    3   (7)
+ *  integral_values     0    3    1    0    0    0      3    3   (7)
  *  integral_gradients  0    2    0    0    0    0      1    1   (2)
  *  measure_values      0    0    0    0    0    0      0    0   (0)
  *  measure_divergences 0    0    0    0    0    0      0    0   (0)
@@ -41,6 +41,10 @@ static void prepare(const double *restrict params, double *restrict out)
     out[0] = params[0];
     out[1] = params[1];
     out[2] = params[2];
+    const double t0 = params[0]/2.0; /* m/2 */
+    const double t1 = params[1]/2.0; /* I/2 */
+    out[3] = t0;
+    out[4] = t1;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -82,14 +86,11 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* v*v */
-    const double t1 = p[0]*t0; /* m*v*v */
-    const double t2 = t1*(1.0 / 2.0); /* m*v*v*1/2 */
-    const double t3 = x[1]*x[1]; /* w*w */
-    const double t4 = p[1]*t3; /* I*w*w */
-    const double t5 = (1.0 / 2.0)*t4; /* 1/2*I*w*w */
-    const double t6 = t2 + t5; /* m*v*v*1/2 + 1/2*I*w*w */
-    out[0] = t6;
+    const double t0 = p[3]*x[0]; /* 1/2*m*v */
+    const double t1 = x[0]*t0; /* v*1/2*m*v */
+    const double t2 = p[4]*x[1]; /* 1/2*I*w */
+    const double t3 = JLT_FMA(x[1], t2, t1); /* w*1/2*I*w + v*1/2*m*v */
+    out[0] = t3;
     out[1] = x[0];
     out[2] = x[1];
 }
@@ -229,7 +230,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
     .sha256 = "ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166",
     .generator = "ttc 0.1.0",
     .table = jlt_table_chaplygin_sleigh,
-    .state_count = 2, .param_count = 3, .block_count = 3,
+    .state_count = 2, .param_count = 3, .block_count = 5,
     .states = states,
     .params = params,
     .impose = impose,
@@ -242,7 +243,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
         "" },
     .divergence = { divergence, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
-    .integral_values = { integral_values, 3, { 1, 6, 0, 0, 0, 0, 4, 3 }, { 1, 6, 0, 0, 0, 0, 4, 3 },
+    .integral_values = { integral_values, 3, { 0, 3, 1, 0, 0, 0, 3, 3 }, { 1, 6, 0, 0, 0, 0, 4, 3 },
         "" },
     .integral_gradients = { integral_gradients, 6, { 0, 2, 0, 0, 0, 0, 1, 1 }, { 0, 2, 0, 0, 0, 0, 1, 1 },
         "" },

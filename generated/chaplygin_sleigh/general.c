@@ -5,11 +5,11 @@
  *  Command:    ttc generate --out DIR chaplygin_sleigh.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 1    5    0    1    0    0      5    2   (10)
- *  jacobian            2    5    0    2    0    0      4    3   (16)
- *  rhs_jacobian        3    8    0    3    0    0      5    4   (26)
- *  divergence          1    2    0    1    0    0      4    2   (7)
- *  integral_values     1    6    0    0    0    0      4    3   (10)
+ *  rhs                 0    4    0    0    0    0      2    2   (10)
+ *  jacobian            0    3    0    0    0    0      1    1   (16)
+ *  rhs_jacobian        2    6    0    0    0    0      3    3   (26)
+ *  divergence          0    1    0    0    0    0      1    1   (7)
+ *  integral_values     0    3    1    0    0    0      3    3   (10)
  *  integral_gradients  0    2    0    0    0    0      1    1   (5)
  *
  *  Accuracy: no denominator or radicand of the field vanishes in the domain.
@@ -30,91 +30,83 @@ static void prepare(const double *restrict params, double *restrict out)
     out[0] = params[0];
     out[1] = params[1];
     out[2] = params[2];
-    const double t0 = params[2]*params[2]; /* a*a */
-    const double t1 = params[0]*t0; /* m*a*a */
-    const double t2 = params[1] + t1; /* I + m*a*a */
-    out[3] = t2;
+    const double t0 = params[0]*params[2]; /* m*a */
+    const double t1 = params[2]*params[2]; /* a*a */
+    const double t2 = params[0]*t1; /* m*a*a */
+    const double t3 = params[1] + t2; /* I + m*a*a */
+    const double t4 = t0/t3; /* m*a/(I + m*a*a) */
+    const double t5 = -t4; /* -m*a/(I + m*a*a) */
+    const double t6 = params[2]*2.0; /* a*2 */
+    const double t7 = params[0]/2.0; /* m/2 */
+    const double t8 = params[1]*(1.0 / 2.0); /* I*1/2 */
+    const double t9 = t2*(1.0 / 2.0); /* m*a*a*1/2 */
+    const double t10 = t8 + t9; /* I*1/2 + m*a*a*1/2 */
+    out[3] = t5;
+    out[4] = t6;
+    out[5] = t4;
+    out[6] = t7;
+    out[7] = t10;
+    out[8] = t3;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[1]*x[1]; /* w*w */
-    const double t1 = p[2]*t0; /* a*w*w */
-    const double t2 = p[2]*p[0]; /* a*m */
-    const double t3 = t2*x[0]; /* a*m*v */
-    const double t4 = x[1]*t3; /* w*a*m*v */
-    const double t5 = t4/p[3]; /* w*a*m*v/(I + m*a^2) */
-    const double t6 = -t5; /* -w*a*m*v/(I + m*a^2) */
+    const double t0 = p[2]*x[1]; /* a*w */
+    const double t1 = x[1]*t0; /* w*a*w */
+    const double t2 = x[1]*p[3]; /* w*(-m*a/(I + m*a^2)) */
+    const double t3 = x[0]*t2; /* v*w*(-m*a/(I + m*a^2)) */
     out[0] = t1;
-    out[1] = t6;
+    out[1] = t3;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 2.0*p[2]; /* 2*a */
-    const double t1 = t0*x[1]; /* 2*a*w */
-    const double t2 = p[2]*p[0]; /* a*m */
-    const double t3 = x[1]*t2; /* w*a*m */
-    const double t4 = t3/p[3]; /* w*a*m/(I + m*a^2) */
-    const double t5 = -t4; /* -w*a*m/(I + m*a^2) */
-    const double t6 = t2*x[0]; /* a*m*v */
-    const double t7 = t6/p[3]; /* a*m*v/(I + m*a^2) */
-    const double t8 = -t7; /* -a*m*v/(I + m*a^2) */
+    const double t0 = p[4]*x[1]; /* 2*a*w */
+    const double t1 = x[1]*p[3]; /* w*(-m*a/(I + m*a^2)) */
+    const double t2 = p[3]*x[0]; /* (-m*a/(I + m*a^2))*v */
     out[0] = 0.0;
-    out[1] = t1;
-    out[2] = t5;
-    out[3] = t8;
+    out[1] = t0;
+    out[2] = t1;
+    out[3] = t2;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[1]*x[1]; /* w*w */
-    const double t1 = p[2]*t0; /* a*w*w */
-    const double t2 = p[2]*p[0]; /* a*m */
-    const double t3 = t2*x[0]; /* a*m*v */
-    const double t4 = x[1]*t3; /* w*a*m*v */
-    const double t5 = t4/p[3]; /* w*a*m*v/(I + m*a^2) */
-    const double t6 = -t5; /* -w*a*m*v/(I + m*a^2) */
-    const double t7 = p[2]*2.0; /* a*2 */
-    const double t8 = x[1]*t7; /* w*a*2 */
-    const double t9 = x[1]*t2; /* w*a*m */
-    const double t10 = t9/p[3]; /* w*a*m/(I + m*a^2) */
-    const double t11 = -t10; /* -w*a*m/(I + m*a^2) */
-    const double t12 = t3/p[3]; /* a*m*v/(I + m*a^2) */
-    const double t13 = -t12; /* -a*m*v/(I + m*a^2) */
+    const double t0 = p[2]*x[1]; /* a*w */
+    const double t1 = x[1]*t0; /* w*a*w */
+    const double t2 = x[1]*p[5]; /* w*m*a/(I + m*a^2) */
+    const double t3 = x[0]*t2; /* v*w*m*a/(I + m*a^2) */
+    const double t4 = -t3; /* -v*w*m*a/(I + m*a^2) */
+    const double t5 = x[1]*p[4]; /* w*2*a */
+    const double t6 = -t2; /* -w*m*a/(I + m*a^2) */
+    const double t7 = x[0]*p[3]; /* v*(-m*a/(I + m*a^2)) */
     out[0] = t1;
-    out[1] = t6;
+    out[1] = t4;
     out[2] = 0.0;
-    out[3] = t8;
-    out[4] = t11;
-    out[5] = t13;
+    out[3] = t5;
+    out[4] = t6;
+    out[5] = t7;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[0]*p[2]; /* m*a */
-    const double t1 = t0*x[0]; /* m*a*v */
-    const double t2 = t1/p[3]; /* m*a*v/(I + m*a^2) */
-    const double t3 = -t2; /* -m*a*v/(I + m*a^2) */
-    out[0] = t3;
+    const double t0 = p[3]*x[0]; /* (-m*a/(I + m*a^2))*v */
+    out[0] = t0;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* v*v */
-    const double t1 = p[0]*t0; /* m*v*v */
-    const double t2 = t1*(1.0 / 2.0); /* m*v*v*1/2 */
-    const double t3 = x[1]*x[1]; /* w*w */
-    const double t4 = t3*p[3]; /* w*w*(I + m*a^2) */
-    const double t5 = (1.0 / 2.0)*t4; /* 1/2*w*w*(I + m*a^2) */
-    const double t6 = t2 + t5; /* m*v*v*1/2 + 1/2*w*w*(I + m*a^2) */
-    out[0] = t6;
+    const double t0 = p[6]*x[0]; /* 1/2*m*v */
+    const double t1 = x[0]*t0; /* v*1/2*m*v */
+    const double t2 = p[7]*x[1]; /* (1/2*I + 1/2*m*a^2)*w */
+    const double t3 = JLT_FMA(x[1], t2, t1); /* w*(1/2*I + 1/2*m*a^2)*w + v*1/2*m*v */
+    out[0] = t3;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = p[0]*x[0]; /* m*v */
-    const double t1 = x[1]*p[3]; /* w*(I + m*a^2) */
+    const double t1 = p[8]*x[1]; /* (I + m*a^2)*w */
     out[0] = t0;
     out[1] = t1;
 }
@@ -236,19 +228,19 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .sha256 = "ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166",
     .generator = "ttc 0.1.0",
     .table = jlt_table_chaplygin_sleigh,
-    .state_count = 2, .param_count = 3, .block_count = 4,
+    .state_count = 2, .param_count = 3, .block_count = 9,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 2, { 1, 5, 0, 1, 0, 0, 5, 2 }, { 2, 7, 0, 1, 0, 0, 5, 3 },
+    .rhs = { rhs, 2, { 0, 4, 0, 0, 0, 0, 2, 2 }, { 2, 7, 0, 1, 0, 0, 5, 3 },
         "" },
-    .jacobian = { jacobian, 4, { 2, 5, 0, 2, 0, 0, 4, 3 }, { 4, 10, 0, 2, 0, 0, 5, 3 },
+    .jacobian = { jacobian, 4, { 0, 3, 0, 0, 0, 0, 1, 1 }, { 4, 10, 0, 2, 0, 0, 5, 3 },
         "" },
-    .rhs_jacobian = { rhs_jacobian, 6, { 3, 8, 0, 3, 0, 0, 5, 4 }, { 6, 17, 0, 3, 0, 0, 5, 3 },
+    .rhs_jacobian = { rhs_jacobian, 6, { 2, 6, 0, 0, 0, 0, 3, 3 }, { 6, 17, 0, 3, 0, 0, 5, 3 },
         "" },
-    .divergence = { divergence, 1, { 1, 2, 0, 1, 0, 0, 4, 2 }, { 2, 4, 0, 1, 0, 0, 5, 3 },
+    .divergence = { divergence, 1, { 0, 1, 0, 0, 0, 0, 1, 1 }, { 2, 4, 0, 1, 0, 0, 5, 3 },
         "" },
-    .integral_values = { integral_values, 1, { 1, 6, 0, 0, 0, 0, 4, 3 }, { 2, 8, 0, 0, 0, 0, 6, 4 },
+    .integral_values = { integral_values, 1, { 0, 3, 1, 0, 0, 0, 3, 3 }, { 2, 8, 0, 0, 0, 0, 6, 4 },
         "" },
     .integral_gradients = { integral_gradients, 2, { 0, 2, 0, 0, 0, 0, 1, 1 }, { 1, 4, 0, 0, 0, 0, 4, 2 },
         "" },

@@ -6,13 +6,13 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 15   50    0   10    1    0     12    9   (82)
- *  jacobian            45  145    0   41    1    0     18   22   (318)
- *  rhs_jacobian        52  155    0   50    1    0     18   40   (369)
- *  divergence          10   30    0    4    1    0     12   10   (54)
- *  integral_values     10   31    0    1    1    0     13    6   (43)
- *  integral_gradients  15   40    0    6    1    0     13   14   (75)
- *  eliminated          3    6    0    1    1    0      6    4   (11)
+ *  rhs                 2   31   14    1    1    0     15   13   (82)
+ *  jacobian            7   59   32    1    1    0     18   22   (318)
+ *  rhs_jacobian        7   65   36    1    1    0     19   32   (369)
+ *  divergence          3   22    8    1    1    0     13   12   (54)
+ *  integral_values     2   12    9    1    1    0      8    8   (43)
+ *  integral_gradients  2   24   13    1    1    0     12   11   (75)
+ *  eliminated          2    4    2    1    1    0      5    4   (11)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
  */
@@ -36,813 +36,523 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
-    const double t0 = params[4]*params[5]; /* I1*I3 */
-    const double t1 = params[0]*params[2]; /* m*g */
-    const double t2 = t1*params[3]; /* m*g*a3 */
-    out[7] = t0;
+    const double t0 = params[3]*params[3]; /* a3*a3 */
+    const double t1 = params[0]*t0; /* m*a3*a3 */
+    const double t2 = params[4]*params[5]; /* I1*I3 */
+    const double t3 = params[1]*params[1]; /* R*R */
+    const double t4 = params[0]*t3; /* m*R*R */
+    const double t5 = params[4]*t4; /* I1*m*R*R */
+    const double t6 = params[0]*params[5]; /* m*I3 */
+    const double t7 = 1.0/params[5]; /* 1/I3 */
+    const double t8 = params[4]*params[1]; /* I1*R */
+    const double t9 = t1/params[4]; /* m*a3*a3/I1 */
+    const double t10 = params[0]*params[2]; /* m*g */
+    const double t11 = params[3]*t10; /* a3*m*g */
+    const double t12 = t11/params[4]; /* a3*m*g/I1 */
+    const double t13 = params[0]*params[1]; /* m*R */
+    const double t14 = params[1]/params[5]; /* R/I3 */
+    const double t15 = t8/params[5]; /* I1*R/I3 */
+    const double t16 = params[4]*t3; /* I1*R*R */
+    const double t17 = t16/params[5]; /* I1*R*R/I3 */
+    const double t18 = params[0]*2.0; /* m*2 */
+    const double t19 = t0*t18; /* a3*a3*m*2 */
+    const double t20 = params[5]/params[4]; /* I3/I1 */
+    const double t21 = params[4]*2.0; /* I1*2 */
+    const double t22 = t3*t18; /* R*R*m*2 */
+    const double t23 = params[4]*t22; /* I1*R*R*m*2 */
+    const double t24 = params[1]*t18; /* R*m*2 */
+    const double t25 = params[5]*t24; /* I3*R*m*2 */
+    const double t26 = params[5]*t13; /* I3*m*R */
+    const double t27 = params[5]/t13; /* I3/(m*R) */
+    const double t28 = params[0]*params[3]; /* m*a3 */
+    const double t29 = params[5]*t28; /* I3*m*a3 */
+    const double t30 = params[0]*params[0]; /* m*m */
+    const double t31 = 2.0*t30; /* 2*m*m */
+    const double t32 = params[2]*t31; /* g*2*m*m */
+    const double t33 = params[3]*t0; /* a3*a3*a3 */
+    const double t34 = t32*t33; /* g*2*m*m*a3*a3*a3 */
+    const double t35 = t34/params[4]; /* g*2*m*m*a3*a3*a3/I1 */
+    const double t36 = params[3]*t13; /* a3*m*R */
+    const double t37 = t0*2.0; /* a3*a3*2 */
+    const double t38 = t37/t16; /* a3*a3*2/(I1*R*R) */
+    const double t39 = params[0]/2.0; /* m/2 */
+    const double t40 = params[4]/2.0; /* I1/2 */
+    const double t41 = params[5]/2.0; /* I3/2 */
+    const double t42 = (-1.0)/params[5]; /* (-1)/I3 */
+    out[7] = t1;
     out[8] = t2;
+    out[9] = t5;
+    out[10] = t6;
+    out[11] = t7;
+    out[12] = t8;
+    out[13] = t9;
+    out[14] = t12;
+    out[15] = t13;
+    out[16] = t14;
+    out[17] = t15;
+    out[18] = t17;
+    out[19] = t19;
+    out[20] = t11;
+    out[21] = t20;
+    out[22] = t21;
+    out[23] = t23;
+    out[24] = t25;
+    out[25] = t26;
+    out[26] = t27;
+    out[27] = t29;
+    out[28] = t35;
+    out[29] = t36;
+    out[30] = t28;
+    out[31] = t38;
+    out[32] = t39;
+    out[33] = t40;
+    out[34] = t41;
+    out[35] = t42;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = x[2]*t2; /* omega_tau*s */
-    const double t4 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t5 = x[0]*p[1]; /* gamma3*R */
-    const double t6 = p[3] + t5; /* b = a3 + gamma3*R */
-    const double t7 = t4*t6; /* omega_n*omega_n*b */
-    const double t8 = t7/t2; /* omega_n*omega_n*b/s */
-    const double t9 = x[3]*p[1]; /* omega_n*R */
-    const double t10 = t6*p[5]; /* b*I3 */
-    const double t11 = p[1]*p[4]; /* R*I1 */
-    const double t12 = x[3]*t11; /* omega_n*R*I1 */
-    const double t13 = t2*t12; /* s*omega_n*R*I1 */
-    const double t14 = t13 - p[6]; /* s*omega_n*R*I1 - G_level */
-    const double t15 = t14/t10; /* omega3 = (s*omega_n*R*I1 - G_level)/(b*I3) */
-    const double t16 = t9*t15; /* omega_n*R*omega3 */
-    const double t17 = t8 + t16; /* omega_n*omega_n*b/s + omega_n*R*omega3 */
-    const double t18 = p[3]*p[3]; /* a3*a3 */
-    const double t19 = p[0]*t18; /* m*a3*a3 */
-    const double t20 = x[0]*t19; /* gamma3*m*a3*a3 */
-    const double t21 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t22 = t20*t21; /* gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t23 = t2*t22; /* s*gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t24 = t2*t2; /* s*s */
-    const double t25 = t19*t24; /* m*a3*a3*s*s */
-    const double t26 = p[4] + t25; /* D = I1 + m*a3*a3*s*s */
-    const double t27 = t23/t26; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D */
-    const double t28 = p[0]*p[2]; /* m*g */
-    const double t29 = p[3]*t28; /* a3*m*g */
-    const double t30 = t2*t29; /* s*a3*m*g */
-    const double t31 = t30/t26; /* s*a3*m*g/D */
-    const double t32 = t27 - t31; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*a3*m*g/D */
-    const double t33 = x[0]*p[4]; /* gamma3*I1 */
-    const double t34 = t4*t33; /* omega_n*omega_n*gamma3*I1 */
-    const double t35 = t2*t26; /* s*D */
-    const double t36 = t34/t35; /* omega_n*omega_n*gamma3*I1/(s*D) */
-    const double t37 = t32 - t36; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*a3*m*g/D - omega_n*omega_n*gamma3*I1/(s*D) */
-    const double t38 = x[3]*p[5]; /* omega_n*I3 */
-    const double t39 = t15*t38; /* omega3*omega_n*I3 */
-    const double t40 = t39/t26; /* omega3*omega_n*I3/D */
-    const double t41 = t37 - t40; /* t37 - omega3*omega_n*I3/D */
-    const double t42 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t43 = x[3]*t42; /* omega_n*omega_tau*gamma3 */
-    const double t44 = t43/t2; /* omega_n*omega_tau*gamma3/s */
-    const double t45 = p[5]*p[0]; /* I3*m */
-    const double t46 = x[3]*t45; /* omega_n*I3*m */
-    const double t47 = t6*t46; /* b*omega_n*I3*m */
-    const double t48 = p[1]*p[1]; /* R*R */
-    const double t49 = p[0]*t48; /* m*R*R */
-    const double t50 = p[4]*t49; /* I1*m*R*R */
-    const double t51 = t24*t50; /* s*s*I1*m*R*R */
-    const double t52 = p[7] + t51; /* I1*I3 + s*s*I1*m*R*R */
-    const double t53 = t6*t6; /* b*b */
-    const double t54 = t45*t53; /* I3*m*b*b */
-    const double t55 = t52 + t54; /* Theta = I1*I3 + s*s*I1*m*R*R + I3*m*b*b */
-    const double t56 = t2*t55; /* s*Theta */
-    const double t57 = x[0]*p[3]; /* gamma3*a3 */
-    const double t58 = p[1] + t57; /* e = R + gamma3*a3 */
-    const double t59 = x[2]*t58; /* omega_tau*e */
-    const double t60 = x[1] + t59; /* V = v_nu + omega_tau*e */
-    const double t61 = t47*t60; /* b*omega_n*I3*m*V */
-    const double t62 = t61/t56; /* b*omega_n*I3*m*V/(s*Theta) */
-    const double t63 = t44 - t62; /* omega_n*omega_tau*gamma3/s - b*omega_n*I3*m*V/(s*Theta) */
-    const double t64 = p[5]*p[5]; /* I3*I3 */
-    const double t65 = x[2]*t64; /* omega_tau*I3*I3 */
-    const double t66 = t15*t65; /* omega3*omega_tau*I3*I3 */
-    const double t67 = t66/t55; /* omega3*omega_tau*I3*I3/Theta */
-    const double t68 = t63 + t67; /* omega_n*omega_tau*gamma3/s - b*omega_n*I3*m*V/(s*Theta) + omega3*omega_tau*I3*I3/Theta */
-    const double t69 = p[1]*p[0]; /* R*m */
-    const double t70 = p[5]*t69; /* I3*R*m */
-    const double t71 = x[2]*t70; /* omega_tau*I3*R*m */
-    const double t72 = t15*t71; /* omega3*omega_tau*I3*R*m */
-    const double t73 = t58*t72; /* e*omega3*omega_tau*I3*R*m */
-    const double t74 = t73/t55; /* e*omega3*omega_tau*I3*R*m/Theta */
-    const double t75 = t68 + t74; /* t68 + e*omega3*omega_tau*I3*R*m/Theta */
-    out[0] = t3;
-    out[1] = t17;
-    out[2] = t41;
-    out[3] = t75;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = x[2]*t3; /* omega_tau*s */
+    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t6 = JLT_FMA(t2, p[7], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t7 = t5*p[10]; /* b*m*I3 */
+    const double t8 = JLT_FMA(t2, p[9], p[8]); /* (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
+    const double t9 = JLT_FMA(t5, t7, t8); /* Theta = b*b*m*I3 + (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
+    const double t10 = t5*t6; /* b*D */
+    const double t11 = t9*t10; /* Theta*b*D */
+    const double t12 = t3*t11; /* s*Theta*b*D */
+    const double t13 = 1.0/t12; /* 1/(s*Theta*b*D) */
+    const double t14 = t9*t13; /* Theta*1/(s*Theta*b*D) */
+    const double t15 = t6*t14; /* D*Theta*1/(s*Theta*b*D) */
+    const double t16 = x[3]*t5; /* omega_n*b */
+    const double t17 = t15*t16; /* D*Theta*1/(s*Theta*b*D)*omega_n*b */
+    const double t18 = t5*t17; /* b*D*Theta*1/(s*Theta*b*D)*omega_n*b */
+    const double t19 = x[3]*p[12]; /* omega_n*R*I1 */
+    const double t20 = JLT_FNMA(t3, t19, p[6]); /* G_level - s*omega_n*R*I1 */
+    const double t21 = t3*p[11]; /* s*1/I3 */
+    const double t22 = t20*t21; /* (G_level - s*omega_n*R*I1)*s*1/I3 */
+    const double t23 = t15*t22; /* D*Theta*1/(s*Theta*b*D)*(G_level - s*omega_n*R*I1)*s*1/I3 */
+    const double t24 = JLT_FNMA(p[1], t23, t18); /* b*D*Theta*1/(s*Theta*b*D)*omega_n*b - R*D*Theta*1/(s*Theta*b*D)*(G_level - s*omega_n*R*I1)*s*1/I3 */
+    const double t25 = x[3]*t24; /* omega_n*t24 */
+    const double t26 = t23*p[5]; /* D*Theta*1/(s*Theta*b*D)*(G_level - s*omega_n*R*I1)*s*1/I3*I3 */
+    const double t27 = x[3]*t26; /* omega_n*D*Theta*1/(s*Theta*b*D)*(G_level - s*omega_n*R*I1)*s*1/I3*I3 */
+    const double t28 = x[2]*p[13]; /* omega_tau*m*a3^2/I1 */
+    const double t29 = t4*t28; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t30 = JLT_FNMA(x[3], t17, t29); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*D*Theta*1/(s*Theta*b*D)*omega_n*b */
+    const double t31 = x[0]*t30; /* gamma3*t30 */
+    const double t32 = JLT_FNMA(t3, p[14], t31); /* gamma3*t30 - s*m*g*a3/I1 */
+    const double t33 = JLT_FMA(p[4], t32, t27); /* I1*(gamma3*t30 - s*m*g*a3/I1) + t27 */
+    const double t34 = t3*t5; /* s*b */
+    const double t35 = t14*t34; /* Theta*1/(s*Theta*b*D)*s*b */
+    const double t36 = t33*t35; /* (I1*(gamma3*t30 - s*m*g*a3/I1) + t27)*Theta*1/(s*Theta*b*D)*s*b */
+    const double t37 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t38 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t39 = JLT_FMA(x[2], t38, x[1]); /* V = omega_tau*e + v_nu */
+    const double t40 = t3*t10; /* s*b*D */
+    const double t41 = t13*t40; /* 1/(s*Theta*b*D)*s*b*D */
+    const double t42 = t7*t39; /* b*m*I3*V */
+    const double t43 = JLT_FNMA(t41, t42, t37); /* omega_tau*gamma3 - 1/(s*Theta*b*D)*s*b*D*b*m*I3*V */
+    const double t44 = t17*t43; /* D*Theta*1/(s*Theta*b*D)*omega_n*b*(omega_tau*gamma3 - 1/(s*Theta*b*D)*s*b*D*b*m*I3*V) */
+    const double t45 = JLT_FMA(t38, p[15], p[5]); /* e*m*R + I3 */
+    const double t46 = x[2]*t45; /* omega_tau*(e*m*R + I3) */
+    const double t47 = t41*t46; /* 1/(s*Theta*b*D)*s*b*D*omega_tau*(e*m*R + I3) */
+    const double t48 = JLT_FNMA(t26, t47, t44); /* t44 - D*Theta*1/(s*Theta*b*D)*(G_level - s*omega_n*R*I1)*s*1/I3*I3*1/(s*Theta*b*D)*s*b*D*omega_tau*(e*m*R + I3) */
+    out[0] = t4;
+    out[1] = t25;
+    out[2] = t36;
+    out[3] = t48;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[0]*x[2]; /* gamma3*omega_tau */
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = 1.0 - t1; /* 1 - gamma3*gamma3 */
-    const double t3 = sqrt(t2); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t4 = t0/t3; /* gamma3*omega_tau/s */
-    const double t5 = -t4; /* -gamma3*omega_tau/s */
-    const double t6 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t7 = p[1]*t6; /* R*omega_n*omega_n */
-    const double t8 = t7/t3; /* R*omega_n*omega_n/s */
-    const double t9 = x[0]*t6; /* gamma3*omega_n*omega_n */
-    const double t10 = t3*t3; /* s*s */
-    const double t11 = t3*t10; /* s*s*s */
-    const double t12 = x[0]*p[1]; /* gamma3*R */
-    const double t13 = p[3] + t12; /* b = a3 + gamma3*R */
-    const double t14 = t9*t13; /* gamma3*omega_n*omega_n*b */
-    const double t15 = t14/t11; /* gamma3*omega_n*omega_n*b/(s*s*s) */
-    const double t16 = t8 + t15; /* R*omega_n*omega_n/s + gamma3*omega_n*omega_n*b/(s*s*s) */
-    const double t17 = p[1]*x[3]; /* R*omega_n */
-    const double t18 = t13*t13; /* b*b */
-    const double t19 = p[5]*t18; /* I3*b*b */
-    const double t20 = p[1]*p[4]; /* R*I1 */
-    const double t21 = x[3]*t20; /* omega_n*R*I1 */
-    const double t22 = t3*t21; /* s*omega_n*R*I1 */
-    const double t23 = p[6] - t22; /* G_level - s*omega_n*R*I1 */
-    const double t24 = p[1]*t23; /* R*(G_level - s*omega_n*R*I1) */
-    const double t25 = t24/t19; /* R*(G_level - s*omega_n*R*I1)/(I3*b*b) */
-    const double t26 = x[0]*t20; /* gamma3*R*I1 */
-    const double t27 = x[3]*t26; /* omega_n*gamma3*R*I1 */
-    const double t28 = t3*p[5]; /* s*I3 */
-    const double t29 = t13*t28; /* b*s*I3 */
-    const double t30 = t27/t29; /* omega_n*gamma3*R*I1/(b*s*I3) */
-    const double t31 = t25 - t30; /* d(omega3)/d(gamma3) = R*(G_level - s*omega_n*R*I1)/(I3*b*b) - omega_n*gamma3*R*I1/(b*s*I3) */
-    const double t32 = t17*t31; /* R*omega_n*d(omega3)/d(gamma3) */
-    const double t33 = t16 + t32; /* R*omega_n*omega_n/s + gamma3*omega_n*omega_n*b/(s*s*s) + R*omega_n*d(omega3)/d(gamma3) */
-    const double t34 = t13*p[5]; /* b*I3 */
-    const double t35 = t22 - p[6]; /* s*omega_n*R*I1 - G_level */
-    const double t36 = t35/t34; /* omega3 = (s*omega_n*R*I1 - G_level)/(b*I3) */
-    const double t37 = p[1]*t36; /* R*omega3 */
-    const double t38 = x[3]*t13; /* omega_n*b */
-    const double t39 = t38/t3; /* omega_n*b/s */
-    const double t40 = t39*2.0; /* omega_n*b/s*2 */
-    const double t41 = t37 + t40; /* R*omega3 + omega_n*b/s*2 */
-    const double t42 = p[1]*p[1]; /* R*R */
-    const double t43 = p[4]*t42; /* I1*R*R */
-    const double t44 = x[3]*t43; /* omega_n*I1*R*R */
-    const double t45 = t3*t44; /* s*omega_n*I1*R*R */
-    const double t46 = t45/t34; /* s*omega_n*I1*R*R/(b*I3) */
-    const double t47 = t41 + t46; /* R*omega3 + omega_n*b/s*2 + s*omega_n*I1*R*R/(b*I3) */
-    const double t48 = p[3]*p[3]; /* a3*a3 */
-    const double t49 = p[0]*t48; /* m*a3*a3 */
-    const double t50 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t51 = t49*t50; /* m*a3*a3*omega_tau*omega_tau */
-    const double t52 = t3*t51; /* s*m*a3*a3*omega_tau*omega_tau */
-    const double t53 = t10*t49; /* s*s*m*a3*a3 */
-    const double t54 = p[4] + t53; /* D = I1 + s*s*m*a3*a3 */
-    const double t55 = t52/t54; /* s*m*a3*a3*omega_tau*omega_tau/D */
-    const double t56 = t1*t49; /* gamma3*gamma3*m*a3*a3 */
-    const double t57 = t50*t56; /* omega_tau*omega_tau*gamma3*gamma3*m*a3*a3 */
-    const double t58 = t3*t54; /* s*D */
-    const double t59 = t57/t58; /* omega_tau*omega_tau*gamma3*gamma3*m*a3*a3/(s*D) */
-    const double t60 = t55 - t59; /* s*m*a3*a3*omega_tau*omega_tau/D - omega_tau*omega_tau*gamma3*gamma3*m*a3*a3/(s*D) */
-    const double t61 = p[0]*p[0]; /* m*m */
-    const double t62 = t48*t48; /* a3*a3*a3*a3 */
-    const double t63 = t61*t62; /* m*m*a3*a3*a3*a3 */
-    const double t64 = t1*t63; /* gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t65 = t50*t64; /* omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t66 = t3*t65; /* s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t67 = t54*t54; /* D*D */
-    const double t68 = t66/t67; /* s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t69 = 2.0*t68; /* 2*s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t70 = t60 + t69; /* t60 + 2*s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t71 = p[0]*p[2]; /* m*g */
-    const double t72 = p[3]*t71; /* a3*m*g */
-    const double t73 = x[0]*t72; /* gamma3*a3*m*g */
-    const double t74 = t73/t58; /* gamma3*a3*m*g/(s*D) */
-    const double t75 = t70 + t74; /* t70 + gamma3*a3*m*g/(s*D) */
-    const double t76 = t61*p[2]; /* m*m*g */
-    const double t77 = p[3]*t48; /* a3*a3*a3 */
-    const double t78 = t76*t77; /* m*m*g*a3*a3*a3 */
-    const double t79 = x[0]*t78; /* gamma3*m*m*g*a3*a3*a3 */
-    const double t80 = t3*t79; /* s*gamma3*m*m*g*a3*a3*a3 */
-    const double t81 = t80/t67; /* s*gamma3*m*m*g*a3*a3*a3/(D*D) */
-    const double t82 = 2.0*t81; /* 2*s*gamma3*m*m*g*a3*a3*a3/(D*D) */
-    const double t83 = t75 - t82; /* t70 + gamma3*a3*m*g/(s*D) - 2*s*gamma3*m*m*g*a3*a3*a3/(D*D) */
-    const double t84 = t6*p[4]; /* omega_n*omega_n*I1 */
-    const double t85 = t84/t58; /* omega_n*omega_n*I1/(s*D) */
-    const double t86 = t83 - t85; /* t70 + gamma3*a3*m*g/(s*D) - 2*s*gamma3*m*m*g*a3*a3*a3/(D*D) - omega_n*omega_n*I1/(s*D) */
-    const double t87 = t1*p[4]; /* gamma3*gamma3*I1 */
-    const double t88 = t6*t87; /* omega_n*omega_n*gamma3*gamma3*I1 */
-    const double t89 = t11*t54; /* s*s*s*D */
-    const double t90 = t88/t89; /* omega_n*omega_n*gamma3*gamma3*I1/(s*s*s*D) */
-    const double t91 = t86 - t90; /* t86 - omega_n*omega_n*gamma3*gamma3*I1/(s*s*s*D) */
-    const double t92 = p[4]*t49; /* I1*m*a3*a3 */
-    const double t93 = t1*t92; /* gamma3*gamma3*I1*m*a3*a3 */
-    const double t94 = t6*t93; /* omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3 */
-    const double t95 = t3*t67; /* s*D*D */
-    const double t96 = t94/t95; /* omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t97 = 2.0*t96; /* 2*omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t98 = t91 - t97; /* t86 - omega_n*omega_n*gamma3*gamma3*I1/(s*s*s*D) - 2*omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t99 = p[5]*t49; /* I3*m*a3*a3 */
-    const double t100 = x[0]*t99; /* gamma3*I3*m*a3*a3 */
-    const double t101 = x[3]*t100; /* omega_n*gamma3*I3*m*a3*a3 */
-    const double t102 = t36*t101; /* omega3*omega_n*gamma3*I3*m*a3*a3 */
-    const double t103 = t102/t67; /* omega3*omega_n*gamma3*I3*m*a3*a3/(D*D) */
-    const double t104 = 2.0*t103; /* 2*omega3*omega_n*gamma3*I3*m*a3*a3/(D*D) */
-    const double t105 = t98 - t104; /* t98 - 2*omega3*omega_n*gamma3*I3*m*a3*a3/(D*D) */
-    const double t106 = x[3]*p[5]; /* omega_n*I3 */
-    const double t107 = t31*t106; /* d(omega3)/d(gamma3)*omega_n*I3 */
-    const double t108 = t107/t54; /* d(omega3)/d(gamma3)*omega_n*I3/D */
-    const double t109 = t105 - t108; /* t98 - 2*omega3*omega_n*gamma3*I3*m*a3*a3/(D*D) - d(omega3)/d(gamma3)*omega_n*I3/D */
-    const double t110 = 2.0*p[0]; /* 2*m */
-    const double t111 = t48*t110; /* a3*a3*2*m */
-    const double t112 = x[0]*t111; /* gamma3*a3*a3*2*m */
-    const double t113 = x[2]*t112; /* omega_tau*gamma3*a3*a3*2*m */
-    const double t114 = t3*t113; /* s*omega_tau*gamma3*a3*a3*2*m */
-    const double t115 = t114/t54; /* s*omega_tau*gamma3*a3*a3*2*m/D */
-    const double t116 = x[0]*p[4]; /* gamma3*I1 */
-    const double t117 = x[3]*t116; /* omega_n*gamma3*I1 */
-    const double t118 = t117/t58; /* omega_n*gamma3*I1/(s*D) */
-    const double t119 = 2.0*t118; /* 2*omega_n*gamma3*I1/(s*D) */
-    const double t120 = -t119; /* -2*omega_n*gamma3*I1/(s*D) */
-    const double t121 = p[5]*t36; /* I3*omega3 */
-    const double t122 = t121/t54; /* I3*omega3/D */
-    const double t123 = t120 - t122; /* -2*omega_n*gamma3*I1/(s*D) - I3*omega3/D */
-    const double t124 = t13*t54; /* b*D */
-    const double t125 = t22/t124; /* s*omega_n*R*I1/(b*D) */
-    const double t126 = t123 - t125; /* -2*omega_n*gamma3*I1/(s*D) - I3*omega3/D - s*omega_n*R*I1/(b*D) */
-    const double t127 = x[2]*x[3]; /* omega_tau*omega_n */
-    const double t128 = t127/t3; /* omega_tau*omega_n/s */
-    const double t129 = x[2]*t1; /* omega_tau*gamma3*gamma3 */
-    const double t130 = x[3]*t129; /* omega_n*omega_tau*gamma3*gamma3 */
-    const double t131 = t130/t11; /* omega_n*omega_tau*gamma3*gamma3/(s*s*s) */
-    const double t132 = t128 + t131; /* omega_tau*omega_n/s + omega_n*omega_tau*gamma3*gamma3/(s*s*s) */
-    const double t133 = p[1]*p[0]; /* R*m */
-    const double t134 = p[5]*t133; /* I3*R*m */
-    const double t135 = x[3]*t134; /* omega_n*I3*R*m */
-    const double t136 = t42*p[0]; /* R*R*m */
-    const double t137 = p[4]*t136; /* I1*R*R*m */
-    const double t138 = t10*t137; /* s*s*I1*R*R*m */
-    const double t139 = p[7] + t138; /* I1*I3 + s*s*I1*R*R*m */
-    const double t140 = p[5]*p[0]; /* I3*m */
-    const double t141 = t18*t140; /* b*b*I3*m */
-    const double t142 = t139 + t141; /* Theta = I1*I3 + s*s*I1*R*R*m + b*b*I3*m */
-    const double t143 = t3*t142; /* s*Theta */
-    const double t144 = x[0]*p[3]; /* gamma3*a3 */
-    const double t145 = p[1] + t144; /* e = R + gamma3*a3 */
-    const double t146 = x[2]*t145; /* omega_tau*e */
-    const double t147 = x[1] + t146; /* V = v_nu + omega_tau*e */
-    const double t148 = t135*t147; /* omega_n*I3*R*m*V */
-    const double t149 = t148/t143; /* omega_n*I3*R*m*V/(s*Theta) */
-    const double t150 = t132 - t149; /* t132 - omega_n*I3*R*m*V/(s*Theta) */
-    const double t151 = p[3]*p[0]; /* a3*m */
-    const double t152 = p[5]*t151; /* I3*a3*m */
-    const double t153 = x[2]*t152; /* omega_tau*I3*a3*m */
-    const double t154 = x[3]*t153; /* omega_n*omega_tau*I3*a3*m */
-    const double t155 = t13*t154; /* b*omega_n*omega_tau*I3*a3*m */
-    const double t156 = t155/t143; /* b*omega_n*omega_tau*I3*a3*m/(s*Theta) */
-    const double t157 = t150 - t156; /* t132 - omega_n*I3*R*m*V/(s*Theta) - b*omega_n*omega_tau*I3*a3*m/(s*Theta) */
-    const double t158 = x[0]*t140; /* gamma3*I3*m */
-    const double t159 = x[3]*t158; /* omega_n*gamma3*I3*m */
-    const double t160 = t13*t159; /* b*omega_n*gamma3*I3*m */
-    const double t161 = t11*t142; /* s*s*s*Theta */
-    const double t162 = t147*t160; /* V*b*omega_n*gamma3*I3*m */
-    const double t163 = t162/t161; /* V*b*omega_n*gamma3*I3*m/(s*s*s*Theta) */
-    const double t164 = t157 - t163; /* t157 - V*b*omega_n*gamma3*I3*m/(s*s*s*Theta) */
-    const double t165 = p[3]*t133; /* a3*R*m */
-    const double t166 = p[5]*t165; /* I3*a3*R*m */
-    const double t167 = x[2]*t166; /* omega_tau*I3*a3*R*m */
-    const double t168 = t36*t167; /* omega3*omega_tau*I3*a3*R*m */
-    const double t169 = t168/t142; /* omega3*omega_tau*I3*a3*R*m/Theta */
-    const double t170 = t164 + t169; /* t157 - V*b*omega_n*gamma3*I3*m/(s*s*s*Theta) + omega3*omega_tau*I3*a3*R*m/Theta */
-    const double t171 = x[3]*t140; /* omega_n*I3*m */
-    const double t172 = t13*t171; /* b*omega_n*I3*m */
-    const double t173 = t142*t142; /* Theta*Theta */
-    const double t174 = t3*t173; /* s*Theta*Theta */
-    const double t175 = t147*t172; /* V*b*omega_n*I3*m */
-    const double t176 = x[0]*t137; /* gamma3*I1*R*R*m */
-    const double t177 = 2.0*t176; /* 2*gamma3*I1*R*R*m */
-    const double t178 = t13*t134; /* b*I3*R*m */
-    const double t179 = 2.0*t178; /* 2*b*I3*R*m */
-    const double t180 = t179 - t177; /* d(Theta)/d(gamma3) = 2*b*I3*R*m - 2*gamma3*I1*R*R*m */
-    const double t181 = t175*t180; /* V*b*omega_n*I3*m*d(Theta)/d(gamma3) */
-    const double t182 = t181/t174; /* V*b*omega_n*I3*m*d(Theta)/d(gamma3)/(s*Theta*Theta) */
-    const double t183 = t170 + t182; /* t170 + V*b*omega_n*I3*m*d(Theta)/d(gamma3)/(s*Theta*Theta) */
-    const double t184 = p[5]*p[5]; /* I3*I3 */
-    const double t185 = x[2]*t184; /* omega_tau*I3*I3 */
-    const double t186 = t31*t185; /* d(omega3)/d(gamma3)*omega_tau*I3*I3 */
-    const double t187 = t186/t142; /* d(omega3)/d(gamma3)*omega_tau*I3*I3/Theta */
-    const double t188 = t183 + t187; /* t170 + V*b*omega_n*I3*m*d(Theta)/d(gamma3)/(s*Theta*Theta) + d(omega3)/d(gamma3)*omega_tau*I3*I3/Theta */
-    const double t189 = t36*t185; /* omega3*omega_tau*I3*I3 */
-    const double t190 = t180*t189; /* d(Theta)/d(gamma3)*omega3*omega_tau*I3*I3 */
-    const double t191 = t190/t173; /* d(Theta)/d(gamma3)*omega3*omega_tau*I3*I3/(Theta*Theta) */
-    const double t192 = t188 - t191; /* t188 - d(Theta)/d(gamma3)*omega3*omega_tau*I3*I3/(Theta*Theta) */
-    const double t193 = x[2]*t134; /* omega_tau*I3*R*m */
-    const double t194 = t145*t193; /* e*omega_tau*I3*R*m */
-    const double t195 = t31*t194; /* d(omega3)/d(gamma3)*e*omega_tau*I3*R*m */
-    const double t196 = t195/t142; /* d(omega3)/d(gamma3)*e*omega_tau*I3*R*m/Theta */
-    const double t197 = t192 + t196; /* t192 + d(omega3)/d(gamma3)*e*omega_tau*I3*R*m/Theta */
-    const double t198 = t36*t193; /* omega3*omega_tau*I3*R*m */
-    const double t199 = t145*t198; /* e*omega3*omega_tau*I3*R*m */
-    const double t200 = t180*t199; /* d(Theta)/d(gamma3)*e*omega3*omega_tau*I3*R*m */
-    const double t201 = t200/t173; /* d(Theta)/d(gamma3)*e*omega3*omega_tau*I3*R*m/(Theta*Theta) */
-    const double t202 = t197 - t201; /* t192 + d(omega3)/d(gamma3)*e*omega_tau*I3*R*m/Theta - d(Theta)/d(gamma3)*e*omega3*omega_tau*I3*R*m/(Theta*Theta) */
-    const double t203 = t172/t143; /* b*omega_n*I3*m/(s*Theta) */
-    const double t204 = -t203; /* -b*omega_n*I3*m/(s*Theta) */
-    const double t205 = x[0]*x[3]; /* gamma3*omega_n */
-    const double t206 = t205/t3; /* gamma3*omega_n/s */
-    const double t207 = t145*t172; /* e*b*omega_n*I3*m */
-    const double t208 = t207/t143; /* e*b*omega_n*I3*m/(s*Theta) */
-    const double t209 = t206 - t208; /* gamma3*omega_n/s - e*b*omega_n*I3*m/(s*Theta) */
-    const double t210 = t36*t184; /* omega3*I3*I3 */
-    const double t211 = t210/t142; /* omega3*I3*I3/Theta */
-    const double t212 = t209 + t211; /* gamma3*omega_n/s - e*b*omega_n*I3*m/(s*Theta) + omega3*I3*I3/Theta */
-    const double t213 = t36*t134; /* omega3*I3*R*m */
-    const double t214 = t145*t213; /* e*omega3*I3*R*m */
-    const double t215 = t214/t142; /* e*omega3*I3*R*m/Theta */
-    const double t216 = t212 + t215; /* t212 + e*omega3*I3*R*m/Theta */
-    const double t217 = t13*t140; /* b*I3*m */
-    const double t218 = t147*t217; /* V*b*I3*m */
-    const double t219 = t218/t143; /* V*b*I3*m/(s*Theta) */
-    const double t220 = t4 - t219; /* gamma3*omega_tau/s - V*b*I3*m/(s*Theta) */
-    const double t221 = p[5]*t20; /* I3*R*I1 */
-    const double t222 = x[2]*t221; /* omega_tau*I3*R*I1 */
-    const double t223 = t3*t222; /* s*omega_tau*I3*R*I1 */
-    const double t224 = t13*t142; /* b*Theta */
-    const double t225 = t223/t224; /* s*omega_tau*I3*R*I1/(b*Theta) */
-    const double t226 = t220 + t225; /* gamma3*omega_tau/s - V*b*I3*m/(s*Theta) + s*omega_tau*I3*R*I1/(b*Theta) */
-    const double t227 = x[2]*t137; /* omega_tau*I1*R*R*m */
-    const double t228 = t3*t227; /* s*omega_tau*I1*R*R*m */
-    const double t229 = t145*t228; /* e*s*omega_tau*I1*R*R*m */
-    const double t230 = t229/t224; /* e*s*omega_tau*I1*R*R*m/(b*Theta) */
-    const double t231 = t226 + t230; /* t226 + e*s*omega_tau*I1*R*R*m/(b*Theta) */
-    out[0] = t5;
+    const double t1 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = JLT_FMA(p[7], t4, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t6 = t1*p[10]; /* b*m*I3 */
+    const double t7 = JLT_FMA(t4, p[9], p[8]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
+    const double t8 = JLT_FMA(t1, t6, t7); /* Theta = b*b*m*I3 + (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
+    const double t9 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t10 = t1*t5; /* b*D */
+    const double t11 = t8*t10; /* Theta*b*D */
+    const double t12 = t9*t11; /* s*Theta*b*D */
+    const double t13 = 1.0/t12; /* 1/(s*Theta*b*D) */
+    const double t14 = t8*t13; /* Theta*1/(s*Theta*b*D) */
+    const double t15 = t5*t14; /* D*Theta*1/(s*Theta*b*D) */
+    const double t16 = t1*t15; /* b*D*Theta*1/(s*Theta*b*D) */
+    const double t17 = t0*t16; /* gamma3*omega_tau*b*D*Theta*1/(s*Theta*b*D) */
+    const double t18 = -t17; /* -gamma3*omega_tau*b*D*Theta*1/(s*Theta*b*D) */
+    const double t19 = x[3]*p[12]; /* omega_n*R*I1 */
+    const double t20 = JLT_FNMA(t9, t19, p[6]); /* G_level - s*omega_n*R*I1 */
+    const double t21 = t9*t15; /* s*D*Theta*1/(s*Theta*b*D) */
+    const double t22 = t20*t21; /* (G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D) */
+    const double t23 = p[16]*t21; /* R/I3*s*D*Theta*1/(s*Theta*b*D) */
+    const double t24 = t22*t23; /* (G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*R/I3*s*D*Theta*1/(s*Theta*b*D) */
+    const double t25 = t16*x[3]; /* b*D*Theta*1/(s*Theta*b*D)*omega_n */
+    const double t26 = x[0]*t25; /* gamma3*b*D*Theta*1/(s*Theta*b*D)*omega_n */
+    const double t27 = t21*p[17]; /* s*D*Theta*1/(s*Theta*b*D)*R*I1/I3 */
+    const double t28 = JLT_FNMA(t26, t27, t24); /* d(omega3)/d(gamma3) = t24 - gamma3*b*D*Theta*1/(s*Theta*b*D)*omega_n*s*D*Theta*1/(s*Theta*b*D)*R*I1/I3 */
+    const double t29 = t25 + t28; /* b*D*Theta*1/(s*Theta*b*D)*omega_n + d(omega3)/d(gamma3) */
+    const double t30 = p[1]*x[3]; /* R*omega_n */
+    const double t31 = t29*t30; /* (b*D*Theta*1/(s*Theta*b*D)*omega_n + d(omega3)/d(gamma3))*R*omega_n */
+    const double t32 = t1*t25; /* b*b*D*Theta*1/(s*Theta*b*D)*omega_n */
+    const double t33 = t16*t26; /* b*D*Theta*1/(s*Theta*b*D)*gamma3*b*D*Theta*1/(s*Theta*b*D)*omega_n */
+    const double t34 = JLT_FMA(t32, t33, t31); /* b*b*D*Theta*1/(s*Theta*b*D)*omega_n*t33 + t31 */
+    const double t35 = t22*p[11]; /* (G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*1/I3 */
+    const double t36 = p[1]*t35; /* R*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*1/I3 */
+    const double t37 = t9*t21; /* s*s*D*Theta*1/(s*Theta*b*D) */
+    const double t38 = x[3]*p[18]; /* omega_n*R^2*I1/I3 */
+    const double t39 = JLT_FMS(t37, t38, t36); /* s*s*D*Theta*1/(s*Theta*b*D)*omega_n*R^2*I1/I3 - R*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*1/I3 */
+    const double t40 = JLT_FMA(t32, 2.0, t39); /* b*b*D*Theta*1/(s*Theta*b*D)*omega_n*2 + t39 */
+    const double t41 = t1*t9; /* b*s */
+    const double t42 = t14*t41; /* Theta*1/(s*Theta*b*D)*b*s */
+    const double t43 = t9*t42; /* s*Theta*1/(s*Theta*b*D)*b*s */
+    const double t44 = JLT_FMS(p[19], t43, t16); /* 2*m*a3^2*s*Theta*1/(s*Theta*b*D)*b*s - b*D*Theta*1/(s*Theta*b*D) */
+    const double t45 = x[0]*t42; /* gamma3*Theta*1/(s*Theta*b*D)*b*s */
+    const double t46 = t44*t45; /* t44*gamma3*Theta*1/(s*Theta*b*D)*b*s */
+    const double t47 = JLT_FMA(x[0], t46, t43); /* gamma3*t44*gamma3*Theta*1/(s*Theta*b*D)*b*s + s*Theta*1/(s*Theta*b*D)*b*s */
+    const double t48 = x[2]*p[7]; /* omega_tau*m*a3^2 */
+    const double t49 = x[2]*t48; /* omega_tau*omega_tau*m*a3^2 */
+    const double t50 = t47*t49; /* t47*omega_tau*omega_tau*m*a3^2 */
+    const double t51 = x[3]*t42; /* omega_n*Theta*1/(s*Theta*b*D)*b*s */
+    const double t52 = p[19]*t45; /* 2*m*a3^2*gamma3*Theta*1/(s*Theta*b*D)*b*s */
+    const double t53 = JLT_FNMA(t35, t52, t28); /* d(omega3)/d(gamma3) - (G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*1/I3*2*m*a3^2*gamma3*Theta*1/(s*Theta*b*D)*b*s */
+    const double t54 = JLT_FMA(t26, t52, t25); /* gamma3*b*D*Theta*1/(s*Theta*b*D)*omega_n*2*m*a3^2*gamma3*Theta*1/(s*Theta*b*D)*b*s + b*D*Theta*1/(s*Theta*b*D)*omega_n */
+    const double t55 = JLT_FMA(p[21], t53, t54); /* I3/I1*t53 + t54 */
+    const double t56 = t51*t55; /* omega_n*Theta*1/(s*Theta*b*D)*b*s*(I3/I1*t53 + t54) */
+    const double t57 = t26*t42; /* gamma3*b*D*Theta*1/(s*Theta*b*D)*omega_n*Theta*1/(s*Theta*b*D)*b*s */
+    const double t58 = JLT_FMA(t33, t57, t56); /* t33*t57 + omega_n*Theta*1/(s*Theta*b*D)*b*s*(I3/I1*t53 + t54) */
+    const double t59 = JLT_FNMA(t46, p[20], t50); /* t47*omega_tau*omega_tau*m*a3^2 - t44*gamma3*Theta*1/(s*Theta*b*D)*b*s*m*g*a3 */
+    const double t60 = JLT_FNMA(p[4], t58, t59); /* t59 - I1*t58 */
+    const double t61 = x[2]*t9; /* omega_tau*s */
+    const double t62 = t52*t61; /* 2*m*a3^2*gamma3*Theta*1/(s*Theta*b*D)*b*s*omega_tau*s */
+    const double t63 = t42*p[5]; /* Theta*1/(s*Theta*b*D)*b*s*I3 */
+    const double t64 = t35*t63; /* (G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*1/I3*Theta*1/(s*Theta*b*D)*b*s*I3 */
+    const double t65 = p[12]*t51; /* R*I1*omega_n*Theta*1/(s*Theta*b*D)*b*s */
+    const double t66 = JLT_FNMA(t37, t65, t64); /* t64 - s*s*D*Theta*1/(s*Theta*b*D)*R*I1*omega_n*Theta*1/(s*Theta*b*D)*b*s */
+    const double t67 = JLT_FNMA(t57, p[22], t66); /* t66 - t57*2*I1 */
+    const double t68 = x[2]*t25; /* omega_tau*b*D*Theta*1/(s*Theta*b*D)*omega_n */
+    const double t69 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t70 = JLT_FMA(x[2], t69, x[1]); /* V = omega_tau*e + v_nu */
+    const double t71 = t9*t10; /* s*b*D */
+    const double t72 = t13*t71; /* 1/(s*Theta*b*D)*s*b*D */
+    const double t73 = p[10]*t72; /* m*I3*1/(s*Theta*b*D)*s*b*D */
+    const double t74 = t1*t70; /* b*V */
+    const double t75 = JLT_FNMA(t73, t74, t0); /* gamma3*omega_tau - m*I3*1/(s*Theta*b*D)*s*b*D*b*V */
+    const double t76 = t16*t75; /* b*D*Theta*1/(s*Theta*b*D)*(gamma3*omega_tau - m*I3*1/(s*Theta*b*D)*s*b*D*b*V) */
+    const double t77 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
+    const double t78 = JLT_FMS(t1, p[24], t77); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t79 = t32*t73; /* b*b*D*Theta*1/(s*Theta*b*D)*omega_n*m*I3*1/(s*Theta*b*D)*s*b*D */
+    const double t80 = t78*t79; /* d(Theta)/d(gamma3)*t79 */
+    const double t81 = JLT_FNMA(t25, p[25], t80); /* d(Theta)/d(gamma3)*t79 - b*D*Theta*1/(s*Theta*b*D)*omega_n*m*R*I3 */
+    const double t82 = t70*t72; /* V*1/(s*Theta*b*D)*s*b*D */
+    const double t83 = x[2]*t72; /* omega_tau*1/(s*Theta*b*D)*s*b*D */
+    const double t84 = t35*t72; /* (G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*1/I3*1/(s*Theta*b*D)*s*b*D */
+    const double t85 = JLT_FMA(t78, t84, t28); /* d(Theta)/d(gamma3)*t84 + d(omega3)/d(gamma3) */
+    const double t86 = t69 + p[26]; /* e + I3/(m*R) */
+    const double t87 = p[25]*t86; /* m*R*I3*(e + I3/(m*R)) */
+    const double t88 = t85*t87; /* (d(Theta)/d(gamma3)*t84 + d(omega3)/d(gamma3))*m*R*I3*(e + I3/(m*R)) */
+    const double t89 = t32 + t36; /* b*b*D*Theta*1/(s*Theta*b*D)*omega_n + R*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*1/I3 */
+    const double t90 = JLT_FNMA(p[27], t89, t88); /* t88 - m*a3*I3*t89 */
+    const double t91 = JLT_FMA(t33, t76, t68); /* t33*t76 + omega_tau*b*D*Theta*1/(s*Theta*b*D)*omega_n */
+    const double t92 = JLT_FMA(t81, t82, t91); /* t81*V*1/(s*Theta*b*D)*s*b*D + t33*t76 + omega_tau*b*D*Theta*1/(s*Theta*b*D)*omega_n */
+    const double t93 = JLT_FMA(t83, t90, t92); /* omega_tau*1/(s*Theta*b*D)*s*b*D*(t88 - m*a3*I3*t89) + t92 */
+    const double t94 = -t79; /* -t79 */
+    const double t95 = JLT_FNMA(t69, t79, t26); /* gamma3*b*D*Theta*1/(s*Theta*b*D)*omega_n - e*t79 */
+    const double t96 = JLT_FNMA(t84, t87, t95); /* gamma3*b*D*Theta*1/(s*Theta*b*D)*omega_n - e*t79 - t84*m*R*I3*(e + I3/(m*R)) */
+    const double t97 = p[9]*t86; /* m*R^2*I1*(e + I3/(m*R)) */
+    const double t98 = t83*t97; /* omega_tau*1/(s*Theta*b*D)*s*b*D*m*R^2*I1*(e + I3/(m*R)) */
+    const double t99 = JLT_FMA(t37, t98, t76); /* s*s*D*Theta*1/(s*Theta*b*D)*omega_tau*1/(s*Theta*b*D)*s*b*D*m*R^2*I1*(e + I3/(m*R)) + t76 */
+    out[0] = t18;
     out[1] = 0.0;
-    out[2] = t3;
+    out[2] = t9;
     out[3] = 0.0;
-    out[4] = t33;
+    out[4] = t34;
     out[5] = 0.0;
     out[6] = 0.0;
-    out[7] = t47;
-    out[8] = t109;
+    out[7] = t40;
+    out[8] = t60;
     out[9] = 0.0;
-    out[10] = t115;
-    out[11] = t126;
-    out[12] = t202;
-    out[13] = t204;
-    out[14] = t216;
-    out[15] = t231;
+    out[10] = t62;
+    out[11] = t67;
+    out[12] = t93;
+    out[13] = t94;
+    out[14] = t96;
+    out[15] = t99;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = x[2]*t2; /* omega_tau*s */
-    const double t4 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t5 = x[0]*p[1]; /* gamma3*R */
-    const double t6 = p[3] + t5; /* b = a3 + gamma3*R */
-    const double t7 = t4*t6; /* omega_n*omega_n*b */
-    const double t8 = t7/t2; /* omega_n*omega_n*b/s */
-    const double t9 = x[3]*p[1]; /* omega_n*R */
-    const double t10 = t6*p[5]; /* b*I3 */
-    const double t11 = p[1]*p[4]; /* R*I1 */
-    const double t12 = x[3]*t11; /* omega_n*R*I1 */
-    const double t13 = t2*t12; /* s*omega_n*R*I1 */
-    const double t14 = p[6] - t13; /* G_level - s*omega_n*R*I1 */
-    const double t15 = t13 - p[6]; /* s*omega_n*R*I1 - G_level */
-    const double t16 = t15/t10; /* omega3 = (s*omega_n*R*I1 - G_level)/(b*I3) */
-    const double t17 = t9*t16; /* omega_n*R*omega3 */
-    const double t18 = t8 + t17; /* omega_n*omega_n*b/s + omega_n*R*omega3 */
-    const double t19 = p[3]*p[3]; /* a3*a3 */
-    const double t20 = p[0]*t19; /* m*a3*a3 */
-    const double t21 = x[0]*t20; /* gamma3*m*a3*a3 */
-    const double t22 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t23 = t21*t22; /* gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t24 = t2*t23; /* s*gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t25 = t2*t2; /* s*s */
-    const double t26 = t20*t25; /* m*a3*a3*s*s */
-    const double t27 = p[4] + t26; /* D = I1 + m*a3*a3*s*s */
-    const double t28 = t24/t27; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D */
-    const double t29 = p[0]*p[2]; /* m*g */
-    const double t30 = p[3]*t29; /* a3*m*g */
-    const double t31 = t2*t30; /* s*a3*m*g */
-    const double t32 = t31/t27; /* s*a3*m*g/D */
-    const double t33 = t28 - t32; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*a3*m*g/D */
-    const double t34 = x[0]*p[4]; /* gamma3*I1 */
-    const double t35 = t4*t34; /* omega_n*omega_n*gamma3*I1 */
-    const double t36 = t2*t27; /* s*D */
-    const double t37 = t35/t36; /* omega_n*omega_n*gamma3*I1/(s*D) */
-    const double t38 = t33 - t37; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*a3*m*g/D - omega_n*omega_n*gamma3*I1/(s*D) */
-    const double t39 = x[3]*p[5]; /* omega_n*I3 */
-    const double t40 = t16*t39; /* omega3*omega_n*I3 */
-    const double t41 = t40/t27; /* omega3*omega_n*I3/D */
-    const double t42 = t38 - t41; /* t38 - omega3*omega_n*I3/D */
-    const double t43 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t44 = x[3]*t43; /* omega_n*omega_tau*gamma3 */
-    const double t45 = t44/t2; /* omega_n*omega_tau*gamma3/s */
-    const double t46 = p[5]*p[0]; /* I3*m */
-    const double t47 = x[3]*t46; /* omega_n*I3*m */
-    const double t48 = t6*t47; /* b*omega_n*I3*m */
-    const double t49 = p[1]*p[1]; /* R*R */
-    const double t50 = p[0]*t49; /* m*R*R */
-    const double t51 = p[4]*t50; /* I1*m*R*R */
-    const double t52 = t25*t51; /* s*s*I1*m*R*R */
-    const double t53 = p[7] + t52; /* I1*I3 + s*s*I1*m*R*R */
-    const double t54 = t6*t6; /* b*b */
-    const double t55 = t46*t54; /* I3*m*b*b */
-    const double t56 = t53 + t55; /* Theta = I1*I3 + s*s*I1*m*R*R + I3*m*b*b */
-    const double t57 = t2*t56; /* s*Theta */
-    const double t58 = x[0]*p[3]; /* gamma3*a3 */
-    const double t59 = p[1] + t58; /* e = R + gamma3*a3 */
-    const double t60 = x[2]*t59; /* omega_tau*e */
-    const double t61 = x[1] + t60; /* V = v_nu + omega_tau*e */
-    const double t62 = t48*t61; /* b*omega_n*I3*m*V */
-    const double t63 = t62/t57; /* b*omega_n*I3*m*V/(s*Theta) */
-    const double t64 = t45 - t63; /* omega_n*omega_tau*gamma3/s - b*omega_n*I3*m*V/(s*Theta) */
-    const double t65 = p[5]*p[5]; /* I3*I3 */
-    const double t66 = x[2]*t65; /* omega_tau*I3*I3 */
-    const double t67 = t16*t66; /* omega3*omega_tau*I3*I3 */
-    const double t68 = t67/t56; /* omega3*omega_tau*I3*I3/Theta */
-    const double t69 = t64 + t68; /* omega_n*omega_tau*gamma3/s - b*omega_n*I3*m*V/(s*Theta) + omega3*omega_tau*I3*I3/Theta */
-    const double t70 = p[1]*p[0]; /* R*m */
-    const double t71 = p[5]*t70; /* I3*R*m */
-    const double t72 = x[2]*t71; /* omega_tau*I3*R*m */
-    const double t73 = t16*t72; /* omega3*omega_tau*I3*R*m */
-    const double t74 = t59*t73; /* e*omega3*omega_tau*I3*R*m */
-    const double t75 = t74/t56; /* e*omega3*omega_tau*I3*R*m/Theta */
-    const double t76 = t69 + t75; /* t69 + e*omega3*omega_tau*I3*R*m/Theta */
-    const double t77 = t43/t2; /* omega_tau*gamma3/s */
-    const double t78 = -t77; /* -omega_tau*gamma3/s */
-    const double t79 = t4*p[1]; /* omega_n*omega_n*R */
-    const double t80 = t79/t2; /* omega_n*omega_n*R/s */
-    const double t81 = x[0]*t4; /* gamma3*omega_n*omega_n */
-    const double t82 = t2*t25; /* s*s*s */
-    const double t83 = t6*t81; /* b*gamma3*omega_n*omega_n */
-    const double t84 = t83/t82; /* b*gamma3*omega_n*omega_n/(s*s*s) */
-    const double t85 = t80 + t84; /* omega_n*omega_n*R/s + b*gamma3*omega_n*omega_n/(s*s*s) */
-    const double t86 = p[5]*t54; /* I3*b*b */
-    const double t87 = p[1]*t14; /* R*(G_level - s*omega_n*R*I1) */
-    const double t88 = t87/t86; /* R*(G_level - s*omega_n*R*I1)/(I3*b*b) */
-    const double t89 = x[0]*t11; /* gamma3*R*I1 */
-    const double t90 = x[3]*t89; /* omega_n*gamma3*R*I1 */
-    const double t91 = t2*p[5]; /* s*I3 */
-    const double t92 = t6*t91; /* b*s*I3 */
-    const double t93 = t90/t92; /* omega_n*gamma3*R*I1/(b*s*I3) */
-    const double t94 = t88 - t93; /* d(omega3)/d(gamma3) = R*(G_level - s*omega_n*R*I1)/(I3*b*b) - omega_n*gamma3*R*I1/(b*s*I3) */
-    const double t95 = t9*t94; /* omega_n*R*d(omega3)/d(gamma3) */
-    const double t96 = t85 + t95; /* omega_n*omega_n*R/s + b*gamma3*omega_n*omega_n/(s*s*s) + omega_n*R*d(omega3)/d(gamma3) */
-    const double t97 = p[1]*t16; /* R*omega3 */
-    const double t98 = x[3]*t6; /* omega_n*b */
-    const double t99 = t98/t2; /* omega_n*b/s */
-    const double t100 = t99*2.0; /* omega_n*b/s*2 */
-    const double t101 = t97 + t100; /* R*omega3 + omega_n*b/s*2 */
-    const double t102 = p[4]*t49; /* I1*R*R */
-    const double t103 = x[3]*t102; /* omega_n*I1*R*R */
-    const double t104 = t2*t103; /* s*omega_n*I1*R*R */
-    const double t105 = t104/t10; /* s*omega_n*I1*R*R/(b*I3) */
-    const double t106 = t101 + t105; /* R*omega3 + omega_n*b/s*2 + s*omega_n*I1*R*R/(b*I3) */
-    const double t107 = t20*t22; /* m*a3*a3*omega_tau*omega_tau */
-    const double t108 = t2*t107; /* s*m*a3*a3*omega_tau*omega_tau */
-    const double t109 = t108/t27; /* s*m*a3*a3*omega_tau*omega_tau/D */
-    const double t110 = t0*t20; /* gamma3*gamma3*m*a3*a3 */
-    const double t111 = t22*t110; /* omega_tau*omega_tau*gamma3*gamma3*m*a3*a3 */
-    const double t112 = t111/t36; /* omega_tau*omega_tau*gamma3*gamma3*m*a3*a3/(s*D) */
-    const double t113 = t109 - t112; /* s*m*a3*a3*omega_tau*omega_tau/D - omega_tau*omega_tau*gamma3*gamma3*m*a3*a3/(s*D) */
-    const double t114 = p[0]*p[0]; /* m*m */
-    const double t115 = t19*t19; /* a3*a3*a3*a3 */
-    const double t116 = t114*t115; /* m*m*a3*a3*a3*a3 */
-    const double t117 = t0*t116; /* gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t118 = t22*t117; /* omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t119 = t2*t118; /* s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t120 = t27*t27; /* D*D */
-    const double t121 = t119/t120; /* s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t122 = 2.0*t121; /* 2*s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t123 = t113 + t122; /* t113 + 2*s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t124 = x[0]*t30; /* gamma3*a3*m*g */
-    const double t125 = t124/t36; /* gamma3*a3*m*g/(s*D) */
-    const double t126 = t123 + t125; /* t123 + gamma3*a3*m*g/(s*D) */
-    const double t127 = p[2]*t114; /* g*m*m */
-    const double t128 = p[3]*t19; /* a3*a3*a3 */
-    const double t129 = t127*t128; /* g*m*m*a3*a3*a3 */
-    const double t130 = x[0]*t129; /* gamma3*g*m*m*a3*a3*a3 */
-    const double t131 = t2*t130; /* s*gamma3*g*m*m*a3*a3*a3 */
-    const double t132 = t131/t120; /* s*gamma3*g*m*m*a3*a3*a3/(D*D) */
-    const double t133 = 2.0*t132; /* 2*s*gamma3*g*m*m*a3*a3*a3/(D*D) */
-    const double t134 = t126 - t133; /* t123 + gamma3*a3*m*g/(s*D) - 2*s*gamma3*g*m*m*a3*a3*a3/(D*D) */
-    const double t135 = t4*p[4]; /* omega_n*omega_n*I1 */
-    const double t136 = t135/t36; /* omega_n*omega_n*I1/(s*D) */
-    const double t137 = t134 - t136; /* t123 + gamma3*a3*m*g/(s*D) - 2*s*gamma3*g*m*m*a3*a3*a3/(D*D) - omega_n*omega_n*I1/(s*D) */
-    const double t138 = t0*p[4]; /* gamma3*gamma3*I1 */
-    const double t139 = t4*t138; /* omega_n*omega_n*gamma3*gamma3*I1 */
-    const double t140 = t27*t82; /* D*s*s*s */
-    const double t141 = t139/t140; /* omega_n*omega_n*gamma3*gamma3*I1/(D*s*s*s) */
-    const double t142 = t137 - t141; /* t137 - omega_n*omega_n*gamma3*gamma3*I1/(D*s*s*s) */
-    const double t143 = p[4]*t20; /* I1*m*a3*a3 */
-    const double t144 = t0*t143; /* gamma3*gamma3*I1*m*a3*a3 */
-    const double t145 = t4*t144; /* omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3 */
-    const double t146 = t2*t120; /* s*D*D */
-    const double t147 = t145/t146; /* omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t148 = 2.0*t147; /* 2*omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t149 = t142 - t148; /* t137 - omega_n*omega_n*gamma3*gamma3*I1/(D*s*s*s) - 2*omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t150 = p[5]*t20; /* I3*m*a3*a3 */
-    const double t151 = x[0]*t150; /* gamma3*I3*m*a3*a3 */
-    const double t152 = x[3]*t151; /* omega_n*gamma3*I3*m*a3*a3 */
-    const double t153 = t16*t152; /* omega3*omega_n*gamma3*I3*m*a3*a3 */
-    const double t154 = t153/t120; /* omega3*omega_n*gamma3*I3*m*a3*a3/(D*D) */
-    const double t155 = 2.0*t154; /* 2*omega3*omega_n*gamma3*I3*m*a3*a3/(D*D) */
-    const double t156 = t149 - t155; /* t149 - 2*omega3*omega_n*gamma3*I3*m*a3*a3/(D*D) */
-    const double t157 = t39*t94; /* omega_n*I3*d(omega3)/d(gamma3) */
-    const double t158 = t157/t27; /* omega_n*I3*d(omega3)/d(gamma3)/D */
-    const double t159 = t156 - t158; /* t149 - 2*omega3*omega_n*gamma3*I3*m*a3*a3/(D*D) - omega_n*I3*d(omega3)/d(gamma3)/D */
-    const double t160 = p[0]*2.0; /* m*2 */
-    const double t161 = t19*t160; /* a3*a3*m*2 */
-    const double t162 = x[0]*t161; /* gamma3*a3*a3*m*2 */
-    const double t163 = x[2]*t162; /* omega_tau*gamma3*a3*a3*m*2 */
-    const double t164 = t2*t163; /* s*omega_tau*gamma3*a3*a3*m*2 */
-    const double t165 = t164/t27; /* s*omega_tau*gamma3*a3*a3*m*2/D */
-    const double t166 = x[3]*t34; /* omega_n*gamma3*I1 */
-    const double t167 = t166/t36; /* omega_n*gamma3*I1/(s*D) */
-    const double t168 = 2.0*t167; /* 2*omega_n*gamma3*I1/(s*D) */
-    const double t169 = -t168; /* -2*omega_n*gamma3*I1/(s*D) */
-    const double t170 = p[5]*t16; /* I3*omega3 */
-    const double t171 = t170/t27; /* I3*omega3/D */
-    const double t172 = t169 - t171; /* -2*omega_n*gamma3*I1/(s*D) - I3*omega3/D */
-    const double t173 = t6*t27; /* b*D */
-    const double t174 = t13/t173; /* s*omega_n*R*I1/(b*D) */
-    const double t175 = t172 - t174; /* -2*omega_n*gamma3*I1/(s*D) - I3*omega3/D - s*omega_n*R*I1/(b*D) */
-    const double t176 = x[2]*x[3]; /* omega_tau*omega_n */
-    const double t177 = t176/t2; /* omega_tau*omega_n/s */
-    const double t178 = x[2]*t0; /* omega_tau*gamma3*gamma3 */
-    const double t179 = x[3]*t178; /* omega_n*omega_tau*gamma3*gamma3 */
-    const double t180 = t179/t82; /* omega_n*omega_tau*gamma3*gamma3/(s*s*s) */
-    const double t181 = t177 + t180; /* omega_tau*omega_n/s + omega_n*omega_tau*gamma3*gamma3/(s*s*s) */
-    const double t182 = x[3]*t71; /* omega_n*I3*R*m */
-    const double t183 = t61*t182; /* V*omega_n*I3*R*m */
-    const double t184 = t183/t57; /* V*omega_n*I3*R*m/(s*Theta) */
-    const double t185 = t181 - t184; /* t181 - V*omega_n*I3*R*m/(s*Theta) */
-    const double t186 = p[3]*p[0]; /* a3*m */
-    const double t187 = p[5]*t186; /* I3*a3*m */
-    const double t188 = x[2]*t187; /* omega_tau*I3*a3*m */
-    const double t189 = x[3]*t188; /* omega_n*omega_tau*I3*a3*m */
-    const double t190 = t6*t189; /* b*omega_n*omega_tau*I3*a3*m */
-    const double t191 = t190/t57; /* b*omega_n*omega_tau*I3*a3*m/(s*Theta) */
-    const double t192 = t185 - t191; /* t181 - V*omega_n*I3*R*m/(s*Theta) - b*omega_n*omega_tau*I3*a3*m/(s*Theta) */
-    const double t193 = x[0]*t46; /* gamma3*I3*m */
-    const double t194 = x[3]*t193; /* omega_n*gamma3*I3*m */
-    const double t195 = t6*t194; /* b*omega_n*gamma3*I3*m */
-    const double t196 = t56*t82; /* Theta*s*s*s */
-    const double t197 = t61*t195; /* V*b*omega_n*gamma3*I3*m */
-    const double t198 = t197/t196; /* V*b*omega_n*gamma3*I3*m/(Theta*s*s*s) */
-    const double t199 = t192 - t198; /* t192 - V*b*omega_n*gamma3*I3*m/(Theta*s*s*s) */
-    const double t200 = p[3]*t70; /* a3*R*m */
-    const double t201 = p[5]*t200; /* I3*a3*R*m */
-    const double t202 = x[2]*t201; /* omega_tau*I3*a3*R*m */
-    const double t203 = t16*t202; /* omega3*omega_tau*I3*a3*R*m */
-    const double t204 = t203/t56; /* omega3*omega_tau*I3*a3*R*m/Theta */
-    const double t205 = t199 + t204; /* t192 - V*b*omega_n*gamma3*I3*m/(Theta*s*s*s) + omega3*omega_tau*I3*a3*R*m/Theta */
-    const double t206 = t56*t56; /* Theta*Theta */
-    const double t207 = t2*t206; /* s*Theta*Theta */
-    const double t208 = x[0]*t51; /* gamma3*I1*m*R*R */
-    const double t209 = 2.0*t208; /* 2*gamma3*I1*m*R*R */
-    const double t210 = t6*t71; /* b*I3*R*m */
-    const double t211 = 2.0*t210; /* 2*b*I3*R*m */
-    const double t212 = t211 - t209; /* d(Theta)/d(gamma3) = 2*b*I3*R*m - 2*gamma3*I1*m*R*R */
-    const double t213 = t62*t212; /* b*omega_n*I3*m*V*d(Theta)/d(gamma3) */
-    const double t214 = t213/t207; /* b*omega_n*I3*m*V*d(Theta)/d(gamma3)/(s*Theta*Theta) */
-    const double t215 = t205 + t214; /* t205 + b*omega_n*I3*m*V*d(Theta)/d(gamma3)/(s*Theta*Theta) */
-    const double t216 = t66*t94; /* omega_tau*I3*I3*d(omega3)/d(gamma3) */
-    const double t217 = t216/t56; /* omega_tau*I3*I3*d(omega3)/d(gamma3)/Theta */
-    const double t218 = t215 + t217; /* t205 + b*omega_n*I3*m*V*d(Theta)/d(gamma3)/(s*Theta*Theta) + omega_tau*I3*I3*d(omega3)/d(gamma3)/Theta */
-    const double t219 = t67*t212; /* omega3*omega_tau*I3*I3*d(Theta)/d(gamma3) */
-    const double t220 = t219/t206; /* omega3*omega_tau*I3*I3*d(Theta)/d(gamma3)/(Theta*Theta) */
-    const double t221 = t218 - t220; /* t218 - omega3*omega_tau*I3*I3*d(Theta)/d(gamma3)/(Theta*Theta) */
-    const double t222 = t59*t72; /* e*omega_tau*I3*R*m */
-    const double t223 = t94*t222; /* d(omega3)/d(gamma3)*e*omega_tau*I3*R*m */
-    const double t224 = t223/t56; /* d(omega3)/d(gamma3)*e*omega_tau*I3*R*m/Theta */
-    const double t225 = t221 + t224; /* t221 + d(omega3)/d(gamma3)*e*omega_tau*I3*R*m/Theta */
-    const double t226 = t74*t212; /* e*omega3*omega_tau*I3*R*m*d(Theta)/d(gamma3) */
-    const double t227 = t226/t206; /* e*omega3*omega_tau*I3*R*m*d(Theta)/d(gamma3)/(Theta*Theta) */
-    const double t228 = t225 - t227; /* t221 + d(omega3)/d(gamma3)*e*omega_tau*I3*R*m/Theta - e*omega3*omega_tau*I3*R*m*d(Theta)/d(gamma3)/(Theta*Theta) */
-    const double t229 = t48/t57; /* b*omega_n*I3*m/(s*Theta) */
-    const double t230 = -t229; /* -b*omega_n*I3*m/(s*Theta) */
-    const double t231 = x[0]*x[3]; /* gamma3*omega_n */
-    const double t232 = t231/t2; /* gamma3*omega_n/s */
-    const double t233 = t48*t59; /* b*omega_n*I3*m*e */
-    const double t234 = t233/t57; /* b*omega_n*I3*m*e/(s*Theta) */
-    const double t235 = t232 - t234; /* gamma3*omega_n/s - b*omega_n*I3*m*e/(s*Theta) */
-    const double t236 = t16*t65; /* omega3*I3*I3 */
-    const double t237 = t236/t56; /* omega3*I3*I3/Theta */
-    const double t238 = t235 + t237; /* gamma3*omega_n/s - b*omega_n*I3*m*e/(s*Theta) + omega3*I3*I3/Theta */
-    const double t239 = t16*t71; /* omega3*I3*R*m */
-    const double t240 = t59*t239; /* e*omega3*I3*R*m */
-    const double t241 = t240/t56; /* e*omega3*I3*R*m/Theta */
-    const double t242 = t238 + t241; /* t238 + e*omega3*I3*R*m/Theta */
-    const double t243 = t6*t46; /* b*I3*m */
-    const double t244 = t61*t243; /* V*b*I3*m */
-    const double t245 = t244/t57; /* V*b*I3*m/(s*Theta) */
-    const double t246 = t77 - t245; /* omega_tau*gamma3/s - V*b*I3*m/(s*Theta) */
-    const double t247 = p[5]*t11; /* I3*R*I1 */
-    const double t248 = x[2]*t247; /* omega_tau*I3*R*I1 */
-    const double t249 = t2*t248; /* s*omega_tau*I3*R*I1 */
-    const double t250 = t6*t56; /* b*Theta */
-    const double t251 = t249/t250; /* s*omega_tau*I3*R*I1/(b*Theta) */
-    const double t252 = t246 + t251; /* omega_tau*gamma3/s - V*b*I3*m/(s*Theta) + s*omega_tau*I3*R*I1/(b*Theta) */
-    const double t253 = x[2]*t51; /* omega_tau*I1*m*R*R */
-    const double t254 = t2*t253; /* s*omega_tau*I1*m*R*R */
-    const double t255 = t59*t254; /* e*s*omega_tau*I1*m*R*R */
-    const double t256 = t255/t250; /* e*s*omega_tau*I1*m*R*R/(b*Theta) */
-    const double t257 = t252 + t256; /* t252 + e*s*omega_tau*I1*m*R*R/(b*Theta) */
-    out[0] = t3;
-    out[1] = t18;
-    out[2] = t42;
-    out[3] = t76;
-    out[4] = t78;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = x[2]*t3; /* omega_tau*s */
+    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t6 = JLT_FMA(t2, p[7], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t7 = t5*p[10]; /* b*m*I3 */
+    const double t8 = JLT_FMA(t2, p[9], p[8]); /* (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
+    const double t9 = JLT_FMA(t5, t7, t8); /* Theta = b*b*m*I3 + (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
+    const double t10 = t5*t6; /* b*D */
+    const double t11 = t9*t10; /* Theta*b*D */
+    const double t12 = t3*t11; /* s*Theta*b*D */
+    const double t13 = 1.0/t12; /* 1/(s*Theta*b*D) */
+    const double t14 = t9*t13; /* Theta*1/(s*Theta*b*D) */
+    const double t15 = t6*t14; /* D*Theta*1/(s*Theta*b*D) */
+    const double t16 = t5*t15; /* b*D*Theta*1/(s*Theta*b*D) */
+    const double t17 = x[3]*t16; /* omega_n*b*D*Theta*1/(s*Theta*b*D) */
+    const double t18 = t5*t17; /* b*omega_n*b*D*Theta*1/(s*Theta*b*D) */
+    const double t19 = x[3]*p[12]; /* omega_n*R*I1 */
+    const double t20 = JLT_FNMA(t3, t19, p[6]); /* G_level - s*omega_n*R*I1 */
+    const double t21 = t3*t15; /* s*D*Theta*1/(s*Theta*b*D) */
+    const double t22 = t20*t21; /* (G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D) */
+    const double t23 = p[11]*t22; /* 1/I3*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D) */
+    const double t24 = p[1]*t23; /* R*1/I3*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D) */
+    const double t25 = t18 - t24; /* b*omega_n*b*D*Theta*1/(s*Theta*b*D) - R*1/I3*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D) */
+    const double t26 = x[3]*t25; /* omega_n*t25 */
+    const double t27 = t3*t5; /* s*b */
+    const double t28 = t14*t27; /* Theta*1/(s*Theta*b*D)*s*b */
+    const double t29 = x[0]*t28; /* gamma3*Theta*1/(s*Theta*b*D)*s*b */
+    const double t30 = x[2]*p[13]; /* omega_tau*m*a3^2/I1 */
+    const double t31 = t4*t30; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t32 = JLT_FNMA(x[3], t17, t31); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*b*D*Theta*1/(s*Theta*b*D) */
+    const double t33 = p[4]*t32; /* I1*t32 */
+    const double t34 = t3*t28; /* s*Theta*1/(s*Theta*b*D)*s*b */
+    const double t35 = p[20]*t34; /* m*g*a3*s*Theta*1/(s*Theta*b*D)*s*b */
+    const double t36 = t23*p[5]; /* 1/I3*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*I3 */
+    const double t37 = x[3]*t28; /* omega_n*Theta*1/(s*Theta*b*D)*s*b */
+    const double t38 = JLT_FMS(t36, t37, t35); /* 1/I3*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*I3*omega_n*Theta*1/(s*Theta*b*D)*s*b - m*g*a3*s*Theta*1/(s*Theta*b*D)*s*b */
+    const double t39 = JLT_FMA(t29, t33, t38); /* gamma3*Theta*1/(s*Theta*b*D)*s*b*I1*t32 + t38 */
+    const double t40 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t41 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t42 = JLT_FMA(x[2], t41, x[1]); /* V = omega_tau*e + v_nu */
+    const double t43 = t3*t10; /* s*b*D */
+    const double t44 = t13*t43; /* 1/(s*Theta*b*D)*s*b*D */
+    const double t45 = p[10]*t44; /* m*I3*1/(s*Theta*b*D)*s*b*D */
+    const double t46 = t5*t42; /* b*V */
+    const double t47 = JLT_FNMA(t45, t46, t40); /* omega_tau*gamma3 - m*I3*1/(s*Theta*b*D)*s*b*D*b*V */
+    const double t48 = x[2]*t44; /* omega_tau*1/(s*Theta*b*D)*s*b*D */
+    const double t49 = t41 + p[26]; /* e + I3/(m*R) */
+    const double t50 = p[15]*t49; /* m*R*(e + I3/(m*R)) */
+    const double t51 = t36*t50; /* 1/I3*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*I3*m*R*(e + I3/(m*R)) */
+    const double t52 = t48*t51; /* omega_tau*1/(s*Theta*b*D)*s*b*D*t51 */
+    const double t53 = JLT_FMS(t17, t47, t52); /* omega_n*b*D*Theta*1/(s*Theta*b*D)*(omega_tau*gamma3 - m*I3*1/(s*Theta*b*D)*s*b*D*b*V) - omega_tau*1/(s*Theta*b*D)*s*b*D*t51 */
+    const double t54 = t16*t40; /* b*D*Theta*1/(s*Theta*b*D)*omega_tau*gamma3 */
+    const double t55 = -t54; /* -b*D*Theta*1/(s*Theta*b*D)*omega_tau*gamma3 */
+    const double t56 = t21*p[16]; /* s*D*Theta*1/(s*Theta*b*D)*R/I3 */
+    const double t57 = t22*t56; /* (G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*s*D*Theta*1/(s*Theta*b*D)*R/I3 */
+    const double t58 = x[0]*t17; /* gamma3*omega_n*b*D*Theta*1/(s*Theta*b*D) */
+    const double t59 = t21*p[17]; /* s*D*Theta*1/(s*Theta*b*D)*R*I1/I3 */
+    const double t60 = JLT_FNMA(t58, t59, t57); /* d(omega3)/d(gamma3) = t57 - gamma3*omega_n*b*D*Theta*1/(s*Theta*b*D)*s*D*Theta*1/(s*Theta*b*D)*R*I1/I3 */
+    const double t61 = t17 + t60; /* omega_n*b*D*Theta*1/(s*Theta*b*D) + d(omega3)/d(gamma3) */
+    const double t62 = x[3]*p[1]; /* omega_n*R */
+    const double t63 = t61*t62; /* (omega_n*b*D*Theta*1/(s*Theta*b*D) + d(omega3)/d(gamma3))*omega_n*R */
+    const double t64 = t16*t58; /* b*D*Theta*1/(s*Theta*b*D)*gamma3*omega_n*b*D*Theta*1/(s*Theta*b*D) */
+    const double t65 = JLT_FMA(t18, t64, t63); /* b*omega_n*b*D*Theta*1/(s*Theta*b*D)*t64 + t63 */
+    const double t66 = t3*t21; /* s*s*D*Theta*1/(s*Theta*b*D) */
+    const double t67 = x[3]*p[18]; /* omega_n*R^2*I1/I3 */
+    const double t68 = JLT_FMS(t66, t67, t24); /* s*s*D*Theta*1/(s*Theta*b*D)*omega_n*R^2*I1/I3 - R*1/I3*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D) */
+    const double t69 = JLT_FMA(t18, 2.0, t68); /* b*omega_n*b*D*Theta*1/(s*Theta*b*D)*2 + t68 */
+    const double t70 = t29*p[19]; /* gamma3*Theta*1/(s*Theta*b*D)*s*b*2*m*a3^2 */
+    const double t71 = JLT_FMA(t29, t70, t28); /* gamma3*Theta*1/(s*Theta*b*D)*s*b*gamma3*Theta*1/(s*Theta*b*D)*s*b*2*m*a3^2 + Theta*1/(s*Theta*b*D)*s*b */
+    const double t72 = t33*t71; /* I1*t32*t71 */
+    const double t73 = JLT_FNMA(t30, t40, p[14]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
+    const double t74 = JLT_FNMA(t17, t58, t73); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 - omega_n*b*D*Theta*1/(s*Theta*b*D)*gamma3*omega_n*b*D*Theta*1/(s*Theta*b*D) */
+    const double t75 = t16*t74; /* b*D*Theta*1/(s*Theta*b*D)*t74 */
+    const double t76 = JLT_FNMA(t34, p[28], t75); /* b*D*Theta*1/(s*Theta*b*D)*t74 - s*Theta*1/(s*Theta*b*D)*s*b*2*m^2*g*a3^3/I1 */
+    const double t77 = p[4]*t29; /* I1*gamma3*Theta*1/(s*Theta*b*D)*s*b */
+    const double t78 = JLT_FNMA(t23, t70, t60); /* d(omega3)/d(gamma3) - 1/I3*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*gamma3*Theta*1/(s*Theta*b*D)*s*b*2*m*a3^2 */
+    const double t79 = p[5]*t37; /* I3*omega_n*Theta*1/(s*Theta*b*D)*s*b */
+    const double t80 = JLT_FNMA(t78, t79, t72); /* I1*t32*t71 - t78*I3*omega_n*Theta*1/(s*Theta*b*D)*s*b */
+    const double t81 = JLT_FMA(t76, t77, t80); /* t76*I1*gamma3*Theta*1/(s*Theta*b*D)*s*b + I1*t32*t71 - t78*I3*omega_n*Theta*1/(s*Theta*b*D)*s*b */
+    const double t82 = t4*t70; /* omega_tau*s*gamma3*Theta*1/(s*Theta*b*D)*s*b*2*m*a3^2 */
+    const double t83 = t29*p[22]; /* gamma3*Theta*1/(s*Theta*b*D)*s*b*2*I1 */
+    const double t84 = t17*t83; /* omega_n*b*D*Theta*1/(s*Theta*b*D)*gamma3*Theta*1/(s*Theta*b*D)*s*b*2*I1 */
+    const double t85 = p[12]*t37; /* R*I1*omega_n*Theta*1/(s*Theta*b*D)*s*b */
+    const double t86 = JLT_FMS(t28, t36, t84); /* Theta*1/(s*Theta*b*D)*s*b*1/I3*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*I3 - t84 */
+    const double t87 = JLT_FNMA(t66, t85, t86); /* t86 - s*s*D*Theta*1/(s*Theta*b*D)*R*I1*omega_n*Theta*1/(s*Theta*b*D)*s*b */
+    const double t88 = x[2]*t17; /* omega_tau*omega_n*b*D*Theta*1/(s*Theta*b*D) */
+    const double t89 = t16*t47; /* b*D*Theta*1/(s*Theta*b*D)*(omega_tau*gamma3 - m*I3*1/(s*Theta*b*D)*s*b*D*b*V) */
+    const double t90 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
+    const double t91 = JLT_FMS(t5, p[24], t90); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t92 = t18*t45; /* b*omega_n*b*D*Theta*1/(s*Theta*b*D)*m*I3*1/(s*Theta*b*D)*s*b*D */
+    const double t93 = t91*t92; /* d(Theta)/d(gamma3)*t92 */
+    const double t94 = JLT_FNMA(t17, p[25], t93); /* d(Theta)/d(gamma3)*t92 - omega_n*b*D*Theta*1/(s*Theta*b*D)*m*R*I3 */
+    const double t95 = t42*t94; /* V*t94 */
+    const double t96 = JLT_FMA(t52, t91, t95); /* omega_tau*1/(s*Theta*b*D)*s*b*D*t51*d(Theta)/d(gamma3) + V*t94 */
+    const double t97 = t23*p[29]; /* 1/I3*(G_level - s*omega_n*R*I1)*s*D*Theta*1/(s*Theta*b*D)*m*R*a3 */
+    const double t98 = JLT_FMS(t50, t60, t97); /* m*R*(e + I3/(m*R))*d(omega3)/d(gamma3) - t97 */
+    const double t99 = JLT_FNMA(t18, p[30], t98); /* m*R*(e + I3/(m*R))*d(omega3)/d(gamma3) - t97 - b*omega_n*b*D*Theta*1/(s*Theta*b*D)*m*a3 */
+    const double t100 = p[5]*t48; /* I3*omega_tau*1/(s*Theta*b*D)*s*b*D */
+    const double t101 = JLT_FMA(t64, t89, t88); /* t64*t89 + omega_tau*omega_n*b*D*Theta*1/(s*Theta*b*D) */
+    const double t102 = JLT_FMA(t44, t96, t101); /* 1/(s*Theta*b*D)*s*b*D*t96 + t64*t89 + omega_tau*omega_n*b*D*Theta*1/(s*Theta*b*D) */
+    const double t103 = JLT_FMA(t99, t100, t102); /* t99*I3*omega_tau*1/(s*Theta*b*D)*s*b*D + t102 */
+    const double t104 = -t92; /* -t92 */
+    const double t105 = JLT_FNMA(t41, t92, t58); /* gamma3*omega_n*b*D*Theta*1/(s*Theta*b*D) - e*t92 */
+    const double t106 = JLT_FNMA(t44, t51, t105); /* gamma3*omega_n*b*D*Theta*1/(s*Theta*b*D) - e*t92 - 1/(s*Theta*b*D)*s*b*D*t51 */
+    const double t107 = p[9]*t49; /* m*R^2*I1*(e + I3/(m*R)) */
+    const double t108 = t48*t107; /* omega_tau*1/(s*Theta*b*D)*s*b*D*m*R^2*I1*(e + I3/(m*R)) */
+    const double t109 = JLT_FMA(t66, t108, t89); /* s*s*D*Theta*1/(s*Theta*b*D)*omega_tau*1/(s*Theta*b*D)*s*b*D*m*R^2*I1*(e + I3/(m*R)) + t89 */
+    out[0] = t4;
+    out[1] = t26;
+    out[2] = t39;
+    out[3] = t53;
+    out[4] = t55;
     out[5] = 0.0;
-    out[6] = t2;
+    out[6] = t3;
     out[7] = 0.0;
-    out[8] = t96;
+    out[8] = t65;
     out[9] = 0.0;
     out[10] = 0.0;
-    out[11] = t106;
-    out[12] = t159;
+    out[11] = t69;
+    out[12] = t81;
     out[13] = 0.0;
-    out[14] = t165;
-    out[15] = t175;
-    out[16] = t228;
-    out[17] = t230;
-    out[18] = t242;
-    out[19] = t257;
+    out[14] = t82;
+    out[15] = t87;
+    out[16] = t103;
+    out[17] = t104;
+    out[18] = t106;
+    out[19] = t109;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[3]*p[3]; /* a3*a3 */
-    const double t1 = p[0]*t0; /* m*a3*a3 */
-    const double t2 = t1*x[0]; /* m*a3*a3*gamma3 */
-    const double t3 = t2*x[2]; /* m*a3*a3*gamma3*omega_tau */
-    const double t4 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t5 = 1.0 - t4; /* 1 - gamma3*gamma3 */
-    const double t6 = sqrt(t5); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t7 = t3*t6; /* m*a3*a3*gamma3*omega_tau*s */
-    const double t8 = t6*t6; /* s*s */
-    const double t9 = t1*t8; /* m*a3*a3*s*s */
-    const double t10 = p[4] + t9; /* D = I1 + m*a3*a3*s*s */
-    const double t11 = t7/t10; /* m*a3*a3*gamma3*omega_tau*s/D */
-    const double t12 = t11*2.0; /* m*a3*a3*gamma3*omega_tau*s/D*2 */
-    const double t13 = p[0]*p[5]; /* m*I3 */
-    const double t14 = x[0]*p[1]; /* gamma3*R */
-    const double t15 = p[3] + t14; /* b = a3 + gamma3*R */
-    const double t16 = t13*t15; /* m*I3*b */
-    const double t17 = p[1]*p[1]; /* R*R */
-    const double t18 = p[0]*t17; /* m*R*R */
-    const double t19 = p[4]*t18; /* I1*m*R*R */
-    const double t20 = t8*t19; /* s*s*I1*m*R*R */
-    const double t21 = p[7] + t20; /* I1*I3 + s*s*I1*m*R*R */
-    const double t22 = t15*t15; /* b*b */
-    const double t23 = t13*t22; /* m*I3*b*b */
-    const double t24 = t21 + t23; /* Theta = I1*I3 + s*s*I1*m*R*R + m*I3*b*b */
-    const double t25 = t6*t24; /* s*Theta */
-    const double t26 = p[3]*x[0]; /* a3*gamma3 */
-    const double t27 = p[1] + t26; /* e = R + a3*gamma3 */
-    const double t28 = x[2]*t27; /* omega_tau*e */
-    const double t29 = x[1] + t28; /* V = v_nu + omega_tau*e */
-    const double t30 = t16*t29; /* m*I3*b*V */
-    const double t31 = t30/t25; /* m*I3*b*V/(s*Theta) */
-    const double t32 = t12 - t31; /* m*a3*a3*gamma3*omega_tau*s/D*2 - m*I3*b*V/(s*Theta) */
-    const double t33 = p[4]*p[1]; /* I1*R */
-    const double t34 = p[5]*t33; /* I3*I1*R */
-    const double t35 = x[2]*t34; /* omega_tau*I3*I1*R */
-    const double t36 = t6*t35; /* s*omega_tau*I3*I1*R */
-    const double t37 = t15*t24; /* b*Theta */
-    const double t38 = t36/t37; /* s*omega_tau*I3*I1*R/(b*Theta) */
-    const double t39 = t32 + t38; /* m*a3*a3*gamma3*omega_tau*s/D*2 - m*I3*b*V/(s*Theta) + s*omega_tau*I3*I1*R/(b*Theta) */
-    const double t40 = x[2]*t19; /* omega_tau*I1*m*R*R */
-    const double t41 = t6*t40; /* s*omega_tau*I1*m*R*R */
-    const double t42 = t27*t41; /* e*s*omega_tau*I1*m*R*R */
-    const double t43 = t42/t37; /* e*s*omega_tau*I1*m*R*R/(b*Theta) */
-    const double t44 = t39 + t43; /* t39 + e*s*omega_tau*I1*m*R*R/(b*Theta) */
-    out[0] = t44;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t5 = t4*p[10]; /* b*m*I3 */
+    const double t6 = JLT_FMA(p[9], t2, p[8]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t7 = JLT_FMA(t4, t5, t6); /* Theta = b*b*m*I3 + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t8 = JLT_FMA(t2, p[7], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t9 = t4*t8; /* b*D */
+    const double t10 = t7*t9; /* Theta*b*D */
+    const double t11 = t3*t10; /* s*Theta*b*D */
+    const double t12 = 1.0/t11; /* 1/(s*Theta*b*D) */
+    const double t13 = t4*t12; /* b*1/(s*Theta*b*D) */
+    const double t14 = t7*t13; /* Theta*b*1/(s*Theta*b*D) */
+    const double t15 = x[0]*p[31]; /* gamma3*2*a3^2/(R^2*I1) */
+    const double t16 = t3*t15; /* s*gamma3*2*a3^2/(R^2*I1) */
+    const double t17 = t14*t16; /* Theta*b*1/(s*Theta*b*D)*s*gamma3*2*a3^2/(R^2*I1) */
+    const double t18 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t19 = p[26] + t18; /* I3/(m*R) + e */
+    const double t20 = t3*t8; /* s*D */
+    const double t21 = t13*t20; /* b*1/(s*Theta*b*D)*s*D */
+    const double t22 = t8*t19; /* D*(I3/(m*R) + e) */
+    const double t23 = t7*t22; /* Theta*D*(I3/(m*R) + e) */
+    const double t24 = t3*t23; /* s*Theta*D*(I3/(m*R) + e) */
+    const double t25 = t12*t24; /* 1/(s*Theta*b*D)*s*Theta*D*(I3/(m*R) + e) */
+    const double t26 = JLT_FMA(t21, t25, t17); /* b*1/(s*Theta*b*D)*s*D*1/(s*Theta*b*D)*s*Theta*D*(I3/(m*R) + e) + Theta*b*1/(s*Theta*b*D)*s*gamma3*2*a3^2/(R^2*I1) */
+    const double t27 = p[9]*x[2]; /* m*R^2*I1*omega_tau */
+    const double t28 = t3*t27; /* s*m*R^2*I1*omega_tau */
+    const double t29 = t26*t28; /* t26*s*m*R^2*I1*omega_tau */
+    const double t30 = JLT_FMA(x[2], t18, x[1]); /* V = omega_tau*e + v_nu */
+    const double t31 = t5*t8; /* b*m*I3*D */
+    const double t32 = t30*t31; /* V*b*m*I3*D */
+    const double t33 = t21*t32; /* b*1/(s*Theta*b*D)*s*D*V*b*m*I3*D */
+    const double t34 = JLT_FNMA(t14, t33, t29); /* t26*s*m*R^2*I1*omega_tau - Theta*b*1/(s*Theta*b*D)*b*1/(s*Theta*b*D)*s*D*V*b*m*I3*D */
+    out[0] = t34;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[0]*p[2]; /* m*g */
-    const double t1 = t0*p[3]; /* m*g*a3 */
-    const double t2 = t1*x[0]; /* m*g*a3*gamma3 */
-    const double t3 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t4 = p[0]*t3; /* m*v_nu*v_nu */
-    const double t5 = t4*(1.0 / 2.0); /* m*v_nu*v_nu*1/2 */
-    const double t6 = t2 + t5; /* m*g*a3*gamma3 + m*v_nu*v_nu*1/2 */
-    const double t7 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t8 = p[3]*p[3]; /* a3*a3 */
-    const double t9 = p[0]*t8; /* m*a3*a3 */
-    const double t10 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t11 = 1.0 - t10; /* 1 - gamma3*gamma3 */
-    const double t12 = sqrt(t11); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t13 = t12*t12; /* s*s */
-    const double t14 = t9*t13; /* m*a3*a3*s*s */
-    const double t15 = p[4] + t14; /* D = I1 + m*a3*a3*s*s */
-    const double t16 = t7*t15; /* omega_tau*omega_tau*D */
-    const double t17 = (1.0 / 2.0)*t16; /* 1/2*omega_tau*omega_tau*D */
-    const double t18 = t6 + t17; /* m*g*a3*gamma3 + m*v_nu*v_nu*1/2 + 1/2*omega_tau*omega_tau*D */
-    const double t19 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t20 = p[4]*t19; /* I1*omega_n*omega_n */
-    const double t21 = (1.0 / 2.0)*t20; /* 1/2*I1*omega_n*omega_n */
-    const double t22 = t18 + t21; /* m*g*a3*gamma3 + m*v_nu*v_nu*1/2 + 1/2*omega_tau*omega_tau*D + 1/2*I1*omega_n*omega_n */
-    const double t23 = x[0]*p[1]; /* gamma3*R */
-    const double t24 = p[3] + t23; /* b = a3 + gamma3*R */
-    const double t25 = p[5]*t24; /* I3*b */
-    const double t26 = p[4]*p[1]; /* I1*R */
-    const double t27 = x[3]*t26; /* omega_n*I1*R */
-    const double t28 = t12*t27; /* s*omega_n*I1*R */
-    const double t29 = t28 - p[6]; /* s*omega_n*I1*R - G_level */
-    const double t30 = t29/t25; /* omega3 = (s*omega_n*I1*R - G_level)/(I3*b) */
-    const double t31 = t30*t30; /* omega3*omega3 */
-    const double t32 = p[5]*t31; /* I3*omega3*omega3 */
-    const double t33 = (1.0 / 2.0)*t32; /* 1/2*I3*omega3*omega3 */
-    const double t34 = t22 + t33; /* t22 + 1/2*I3*omega3*omega3 */
-    const double t35 = x[3]*t24; /* omega_n*b */
-    const double t36 = p[1]*t30; /* R*omega3 */
-    const double t37 = t12*t36; /* s*R*omega3 */
-    const double t38 = t35 + t37; /* v_tau = omega_n*b + s*R*omega3 */
-    const double t39 = t38*t38; /* v_tau*v_tau */
-    const double t40 = p[0]*t39; /* m*v_tau*v_tau */
-    const double t41 = (1.0 / 2.0)*t40; /* 1/2*m*v_tau*v_tau */
-    const double t42 = t34 + t41; /* energy = t22 + 1/2*I3*omega3*omega3 + 1/2*m*v_tau*v_tau */
-    out[0] = t42;
+    const double t0 = p[20]*x[0]; /* m*g*a3*gamma3 */
+    const double t1 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t2 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t3 = x[3]*t2; /* omega_n*b */
+    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t5 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t6 = t4*t5; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t8 = 1.0/t2; /* 1/b */
+    const double t9 = x[3]*p[12]; /* omega_n*R*I1 */
+    const double t10 = JLT_FNMA(t7, t9, p[6]); /* G_level - s*omega_n*R*I1 */
+    const double t11 = p[11]*t8; /* 1/I3*1/b */
+    const double t12 = t10*t11; /* (G_level - s*omega_n*R*I1)*1/I3*1/b */
+    const double t13 = p[1]*t7; /* R*s */
+    const double t14 = JLT_FNMA(t12, t13, t3); /* v_tau = omega_n*b - (G_level - s*omega_n*R*I1)*1/I3*1/b*R*s */
+    const double t15 = JLT_FMA(t14, t14, t1); /* v_tau*v_tau + v_nu*v_nu */
+    const double t16 = JLT_FMA(t6, p[7], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
+    const double t17 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
+    const double t18 = x[2]*t17; /* omega_tau*1/2*omega_tau */
+    const double t19 = x[3]*p[33]; /* omega_n*1/2*I1 */
+    const double t20 = t12*p[34]; /* (G_level - s*omega_n*R*I1)*1/I3*1/b*1/2*I3 */
+    const double t21 = JLT_FMA(x[3], t19, t0); /* omega_n*omega_n*1/2*I1 + m*g*a3*gamma3 */
+    const double t22 = JLT_FMA(t16, t18, t21); /* D*omega_tau*1/2*omega_tau + omega_n*omega_n*1/2*I1 + m*g*a3*gamma3 */
+    const double t23 = JLT_FMA(t12, t20, t22); /* (G_level - s*omega_n*R*I1)*1/I3*1/b*(G_level - s*omega_n*R*I1)*1/I3*1/b*1/2*I3 + t22 */
+    const double t24 = JLT_FMA(p[32], t15, t23); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t23 */
+    out[0] = t24;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[3]*p[3]; /* a3*a3 */
-    const double t1 = p[0]*t0; /* m*a3*a3 */
-    const double t2 = t1*x[0]; /* m*a3*a3*gamma3 */
-    const double t3 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t4 = t2*t3; /* m*a3*a3*gamma3*omega_tau*omega_tau */
-    const double t5 = p[8] - t4; /* m*g*a3 - m*a3*a3*gamma3*omega_tau*omega_tau */
-    const double t6 = x[0]*p[1]; /* gamma3*R */
-    const double t7 = p[3] + t6; /* b = a3 + gamma3*R */
-    const double t8 = x[3]*t7; /* omega_n*b */
-    const double t9 = t7*p[5]; /* b*I3 */
-    const double t10 = p[1]*p[4]; /* R*I1 */
-    const double t11 = x[3]*t10; /* omega_n*R*I1 */
-    const double t12 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t13 = 1.0 - t12; /* 1 - gamma3*gamma3 */
-    const double t14 = sqrt(t13); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t15 = t11*t14; /* omega_n*R*I1*s */
-    const double t16 = p[6] - t15; /* G_level - omega_n*R*I1*s */
-    const double t17 = t15 - p[6]; /* omega_n*R*I1*s - G_level */
-    const double t18 = t17/t9; /* omega3 = (omega_n*R*I1*s - G_level)/(b*I3) */
-    const double t19 = p[1]*t18; /* R*omega3 */
-    const double t20 = t14*t19; /* s*R*omega3 */
-    const double t21 = t8 + t20; /* v_tau = omega_n*b + s*R*omega3 */
-    const double t22 = p[0]*t21; /* m*v_tau */
-    const double t23 = x[3]*p[1]; /* omega_n*R */
-    const double t24 = t6*t18; /* gamma3*R*omega3 */
-    const double t25 = t24/t14; /* gamma3*R*omega3/s */
-    const double t26 = t23 - t25; /* omega_n*R - gamma3*R*omega3/s */
-    const double t27 = p[1]*t14; /* R*s */
-    const double t28 = t7*t7; /* b*b */
-    const double t29 = p[5]*t28; /* I3*b*b */
-    const double t30 = p[1]*t16; /* R*(G_level - omega_n*R*I1*s) */
-    const double t31 = t30/t29; /* R*(G_level - omega_n*R*I1*s)/(I3*b*b) */
-    const double t32 = x[0]*t10; /* gamma3*R*I1 */
-    const double t33 = x[3]*t32; /* omega_n*gamma3*R*I1 */
-    const double t34 = p[5]*t14; /* I3*s */
-    const double t35 = t7*t34; /* b*I3*s */
-    const double t36 = t33/t35; /* omega_n*gamma3*R*I1/(b*I3*s) */
-    const double t37 = t31 - t36; /* d(omega3)/d(gamma3) = R*(G_level - omega_n*R*I1*s)/(I3*b*b) - omega_n*gamma3*R*I1/(b*I3*s) */
-    const double t38 = t27*t37; /* R*s*d(omega3)/d(gamma3) */
-    const double t39 = t26 + t38; /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*R*omega3/s + R*s*d(omega3)/d(gamma3) */
-    const double t40 = t22*t39; /* m*v_tau*d(v_tau)/d(gamma3) */
-    const double t41 = t5 + t40; /* m*g*a3 - m*a3*a3*gamma3*omega_tau*omega_tau + m*v_tau*d(v_tau)/d(gamma3) */
-    const double t42 = p[5]*t18; /* I3*omega3 */
-    const double t43 = t37*t42; /* d(omega3)/d(gamma3)*I3*omega3 */
-    const double t44 = t41 + t43; /* d(energy)/d(gamma3) = t41 + d(omega3)/d(gamma3)*I3*omega3 */
-    const double t45 = p[0]*x[1]; /* m*v_nu */
-    const double t46 = t14*t14; /* s*s */
-    const double t47 = t1*t46; /* m*a3*a3*s*s */
-    const double t48 = p[4] + t47; /* D = I1 + m*a3*a3*s*s */
-    const double t49 = x[2]*t48; /* omega_tau*D */
-    const double t50 = x[3]*p[4]; /* omega_n*I1 */
-    const double t51 = p[1]*p[1]; /* R*R */
-    const double t52 = p[4]*t51; /* I1*R*R */
-    const double t53 = t46*t52; /* s*s*I1*R*R */
-    const double t54 = t53/t9; /* s*s*I1*R*R/(b*I3) */
-    const double t55 = t7 + t54; /* d(v_tau)/d(omega_n) = b + s*s*I1*R*R/(b*I3) */
-    const double t56 = t22*t55; /* m*v_tau*d(v_tau)/d(omega_n) */
-    const double t57 = t50 + t56; /* omega_n*I1 + m*v_tau*d(v_tau)/d(omega_n) */
-    const double t58 = t10*t18; /* R*I1*omega3 */
-    const double t59 = t14*t58; /* s*R*I1*omega3 */
-    const double t60 = t59/t7; /* s*R*I1*omega3/b */
-    const double t61 = t57 + t60; /* d(energy)/d(omega_n) = omega_n*I1 + m*v_tau*d(v_tau)/d(omega_n) + s*R*I1*omega3/b */
-    out[0] = t44;
-    out[1] = t45;
-    out[2] = t49;
-    out[3] = t61;
+    const double t0 = p[7]*x[0]; /* m*a3^2*gamma3 */
+    const double t1 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t6 = p[12]*x[3]; /* R*I1*omega_n */
+    const double t7 = JLT_FNMA(t5, t6, p[6]); /* G_level - s*R*I1*omega_n */
+    const double t8 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t9 = t5*t8; /* s*b */
+    const double t10 = 1.0/t9; /* 1/(s*b) */
+    const double t11 = t5*t10; /* s*1/(s*b) */
+    const double t12 = t7*t11; /* (G_level - s*R*I1*omega_n)*s*1/(s*b) */
+    const double t13 = p[11]*t12; /* 1/I3*(G_level - s*R*I1*omega_n)*s*1/(s*b) */
+    const double t14 = x[0]*t8; /* gamma3*b */
+    const double t15 = t10*t14; /* 1/(s*b)*gamma3*b */
+    const double t16 = t11*p[16]; /* s*1/(s*b)*R/I3 */
+    const double t17 = t12*t16; /* (G_level - s*R*I1*omega_n)*s*1/(s*b)*s*1/(s*b)*R/I3 */
+    const double t18 = x[3]*p[17]; /* omega_n*R*I1/I3 */
+    const double t19 = t11*t18; /* s*1/(s*b)*omega_n*R*I1/I3 */
+    const double t20 = JLT_FNMA(t15, t19, t17); /* d(omega3)/d(gamma3) = (G_level - s*R*I1*omega_n)*s*1/(s*b)*s*1/(s*b)*R/I3 - 1/(s*b)*gamma3*b*s*1/(s*b)*omega_n*R*I1/I3 */
+    const double t21 = JLT_FMA(t13, t15, x[3]); /* 1/I3*(G_level - s*R*I1*omega_n)*s*1/(s*b)*1/(s*b)*gamma3*b + omega_n */
+    const double t22 = JLT_FMA(t5, t20, t21); /* s*d(omega3)/d(gamma3) + t21 */
+    const double t23 = x[3]*t8; /* omega_n*b */
+    const double t24 = t5*t13; /* s*1/I3*(G_level - s*R*I1*omega_n)*s*1/(s*b) */
+    const double t25 = JLT_FNMA(p[1], t24, t23); /* v_tau = omega_n*b - R*s*1/I3*(G_level - s*R*I1*omega_n)*s*1/(s*b) */
+    const double t26 = p[0]*t25; /* m*v_tau */
+    const double t27 = p[1]*t22; /* R*(s*d(omega3)/d(gamma3) + t21) */
+    const double t28 = t13*p[5]; /* 1/I3*(G_level - s*R*I1*omega_n)*s*1/(s*b)*I3 */
+    const double t29 = JLT_FNMA(t0, t1, p[20]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t30 = JLT_FNMA(t20, t28, t29); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau - d(omega3)/d(gamma3)*1/I3*(G_level - s*R*I1*omega_n)*s*1/(s*b)*I3 */
+    const double t31 = JLT_FMA(t26, t27, t30); /* d(energy)/d(gamma3) = m*v_tau*R*(s*d(omega3)/d(gamma3) + t21) + t30 */
+    const double t32 = p[0]*x[1]; /* m*v_nu */
+    const double t33 = JLT_FMA(p[7], t4, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t34 = x[2]*t33; /* omega_tau*D */
+    const double t35 = x[3]*p[4]; /* omega_n*I1 */
+    const double t36 = t4*p[18]; /* (1 - gamma3)*(gamma3 + 1)*R^2*I1/I3 */
+    const double t37 = JLT_FMA(t11, t36, t8); /* d(v_tau)/d(omega_n) = s*1/(s*b)*(1 - gamma3)*(gamma3 + 1)*R^2*I1/I3 + b */
+    const double t38 = p[12]*t11; /* R*I1*s*1/(s*b) */
+    const double t39 = JLT_FNMA(t24, t38, t35); /* omega_n*I1 - s*1/I3*(G_level - s*R*I1*omega_n)*s*1/(s*b)*R*I1*s*1/(s*b) */
+    const double t40 = JLT_FMA(t26, t37, t39); /* d(energy)/d(omega_n) = m*v_tau*d(v_tau)/d(omega_n) + t39 */
+    out[0] = t31;
+    out[1] = t32;
+    out[2] = t34;
+    out[3] = t40;
 }
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[1]*x[0]; /* R*gamma3 */
-    const double t1 = p[3] + t0; /* b = a3 + R*gamma3 */
-    const double t2 = p[5]*t1; /* I3*b */
-    const double t3 = p[1]*p[4]; /* R*I1 */
-    const double t4 = t3*x[3]; /* R*I1*omega_n */
-    const double t5 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t6 = 1.0 - t5; /* 1 - gamma3*gamma3 */
-    const double t7 = sqrt(t6); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t8 = t4*t7; /* R*I1*omega_n*s */
-    const double t9 = t8 - p[6]; /* R*I1*omega_n*s - G_level */
-    const double t10 = t9/t2; /* omega3 = (R*I1*omega_n*s - G_level)/(I3*b) */
-    out[0] = t10;
+    const double t0 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t1 = 1.0/t0; /* 1/b */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t6 = p[12]*x[3]; /* R*I1*omega_n */
+    const double t7 = JLT_FNMA(t5, t6, p[6]); /* G_level - s*R*I1*omega_n */
+    const double t8 = p[35]*t1; /* (-1/I3)*1/b */
+    const double t9 = t7*t8; /* (G_level - s*R*I1*omega_n)*(-1/I3)*1/b */
+    out[0] = t9;
 }
 
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
@@ -910,26 +620,26 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3 = {
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 9,
+    .state_count = 4, .param_count = 7, .block_count = 36,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 15, 50, 0, 10, 1, 0, 12, 9 }, { 15, 56, 0, 10, 1, 0, 12, 9 },
+    .rhs = { rhs, 4, { 2, 31, 14, 1, 1, 0, 15, 13 }, { 15, 56, 0, 10, 1, 0, 12, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 45, 145, 0, 41, 1, 0, 18, 22 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
+    .jacobian = { jacobian, 16, { 7, 59, 32, 1, 1, 0, 18, 22 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 52, 155, 0, 50, 1, 0, 18, 40 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 7, 65, 36, 1, 1, 0, 19, 32 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 10, 30, 0, 4, 1, 0, 12, 10 }, { 10, 39, 0, 4, 1, 0, 12, 9 },
+    .divergence = { divergence, 1, { 3, 22, 8, 1, 1, 0, 13, 12 }, { 10, 39, 0, 4, 1, 0, 12, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_values = { integral_values, 1, { 10, 31, 0, 1, 1, 0, 13, 6 }, { 10, 31, 0, 1, 1, 0, 13, 6 },
+    .integral_values = { integral_values, 1, { 2, 12, 9, 1, 1, 0, 8, 8 }, { 10, 31, 0, 1, 1, 0, 13, 6 },
         "divides by b: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 4, { 15, 40, 0, 6, 1, 0, 13, 14 }, { 15, 53, 0, 6, 1, 0, 13, 12 },
+    .integral_gradients = { integral_gradients, 4, { 2, 24, 13, 1, 1, 0, 12, 11 }, { 15, 53, 0, 6, 1, 0, 13, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by b: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
-    .eliminated = { eliminated, 1, { 3, 6, 0, 1, 1, 0, 6, 4 }, { 3, 6, 0, 1, 1, 0, 6, 4 },
+    .eliminated = { eliminated, 1, { 2, 4, 2, 1, 1, 0, 5, 4 }, { 3, 6, 0, 1, 1, 0, 6, 4 },
         "divides by b: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,

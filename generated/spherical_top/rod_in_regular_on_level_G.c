@@ -8,14 +8,14 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 9   29    0    5    0    0      8    7   (50)
- *  jacobian            19   77    0   17    0    0     12   12   (146)
- *  rhs_jacobian        24   86    0   21    0    0     12   21   (182)
- *  divergence          1    9    0    1    0    0      6    4   (13)
- *  integral_values     10   25    0    1    0    0      9    8   (51)
- *  integral_gradients  8   26    0    3    0    0      9   10   (67)
+ *  rhs                 1   19    8    1    0    0      9    9   (50)
+ *  jacobian            6   37   11    1    0    0     13   11   (146)
+ *  rhs_jacobian        6   41   17    1    0    0     11   19   (182)
+ *  divergence          0    5    1    1    0    0      4    4   (13)
+ *  integral_values     1   10    6    1    0    0      7    6   (51)
+ *  integral_gradients  4   17    4    1    0    0      7    9   (67)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
- *  eliminated          0    2    0    1    0    0      3    2   (3)
+ *  eliminated          0    1    0    1    0    0      2    2   (3)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes.
  */
@@ -51,483 +51,357 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
-    const double t0 = params[0]*params[2]; /* m*g */
-    const double t1 = t0*params[3]; /* m*g*a3 */
+    const double t0 = params[1]*params[4]; /* R*I1 */
+    const double t1 = params[6]/t0; /* G_level/(R*I1) */
+    const double t2 = params[3]*params[3]; /* a3*a3 */
+    const double t3 = params[0]*t2; /* m*a3*a3 */
+    const double t4 = t3/params[4]; /* m*a3*a3/I1 */
+    const double t5 = params[0]*params[2]; /* m*g */
+    const double t6 = params[3]*t5; /* a3*m*g */
+    const double t7 = t6/params[4]; /* a3*m*g/I1 */
+    const double t8 = 1.0/params[1]; /* 1/R */
+    const double t9 = params[6]*2.0; /* G_level*2 */
+    const double t10 = t9/t0; /* G_level*2/(R*I1) */
+    const double t11 = params[0]*2.0; /* m*2 */
+    const double t12 = t2*t11; /* a3*a3*m*2 */
+    const double t13 = t9/params[1]; /* G_level*2/R */
+    const double t14 = params[4]*2.0; /* I1*2 */
+    const double t15 = params[3]/params[1]; /* a3/R */
+    const double t16 = params[6]/params[4]; /* G_level/I1 */
+    const double t17 = params[2]*t11; /* g*m*2 */
+    const double t18 = params[3]*t17; /* a3*g*m*2 */
+    const double t19 = params[0]*params[0]; /* m*m */
+    const double t20 = 2.0*t19; /* 2*m*m */
+    const double t21 = params[2]*t20; /* g*2*m*m */
+    const double t22 = params[3]*t2; /* a3*a3*a3 */
+    const double t23 = t21*t22; /* g*2*m*m*a3*a3*a3 */
+    const double t24 = params[1]*params[1]; /* R*R */
+    const double t25 = params[4]*t24; /* I1*R*R */
+    const double t26 = params[6]/t25; /* G_level/(I1*R*R) */
+    const double t27 = params[0]/2.0; /* m/2 */
+    const double t28 = params[1]*params[0]; /* R*m */
+    const double t29 = params[6]/params[1]; /* G_level/R */
     out[7] = t1;
+    out[8] = t3;
+    out[9] = t4;
+    out[10] = t7;
+    out[11] = t8;
+    out[12] = t10;
+    out[13] = t12;
+    out[14] = t13;
+    out[15] = t14;
+    out[16] = t6;
+    out[17] = t15;
+    out[18] = t16;
+    out[19] = t18;
+    out[20] = t23;
+    out[21] = t26;
+    out[22] = t27;
+    out[23] = t28;
+    out[24] = t29;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[4]; /* s*s */
     const double t1 = x[2]*t0; /* omega_tau*s*s */
-    const double t2 = p[1]*p[4]; /* R*I1 */
-    const double t3 = x[4]*t2; /* s*R*I1 */
-    const double t4 = p[6]/t3; /* omega_n = G_level/(s*R*I1) */
-    const double t5 = t4*t4; /* omega_n*omega_n */
-    const double t6 = p[1]*x[0]; /* R*gamma3 */
-    const double t7 = p[3] + t6; /* b = a3 + R*gamma3 */
-    const double t8 = t5*t7; /* omega_n*omega_n*b */
-    const double t9 = p[1]*t4; /* R*omega_n */
-    const double t10 = t9*x[3]; /* R*omega_n*omega3 */
-    const double t11 = x[4]*t10; /* s*R*omega_n*omega3 */
-    const double t12 = t8 + t11; /* omega_n*omega_n*b + s*R*omega_n*omega3 */
-    const double t13 = p[3]*p[3]; /* a3*a3 */
-    const double t14 = p[0]*t13; /* m*a3*a3 */
-    const double t15 = x[0]*t14; /* gamma3*m*a3*a3 */
-    const double t16 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t17 = t15*t16; /* gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t18 = t0*t17; /* s*s*gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t19 = t0*t14; /* s*s*m*a3*a3 */
-    const double t20 = p[4] + t19; /* D = I1 + s*s*m*a3*a3 */
-    const double t21 = t18/t20; /* s*s*gamma3*m*a3*a3*omega_tau*omega_tau/D */
-    const double t22 = p[0]*p[2]; /* m*g */
-    const double t23 = p[3]*t22; /* a3*m*g */
-    const double t24 = t0*t23; /* s*s*a3*m*g */
-    const double t25 = t24/t20; /* s*s*a3*m*g/D */
-    const double t26 = t21 - t25; /* s*s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*s*a3*m*g/D */
-    const double t27 = p[4]*x[0]; /* I1*gamma3 */
-    const double t28 = t5*t27; /* omega_n*omega_n*I1*gamma3 */
-    const double t29 = t28/t20; /* omega_n*omega_n*I1*gamma3/D */
-    const double t30 = t26 - t29; /* s*s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*s*a3*m*g/D - omega_n*omega_n*I1*gamma3/D */
-    const double t31 = x[4]*p[1]; /* s*R */
-    const double t32 = p[3]*x[0]; /* a3*gamma3 */
-    const double t33 = p[1] + t32; /* e = R + a3*gamma3 */
-    const double t34 = x[2]*t33; /* omega_tau*e */
-    const double t35 = x[1] + t34; /* V = v_nu + omega_tau*e */
-    const double t36 = t4*t35; /* omega_n*V */
-    const double t37 = t36/t31; /* omega_n*V/(s*R) */
-    const double t38 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t39 = x[3]*t38; /* omega3*omega_tau*gamma3 */
-    const double t40 = t39 - t37; /* omega3*omega_tau*gamma3 - omega_n*V/(s*R) */
-    const double t41 = x[4]*t38; /* s*omega_tau*gamma3 */
-    const double t42 = -t41; /* -s*omega_tau*gamma3 */
+    const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t3 = JLT_FMA(t0, p[8], p[4]); /* D = s*s*m*a3^2 + I1 */
+    const double t4 = x[4]*t3; /* s*D */
+    const double t5 = 1.0/t4; /* 1/(s*D) */
+    const double t6 = t3*t5; /* D*1/(s*D) */
+    const double t7 = p[7]*t6; /* omega_n = G_level/(R*I1)*D*1/(s*D) */
+    const double t8 = t7*t7; /* omega_n*omega_n */
+    const double t9 = t2*t8; /* b*omega_n*omega_n */
+    const double t10 = x[4]*p[1]; /* s*R */
+    const double t11 = x[3]*t10; /* omega3*s*R */
+    const double t12 = JLT_FMA(t7, t11, t9); /* omega_n*omega3*s*R + b*omega_n*omega_n */
+    const double t13 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t14 = p[9]*t13; /* m*a3^2/I1*omega_tau*gamma3 */
+    const double t15 = t1*t14; /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 */
+    const double t16 = JLT_FNMA(t0, p[10], t15); /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 - s*s*m*g*a3/I1 */
+    const double t17 = JLT_FNMA(x[0], t8, t16); /* omega_tau*s*s*m*a3^2/I1*omega_tau*gamma3 - s*s*m*g*a3/I1 - gamma3*omega_n*omega_n */
+    const double t18 = x[4]*p[4]; /* s*I1 */
+    const double t19 = t5*t18; /* 1/(s*D)*s*I1 */
+    const double t20 = t17*t19; /* t17*1/(s*D)*s*I1 */
+    const double t21 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t22 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
+    const double t23 = p[11]*t22; /* 1/R*V */
+    const double t24 = t6*t23; /* D*1/(s*D)*1/R*V */
+    const double t25 = t7*t24; /* omega_n*D*1/(s*D)*1/R*V */
+    const double t26 = JLT_FMS(x[3], t13, t25); /* omega3*omega_tau*gamma3 - omega_n*D*1/(s*D)*1/R*V */
+    const double t27 = x[4]*t13; /* s*omega_tau*gamma3 */
+    const double t28 = -t27; /* -s*omega_tau*gamma3 */
     out[0] = t1;
     out[1] = t12;
-    out[2] = t30;
-    out[3] = t40;
-    out[4] = t42;
+    out[2] = t20;
+    out[3] = t26;
+    out[4] = t28;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = 2.0*x[2]; /* 2*omega_tau */
-    const double t2 = x[4]*t1; /* s*2*omega_tau */
-    const double t3 = p[1]*p[4]; /* R*I1 */
-    const double t4 = x[4]*t3; /* s*R*I1 */
-    const double t5 = p[6]/t4; /* omega_n = G_level/(s*R*I1) */
-    const double t6 = t5*t5; /* omega_n*omega_n */
-    const double t7 = p[1]*t6; /* R*omega_n*omega_n */
-    const double t8 = p[1]*t5; /* R*omega_n */
-    const double t9 = x[4]*t8; /* s*R*omega_n */
-    const double t10 = t8*x[3]; /* R*omega_n*omega3 */
-    const double t11 = t0*t3; /* s*s*R*I1 */
-    const double t12 = p[1]*x[0]; /* R*gamma3 */
-    const double t13 = p[3] + t12; /* b = a3 + R*gamma3 */
-    const double t14 = t5*t13; /* omega_n*b */
-    const double t15 = p[6]*t14; /* G_level*omega_n*b */
-    const double t16 = t15/t11; /* G_level*omega_n*b/(s*s*R*I1) */
-    const double t17 = 2.0*t16; /* 2*G_level*omega_n*b/(s*s*R*I1) */
-    const double t18 = t10 - t17; /* R*omega_n*omega3 - 2*G_level*omega_n*b/(s*s*R*I1) */
-    const double t19 = x[4]*p[4]; /* s*I1 */
-    const double t20 = p[6]*x[3]; /* G_level*omega3 */
-    const double t21 = t20/t19; /* G_level*omega3/(s*I1) */
-    const double t22 = t18 - t21; /* R*omega_n*omega3 - 2*G_level*omega_n*b/(s*s*R*I1) - G_level*omega3/(s*I1) */
-    const double t23 = p[3]*p[3]; /* a3*a3 */
-    const double t24 = p[0]*t23; /* m*a3*a3 */
-    const double t25 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t26 = t24*t25; /* m*a3*a3*omega_tau*omega_tau */
-    const double t27 = t0*t26; /* s*s*m*a3*a3*omega_tau*omega_tau */
-    const double t28 = t0*t24; /* s*s*m*a3*a3 */
-    const double t29 = p[4] + t28; /* D = I1 + s*s*m*a3*a3 */
-    const double t30 = t27/t29; /* s*s*m*a3*a3*omega_tau*omega_tau/D */
-    const double t31 = p[4]*t6; /* I1*omega_n*omega_n */
-    const double t32 = t31/t29; /* I1*omega_n*omega_n/D */
-    const double t33 = t30 - t32; /* s*s*m*a3*a3*omega_tau*omega_tau/D - I1*omega_n*omega_n/D */
-    const double t34 = 2.0*p[0]; /* 2*m */
-    const double t35 = t23*t34; /* a3*a3*2*m */
-    const double t36 = x[0]*t35; /* gamma3*a3*a3*2*m */
-    const double t37 = x[2]*t36; /* omega_tau*gamma3*a3*a3*2*m */
-    const double t38 = t0*t37; /* s*s*omega_tau*gamma3*a3*a3*2*m */
-    const double t39 = t38/t29; /* s*s*omega_tau*gamma3*a3*a3*2*m/D */
-    const double t40 = x[0]*t24; /* gamma3*m*a3*a3 */
-    const double t41 = t25*t40; /* omega_tau*omega_tau*gamma3*m*a3*a3 */
-    const double t42 = x[4]*t41; /* s*omega_tau*omega_tau*gamma3*m*a3*a3 */
-    const double t43 = t42/t29; /* s*omega_tau*omega_tau*gamma3*m*a3*a3/D */
-    const double t44 = 2.0*t43; /* 2*s*omega_tau*omega_tau*gamma3*m*a3*a3/D */
-    const double t45 = p[0]*p[2]; /* m*g */
-    const double t46 = p[3]*t45; /* a3*m*g */
-    const double t47 = x[4]*t46; /* s*a3*m*g */
-    const double t48 = t47/t29; /* s*a3*m*g/D */
-    const double t49 = 2.0*t48; /* 2*s*a3*m*g/D */
-    const double t50 = t44 - t49; /* 2*s*omega_tau*omega_tau*gamma3*m*a3*a3/D - 2*s*a3*m*g/D */
-    const double t51 = p[0]*p[0]; /* m*m */
-    const double t52 = t23*t23; /* a3*a3*a3*a3 */
-    const double t53 = t51*t52; /* m*m*a3*a3*a3*a3 */
-    const double t54 = x[0]*t53; /* gamma3*m*m*a3*a3*a3*a3 */
-    const double t55 = t25*t54; /* omega_tau*omega_tau*gamma3*m*m*a3*a3*a3*a3 */
-    const double t56 = x[4]*t0; /* s*s*s */
-    const double t57 = t55*t56; /* omega_tau*omega_tau*gamma3*m*m*a3*a3*a3*a3*s*s*s */
-    const double t58 = t29*t29; /* D*D */
-    const double t59 = t57/t58; /* omega_tau*omega_tau*gamma3*m*m*a3*a3*a3*a3*s*s*s/(D*D) */
-    const double t60 = 2.0*t59; /* 2*omega_tau*omega_tau*gamma3*m*m*a3*a3*a3*a3*s*s*s/(D*D) */
-    const double t61 = t50 - t60; /* 2*s*omega_tau*omega_tau*gamma3*m*a3*a3/D - 2*s*a3*m*g/D - 2*omega_tau*omega_tau*gamma3*m*m*a3*a3*a3*a3*s*s*s/(D*D) */
-    const double t62 = p[2]*t51; /* g*m*m */
-    const double t63 = p[3]*t23; /* a3*a3*a3 */
-    const double t64 = t62*t63; /* g*m*m*a3*a3*a3 */
-    const double t65 = t56*t64; /* s*s*s*g*m*m*a3*a3*a3 */
-    const double t66 = t65/t58; /* s*s*s*g*m*m*a3*a3*a3/(D*D) */
-    const double t67 = 2.0*t66; /* 2*s*s*s*g*m*m*a3*a3*a3/(D*D) */
-    const double t68 = t61 + t67; /* t61 + 2*s*s*s*g*m*m*a3*a3*a3/(D*D) */
-    const double t69 = p[4]*t24; /* I1*m*a3*a3 */
-    const double t70 = x[0]*t69; /* gamma3*I1*m*a3*a3 */
-    const double t71 = t6*t70; /* omega_n*omega_n*gamma3*I1*m*a3*a3 */
-    const double t72 = x[4]*t71; /* s*omega_n*omega_n*gamma3*I1*m*a3*a3 */
-    const double t73 = t72/t58; /* s*omega_n*omega_n*gamma3*I1*m*a3*a3/(D*D) */
-    const double t74 = 2.0*t73; /* 2*s*omega_n*omega_n*gamma3*I1*m*a3*a3/(D*D) */
-    const double t75 = t68 + t74; /* t61 + 2*s*s*s*g*m*m*a3*a3*a3/(D*D) + 2*s*omega_n*omega_n*gamma3*I1*m*a3*a3/(D*D) */
-    const double t76 = t5*x[0]; /* omega_n*gamma3 */
-    const double t77 = t0*p[1]; /* s*s*R */
-    const double t78 = t29*t77; /* D*s*s*R */
-    const double t79 = p[6]*t76; /* G_level*omega_n*gamma3 */
-    const double t80 = t79/t78; /* G_level*omega_n*gamma3/(D*s*s*R) */
-    const double t81 = 2.0*t80; /* 2*G_level*omega_n*gamma3/(D*s*s*R) */
-    const double t82 = t75 + t81; /* t75 + 2*G_level*omega_n*gamma3/(D*s*s*R) */
-    const double t83 = x[2]*p[3]; /* omega_tau*a3 */
-    const double t84 = t5*t83; /* omega_n*omega_tau*a3 */
-    const double t85 = x[4]*p[1]; /* s*R */
-    const double t86 = t84/t85; /* omega_n*omega_tau*a3/(s*R) */
-    const double t87 = x[2]*x[3]; /* omega_tau*omega3 */
-    const double t88 = t87 - t86; /* omega_tau*omega3 - omega_n*omega_tau*a3/(s*R) */
-    const double t89 = t5/t85; /* omega_n/(s*R) */
-    const double t90 = -t89; /* -omega_n/(s*R) */
-    const double t91 = p[3]*x[0]; /* a3*gamma3 */
-    const double t92 = p[1] + t91; /* e = R + a3*gamma3 */
-    const double t93 = t5*t92; /* omega_n*e */
-    const double t94 = t93/t85; /* omega_n*e/(s*R) */
-    const double t95 = x[3]*x[0]; /* omega3*gamma3 */
-    const double t96 = t95 - t94; /* omega3*gamma3 - omega_n*e/(s*R) */
-    const double t97 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t98 = x[2]*t92; /* omega_tau*e */
-    const double t99 = x[1] + t98; /* V = v_nu + omega_tau*e */
-    const double t100 = t5*t99; /* omega_n*V */
-    const double t101 = t100/t77; /* omega_n*V/(s*s*R) */
-    const double t102 = p[1]*p[1]; /* R*R */
-    const double t103 = p[4]*t102; /* I1*R*R */
-    const double t104 = t56*t103; /* s*s*s*I1*R*R */
-    const double t105 = p[6]*t99; /* G_level*V */
-    const double t106 = t105/t104; /* G_level*V/(s*s*s*I1*R*R) */
-    const double t107 = t101 + t106; /* omega_n*V/(s*s*R) + G_level*V/(s*s*s*I1*R*R) */
-    const double t108 = x[4]*x[2]; /* s*omega_tau */
-    const double t109 = -t108; /* -s*omega_tau */
-    const double t110 = x[4]*x[0]; /* s*gamma3 */
-    const double t111 = -t110; /* -s*gamma3 */
-    const double t112 = -t97; /* -omega_tau*gamma3 */
+    const double t1 = x[4]*x[2]; /* s*omega_tau */
+    const double t2 = 2.0*t1; /* 2*s*omega_tau */
+    const double t3 = JLT_FMA(t0, p[8], p[4]); /* D = s*s*m*a3^2 + I1 */
+    const double t4 = x[4]*t3; /* s*D */
+    const double t5 = 1.0/t4; /* 1/(s*D) */
+    const double t6 = t3*t5; /* D*1/(s*D) */
+    const double t7 = p[7]*t6; /* G_level/(R*I1)*D*1/(s*D) */
+    const double t8 = t7*t7; /* G_level/(R*I1)*D*1/(s*D)*G_level/(R*I1)*D*1/(s*D) */
+    const double t9 = p[1]*t8; /* R*G_level/(R*I1)*D*1/(s*D)*G_level/(R*I1)*D*1/(s*D) */
+    const double t10 = x[4]*p[1]; /* s*R */
+    const double t11 = t7*t10; /* G_level/(R*I1)*D*1/(s*D)*s*R */
+    const double t12 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t13 = t6*t7; /* D*1/(s*D)*G_level/(R*I1)*D*1/(s*D) */
+    const double t14 = t6*t13; /* D*1/(s*D)*D*1/(s*D)*G_level/(R*I1)*D*1/(s*D) */
+    const double t15 = p[12]*t12; /* 2*G_level/(R*I1)*b */
+    const double t16 = t14*t15; /* D*1/(s*D)*D*1/(s*D)*G_level/(R*I1)*D*1/(s*D)*2*G_level/(R*I1)*b */
+    const double t17 = -t16; /* -t16 */
+    const double t18 = t1*p[9]; /* s*omega_tau*m*a3^2/I1 */
+    const double t19 = JLT_FMS(t1, t18, t8); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - G_level/(R*I1)*D*1/(s*D)*G_level/(R*I1)*D*1/(s*D) */
+    const double t20 = x[4]*t5; /* s*1/(s*D) */
+    const double t21 = p[4]*t20; /* I1*s*1/(s*D) */
+    const double t22 = t19*t21; /* t19*I1*s*1/(s*D) */
+    const double t23 = x[4]*t20; /* s*s*1/(s*D) */
+    const double t24 = p[13]*t23; /* 2*m*a3^2*s*s*1/(s*D) */
+    const double t25 = t1*x[0]; /* s*omega_tau*gamma3 */
+    const double t26 = t24*t25; /* 2*m*a3^2*s*s*1/(s*D)*s*omega_tau*gamma3 */
+    const double t27 = t14*p[14]; /* D*1/(s*D)*D*1/(s*D)*G_level/(R*I1)*D*1/(s*D)*2*G_level/R */
+    const double t28 = JLT_FNMA(x[4], t24, 2.0); /* 2 - s*2*m*a3^2*s*s*1/(s*D) */
+    const double t29 = x[2]*t1; /* omega_tau*s*omega_tau */
+    const double t30 = t28*t29; /* (2 - s*2*m*a3^2*s*s*1/(s*D))*omega_tau*s*omega_tau */
+    const double t31 = t23*p[15]; /* s*s*1/(s*D)*2*I1 */
+    const double t32 = JLT_FMA(t8, t31, t30); /* G_level/(R*I1)*D*1/(s*D)*G_level/(R*I1)*D*1/(s*D)*s*s*1/(s*D)*2*I1 + (2 - s*2*m*a3^2*s*s*1/(s*D))*omega_tau*s*omega_tau */
+    const double t33 = JLT_FMA(p[8], t32, t27); /* m*a3^2*t32 + D*1/(s*D)*D*1/(s*D)*G_level/(R*I1)*D*1/(s*D)*2*G_level/R */
+    const double t34 = x[0]*t20; /* gamma3*s*1/(s*D) */
+    const double t35 = t33*t34; /* t33*gamma3*s*1/(s*D) */
+    const double t36 = t23*p[16]; /* s*s*1/(s*D)*m*g*a3 */
+    const double t37 = JLT_FNMA(t28, t36, t35); /* t33*gamma3*s*1/(s*D) - (2 - s*2*m*a3^2*s*s*1/(s*D))*s*s*1/(s*D)*m*g*a3 */
+    const double t38 = JLT_FNMA(t13, p[17], x[3]); /* omega3 - D*1/(s*D)*G_level/(R*I1)*D*1/(s*D)*a3/R */
+    const double t39 = x[2]*t38; /* omega_tau*(omega3 - D*1/(s*D)*G_level/(R*I1)*D*1/(s*D)*a3/R) */
+    const double t40 = t13*p[11]; /* D*1/(s*D)*G_level/(R*I1)*D*1/(s*D)*1/R */
+    const double t41 = -t40; /* -D*1/(s*D)*G_level/(R*I1)*D*1/(s*D)*1/R */
+    const double t42 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t43 = t40*t42; /* D*1/(s*D)*G_level/(R*I1)*D*1/(s*D)*1/R*e */
+    const double t44 = JLT_FMS(x[3], x[0], t43); /* omega3*gamma3 - D*1/(s*D)*G_level/(R*I1)*D*1/(s*D)*1/R*e */
+    const double t45 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t46 = JLT_FMA(x[2], t42, x[1]); /* V = omega_tau*e + v_nu */
+    const double t47 = t13 + t13; /* D*1/(s*D)*G_level/(R*I1)*D*1/(s*D) + D*1/(s*D)*G_level/(R*I1)*D*1/(s*D) */
+    const double t48 = p[11]*t46; /* 1/R*V */
+    const double t49 = t6*t48; /* D*1/(s*D)*1/R*V */
+    const double t50 = t47*t49; /* t47*D*1/(s*D)*1/R*V */
+    const double t51 = -t1; /* -s*omega_tau */
+    const double t52 = x[4]*x[0]; /* s*gamma3 */
+    const double t53 = -t52; /* -s*gamma3 */
+    const double t54 = -t45; /* -omega_tau*gamma3 */
     out[0] = 0.0;
     out[1] = 0.0;
     out[2] = t0;
     out[3] = 0.0;
     out[4] = t2;
-    out[5] = t7;
+    out[5] = t9;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t9;
-    out[9] = t22;
-    out[10] = t33;
+    out[8] = t11;
+    out[9] = t17;
+    out[10] = t22;
     out[11] = 0.0;
-    out[12] = t39;
+    out[12] = t26;
     out[13] = 0.0;
-    out[14] = t82;
-    out[15] = t88;
-    out[16] = t90;
-    out[17] = t96;
-    out[18] = t97;
-    out[19] = t107;
-    out[20] = t109;
+    out[14] = t37;
+    out[15] = t39;
+    out[16] = t41;
+    out[17] = t44;
+    out[18] = t45;
+    out[19] = t50;
+    out[20] = t51;
     out[21] = 0.0;
-    out[22] = t111;
+    out[22] = t53;
     out[23] = 0.0;
-    out[24] = t112;
+    out[24] = t54;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = x[2]*t0; /* omega_tau*s*s */
-    const double t2 = p[1]*p[4]; /* R*I1 */
-    const double t3 = x[4]*t2; /* s*R*I1 */
-    const double t4 = p[6]/t3; /* omega_n = G_level/(s*R*I1) */
-    const double t5 = t4*t4; /* omega_n*omega_n */
-    const double t6 = p[1]*x[0]; /* R*gamma3 */
-    const double t7 = p[3] + t6; /* b = a3 + R*gamma3 */
-    const double t8 = t5*t7; /* omega_n*omega_n*b */
-    const double t9 = p[1]*t4; /* R*omega_n */
-    const double t10 = t9*x[3]; /* R*omega_n*omega3 */
-    const double t11 = x[4]*t10; /* s*R*omega_n*omega3 */
-    const double t12 = t8 + t11; /* omega_n*omega_n*b + s*R*omega_n*omega3 */
-    const double t13 = p[3]*p[3]; /* a3*a3 */
-    const double t14 = p[0]*t13; /* m*a3*a3 */
-    const double t15 = x[0]*t14; /* gamma3*m*a3*a3 */
-    const double t16 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t17 = t15*t16; /* gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t18 = t0*t17; /* s*s*gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t19 = t0*t14; /* s*s*m*a3*a3 */
-    const double t20 = p[4] + t19; /* D = I1 + s*s*m*a3*a3 */
-    const double t21 = t18/t20; /* s*s*gamma3*m*a3*a3*omega_tau*omega_tau/D */
-    const double t22 = p[0]*p[2]; /* m*g */
-    const double t23 = p[3]*t22; /* a3*m*g */
-    const double t24 = t0*t23; /* s*s*a3*m*g */
-    const double t25 = t24/t20; /* s*s*a3*m*g/D */
-    const double t26 = t21 - t25; /* s*s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*s*a3*m*g/D */
-    const double t27 = p[4]*x[0]; /* I1*gamma3 */
-    const double t28 = t5*t27; /* omega_n*omega_n*I1*gamma3 */
-    const double t29 = t28/t20; /* omega_n*omega_n*I1*gamma3/D */
-    const double t30 = t26 - t29; /* s*s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*s*a3*m*g/D - omega_n*omega_n*I1*gamma3/D */
-    const double t31 = x[4]*p[1]; /* s*R */
-    const double t32 = p[3]*x[0]; /* a3*gamma3 */
-    const double t33 = p[1] + t32; /* e = R + a3*gamma3 */
-    const double t34 = x[2]*t33; /* omega_tau*e */
-    const double t35 = x[1] + t34; /* V = v_nu + omega_tau*e */
-    const double t36 = t4*t35; /* omega_n*V */
-    const double t37 = t36/t31; /* omega_n*V/(s*R) */
-    const double t38 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t39 = x[3]*t38; /* omega3*omega_tau*gamma3 */
-    const double t40 = t39 - t37; /* omega3*omega_tau*gamma3 - omega_n*V/(s*R) */
-    const double t41 = -t38; /* -omega_tau*gamma3 */
-    const double t42 = x[4]*t38; /* s*omega_tau*gamma3 */
-    const double t43 = -t42; /* -s*omega_tau*gamma3 */
-    const double t44 = x[2]*2.0; /* omega_tau*2 */
-    const double t45 = x[4]*t44; /* s*omega_tau*2 */
-    const double t46 = p[1]*t5; /* R*omega_n*omega_n */
-    const double t47 = x[4]*t9; /* s*R*omega_n */
-    const double t48 = t0*t2; /* s*s*R*I1 */
-    const double t49 = t4*t7; /* omega_n*b */
-    const double t50 = p[6]*t49; /* G_level*omega_n*b */
-    const double t51 = t50/t48; /* G_level*omega_n*b/(s*s*R*I1) */
-    const double t52 = 2.0*t51; /* 2*G_level*omega_n*b/(s*s*R*I1) */
-    const double t53 = t10 - t52; /* R*omega_n*omega3 - 2*G_level*omega_n*b/(s*s*R*I1) */
-    const double t54 = x[4]*p[4]; /* s*I1 */
-    const double t55 = p[6]*x[3]; /* G_level*omega3 */
-    const double t56 = t55/t54; /* G_level*omega3/(s*I1) */
-    const double t57 = t53 - t56; /* R*omega_n*omega3 - 2*G_level*omega_n*b/(s*s*R*I1) - G_level*omega3/(s*I1) */
-    const double t58 = t14*t16; /* m*a3*a3*omega_tau*omega_tau */
-    const double t59 = t0*t58; /* s*s*m*a3*a3*omega_tau*omega_tau */
-    const double t60 = t59/t20; /* s*s*m*a3*a3*omega_tau*omega_tau/D */
-    const double t61 = p[4]*t5; /* I1*omega_n*omega_n */
-    const double t62 = t61/t20; /* I1*omega_n*omega_n/D */
-    const double t63 = t60 - t62; /* s*s*m*a3*a3*omega_tau*omega_tau/D - I1*omega_n*omega_n/D */
-    const double t64 = p[0]*2.0; /* m*2 */
-    const double t65 = t13*t64; /* a3*a3*m*2 */
-    const double t66 = x[0]*t65; /* gamma3*a3*a3*m*2 */
-    const double t67 = x[2]*t66; /* omega_tau*gamma3*a3*a3*m*2 */
-    const double t68 = t0*t67; /* s*s*omega_tau*gamma3*a3*a3*m*2 */
-    const double t69 = t68/t20; /* s*s*omega_tau*gamma3*a3*a3*m*2/D */
-    const double t70 = x[4]*t17; /* s*gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t71 = t70/t20; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D */
-    const double t72 = 2.0*t71; /* 2*s*gamma3*m*a3*a3*omega_tau*omega_tau/D */
-    const double t73 = x[4]*t23; /* s*a3*m*g */
-    const double t74 = t73/t20; /* s*a3*m*g/D */
-    const double t75 = 2.0*t74; /* 2*s*a3*m*g/D */
-    const double t76 = t72 - t75; /* 2*s*gamma3*m*a3*a3*omega_tau*omega_tau/D - 2*s*a3*m*g/D */
-    const double t77 = p[0]*p[0]; /* m*m */
-    const double t78 = t13*t13; /* a3*a3*a3*a3 */
-    const double t79 = t77*t78; /* m*m*a3*a3*a3*a3 */
-    const double t80 = x[0]*t79; /* gamma3*m*m*a3*a3*a3*a3 */
-    const double t81 = t16*t80; /* omega_tau*omega_tau*gamma3*m*m*a3*a3*a3*a3 */
-    const double t82 = x[4]*t0; /* s*s*s */
-    const double t83 = t81*t82; /* omega_tau*omega_tau*gamma3*m*m*a3*a3*a3*a3*s*s*s */
-    const double t84 = t20*t20; /* D*D */
-    const double t85 = t83/t84; /* omega_tau*omega_tau*gamma3*m*m*a3*a3*a3*a3*s*s*s/(D*D) */
-    const double t86 = 2.0*t85; /* 2*omega_tau*omega_tau*gamma3*m*m*a3*a3*a3*a3*s*s*s/(D*D) */
-    const double t87 = t76 - t86; /* 2*s*gamma3*m*a3*a3*omega_tau*omega_tau/D - 2*s*a3*m*g/D - 2*omega_tau*omega_tau*gamma3*m*m*a3*a3*a3*a3*s*s*s/(D*D) */
-    const double t88 = p[2]*t77; /* g*m*m */
-    const double t89 = p[3]*t13; /* a3*a3*a3 */
-    const double t90 = t88*t89; /* g*m*m*a3*a3*a3 */
-    const double t91 = t82*t90; /* s*s*s*g*m*m*a3*a3*a3 */
-    const double t92 = t91/t84; /* s*s*s*g*m*m*a3*a3*a3/(D*D) */
-    const double t93 = 2.0*t92; /* 2*s*s*s*g*m*m*a3*a3*a3/(D*D) */
-    const double t94 = t87 + t93; /* t87 + 2*s*s*s*g*m*m*a3*a3*a3/(D*D) */
-    const double t95 = p[4]*t14; /* I1*m*a3*a3 */
-    const double t96 = x[0]*t95; /* gamma3*I1*m*a3*a3 */
-    const double t97 = t5*t96; /* omega_n*omega_n*gamma3*I1*m*a3*a3 */
-    const double t98 = x[4]*t97; /* s*omega_n*omega_n*gamma3*I1*m*a3*a3 */
-    const double t99 = t98/t84; /* s*omega_n*omega_n*gamma3*I1*m*a3*a3/(D*D) */
-    const double t100 = 2.0*t99; /* 2*s*omega_n*omega_n*gamma3*I1*m*a3*a3/(D*D) */
-    const double t101 = t94 + t100; /* t87 + 2*s*s*s*g*m*m*a3*a3*a3/(D*D) + 2*s*omega_n*omega_n*gamma3*I1*m*a3*a3/(D*D) */
-    const double t102 = t4*x[0]; /* omega_n*gamma3 */
-    const double t103 = t0*p[1]; /* s*s*R */
-    const double t104 = t20*t103; /* D*s*s*R */
-    const double t105 = p[6]*t102; /* G_level*omega_n*gamma3 */
-    const double t106 = t105/t104; /* G_level*omega_n*gamma3/(D*s*s*R) */
-    const double t107 = 2.0*t106; /* 2*G_level*omega_n*gamma3/(D*s*s*R) */
-    const double t108 = t101 + t107; /* t101 + 2*G_level*omega_n*gamma3/(D*s*s*R) */
-    const double t109 = x[2]*p[3]; /* omega_tau*a3 */
-    const double t110 = t4*t109; /* omega_n*omega_tau*a3 */
-    const double t111 = t110/t31; /* omega_n*omega_tau*a3/(s*R) */
-    const double t112 = x[2]*x[3]; /* omega_tau*omega3 */
-    const double t113 = t112 - t111; /* omega_tau*omega3 - omega_n*omega_tau*a3/(s*R) */
-    const double t114 = t4/t31; /* omega_n/(s*R) */
-    const double t115 = -t114; /* -omega_n/(s*R) */
-    const double t116 = t4*t33; /* omega_n*e */
-    const double t117 = t116/t31; /* omega_n*e/(s*R) */
-    const double t118 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t119 = t118 - t117; /* gamma3*omega3 - omega_n*e/(s*R) */
-    const double t120 = t36/t103; /* omega_n*V/(s*s*R) */
-    const double t121 = p[1]*p[1]; /* R*R */
-    const double t122 = p[4]*t121; /* I1*R*R */
-    const double t123 = t82*t122; /* s*s*s*I1*R*R */
-    const double t124 = p[6]*t35; /* G_level*V */
-    const double t125 = t124/t123; /* G_level*V/(s*s*s*I1*R*R) */
-    const double t126 = t120 + t125; /* omega_n*V/(s*s*R) + G_level*V/(s*s*s*I1*R*R) */
-    const double t127 = x[2]*x[4]; /* omega_tau*s */
-    const double t128 = -t127; /* -omega_tau*s */
-    const double t129 = x[4]*x[0]; /* s*gamma3 */
-    const double t130 = -t129; /* -s*gamma3 */
+    const double t0 = x[4]*x[2]; /* s*omega_tau */
+    const double t1 = x[4]*t0; /* s*s*omega_tau */
+    const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t3 = x[4]*x[4]; /* s*s */
+    const double t4 = JLT_FMA(p[8], t3, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t5 = x[4]*t4; /* s*D */
+    const double t6 = 1.0/t5; /* 1/(s*D) */
+    const double t7 = t4*t6; /* D*1/(s*D) */
+    const double t8 = p[7]*t7; /* omega_n = G_level/(R*I1)*D*1/(s*D) */
+    const double t9 = t8*t8; /* omega_n*omega_n */
+    const double t10 = t2*t9; /* b*omega_n*omega_n */
+    const double t11 = p[1]*t8; /* R*omega_n */
+    const double t12 = x[4]*t11; /* s*R*omega_n */
+    const double t13 = JLT_FMA(x[3], t12, t10); /* omega3*s*R*omega_n + b*omega_n*omega_n */
+    const double t14 = x[4]*t6; /* s*1/(s*D) */
+    const double t15 = x[0]*t14; /* gamma3*s*1/(s*D) */
+    const double t16 = t0*p[9]; /* s*omega_tau*m*a3^2/I1 */
+    const double t17 = JLT_FMS(t0, t16, t9); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
+    const double t18 = p[4]*t17; /* I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
+    const double t19 = t15*t18; /* gamma3*s*1/(s*D)*I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
+    const double t20 = x[4]*t14; /* s*s*1/(s*D) */
+    const double t21 = x[4]*t20; /* s*s*s*1/(s*D) */
+    const double t22 = JLT_FNMA(p[16], t21, t19); /* t19 - m*g*a3*s*s*s*1/(s*D) */
+    const double t23 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t24 = JLT_FMA(x[2], t23, x[1]); /* V = omega_tau*e + v_nu */
+    const double t25 = t7*t8; /* D*1/(s*D)*omega_n */
+    const double t26 = p[11]*t25; /* 1/R*D*1/(s*D)*omega_n */
+    const double t27 = t24*t26; /* V*1/R*D*1/(s*D)*omega_n */
+    const double t28 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t29 = JLT_FMS(x[3], t28, t27); /* omega3*omega_tau*gamma3 - V*1/R*D*1/(s*D)*omega_n */
+    const double t30 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t31 = -t30; /* -s*omega_tau*gamma3 */
+    const double t32 = t0*2.0; /* s*omega_tau*2 */
+    const double t33 = p[1]*t9; /* R*omega_n*omega_n */
+    const double t34 = JLT_FMS(t7, p[18], t11); /* D*1/(s*D)*G_level/I1 - R*omega_n */
+    const double t35 = x[3]*t34; /* omega3*(D*1/(s*D)*G_level/I1 - R*omega_n) */
+    const double t36 = t7*t25; /* D*1/(s*D)*D*1/(s*D)*omega_n */
+    const double t37 = t2*p[12]; /* b*2*G_level/(R*I1) */
+    const double t38 = JLT_FMA(t36, t37, t35); /* D*1/(s*D)*D*1/(s*D)*omega_n*b*2*G_level/(R*I1) + omega3*(D*1/(s*D)*G_level/I1 - R*omega_n) */
+    const double t39 = -t38; /* -t38 */
+    const double t40 = t14*t18; /* s*1/(s*D)*I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
+    const double t41 = t30*p[13]; /* s*omega_tau*gamma3*2*m*a3^2 */
+    const double t42 = t20*t41; /* s*s*1/(s*D)*s*omega_tau*gamma3*2*m*a3^2 */
+    const double t43 = t36*p[14]; /* D*1/(s*D)*D*1/(s*D)*omega_n*2*G_level/R */
+    const double t44 = x[2]*t32; /* omega_tau*s*omega_tau*2 */
+    const double t45 = t20*p[15]; /* s*s*1/(s*D)*2*I1 */
+    const double t46 = JLT_FNMA(t17, t45, t44); /* omega_tau*s*omega_tau*2 - (s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n)*s*s*1/(s*D)*2*I1 */
+    const double t47 = JLT_FMA(p[8], t46, t43); /* m*a3^2*t46 + D*1/(s*D)*D*1/(s*D)*omega_n*2*G_level/R */
+    const double t48 = t20*p[19]; /* s*s*1/(s*D)*2*m*g*a3 */
+    const double t49 = t20*p[20]; /* s*s*1/(s*D)*2*m^2*g*a3^3 */
+    const double t50 = JLT_FMS(t21, t49, t48); /* s*s*s*1/(s*D)*s*s*1/(s*D)*2*m^2*g*a3^3 - s*s*1/(s*D)*2*m*g*a3 */
+    const double t51 = JLT_FMA(t15, t47, t50); /* gamma3*s*1/(s*D)*(m*a3^2*t46 + D*1/(s*D)*D*1/(s*D)*omega_n*2*G_level/R) + t50 */
+    const double t52 = JLT_FNMA(t25, p[17], x[3]); /* omega3 - D*1/(s*D)*omega_n*a3/R */
+    const double t53 = x[2]*t52; /* omega_tau*(omega3 - D*1/(s*D)*omega_n*a3/R) */
+    const double t54 = -t26; /* -1/R*D*1/(s*D)*omega_n */
+    const double t55 = t23*t26; /* e*1/R*D*1/(s*D)*omega_n */
+    const double t56 = JLT_FMS(x[0], x[3], t55); /* gamma3*omega3 - e*1/R*D*1/(s*D)*omega_n */
+    const double t57 = t7*p[21]; /* D*1/(s*D)*G_level/(R^2*I1) */
+    const double t58 = JLT_FMA(t7, t57, t26); /* D*1/(s*D)*D*1/(s*D)*G_level/(R^2*I1) + 1/R*D*1/(s*D)*omega_n */
+    const double t59 = t7*t24; /* D*1/(s*D)*V */
+    const double t60 = t58*t59; /* (D*1/(s*D)*D*1/(s*D)*G_level/(R^2*I1) + 1/R*D*1/(s*D)*omega_n)*D*1/(s*D)*V */
+    const double t61 = -t0; /* -s*omega_tau */
+    const double t62 = x[4]*x[0]; /* s*gamma3 */
+    const double t63 = -t62; /* -s*gamma3 */
+    const double t64 = -t28; /* -omega_tau*gamma3 */
     out[0] = t1;
-    out[1] = t12;
-    out[2] = t30;
-    out[3] = t40;
-    out[4] = t43;
+    out[1] = t13;
+    out[2] = t22;
+    out[3] = t29;
+    out[4] = t31;
     out[5] = 0.0;
     out[6] = 0.0;
-    out[7] = t0;
+    out[7] = t3;
     out[8] = 0.0;
-    out[9] = t45;
-    out[10] = t46;
+    out[9] = t32;
+    out[10] = t33;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t47;
-    out[14] = t57;
-    out[15] = t63;
+    out[13] = t12;
+    out[14] = t39;
+    out[15] = t40;
     out[16] = 0.0;
-    out[17] = t69;
+    out[17] = t42;
     out[18] = 0.0;
-    out[19] = t108;
-    out[20] = t113;
-    out[21] = t115;
-    out[22] = t119;
-    out[23] = t38;
-    out[24] = t126;
-    out[25] = t128;
+    out[19] = t51;
+    out[20] = t53;
+    out[21] = t54;
+    out[22] = t56;
+    out[23] = t28;
+    out[24] = t60;
+    out[25] = t61;
     out[26] = 0.0;
-    out[27] = t130;
+    out[27] = t63;
     out[28] = 0.0;
-    out[29] = t41;
+    out[29] = t64;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 2.0*p[0]; /* 2*m */
-    const double t1 = p[3]*p[3]; /* a3*a3 */
-    const double t2 = t0*t1; /* 2*m*a3*a3 */
-    const double t3 = t2*x[0]; /* 2*m*a3*a3*gamma3 */
-    const double t4 = t3*x[2]; /* 2*m*a3*a3*gamma3*omega_tau */
-    const double t5 = x[4]*x[4]; /* s*s */
-    const double t6 = t4*t5; /* 2*m*a3*a3*gamma3*omega_tau*s*s */
-    const double t7 = p[0]*t1; /* m*a3*a3 */
-    const double t8 = t5*t7; /* s*s*m*a3*a3 */
-    const double t9 = p[4] + t8; /* D = I1 + s*s*m*a3*a3 */
-    const double t10 = t6/t9; /* 2*m*a3*a3*gamma3*omega_tau*s*s/D */
-    out[0] = t10;
+    const double t0 = x[4]*x[4]; /* s*s */
+    const double t1 = JLT_FMA(p[8], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t2 = 1.0/t1; /* 1/D */
+    const double t3 = p[13]*x[0]; /* 2*m*a3^2*gamma3 */
+    const double t4 = x[2]*t3; /* omega_tau*2*m*a3^2*gamma3 */
+    const double t5 = t0*t4; /* s*s*omega_tau*2*m*a3^2*gamma3 */
+    const double t6 = t2*t5; /* 1/D*s*s*omega_tau*2*m*a3^2*gamma3 */
+    out[0] = t6;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[0]*p[2]; /* m*g */
-    const double t1 = t0*p[3]; /* m*g*a3 */
-    const double t2 = t1*x[0]; /* m*g*a3*gamma3 */
-    const double t3 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t4 = p[0]*t3; /* m*v_nu*v_nu */
-    const double t5 = t4*(1.0 / 2.0); /* m*v_nu*v_nu*1/2 */
-    const double t6 = t2 + t5; /* m*g*a3*gamma3 + m*v_nu*v_nu*1/2 */
-    const double t7 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t8 = p[3]*p[3]; /* a3*a3 */
-    const double t9 = p[0]*t8; /* m*a3*a3 */
-    const double t10 = x[4]*x[4]; /* s*s */
-    const double t11 = t9*t10; /* m*a3*a3*s*s */
-    const double t12 = p[4] + t11; /* D = I1 + m*a3*a3*s*s */
-    const double t13 = t7*t12; /* omega_tau*omega_tau*D */
-    const double t14 = (1.0 / 2.0)*t13; /* 1/2*omega_tau*omega_tau*D */
-    const double t15 = t6 + t14; /* m*g*a3*gamma3 + m*v_nu*v_nu*1/2 + 1/2*omega_tau*omega_tau*D */
-    const double t16 = p[4]*p[1]; /* I1*R */
-    const double t17 = x[4]*t16; /* s*I1*R */
-    const double t18 = p[6]/t17; /* omega_n = G_level/(s*I1*R) */
-    const double t19 = t18*t18; /* omega_n*omega_n */
-    const double t20 = p[4]*t19; /* I1*omega_n*omega_n */
-    const double t21 = (1.0 / 2.0)*t20; /* 1/2*I1*omega_n*omega_n */
-    const double t22 = t15 + t21; /* m*g*a3*gamma3 + m*v_nu*v_nu*1/2 + 1/2*omega_tau*omega_tau*D + 1/2*I1*omega_n*omega_n */
-    const double t23 = x[0]*p[1]; /* gamma3*R */
-    const double t24 = p[3] + t23; /* b = a3 + gamma3*R */
-    const double t25 = t18*t24; /* omega_n*b */
-    const double t26 = p[1]*x[3]; /* R*omega3 */
-    const double t27 = x[4]*t26; /* s*R*omega3 */
-    const double t28 = t25 + t27; /* v_tau = omega_n*b + s*R*omega3 */
-    const double t29 = t28*t28; /* v_tau*v_tau */
-    const double t30 = p[0]*t29; /* m*v_tau*v_tau */
-    const double t31 = (1.0 / 2.0)*t30; /* 1/2*m*v_tau*v_tau */
-    const double t32 = t22 + t31; /* energy = t22 + 1/2*m*v_tau*v_tau */
-    const double t33 = t5 + t31; /* m*v_nu*v_nu*1/2 + 1/2*m*v_tau*v_tau */
-    const double t34 = t2 + t14; /* m*g*a3*gamma3 + 1/2*omega_tau*omega_tau*D */
-    const double t35 = t21 + t34; /* 1/2*I1*omega_n*omega_n + m*g*a3*gamma3 + 1/2*omega_tau*omega_tau*D */
-    out[0] = t32;
-    out[1] = t33;
-    out[2] = t35;
+    const double t0 = p[19]*x[0]; /* 2*m*g*a3*gamma3 */
+    const double t1 = p[8]*x[4]; /* m*a3^2*s */
+    const double t2 = JLT_FMA(x[4], t1, p[4]); /* D = s*m*a3^2*s + I1 */
+    const double t3 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t4 = 1.0/x[4]; /* 1/s */
+    const double t5 = p[7]*t4; /* omega_n = G_level/(R*I1)*1/s */
+    const double t6 = p[4]*t5; /* I1*omega_n */
+    const double t7 = JLT_FMA(t2, t3, t0); /* D*omega_tau*omega_tau + 2*m*g*a3*gamma3 */
+    const double t8 = JLT_FMA(t5, t6, t7); /* omega_n*I1*omega_n + D*omega_tau*omega_tau + 2*m*g*a3*gamma3 */
+    const double t9 = (1.0 / 2.0)*t8; /* 1/2*(omega_n*I1*omega_n + D*omega_tau*omega_tau + 2*m*g*a3*gamma3) */
+    const double t10 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t12 = t5*t11; /* omega_n*b */
+    const double t13 = x[4]*p[1]; /* s*R */
+    const double t14 = JLT_FMA(x[3], t13, t12); /* v_tau = omega3*s*R + omega_n*b */
+    const double t15 = JLT_FMA(t14, t14, t10); /* v_tau*v_tau + v_nu*v_nu */
+    const double t16 = p[22]*t15; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t17 = t9 + t16; /* energy = t9 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    out[0] = t17;
+    out[1] = t16;
+    out[2] = t9;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[0]*p[1]; /* m*R */
-    const double t1 = p[1]*p[4]; /* R*I1 */
-    const double t2 = t1*x[4]; /* R*I1*s */
-    const double t3 = p[6]/t2; /* omega_n = G_level/(R*I1*s) */
-    const double t4 = t0*t3; /* m*R*omega_n */
-    const double t5 = p[1]*x[0]; /* R*gamma3 */
-    const double t6 = p[3] + t5; /* b = a3 + R*gamma3 */
-    const double t7 = t3*t6; /* omega_n*b */
-    const double t8 = p[1]*x[3]; /* R*omega3 */
-    const double t9 = x[4]*t8; /* s*R*omega3 */
-    const double t10 = t7 + t9; /* v_tau = omega_n*b + s*R*omega3 */
-    const double t11 = t4*t10; /* m*R*omega_n*v_tau */
-    const double t12 = p[7] + t11; /* d(energy)/d(gamma3) = m*g*a3 + m*R*omega_n*v_tau */
-    const double t13 = p[0]*x[1]; /* m*v_nu */
-    const double t14 = p[3]*p[3]; /* a3*a3 */
-    const double t15 = p[0]*t14; /* m*a3*a3 */
-    const double t16 = x[4]*x[4]; /* s*s */
-    const double t17 = t15*t16; /* m*a3*a3*s*s */
-    const double t18 = p[4] + t17; /* D = I1 + m*a3*a3*s*s */
-    const double t19 = x[2]*t18; /* omega_tau*D */
-    const double t20 = t0*x[4]; /* m*R*s */
-    const double t21 = t10*t20; /* v_tau*m*R*s */
-    const double t22 = p[0]*t10; /* m*v_tau */
-    const double t23 = t1*t16; /* R*I1*s*s */
-    const double t24 = p[6]*t6; /* G_level*b */
-    const double t25 = t24/t23; /* G_level*b/(R*I1*s*s) */
-    const double t26 = t8 - t25; /* d(v_tau)/d(s) = R*omega3 - G_level*b/(R*I1*s*s) */
-    const double t27 = t22*t26; /* m*v_tau*d(v_tau)/d(s) */
-    const double t28 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t29 = t15*t28; /* m*a3*a3*omega_tau*omega_tau */
-    const double t30 = x[4]*t29; /* s*m*a3*a3*omega_tau*omega_tau */
-    const double t31 = t27 + t30; /* m*v_tau*d(v_tau)/d(s) + s*m*a3*a3*omega_tau*omega_tau */
-    const double t32 = p[1]*t16; /* R*s*s */
-    const double t33 = p[6]*t3; /* G_level*omega_n */
-    const double t34 = t33/t32; /* G_level*omega_n/(R*s*s) */
-    const double t35 = t31 - t34; /* d(energy)/d(s) = m*v_tau*d(v_tau)/d(s) + s*m*a3*a3*omega_tau*omega_tau - G_level*omega_n/(R*s*s) */
-    const double t36 = t30 - t34; /* s*m*a3*a3*omega_tau*omega_tau - G_level*omega_n/(R*s*s) */
-    out[0] = t12;
-    out[1] = t13;
-    out[2] = t19;
-    out[3] = t21;
-    out[4] = t35;
-    out[5] = t11;
-    out[6] = t13;
+    const double t0 = 1.0/x[4]; /* 1/s */
+    const double t1 = p[7]*t0; /* omega_n = G_level/(R*I1)*1/s */
+    const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t3 = t1*t2; /* omega_n*b */
+    const double t4 = p[1]*x[3]; /* R*omega3 */
+    const double t5 = JLT_FMA(x[4], t4, t3); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t6 = p[23]*t5; /* m*R*v_tau */
+    const double t7 = t1*t6; /* omega_n*m*R*v_tau */
+    const double t8 = p[16] + t7; /* d(energy)/d(gamma3) = m*g*a3 + omega_n*m*R*v_tau */
+    const double t9 = p[0]*x[1]; /* m*v_nu */
+    const double t10 = x[4]*p[8]; /* s*m*a3^2 */
+    const double t11 = JLT_FMA(x[4], t10, p[4]); /* D = s*s*m*a3^2 + I1 */
+    const double t12 = x[2]*t11; /* omega_tau*D */
+    const double t13 = x[4]*t6; /* s*m*R*v_tau */
+    const double t14 = t0*t0; /* 1/s*1/s */
+    const double t15 = p[7]*t2; /* G_level/(R*I1)*b */
+    const double t16 = JLT_FNMA(t14, t15, t4); /* d(v_tau)/d(s) = R*omega3 - 1/s*1/s*G_level/(R*I1)*b */
+    const double t17 = t5*p[0]; /* v_tau*m */
+    const double t18 = t16*t17; /* d(v_tau)/d(s)*v_tau*m */
+    const double t19 = t1*p[24]; /* omega_n*G_level/R */
+    const double t20 = t14*t19; /* 1/s*1/s*omega_n*G_level/R */
+    const double t21 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t22 = t10*t21; /* s*m*a3^2*omega_tau*omega_tau */
+    const double t23 = t20 - t22; /* 1/s*1/s*omega_n*G_level/R - s*m*a3^2*omega_tau*omega_tau */
+    const double t24 = t18 - t23; /* d(energy)/d(s) = d(v_tau)/d(s)*v_tau*m - (1/s*1/s*omega_n*G_level/R - s*m*a3^2*omega_tau*omega_tau) */
+    const double t25 = t22 - t20; /* s*m*a3^2*omega_tau*omega_tau - 1/s*1/s*omega_n*G_level/R */
+    out[0] = t8;
+    out[1] = t9;
+    out[2] = t12;
+    out[3] = t13;
+    out[4] = t24;
+    out[5] = t7;
+    out[6] = t9;
     out[7] = 0.0;
-    out[8] = t21;
-    out[9] = t27;
-    out[10] = p[7];
+    out[8] = t13;
+    out[9] = t18;
+    out[10] = p[16];
     out[11] = 0.0;
-    out[12] = t19;
+    out[12] = t12;
     out[13] = 0.0;
-    out[14] = t36;
+    out[14] = t25;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -538,10 +412,9 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[1]*p[4]; /* R*I1 */
-    const double t1 = t0*x[4]; /* R*I1*s */
-    const double t2 = p[6]/t1; /* omega_n = G_level/(R*I1*s) */
-    out[0] = t2;
+    const double t0 = 1.0/x[4]; /* 1/s */
+    const double t1 = p[7]*t0; /* G_level/(R*I1)*1/s */
+    out[0] = t1;
 }
 
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
@@ -612,28 +485,28 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G = {
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 8,
+    .state_count = 5, .param_count = 7, .block_count = 25,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 9, 29, 0, 5, 0, 0, 8, 7 }, { 9, 36, 0, 5, 0, 0, 8, 6 },
+    .rhs = { rhs, 5, { 1, 19, 8, 1, 0, 0, 9, 9 }, { 9, 36, 0, 5, 0, 0, 8, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .jacobian = { jacobian, 25, { 19, 77, 0, 17, 0, 0, 12, 12 }, { 19, 110, 0, 17, 0, 0, 12, 6 },
+    .jacobian = { jacobian, 25, { 6, 37, 11, 1, 0, 0, 13, 11 }, { 19, 110, 0, 17, 0, 0, 12, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 24, 86, 0, 21, 0, 0, 12, 21 }, { 24, 137, 0, 21, 0, 0, 12, 9 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 6, 41, 17, 1, 0, 0, 11, 19 }, { 24, 137, 0, 21, 0, 0, 12, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .divergence = { divergence, 1, { 1, 9, 0, 1, 0, 0, 6, 4 }, { 1, 11, 0, 1, 0, 0, 6, 4 },
+    .divergence = { divergence, 1, { 0, 5, 1, 1, 0, 0, 4, 4 }, { 1, 11, 0, 1, 0, 0, 6, 4 },
         "" },
-    .integral_values = { integral_values, 3, { 10, 25, 0, 1, 0, 0, 9, 8 }, { 10, 40, 0, 1, 0, 0, 9, 6 },
+    .integral_values = { integral_values, 3, { 1, 10, 6, 1, 0, 0, 7, 6 }, { 10, 40, 0, 1, 0, 0, 9, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .integral_gradients = { integral_gradients, 15, { 8, 26, 0, 3, 0, 0, 9, 10 }, { 8, 55, 0, 4, 0, 0, 9, 9 },
+    .integral_gradients = { integral_gradients, 15, { 4, 17, 4, 1, 0, 0, 7, 9 }, { 8, 55, 0, 4, 0, 0, 9, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
-    .eliminated = { eliminated, 1, { 0, 2, 0, 1, 0, 0, 3, 2 }, { 0, 2, 0, 1, 0, 0, 3, 2 },
+    .eliminated = { eliminated, 1, { 0, 1, 0, 1, 0, 0, 2, 2 }, { 0, 2, 0, 1, 0, 0, 3, 2 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,

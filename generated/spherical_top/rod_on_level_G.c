@@ -7,15 +7,15 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 9   29    0    7    1    0      9    8   (50)
- *  jacobian            24   83    0   24    1    0     16   18   (183)
- *  rhs_jacobian        28   94    0   30    1    0     16   21   (216)
- *  divergence          2   10    0    1    1    0      7    4   (15)
- *  integral_values     11   26    0    1    1    0     11    9   (54)
- *  integral_gradients  10   30    0    4    1    0     11   12   (75)
- *  measure_values      2    6    0    1    1    0      7    4   (10)
- *  measure_divergences 3   13    0    2    1    0     10    5   (32)
- *  eliminated          1    3    0    1    1    0      5    3   (6)
+ *  rhs                 2   18    8    1    1    0     12    8   (50)
+ *  jacobian            5   34   17    1    1    0     15   16   (183)
+ *  rhs_jacobian        6   42   20    1    1    0     13   19   (216)
+ *  divergence          2    5    1    1    1    0      5    4   (15)
+ *  integral_values     3   10    6    1    1    0     10    7   (54)
+ *  integral_gradients  3   17    7    1    1    0     10   10   (75)
+ *  measure_values      2    2    1    0    0    0      4    3   (10)
+ *  measure_divergences 2    5    2    1    1    0      6    4   (32)
+ *  eliminated          2    2    0    1    1    0      5    3   (6)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
  */
@@ -51,567 +51,392 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
-    const double t0 = params[0]*params[2]; /* m*g */
-    const double t1 = t0*params[3]; /* m*g*a3 */
+    const double t0 = params[1]*params[4]; /* R*I1 */
+    const double t1 = params[6]/t0; /* G_level/(R*I1) */
+    const double t2 = params[3]*params[3]; /* a3*a3 */
+    const double t3 = params[0]*t2; /* m*a3*a3 */
+    const double t4 = t3/params[4]; /* m*a3*a3/I1 */
+    const double t5 = params[0]*params[2]; /* m*g */
+    const double t6 = params[3]*t5; /* a3*m*g */
+    const double t7 = t6/params[4]; /* a3*m*g/I1 */
+    const double t8 = 1.0/params[1]; /* 1/R */
+    const double t9 = params[6]*2.0; /* G_level*2 */
+    const double t10 = t9/t0; /* G_level*2/(R*I1) */
+    const double t11 = params[6]/params[4]; /* G_level/I1 */
+    const double t12 = params[0]*2.0; /* m*2 */
+    const double t13 = t2*t12; /* a3*a3*m*2 */
+    const double t14 = params[3]/params[1]; /* a3/R */
+    const double t15 = 2.0/params[1]; /* 2/R */
+    const double t16 = params[1]*2.0; /* R*2 */
+    const double t17 = params[4]*t16; /* I1*R*2 */
+    const double t18 = params[6]/t17; /* G_level/(I1*R*2) */
+    const double t19 = params[0]*params[3]; /* m*a3 */
+    const double t20 = params[2]*t12; /* g*m*2 */
+    const double t21 = params[3]*t20; /* a3*g*m*2 */
+    const double t22 = params[0]/2.0; /* m/2 */
+    const double t23 = params[6]/params[1]; /* G_level/R */
+    const double t24 = params[1]*params[0]; /* R*m */
+    const double t25 = params[1]*params[1]; /* R*R */
+    const double t26 = params[4]*t25; /* I1*R*R */
+    const double t27 = params[6]/t26; /* G_level/(I1*R*R) */
+    const double t28 = 1.0/t0; /* 1/(R*I1) */
+    const double t29 = params[0]*(-2.0); /* m*(-2) */
+    const double t30 = t2*t29; /* a3*a3*m*(-2) */
+    const double t31 = t30/t0; /* a3*a3*m*(-2)/(R*I1) */
     out[7] = t1;
+    out[8] = t3;
+    out[9] = t4;
+    out[10] = t7;
+    out[11] = t8;
+    out[12] = t10;
+    out[13] = t11;
+    out[14] = t13;
+    out[15] = t14;
+    out[16] = t15;
+    out[17] = t18;
+    out[18] = t19;
+    out[19] = t21;
+    out[20] = t22;
+    out[21] = t6;
+    out[22] = t23;
+    out[23] = t24;
+    out[24] = t27;
+    out[25] = t28;
+    out[26] = t31;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = x[2]*t2; /* omega_tau*s */
-    const double t4 = p[1]*p[4]; /* R*I1 */
-    const double t5 = t2*t4; /* s*R*I1 */
-    const double t6 = p[6]/t5; /* omega_n = G_level/(s*R*I1) */
-    const double t7 = t6*t6; /* omega_n*omega_n */
-    const double t8 = x[0]*p[1]; /* gamma3*R */
-    const double t9 = p[3] + t8; /* b = a3 + gamma3*R */
-    const double t10 = t7*t9; /* omega_n*omega_n*b */
-    const double t11 = t10/t2; /* omega_n*omega_n*b/s */
-    const double t12 = p[1]*t6; /* R*omega_n */
-    const double t13 = t12*x[3]; /* R*omega_n*omega3 */
-    const double t14 = t11 + t13; /* omega_n*omega_n*b/s + R*omega_n*omega3 */
-    const double t15 = p[3]*p[3]; /* a3*a3 */
-    const double t16 = p[0]*t15; /* m*a3*a3 */
-    const double t17 = x[0]*t16; /* gamma3*m*a3*a3 */
-    const double t18 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t19 = t17*t18; /* gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t20 = t2*t19; /* s*gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t21 = t2*t2; /* s*s */
-    const double t22 = t16*t21; /* m*a3*a3*s*s */
-    const double t23 = p[4] + t22; /* D = I1 + m*a3*a3*s*s */
-    const double t24 = t20/t23; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D */
-    const double t25 = p[0]*p[2]; /* m*g */
-    const double t26 = p[3]*t25; /* a3*m*g */
-    const double t27 = t2*t26; /* s*a3*m*g */
-    const double t28 = t27/t23; /* s*a3*m*g/D */
-    const double t29 = t24 - t28; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*a3*m*g/D */
-    const double t30 = x[0]*p[4]; /* gamma3*I1 */
-    const double t31 = t7*t30; /* omega_n*omega_n*gamma3*I1 */
-    const double t32 = t2*t23; /* s*D */
-    const double t33 = t31/t32; /* omega_n*omega_n*gamma3*I1/(s*D) */
-    const double t34 = t29 - t33; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*a3*m*g/D - omega_n*omega_n*gamma3*I1/(s*D) */
-    const double t35 = p[1]*t21; /* R*s*s */
-    const double t36 = x[0]*p[3]; /* gamma3*a3 */
-    const double t37 = p[1] + t36; /* e = R + gamma3*a3 */
-    const double t38 = x[2]*t37; /* omega_tau*e */
-    const double t39 = x[1] + t38; /* V = v_nu + omega_tau*e */
-    const double t40 = t6*t39; /* omega_n*V */
-    const double t41 = t40/t35; /* omega_n*V/(R*s*s) */
-    const double t42 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t43 = x[3]*t42; /* omega3*omega_tau*gamma3 */
-    const double t44 = t43/t2; /* omega3*omega_tau*gamma3/s */
-    const double t45 = t44 - t41; /* omega3*omega_tau*gamma3/s - omega_n*V/(R*s*s) */
-    out[0] = t3;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = x[2]*t3; /* omega_tau*s */
+    const double t5 = JLT_FMA(t2, p[8], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t6 = t3*t5; /* s*D */
+    const double t7 = 1.0/t6; /* 1/(s*D) */
+    const double t8 = t5*t7; /* D*1/(s*D) */
+    const double t9 = p[7]*t8; /* omega_n = G_level/(R*I1)*D*1/(s*D) */
+    const double t10 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t11 = t8*t9; /* D*1/(s*D)*omega_n */
+    const double t12 = t10*t11; /* b*D*1/(s*D)*omega_n */
+    const double t13 = JLT_FMA(p[1], x[3], t12); /* R*omega3 + b*D*1/(s*D)*omega_n */
+    const double t14 = t9*t13; /* omega_n*(R*omega3 + b*D*1/(s*D)*omega_n) */
+    const double t15 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
+    const double t16 = t4*t15; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t17 = JLT_FNMA(t9, t11, t16); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*D*1/(s*D)*omega_n */
+    const double t18 = x[0]*t17; /* gamma3*(omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*D*1/(s*D)*omega_n) */
+    const double t19 = JLT_FNMA(t3, p[10], t18); /* t18 - s*m*g*a3/I1 */
+    const double t20 = t3*p[4]; /* s*I1 */
+    const double t21 = t7*t20; /* 1/(s*D)*s*I1 */
+    const double t22 = t19*t21; /* (t18 - s*m*g*a3/I1)*1/(s*D)*s*I1 */
+    const double t23 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t24 = x[3]*t23; /* omega3*omega_tau*gamma3 */
+    const double t25 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t26 = JLT_FMA(x[2], t25, x[1]); /* V = omega_tau*e + v_nu */
+    const double t27 = p[11]*t26; /* 1/R*V */
+    const double t28 = JLT_FNMA(t11, t27, t24); /* omega3*omega_tau*gamma3 - D*1/(s*D)*omega_n*1/R*V */
+    const double t29 = t8*t28; /* D*1/(s*D)*(omega3*omega_tau*gamma3 - D*1/(s*D)*omega_n*1/R*V) */
+    out[0] = t4;
     out[1] = t14;
-    out[2] = t34;
-    out[3] = t45;
+    out[2] = t22;
+    out[3] = t29;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0]*x[2]; /* gamma3*omega_tau */
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = 1.0 - t1; /* 1 - gamma3*gamma3 */
-    const double t3 = sqrt(t2); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t4 = t0/t3; /* gamma3*omega_tau/s */
-    const double t5 = -t4; /* -gamma3*omega_tau/s */
-    const double t6 = p[1]*p[4]; /* R*I1 */
-    const double t7 = t3*t6; /* s*R*I1 */
-    const double t8 = p[6]/t7; /* omega_n = G_level/(s*R*I1) */
-    const double t9 = t8*t8; /* omega_n*omega_n */
-    const double t10 = p[1]*t9; /* R*omega_n*omega_n */
-    const double t11 = t10/t3; /* R*omega_n*omega_n/s */
-    const double t12 = x[0]*t9; /* gamma3*omega_n*omega_n */
-    const double t13 = t3*t3; /* s*s */
-    const double t14 = t3*t13; /* s*s*s */
-    const double t15 = x[0]*p[1]; /* gamma3*R */
-    const double t16 = p[3] + t15; /* b = a3 + gamma3*R */
-    const double t17 = t12*t16; /* gamma3*omega_n*omega_n*b */
-    const double t18 = t17/t14; /* gamma3*omega_n*omega_n*b/(s*s*s) */
-    const double t19 = t11 + t18; /* R*omega_n*omega_n/s + gamma3*omega_n*omega_n*b/(s*s*s) */
-    const double t20 = x[0]*t8; /* gamma3*omega_n */
-    const double t21 = t13*t13; /* s*s*s*s */
-    const double t22 = t6*t21; /* R*I1*s*s*s*s */
-    const double t23 = t16*t20; /* b*gamma3*omega_n */
-    const double t24 = p[6]*t23; /* G_level*b*gamma3*omega_n */
-    const double t25 = t24/t22; /* G_level*b*gamma3*omega_n/(R*I1*s*s*s*s) */
-    const double t26 = t25*2.0; /* G_level*b*gamma3*omega_n/(R*I1*s*s*s*s)*2 */
-    const double t27 = t19 + t26; /* R*omega_n*omega_n/s + gamma3*omega_n*omega_n*b/(s*s*s) + G_level*b*gamma3*omega_n/(R*I1*s*s*s*s)*2 */
-    const double t28 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t29 = p[4]*t14; /* I1*s*s*s */
-    const double t30 = p[6]*t28; /* G_level*gamma3*omega3 */
-    const double t31 = t30/t29; /* G_level*gamma3*omega3/(I1*s*s*s) */
-    const double t32 = t27 + t31; /* t27 + G_level*gamma3*omega3/(I1*s*s*s) */
-    const double t33 = p[1]*t8; /* R*omega_n */
-    const double t34 = p[3]*p[3]; /* a3*a3 */
-    const double t35 = p[0]*t34; /* m*a3*a3 */
-    const double t36 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t37 = t35*t36; /* m*a3*a3*omega_tau*omega_tau */
-    const double t38 = t3*t37; /* s*m*a3*a3*omega_tau*omega_tau */
-    const double t39 = t13*t35; /* s*s*m*a3*a3 */
-    const double t40 = p[4] + t39; /* D = I1 + s*s*m*a3*a3 */
-    const double t41 = t38/t40; /* s*m*a3*a3*omega_tau*omega_tau/D */
-    const double t42 = t1*t35; /* gamma3*gamma3*m*a3*a3 */
-    const double t43 = t36*t42; /* omega_tau*omega_tau*gamma3*gamma3*m*a3*a3 */
-    const double t44 = t3*t40; /* s*D */
-    const double t45 = t43/t44; /* omega_tau*omega_tau*gamma3*gamma3*m*a3*a3/(s*D) */
-    const double t46 = t41 - t45; /* s*m*a3*a3*omega_tau*omega_tau/D - omega_tau*omega_tau*gamma3*gamma3*m*a3*a3/(s*D) */
-    const double t47 = p[0]*p[0]; /* m*m */
-    const double t48 = t34*t34; /* a3*a3*a3*a3 */
-    const double t49 = t47*t48; /* m*m*a3*a3*a3*a3 */
-    const double t50 = t1*t49; /* gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t51 = t36*t50; /* omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t52 = t3*t51; /* s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t53 = t40*t40; /* D*D */
-    const double t54 = t52/t53; /* s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t55 = 2.0*t54; /* 2*s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t56 = t46 + t55; /* t46 + 2*s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t57 = p[0]*p[2]; /* m*g */
-    const double t58 = p[3]*t57; /* a3*m*g */
-    const double t59 = x[0]*t58; /* gamma3*a3*m*g */
-    const double t60 = t59/t44; /* gamma3*a3*m*g/(s*D) */
-    const double t61 = t56 + t60; /* t56 + gamma3*a3*m*g/(s*D) */
-    const double t62 = t47*p[2]; /* m*m*g */
-    const double t63 = p[3]*t34; /* a3*a3*a3 */
-    const double t64 = t62*t63; /* m*m*g*a3*a3*a3 */
-    const double t65 = x[0]*t64; /* gamma3*m*m*g*a3*a3*a3 */
-    const double t66 = t3*t65; /* s*gamma3*m*m*g*a3*a3*a3 */
-    const double t67 = t66/t53; /* s*gamma3*m*m*g*a3*a3*a3/(D*D) */
-    const double t68 = 2.0*t67; /* 2*s*gamma3*m*m*g*a3*a3*a3/(D*D) */
-    const double t69 = t61 - t68; /* t56 + gamma3*a3*m*g/(s*D) - 2*s*gamma3*m*m*g*a3*a3*a3/(D*D) */
-    const double t70 = p[4]*t9; /* I1*omega_n*omega_n */
-    const double t71 = t70/t44; /* I1*omega_n*omega_n/(s*D) */
-    const double t72 = t69 - t71; /* t56 + gamma3*a3*m*g/(s*D) - 2*s*gamma3*m*m*g*a3*a3*a3/(D*D) - I1*omega_n*omega_n/(s*D) */
-    const double t73 = t1*p[4]; /* gamma3*gamma3*I1 */
-    const double t74 = t9*t73; /* omega_n*omega_n*gamma3*gamma3*I1 */
-    const double t75 = t14*t40; /* s*s*s*D */
-    const double t76 = t74/t75; /* omega_n*omega_n*gamma3*gamma3*I1/(s*s*s*D) */
-    const double t77 = t72 - t76; /* t72 - omega_n*omega_n*gamma3*gamma3*I1/(s*s*s*D) */
-    const double t78 = p[4]*t35; /* I1*m*a3*a3 */
-    const double t79 = t1*t78; /* gamma3*gamma3*I1*m*a3*a3 */
-    const double t80 = t9*t79; /* omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3 */
-    const double t81 = t3*t53; /* s*D*D */
-    const double t82 = t80/t81; /* omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t83 = 2.0*t82; /* 2*omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t84 = t77 - t83; /* t72 - omega_n*omega_n*gamma3*gamma3*I1/(s*s*s*D) - 2*omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t85 = t1*t8; /* gamma3*gamma3*omega_n */
-    const double t86 = p[1]*t21; /* R*s*s*s*s */
-    const double t87 = t40*t86; /* D*R*s*s*s*s */
-    const double t88 = p[6]*t85; /* G_level*gamma3*gamma3*omega_n */
-    const double t89 = t88/t87; /* G_level*gamma3*gamma3*omega_n/(D*R*s*s*s*s) */
-    const double t90 = 2.0*t89; /* 2*G_level*gamma3*gamma3*omega_n/(D*R*s*s*s*s) */
-    const double t91 = t84 - t90; /* t84 - 2*G_level*gamma3*gamma3*omega_n/(D*R*s*s*s*s) */
-    const double t92 = 2.0*p[0]; /* 2*m */
-    const double t93 = t34*t92; /* a3*a3*2*m */
-    const double t94 = x[0]*t93; /* gamma3*a3*a3*2*m */
-    const double t95 = x[2]*t94; /* omega_tau*gamma3*a3*a3*2*m */
-    const double t96 = t3*t95; /* s*omega_tau*gamma3*a3*a3*2*m */
-    const double t97 = t96/t40; /* s*omega_tau*gamma3*a3*a3*2*m/D */
-    const double t98 = x[2]*p[3]; /* omega_tau*a3 */
-    const double t99 = t8*t98; /* omega_n*omega_tau*a3 */
-    const double t100 = p[1]*t13; /* R*s*s */
-    const double t101 = t99/t100; /* omega_n*omega_tau*a3/(R*s*s) */
-    const double t102 = -t101; /* -omega_n*omega_tau*a3/(R*s*s) */
-    const double t103 = x[0]*p[3]; /* gamma3*a3 */
-    const double t104 = p[1] + t103; /* e = R + gamma3*a3 */
-    const double t105 = x[2]*t104; /* omega_tau*e */
-    const double t106 = x[1] + t105; /* V = v_nu + omega_tau*e */
-    const double t107 = t20*t106; /* gamma3*omega_n*V */
-    const double t108 = t107/t86; /* gamma3*omega_n*V/(R*s*s*s*s) */
-    const double t109 = 2.0*t108; /* 2*gamma3*omega_n*V/(R*s*s*s*s) */
-    const double t110 = t102 - t109; /* -omega_n*omega_tau*a3/(R*s*s) - 2*gamma3*omega_n*V/(R*s*s*s*s) */
-    const double t111 = x[2]*x[3]; /* omega_tau*omega3 */
-    const double t112 = t111/t3; /* omega_tau*omega3/s */
-    const double t113 = t110 + t112; /* t110 + omega_tau*omega3/s */
-    const double t114 = x[2]*t1; /* omega_tau*gamma3*gamma3 */
-    const double t115 = x[3]*t114; /* omega3*omega_tau*gamma3*gamma3 */
-    const double t116 = t115/t14; /* omega3*omega_tau*gamma3*gamma3/(s*s*s) */
-    const double t117 = t113 + t116; /* t110 + omega_tau*omega3/s + omega3*omega_tau*gamma3*gamma3/(s*s*s) */
-    const double t118 = p[1]*p[1]; /* R*R */
-    const double t119 = p[4]*t118; /* I1*R*R */
-    const double t120 = t3*t21; /* s*s*s*s*s */
-    const double t121 = t119*t120; /* I1*R*R*s*s*s*s*s */
-    const double t122 = x[0]*t106; /* gamma3*V */
-    const double t123 = p[6]*t122; /* G_level*gamma3*V */
-    const double t124 = t123/t121; /* G_level*gamma3*V/(I1*R*R*s*s*s*s*s) */
-    const double t125 = t117 - t124; /* t117 - G_level*gamma3*V/(I1*R*R*s*s*s*s*s) */
-    const double t126 = t8/t100; /* omega_n/(R*s*s) */
-    const double t127 = -t126; /* -omega_n/(R*s*s) */
-    const double t128 = t8*t104; /* omega_n*e */
-    const double t129 = t128/t100; /* omega_n*e/(R*s*s) */
-    const double t130 = t28/t3; /* gamma3*omega3/s */
-    const double t131 = t130 - t129; /* gamma3*omega3/s - omega_n*e/(R*s*s) */
-    out[0] = t5;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = JLT_FMA(p[8], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t5 = t3*t4; /* D*s */
+    const double t6 = 1.0/t5; /* 1/(D*s) */
+    const double t7 = t3*t6; /* D*1/(D*s) */
+    const double t8 = x[0]*t7; /* gamma3*D*1/(D*s) */
+    const double t9 = x[2]*t8; /* omega_tau*gamma3*D*1/(D*s) */
+    const double t10 = -t9; /* -omega_tau*gamma3*D*1/(D*s) */
+    const double t11 = t7*p[7]; /* omega_n = D*1/(D*s)*G_level/(R*I1) */
+    const double t12 = t7*t11; /* D*1/(D*s)*omega_n */
+    const double t13 = t11*p[1]; /* omega_n*R */
+    const double t14 = t12*t13; /* D*1/(D*s)*omega_n*omega_n*R */
+    const double t15 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t16 = t7*t12; /* D*1/(D*s)*D*1/(D*s)*omega_n */
+    const double t17 = JLT_FMA(t7, p[12], t11); /* D*1/(D*s)*2*G_level/(R*I1) + omega_n */
+    const double t18 = t8*t17; /* gamma3*D*1/(D*s)*(D*1/(D*s)*2*G_level/(R*I1) + omega_n) */
+    const double t19 = t15*t16; /* b*D*1/(D*s)*D*1/(D*s)*omega_n */
+    const double t20 = t7*t8; /* D*1/(D*s)*gamma3*D*1/(D*s) */
+    const double t21 = t7*x[3]; /* D*1/(D*s)*omega3 */
+    const double t22 = p[13]*t21; /* G_level/I1*D*1/(D*s)*omega3 */
+    const double t23 = JLT_FMA(t20, t22, t14); /* D*1/(D*s)*gamma3*D*1/(D*s)*G_level/I1*D*1/(D*s)*omega3 + D*1/(D*s)*omega_n*omega_n*R */
+    const double t24 = JLT_FMA(t18, t19, t23); /* gamma3*D*1/(D*s)*(D*1/(D*s)*2*G_level/(R*I1) + omega_n)*b*D*1/(D*s)*D*1/(D*s)*omega_n + t23 */
+    const double t25 = t4*t6; /* s*1/(D*s) */
+    const double t26 = x[0]*p[14]; /* gamma3*2*m*a3^2 */
+    const double t27 = t25*t26; /* s*1/(D*s)*gamma3*2*m*a3^2 */
+    const double t28 = t4*t27; /* s*s*1/(D*s)*gamma3*2*m*a3^2 */
+    const double t29 = t28 - t8; /* s*s*1/(D*s)*gamma3*2*m*a3^2 - gamma3*D*1/(D*s) */
+    const double t30 = JLT_FMA(x[0], t29, t4); /* gamma3*(s*s*1/(D*s)*gamma3*2*m*a3^2 - gamma3*D*1/(D*s)) + s */
+    const double t31 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
+    const double t32 = x[2]*t31; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t33 = t30*t32; /* (gamma3*(s*s*1/(D*s)*gamma3*2*m*a3^2 - gamma3*D*1/(D*s)) + s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t34 = t11*t11; /* omega_n*omega_n */
+    const double t35 = t8*t27; /* gamma3*D*1/(D*s)*s*1/(D*s)*gamma3*2*m*a3^2 */
+    const double t36 = JLT_FMA(t8, t18, t11); /* gamma3*D*1/(D*s)*gamma3*D*1/(D*s)*(D*1/(D*s)*2*G_level/(R*I1) + omega_n) + omega_n */
+    const double t37 = JLT_FNMA(t34, t35, t33); /* t33 - omega_n*omega_n*gamma3*D*1/(D*s)*s*1/(D*s)*gamma3*2*m*a3^2 */
+    const double t38 = JLT_FNMA(t29, p[10], t37); /* t37 - (s*s*1/(D*s)*gamma3*2*m*a3^2 - gamma3*D*1/(D*s))*m*g*a3/I1 */
+    const double t39 = JLT_FNMA(t12, t36, t38); /* t38 - D*1/(D*s)*omega_n*t36 */
+    const double t40 = p[4]*t25; /* I1*s*1/(D*s) */
+    const double t41 = t39*t40; /* (t38 - D*1/(D*s)*omega_n*t36)*I1*s*1/(D*s) */
+    const double t42 = x[2]*t28; /* omega_tau*s*s*1/(D*s)*gamma3*2*m*a3^2 */
+    const double t43 = JLT_FNMA(t16, p[15], t21); /* D*1/(D*s)*omega3 - D*1/(D*s)*D*1/(D*s)*omega_n*a3/R */
+    const double t44 = x[2]*t43; /* omega_tau*(D*1/(D*s)*omega3 - D*1/(D*s)*D*1/(D*s)*omega_n*a3/R) */
+    const double t45 = t9*x[3]; /* omega_tau*gamma3*D*1/(D*s)*omega3 */
+    const double t46 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t47 = JLT_FMA(x[2], t46, x[1]); /* V = omega_tau*e + v_nu */
+    const double t48 = t7*p[17]; /* D*1/(D*s)*1/2*G_level/(R*I1) */
+    const double t49 = t7*t7; /* D*1/(D*s)*D*1/(D*s) */
+    const double t50 = JLT_FMA(t48, t49, t16); /* D*1/(D*s)*1/2*G_level/(R*I1)*D*1/(D*s)*D*1/(D*s) + D*1/(D*s)*D*1/(D*s)*omega_n */
+    const double t51 = p[16]*t47; /* 2/R*V */
+    const double t52 = JLT_FNMA(t50, t51, t45); /* omega_tau*gamma3*D*1/(D*s)*omega3 - t50*2/R*V */
+    const double t53 = JLT_FMA(t20, t52, t44); /* D*1/(D*s)*gamma3*D*1/(D*s)*(omega_tau*gamma3*D*1/(D*s)*omega3 - t50*2/R*V) + t44 */
+    const double t54 = t16*p[11]; /* D*1/(D*s)*D*1/(D*s)*omega_n*1/R */
+    const double t55 = -t54; /* -D*1/(D*s)*D*1/(D*s)*omega_n*1/R */
+    const double t56 = t46*t54; /* e*D*1/(D*s)*D*1/(D*s)*omega_n*1/R */
+    const double t57 = JLT_FMS(t8, x[3], t56); /* gamma3*D*1/(D*s)*omega3 - e*D*1/(D*s)*D*1/(D*s)*omega_n*1/R */
+    out[0] = t10;
     out[1] = 0.0;
-    out[2] = t3;
+    out[2] = t4;
     out[3] = 0.0;
-    out[4] = t32;
+    out[4] = t24;
     out[5] = 0.0;
     out[6] = 0.0;
-    out[7] = t33;
-    out[8] = t91;
+    out[7] = t13;
+    out[8] = t41;
     out[9] = 0.0;
-    out[10] = t97;
+    out[10] = t42;
     out[11] = 0.0;
-    out[12] = t125;
-    out[13] = t127;
-    out[14] = t131;
-    out[15] = t4;
+    out[12] = t53;
+    out[13] = t55;
+    out[14] = t57;
+    out[15] = t9;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = x[2]*t2; /* omega_tau*s */
-    const double t4 = p[1]*p[4]; /* R*I1 */
-    const double t5 = t2*t4; /* s*R*I1 */
-    const double t6 = p[6]/t5; /* omega_n = G_level/(s*R*I1) */
-    const double t7 = t6*t6; /* omega_n*omega_n */
-    const double t8 = x[0]*p[1]; /* gamma3*R */
-    const double t9 = p[3] + t8; /* b = a3 + gamma3*R */
-    const double t10 = t7*t9; /* omega_n*omega_n*b */
-    const double t11 = t10/t2; /* omega_n*omega_n*b/s */
-    const double t12 = p[1]*t6; /* R*omega_n */
-    const double t13 = t12*x[3]; /* R*omega_n*omega3 */
-    const double t14 = t11 + t13; /* omega_n*omega_n*b/s + R*omega_n*omega3 */
-    const double t15 = p[3]*p[3]; /* a3*a3 */
-    const double t16 = p[0]*t15; /* m*a3*a3 */
-    const double t17 = x[0]*t16; /* gamma3*m*a3*a3 */
-    const double t18 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t19 = t17*t18; /* gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t20 = t2*t19; /* s*gamma3*m*a3*a3*omega_tau*omega_tau */
-    const double t21 = t2*t2; /* s*s */
-    const double t22 = t16*t21; /* m*a3*a3*s*s */
-    const double t23 = p[4] + t22; /* D = I1 + m*a3*a3*s*s */
-    const double t24 = t20/t23; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D */
-    const double t25 = p[0]*p[2]; /* m*g */
-    const double t26 = p[3]*t25; /* a3*m*g */
-    const double t27 = t2*t26; /* s*a3*m*g */
-    const double t28 = t27/t23; /* s*a3*m*g/D */
-    const double t29 = t24 - t28; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*a3*m*g/D */
-    const double t30 = x[0]*p[4]; /* gamma3*I1 */
-    const double t31 = t7*t30; /* omega_n*omega_n*gamma3*I1 */
-    const double t32 = t2*t23; /* s*D */
-    const double t33 = t31/t32; /* omega_n*omega_n*gamma3*I1/(s*D) */
-    const double t34 = t29 - t33; /* s*gamma3*m*a3*a3*omega_tau*omega_tau/D - s*a3*m*g/D - omega_n*omega_n*gamma3*I1/(s*D) */
-    const double t35 = p[1]*t21; /* R*s*s */
-    const double t36 = x[0]*p[3]; /* gamma3*a3 */
-    const double t37 = p[1] + t36; /* e = R + gamma3*a3 */
-    const double t38 = x[2]*t37; /* omega_tau*e */
-    const double t39 = x[1] + t38; /* V = v_nu + omega_tau*e */
-    const double t40 = t6*t39; /* omega_n*V */
-    const double t41 = t40/t35; /* omega_n*V/(R*s*s) */
-    const double t42 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t43 = x[3]*t42; /* omega3*omega_tau*gamma3 */
-    const double t44 = t43/t2; /* omega3*omega_tau*gamma3/s */
-    const double t45 = t44 - t41; /* omega3*omega_tau*gamma3/s - omega_n*V/(R*s*s) */
-    const double t46 = t42/t2; /* omega_tau*gamma3/s */
-    const double t47 = -t46; /* -omega_tau*gamma3/s */
-    const double t48 = p[1]*t7; /* R*omega_n*omega_n */
-    const double t49 = t48/t2; /* R*omega_n*omega_n/s */
-    const double t50 = x[0]*t7; /* gamma3*omega_n*omega_n */
-    const double t51 = t2*t21; /* s*s*s */
-    const double t52 = t9*t50; /* b*gamma3*omega_n*omega_n */
-    const double t53 = t52/t51; /* b*gamma3*omega_n*omega_n/(s*s*s) */
-    const double t54 = t49 + t53; /* R*omega_n*omega_n/s + b*gamma3*omega_n*omega_n/(s*s*s) */
-    const double t55 = x[0]*t6; /* gamma3*omega_n */
-    const double t56 = t21*t21; /* s*s*s*s */
-    const double t57 = t4*t56; /* R*I1*s*s*s*s */
-    const double t58 = t9*t55; /* b*gamma3*omega_n */
-    const double t59 = p[6]*t58; /* G_level*b*gamma3*omega_n */
-    const double t60 = t59/t57; /* G_level*b*gamma3*omega_n/(R*I1*s*s*s*s) */
-    const double t61 = t60*2.0; /* G_level*b*gamma3*omega_n/(R*I1*s*s*s*s)*2 */
-    const double t62 = t54 + t61; /* R*omega_n*omega_n/s + b*gamma3*omega_n*omega_n/(s*s*s) + G_level*b*gamma3*omega_n/(R*I1*s*s*s*s)*2 */
-    const double t63 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t64 = p[4]*t51; /* I1*s*s*s */
-    const double t65 = p[6]*t63; /* G_level*gamma3*omega3 */
-    const double t66 = t65/t64; /* G_level*gamma3*omega3/(I1*s*s*s) */
-    const double t67 = t62 + t66; /* t62 + G_level*gamma3*omega3/(I1*s*s*s) */
-    const double t68 = t16*t18; /* m*a3*a3*omega_tau*omega_tau */
-    const double t69 = t2*t68; /* s*m*a3*a3*omega_tau*omega_tau */
-    const double t70 = t69/t23; /* s*m*a3*a3*omega_tau*omega_tau/D */
-    const double t71 = t0*t16; /* gamma3*gamma3*m*a3*a3 */
-    const double t72 = t18*t71; /* omega_tau*omega_tau*gamma3*gamma3*m*a3*a3 */
-    const double t73 = t72/t32; /* omega_tau*omega_tau*gamma3*gamma3*m*a3*a3/(s*D) */
-    const double t74 = t70 - t73; /* s*m*a3*a3*omega_tau*omega_tau/D - omega_tau*omega_tau*gamma3*gamma3*m*a3*a3/(s*D) */
-    const double t75 = p[0]*p[0]; /* m*m */
-    const double t76 = t15*t15; /* a3*a3*a3*a3 */
-    const double t77 = t75*t76; /* m*m*a3*a3*a3*a3 */
-    const double t78 = t0*t77; /* gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t79 = t18*t78; /* omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t80 = t2*t79; /* s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3 */
-    const double t81 = t23*t23; /* D*D */
-    const double t82 = t80/t81; /* s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t83 = 2.0*t82; /* 2*s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t84 = t74 + t83; /* t74 + 2*s*omega_tau*omega_tau*gamma3*gamma3*m*m*a3*a3*a3*a3/(D*D) */
-    const double t85 = x[0]*t26; /* gamma3*a3*m*g */
-    const double t86 = t85/t32; /* gamma3*a3*m*g/(s*D) */
-    const double t87 = t84 + t86; /* t84 + gamma3*a3*m*g/(s*D) */
-    const double t88 = p[2]*t75; /* g*m*m */
-    const double t89 = p[3]*t15; /* a3*a3*a3 */
-    const double t90 = t88*t89; /* g*m*m*a3*a3*a3 */
-    const double t91 = x[0]*t90; /* gamma3*g*m*m*a3*a3*a3 */
-    const double t92 = t2*t91; /* s*gamma3*g*m*m*a3*a3*a3 */
-    const double t93 = t92/t81; /* s*gamma3*g*m*m*a3*a3*a3/(D*D) */
-    const double t94 = 2.0*t93; /* 2*s*gamma3*g*m*m*a3*a3*a3/(D*D) */
-    const double t95 = t87 - t94; /* t84 + gamma3*a3*m*g/(s*D) - 2*s*gamma3*g*m*m*a3*a3*a3/(D*D) */
-    const double t96 = p[4]*t7; /* I1*omega_n*omega_n */
-    const double t97 = t96/t32; /* I1*omega_n*omega_n/(s*D) */
-    const double t98 = t95 - t97; /* t84 + gamma3*a3*m*g/(s*D) - 2*s*gamma3*g*m*m*a3*a3*a3/(D*D) - I1*omega_n*omega_n/(s*D) */
-    const double t99 = t0*p[4]; /* gamma3*gamma3*I1 */
-    const double t100 = t7*t99; /* omega_n*omega_n*gamma3*gamma3*I1 */
-    const double t101 = t23*t51; /* D*s*s*s */
-    const double t102 = t100/t101; /* omega_n*omega_n*gamma3*gamma3*I1/(D*s*s*s) */
-    const double t103 = t98 - t102; /* t98 - omega_n*omega_n*gamma3*gamma3*I1/(D*s*s*s) */
-    const double t104 = p[4]*t16; /* I1*m*a3*a3 */
-    const double t105 = t0*t104; /* gamma3*gamma3*I1*m*a3*a3 */
-    const double t106 = t7*t105; /* omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3 */
-    const double t107 = t2*t81; /* s*D*D */
-    const double t108 = t106/t107; /* omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t109 = 2.0*t108; /* 2*omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t110 = t103 - t109; /* t98 - omega_n*omega_n*gamma3*gamma3*I1/(D*s*s*s) - 2*omega_n*omega_n*gamma3*gamma3*I1*m*a3*a3/(s*D*D) */
-    const double t111 = t0*t6; /* gamma3*gamma3*omega_n */
-    const double t112 = p[1]*t56; /* R*s*s*s*s */
-    const double t113 = t23*t112; /* D*R*s*s*s*s */
-    const double t114 = p[6]*t111; /* G_level*gamma3*gamma3*omega_n */
-    const double t115 = t114/t113; /* G_level*gamma3*gamma3*omega_n/(D*R*s*s*s*s) */
-    const double t116 = 2.0*t115; /* 2*G_level*gamma3*gamma3*omega_n/(D*R*s*s*s*s) */
-    const double t117 = t110 - t116; /* t110 - 2*G_level*gamma3*gamma3*omega_n/(D*R*s*s*s*s) */
-    const double t118 = p[0]*2.0; /* m*2 */
-    const double t119 = t15*t118; /* a3*a3*m*2 */
-    const double t120 = x[0]*t119; /* gamma3*a3*a3*m*2 */
-    const double t121 = x[2]*t120; /* omega_tau*gamma3*a3*a3*m*2 */
-    const double t122 = t2*t121; /* s*omega_tau*gamma3*a3*a3*m*2 */
-    const double t123 = t122/t23; /* s*omega_tau*gamma3*a3*a3*m*2/D */
-    const double t124 = x[2]*p[3]; /* omega_tau*a3 */
-    const double t125 = t6*t124; /* omega_n*omega_tau*a3 */
-    const double t126 = t125/t35; /* omega_n*omega_tau*a3/(R*s*s) */
-    const double t127 = -t126; /* -omega_n*omega_tau*a3/(R*s*s) */
-    const double t128 = t39*t55; /* V*gamma3*omega_n */
-    const double t129 = t128/t112; /* V*gamma3*omega_n/(R*s*s*s*s) */
-    const double t130 = 2.0*t129; /* 2*V*gamma3*omega_n/(R*s*s*s*s) */
-    const double t131 = t127 - t130; /* -omega_n*omega_tau*a3/(R*s*s) - 2*V*gamma3*omega_n/(R*s*s*s*s) */
-    const double t132 = x[2]*x[3]; /* omega_tau*omega3 */
-    const double t133 = t132/t2; /* omega_tau*omega3/s */
-    const double t134 = t131 + t133; /* t131 + omega_tau*omega3/s */
-    const double t135 = x[2]*t0; /* omega_tau*gamma3*gamma3 */
-    const double t136 = x[3]*t135; /* omega3*omega_tau*gamma3*gamma3 */
-    const double t137 = t136/t51; /* omega3*omega_tau*gamma3*gamma3/(s*s*s) */
-    const double t138 = t134 + t137; /* t131 + omega_tau*omega3/s + omega3*omega_tau*gamma3*gamma3/(s*s*s) */
-    const double t139 = p[1]*p[1]; /* R*R */
-    const double t140 = p[4]*t139; /* I1*R*R */
-    const double t141 = t2*t56; /* s*s*s*s*s */
-    const double t142 = t140*t141; /* I1*R*R*s*s*s*s*s */
-    const double t143 = x[0]*t39; /* gamma3*V */
-    const double t144 = p[6]*t143; /* G_level*gamma3*V */
-    const double t145 = t144/t142; /* G_level*gamma3*V/(I1*R*R*s*s*s*s*s) */
-    const double t146 = t138 - t145; /* t138 - G_level*gamma3*V/(I1*R*R*s*s*s*s*s) */
-    const double t147 = t6/t35; /* omega_n/(R*s*s) */
-    const double t148 = -t147; /* -omega_n/(R*s*s) */
-    const double t149 = t6*t37; /* omega_n*e */
-    const double t150 = t149/t35; /* omega_n*e/(R*s*s) */
-    const double t151 = t63/t2; /* gamma3*omega3/s */
-    const double t152 = t151 - t150; /* gamma3*omega3/s - omega_n*e/(R*s*s) */
-    out[0] = t3;
-    out[1] = t14;
-    out[2] = t34;
-    out[3] = t45;
-    out[4] = t47;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = x[2]*t3; /* omega_tau*s */
+    const double t5 = JLT_FMA(t2, p[8], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t6 = t3*t5; /* s*D */
+    const double t7 = 1.0/t6; /* 1/(s*D) */
+    const double t8 = t5*t7; /* D*1/(s*D) */
+    const double t9 = p[7]*t8; /* omega_n = G_level/(R*I1)*D*1/(s*D) */
+    const double t10 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t11 = t8*t9; /* D*1/(s*D)*omega_n */
+    const double t12 = t9*t10; /* omega_n*b */
+    const double t13 = t11*t12; /* D*1/(s*D)*omega_n*omega_n*b */
+    const double t14 = t9*p[1]; /* omega_n*R */
+    const double t15 = JLT_FMA(x[3], t14, t13); /* omega3*omega_n*R + D*1/(s*D)*omega_n*omega_n*b */
+    const double t16 = t3*t7; /* s*1/(s*D) */
+    const double t17 = t3*t16; /* s*s*1/(s*D) */
+    const double t18 = x[0]*p[3]; /* gamma3*a3 */
+    const double t19 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t20 = JLT_FNMA(t18, t19, p[2]); /* g - gamma3*a3*omega_tau*omega_tau */
+    const double t21 = p[18]*t20; /* m*a3*(g - gamma3*a3*omega_tau*omega_tau) */
+    const double t22 = t17*t21; /* s*s*1/(s*D)*m*a3*(g - gamma3*a3*omega_tau*omega_tau) */
+    const double t23 = x[0]*t8; /* gamma3*D*1/(s*D) */
+    const double t24 = t9*t16; /* omega_n*s*1/(s*D) */
+    const double t25 = t9*t23; /* omega_n*gamma3*D*1/(s*D) */
+    const double t26 = t24*t25; /* omega_n*s*1/(s*D)*omega_n*gamma3*D*1/(s*D) */
+    const double t27 = JLT_FMA(p[4], t26, t22); /* I1*omega_n*s*1/(s*D)*omega_n*gamma3*D*1/(s*D) + s*s*1/(s*D)*m*a3*(g - gamma3*a3*omega_tau*omega_tau) */
+    const double t28 = -t27; /* -t27 */
+    const double t29 = p[1] + t18; /* e = R + gamma3*a3 */
+    const double t30 = JLT_FMA(x[2], t29, x[1]); /* V = omega_tau*e + v_nu */
+    const double t31 = t8*t11; /* D*1/(s*D)*D*1/(s*D)*omega_n */
+    const double t32 = p[11]*t31; /* 1/R*D*1/(s*D)*D*1/(s*D)*omega_n */
+    const double t33 = t30*t32; /* V*1/R*D*1/(s*D)*D*1/(s*D)*omega_n */
+    const double t34 = x[3]*t23; /* omega3*gamma3*D*1/(s*D) */
+    const double t35 = JLT_FMS(x[2], t34, t33); /* omega_tau*omega3*gamma3*D*1/(s*D) - V*1/R*D*1/(s*D)*D*1/(s*D)*omega_n */
+    const double t36 = x[2]*t23; /* omega_tau*gamma3*D*1/(s*D) */
+    const double t37 = -t36; /* -omega_tau*gamma3*D*1/(s*D) */
+    const double t38 = t11*t14; /* D*1/(s*D)*omega_n*omega_n*R */
+    const double t39 = JLT_FMA(t8, p[12], t9); /* D*1/(s*D)*2*G_level/(R*I1) + omega_n */
+    const double t40 = t23*t39; /* gamma3*D*1/(s*D)*(D*1/(s*D)*2*G_level/(R*I1) + omega_n) */
+    const double t41 = t10*t31; /* b*D*1/(s*D)*D*1/(s*D)*omega_n */
+    const double t42 = t8*t8; /* D*1/(s*D)*D*1/(s*D) */
+    const double t43 = p[13]*t42; /* G_level/I1*D*1/(s*D)*D*1/(s*D) */
+    const double t44 = JLT_FMA(t34, t43, t38); /* omega3*gamma3*D*1/(s*D)*G_level/I1*D*1/(s*D)*D*1/(s*D) + D*1/(s*D)*omega_n*omega_n*R */
+    const double t45 = JLT_FMA(t40, t41, t44); /* gamma3*D*1/(s*D)*(D*1/(s*D)*2*G_level/(R*I1) + omega_n)*b*D*1/(s*D)*D*1/(s*D)*omega_n + t44 */
+    const double t46 = x[2]*t17; /* omega_tau*s*s*1/(s*D) */
+    const double t47 = x[2]*p[8]; /* omega_tau*m*a3^2 */
+    const double t48 = t46*t47; /* omega_tau*s*s*1/(s*D)*omega_tau*m*a3^2 */
+    const double t49 = x[0]*p[14]; /* gamma3*2*m*a3^2 */
+    const double t50 = JLT_FMS(t17, t49, t23); /* s*s*1/(s*D)*gamma3*2*m*a3^2 - gamma3*D*1/(s*D) */
+    const double t51 = t21*t50; /* m*a3*(g - gamma3*a3*omega_tau*omega_tau)*(s*s*1/(s*D)*gamma3*2*m*a3^2 - gamma3*D*1/(s*D)) */
+    const double t52 = t26*t49; /* omega_n*s*1/(s*D)*omega_n*gamma3*D*1/(s*D)*gamma3*2*m*a3^2 */
+    const double t53 = JLT_FMA(t23, t40, t9); /* gamma3*D*1/(s*D)*gamma3*D*1/(s*D)*(D*1/(s*D)*2*G_level/(R*I1) + omega_n) + omega_n */
+    const double t54 = JLT_FMA(t11, t53, t52); /* D*1/(s*D)*omega_n*t53 + omega_n*s*1/(s*D)*omega_n*gamma3*D*1/(s*D)*gamma3*2*m*a3^2 */
+    const double t55 = JLT_FMA(p[4], t54, t51); /* I1*t54 + t51 */
+    const double t56 = JLT_FNMA(t16, t55, t48); /* omega_tau*s*s*1/(s*D)*omega_tau*m*a3^2 - s*1/(s*D)*(I1*t54 + t51) */
+    const double t57 = t46*t49; /* omega_tau*s*s*1/(s*D)*gamma3*2*m*a3^2 */
+    const double t58 = x[2]*p[15]; /* omega_tau*a3/R */
+    const double t59 = t31*t58; /* D*1/(s*D)*D*1/(s*D)*omega_n*omega_tau*a3/R */
+    const double t60 = JLT_FMA(t23, t34, x[3]); /* gamma3*D*1/(s*D)*omega3*gamma3*D*1/(s*D) + omega3 */
+    const double t61 = x[2]*t60; /* omega_tau*(gamma3*D*1/(s*D)*omega3*gamma3*D*1/(s*D) + omega3) */
+    const double t62 = t8*p[17]; /* D*1/(s*D)*1/2*G_level/(R*I1) */
+    const double t63 = JLT_FMA(t42, t62, t31); /* D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*1/2*G_level/(R*I1) + D*1/(s*D)*D*1/(s*D)*omega_n */
+    const double t64 = t30*p[16]; /* V*2/R */
+    const double t65 = t23*t64; /* gamma3*D*1/(s*D)*V*2/R */
+    const double t66 = JLT_FNMA(t63, t65, t61); /* t61 - t63*gamma3*D*1/(s*D)*V*2/R */
+    const double t67 = JLT_FMS(t8, t66, t59); /* D*1/(s*D)*(t61 - t63*gamma3*D*1/(s*D)*V*2/R) - D*1/(s*D)*D*1/(s*D)*omega_n*omega_tau*a3/R */
+    const double t68 = -t32; /* -1/R*D*1/(s*D)*D*1/(s*D)*omega_n */
+    const double t69 = JLT_FNMA(t29, t32, t34); /* omega3*gamma3*D*1/(s*D) - e*1/R*D*1/(s*D)*D*1/(s*D)*omega_n */
+    out[0] = t4;
+    out[1] = t15;
+    out[2] = t28;
+    out[3] = t35;
+    out[4] = t37;
     out[5] = 0.0;
-    out[6] = t2;
+    out[6] = t3;
     out[7] = 0.0;
-    out[8] = t67;
+    out[8] = t45;
     out[9] = 0.0;
     out[10] = 0.0;
-    out[11] = t12;
-    out[12] = t117;
+    out[11] = t14;
+    out[12] = t56;
     out[13] = 0.0;
-    out[14] = t123;
+    out[14] = t57;
     out[15] = 0.0;
-    out[16] = t146;
-    out[17] = t148;
-    out[18] = t152;
-    out[19] = t46;
+    out[16] = t67;
+    out[17] = t68;
+    out[18] = t69;
+    out[19] = t36;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 2.0*p[0]; /* 2*m */
-    const double t1 = p[3]*p[3]; /* a3*a3 */
-    const double t2 = t0*t1; /* 2*m*a3*a3 */
-    const double t3 = t2*x[0]; /* 2*m*a3*a3*gamma3 */
-    const double t4 = t3*x[2]; /* 2*m*a3*a3*gamma3*omega_tau */
-    const double t5 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t6 = 1.0 - t5; /* 1 - gamma3*gamma3 */
-    const double t7 = sqrt(t6); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t8 = t4*t7; /* 2*m*a3*a3*gamma3*omega_tau*s */
-    const double t9 = p[0]*t1; /* m*a3*a3 */
-    const double t10 = t7*t7; /* s*s */
-    const double t11 = t9*t10; /* m*a3*a3*s*s */
-    const double t12 = p[4] + t11; /* D = I1 + m*a3*a3*s*s */
-    const double t13 = t8/t12; /* 2*m*a3*a3*gamma3*omega_tau*s/D */
-    out[0] = t13;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = JLT_FMA(t2, p[8], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
+    const double t5 = 1.0/t4; /* 1/D */
+    const double t6 = p[14]*x[0]; /* 2*m*a3^2*gamma3 */
+    const double t7 = x[2]*t6; /* omega_tau*2*m*a3^2*gamma3 */
+    const double t8 = t3*t7; /* s*omega_tau*2*m*a3^2*gamma3 */
+    const double t9 = t5*t8; /* 1/D*s*omega_tau*2*m*a3^2*gamma3 */
+    out[0] = t9;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[0]*p[2]; /* m*g */
-    const double t1 = t0*p[3]; /* m*g*a3 */
-    const double t2 = t1*x[0]; /* m*g*a3*gamma3 */
-    const double t3 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t4 = p[0]*t3; /* m*v_nu*v_nu */
-    const double t5 = t4*(1.0 / 2.0); /* m*v_nu*v_nu*1/2 */
-    const double t6 = t2 + t5; /* m*g*a3*gamma3 + m*v_nu*v_nu*1/2 */
-    const double t7 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t8 = p[3]*p[3]; /* a3*a3 */
-    const double t9 = p[0]*t8; /* m*a3*a3 */
-    const double t10 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t11 = 1.0 - t10; /* 1 - gamma3*gamma3 */
-    const double t12 = sqrt(t11); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t13 = t12*t12; /* s*s */
-    const double t14 = t9*t13; /* m*a3*a3*s*s */
-    const double t15 = p[4] + t14; /* D = I1 + m*a3*a3*s*s */
-    const double t16 = t7*t15; /* omega_tau*omega_tau*D */
-    const double t17 = (1.0 / 2.0)*t16; /* 1/2*omega_tau*omega_tau*D */
-    const double t18 = t6 + t17; /* m*g*a3*gamma3 + m*v_nu*v_nu*1/2 + 1/2*omega_tau*omega_tau*D */
-    const double t19 = p[4]*p[1]; /* I1*R */
-    const double t20 = t12*t19; /* s*I1*R */
-    const double t21 = p[6]/t20; /* omega_n = G_level/(s*I1*R) */
-    const double t22 = t21*t21; /* omega_n*omega_n */
-    const double t23 = p[4]*t22; /* I1*omega_n*omega_n */
-    const double t24 = (1.0 / 2.0)*t23; /* 1/2*I1*omega_n*omega_n */
-    const double t25 = t18 + t24; /* m*g*a3*gamma3 + m*v_nu*v_nu*1/2 + 1/2*omega_tau*omega_tau*D + 1/2*I1*omega_n*omega_n */
-    const double t26 = x[0]*p[1]; /* gamma3*R */
-    const double t27 = p[3] + t26; /* b = a3 + gamma3*R */
-    const double t28 = t21*t27; /* omega_n*b */
-    const double t29 = p[1]*x[3]; /* R*omega3 */
-    const double t30 = t12*t29; /* s*R*omega3 */
-    const double t31 = t28 + t30; /* v_tau = omega_n*b + s*R*omega3 */
-    const double t32 = t31*t31; /* v_tau*v_tau */
-    const double t33 = p[0]*t32; /* m*v_tau*v_tau */
-    const double t34 = (1.0 / 2.0)*t33; /* 1/2*m*v_tau*v_tau */
-    const double t35 = t25 + t34; /* energy = t25 + 1/2*m*v_tau*v_tau */
-    const double t36 = t5 + t34; /* m*v_nu*v_nu*1/2 + 1/2*m*v_tau*v_tau */
-    const double t37 = t2 + t17; /* m*g*a3*gamma3 + 1/2*omega_tau*omega_tau*D */
-    const double t38 = t24 + t37; /* 1/2*I1*omega_n*omega_n + m*g*a3*gamma3 + 1/2*omega_tau*omega_tau*D */
-    out[0] = t35;
-    out[1] = t36;
-    out[2] = t38;
+    const double t0 = p[19]*x[0]; /* 2*m*g*a3*gamma3 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = JLT_FMA(p[8], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t5 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t6 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t7 = 1.0/t6; /* 1/s */
+    const double t8 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
+    const double t9 = p[4]*t8; /* I1*omega_n */
+    const double t10 = JLT_FMA(t4, t5, t0); /* D*omega_tau*omega_tau + 2*m*g*a3*gamma3 */
+    const double t11 = JLT_FMA(t8, t9, t10); /* omega_n*I1*omega_n + D*omega_tau*omega_tau + 2*m*g*a3*gamma3 */
+    const double t12 = (1.0 / 2.0)*t11; /* 1/2*(omega_n*I1*omega_n + D*omega_tau*omega_tau + 2*m*g*a3*gamma3) */
+    const double t13 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t14 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t15 = t8*t14; /* omega_n*b */
+    const double t16 = p[1]*x[3]; /* R*omega3 */
+    const double t17 = JLT_FMA(t6, t16, t15); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t18 = JLT_FMA(t17, t17, t13); /* v_tau*v_tau + v_nu*v_nu */
+    const double t19 = p[20]*t18; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t20 = t12 + t19; /* energy = t12 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    out[0] = t20;
+    out[1] = t19;
+    out[2] = t12;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[3]*p[3]; /* a3*a3 */
-    const double t1 = p[0]*t0; /* m*a3*a3 */
-    const double t2 = t1*x[0]; /* m*a3*a3*gamma3 */
-    const double t3 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t4 = t2*t3; /* m*a3*a3*gamma3*omega_tau*omega_tau */
-    const double t5 = p[7] - t4; /* m*g*a3 - m*a3*a3*gamma3*omega_tau*omega_tau */
-    const double t6 = p[1]*p[4]; /* R*I1 */
-    const double t7 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t8 = 1.0 - t7; /* 1 - gamma3*gamma3 */
-    const double t9 = sqrt(t8); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t10 = t6*t9; /* R*I1*s */
-    const double t11 = p[6]/t10; /* omega_n = G_level/(R*I1*s) */
-    const double t12 = x[0]*p[1]; /* gamma3*R */
-    const double t13 = p[3] + t12; /* b = a3 + gamma3*R */
-    const double t14 = t11*t13; /* omega_n*b */
+    const double t0 = p[8]*x[2]; /* m*a3^2*omega_tau */
+    const double t1 = x[2]*t0; /* omega_tau*m*a3^2*omega_tau */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t6 = 1.0/t5; /* 1/s */
+    const double t7 = p[7]*t6; /* omega_n = G_level/(R*I1)*1/s */
+    const double t8 = t6*t6; /* 1/s*1/s */
+    const double t9 = p[22]*t6; /* G_level/R*1/s */
+    const double t10 = t7*t9; /* omega_n*G_level/R*1/s */
+    const double t11 = JLT_FNMA(t8, t10, t1); /* omega_tau*m*a3^2*omega_tau - 1/s*1/s*omega_n*G_level/R*1/s */
+    const double t12 = JLT_FNMA(x[0], t11, p[21]); /* m*g*a3 - gamma3*(omega_tau*m*a3^2*omega_tau - 1/s*1/s*omega_n*G_level/R*1/s) */
+    const double t13 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t14 = t7*t13; /* omega_n*b */
     const double t15 = p[1]*x[3]; /* R*omega3 */
-    const double t16 = t9*t15; /* s*R*omega3 */
-    const double t17 = t14 + t16; /* v_tau = omega_n*b + s*R*omega3 */
-    const double t18 = p[0]*t17; /* m*v_tau */
-    const double t19 = p[1]*t11; /* R*omega_n */
-    const double t20 = t12*x[3]; /* gamma3*R*omega3 */
-    const double t21 = t20/t9; /* gamma3*R*omega3/s */
-    const double t22 = t19 - t21; /* R*omega_n - gamma3*R*omega3/s */
-    const double t23 = t9*t9; /* s*s */
-    const double t24 = t9*t23; /* s*s*s */
-    const double t25 = t6*t24; /* R*I1*s*s*s */
-    const double t26 = x[0]*t13; /* gamma3*b */
-    const double t27 = p[6]*t26; /* G_level*gamma3*b */
-    const double t28 = t27/t25; /* G_level*gamma3*b/(R*I1*s*s*s) */
-    const double t29 = t22 + t28; /* d(v_tau)/d(gamma3) = R*omega_n - gamma3*R*omega3/s + G_level*gamma3*b/(R*I1*s*s*s) */
-    const double t30 = t18*t29; /* m*v_tau*d(v_tau)/d(gamma3) */
-    const double t31 = t5 + t30; /* m*g*a3 - m*a3*a3*gamma3*omega_tau*omega_tau + m*v_tau*d(v_tau)/d(gamma3) */
-    const double t32 = x[0]*t11; /* gamma3*omega_n */
-    const double t33 = p[1]*t24; /* R*s*s*s */
-    const double t34 = p[6]*t32; /* G_level*gamma3*omega_n */
-    const double t35 = t34/t33; /* G_level*gamma3*omega_n/(R*s*s*s) */
-    const double t36 = t31 + t35; /* d(energy)/d(gamma3) = t31 + G_level*gamma3*omega_n/(R*s*s*s) */
-    const double t37 = p[0]*x[1]; /* m*v_nu */
-    const double t38 = t1*t23; /* m*a3*a3*s*s */
-    const double t39 = p[4] + t38; /* D = I1 + m*a3*a3*s*s */
-    const double t40 = x[2]*t39; /* omega_tau*D */
-    const double t41 = p[0]*p[1]; /* m*R */
-    const double t42 = t9*t41; /* s*m*R */
-    const double t43 = t17*t42; /* v_tau*s*m*R */
-    const double t44 = t5 + t35; /* m*g*a3 - m*a3*a3*gamma3*omega_tau*omega_tau + G_level*gamma3*omega_n/(R*s*s*s) */
-    out[0] = t36;
-    out[1] = t37;
-    out[2] = t40;
-    out[3] = t43;
-    out[4] = t30;
-    out[5] = t37;
+    const double t16 = JLT_FMA(t5, t15, t14); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t17 = t13*p[24]; /* b*G_level/(R^2*I1) */
+    const double t18 = JLT_FMS(t8, t17, x[3]); /* 1/s*1/s*b*G_level/(R^2*I1) - omega3 */
+    const double t19 = x[0]*t6; /* gamma3*1/s */
+    const double t20 = JLT_FMA(t18, t19, t7); /* (1/s*1/s*b*G_level/(R^2*I1) - omega3)*gamma3*1/s + omega_n */
+    const double t21 = p[23]*t16; /* m*R*v_tau */
+    const double t22 = t20*t21; /* ((1/s*1/s*b*G_level/(R^2*I1) - omega3)*gamma3*1/s + omega_n)*m*R*v_tau */
+    const double t23 = t12 + t22; /* d(energy)/d(gamma3) = t12 + t22 */
+    const double t24 = p[0]*x[1]; /* m*v_nu */
+    const double t25 = JLT_FMA(p[8], t4, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t26 = x[2]*t25; /* omega_tau*D */
+    const double t27 = t5*p[23]; /* s*m*R */
+    const double t28 = t16*t27; /* v_tau*s*m*R */
+    out[0] = t23;
+    out[1] = t24;
+    out[2] = t26;
+    out[3] = t28;
+    out[4] = t22;
+    out[5] = t24;
     out[6] = 0.0;
-    out[7] = t43;
-    out[8] = t44;
+    out[7] = t28;
+    out[8] = t12;
     out[9] = 0.0;
-    out[10] = t40;
+    out[10] = t26;
     out[11] = 0.0;
 }
 
 static void measure_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[1]*p[4]; /* R*I1 */
-    const double t1 = p[3]*p[3]; /* a3*a3 */
-    const double t2 = p[0]*t1; /* m*a3*a3 */
-    const double t3 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t4 = 1.0 - t3; /* 1 - gamma3*gamma3 */
-    const double t5 = sqrt(t4); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t6 = t5*t5; /* s*s */
-    const double t7 = t2*t6; /* m*a3*a3*s*s */
-    const double t8 = p[4] + t7; /* I1 + m*a3*a3*s*s */
-    const double t9 = t8/t0; /* (I1 + m*a3*a3*s*s)/(R*I1) */
-    out[0] = t9;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = p[8]*t0; /* m*a3^2*(1 - gamma3) */
+    const double t3 = JLT_FMA(t1, t2, p[4]); /* (1 + gamma3)*m*a3^2*(1 - gamma3) + I1 */
+    const double t4 = p[25]*t3; /* 1/(R*I1)*((1 + gamma3)*m*a3^2*(1 - gamma3) + I1) */
+    out[0] = t4;
 }
 
 static void measure_divergences(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[3]*p[3]; /* a3*a3 */
-    const double t1 = p[0]*t0; /* m*a3*a3 */
-    const double t2 = p[1]*p[4]; /* R*I1 */
-    const double t3 = t1*x[0]; /* m*a3*a3*gamma3 */
-    const double t4 = t3*x[2]; /* m*a3*a3*gamma3*omega_tau */
-    const double t5 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t6 = 1.0 - t5; /* 1 - gamma3*gamma3 */
-    const double t7 = sqrt(t6); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t8 = t4*t7; /* m*a3*a3*gamma3*omega_tau*s */
-    const double t9 = t7*t7; /* s*s */
-    const double t10 = t1*t9; /* m*a3*a3*s*s */
-    const double t11 = p[4] + t10; /* D = I1 + m*a3*a3*s*s */
-    const double t12 = t8*t11; /* m*a3*a3*gamma3*omega_tau*s*D */
-    const double t13 = t2*t11; /* R*I1*D */
-    const double t14 = t12/t13; /* m*a3*a3*gamma3*omega_tau*s*D/(R*I1*D) */
-    const double t15 = t14*2.0; /* m*a3*a3*gamma3*omega_tau*s*D/(R*I1*D)*2 */
-    const double t16 = t8/t2; /* m*a3*a3*gamma3*omega_tau*s/(R*I1) */
-    const double t17 = 2.0*t16; /* 2*m*a3*a3*gamma3*omega_tau*s/(R*I1) */
-    const double t18 = t15 - t17; /* m*a3*a3*gamma3*omega_tau*s*D/(R*I1*D)*2 - 2*m*a3*a3*gamma3*omega_tau*s/(R*I1) */
-    out[0] = t18;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = JLT_FMA(t2, p[8], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
+    const double t5 = 1.0/t4; /* 1/D */
+    const double t6 = JLT_FNMA(t4, t5, 1.0); /* 1 - D*1/D */
+    const double t7 = p[26]*x[0]; /* (-2*m*a3^2/(R*I1))*gamma3 */
+    const double t8 = x[2]*t7; /* omega_tau*(-2*m*a3^2/(R*I1))*gamma3 */
+    const double t9 = t3*t8; /* s*omega_tau*(-2*m*a3^2/(R*I1))*gamma3 */
+    const double t10 = t6*t9; /* (1 - D*1/D)*s*omega_tau*(-2*m*a3^2/(R*I1))*gamma3 */
+    out[0] = t10;
 }
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[1]*p[4]; /* R*I1 */
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = 1.0 - t1; /* 1 - gamma3*gamma3 */
-    const double t3 = sqrt(t2); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t4 = t0*t3; /* R*I1*s */
-    const double t5 = p[6]/t4; /* omega_n = G_level/(R*I1*s) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = 1.0/t3; /* 1/s */
+    const double t5 = p[7]*t4; /* G_level/(R*I1)*1/s */
     out[0] = t5;
 }
 
@@ -685,29 +510,29 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G = {
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 8,
+    .state_count = 4, .param_count = 7, .block_count = 27,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 9, 29, 0, 7, 1, 0, 9, 8 }, { 9, 33, 0, 7, 1, 0, 9, 7 },
+    .rhs = { rhs, 4, { 2, 18, 8, 1, 1, 0, 12, 8 }, { 9, 33, 0, 7, 1, 0, 9, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 24, 83, 0, 24, 1, 0, 16, 18 }, { 24, 133, 0, 25, 1, 0, 16, 8 },
+    .jacobian = { jacobian, 16, { 5, 34, 17, 1, 1, 0, 15, 16 }, { 24, 133, 0, 25, 1, 0, 16, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 28, 94, 0, 30, 1, 0, 16, 21 }, { 28, 156, 0, 31, 1, 0, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 6, 42, 20, 1, 1, 0, 13, 19 }, { 28, 156, 0, 31, 1, 0, 16, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 2, 10, 0, 1, 1, 0, 7, 4 }, { 2, 11, 0, 1, 1, 0, 7, 4 },
+    .divergence = { divergence, 1, { 2, 5, 1, 1, 1, 0, 5, 4 }, { 2, 11, 0, 1, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_values = { integral_values, 3, { 11, 26, 0, 1, 1, 0, 11, 9 }, { 11, 41, 0, 1, 1, 0, 11, 7 },
+    .integral_values = { integral_values, 3, { 3, 10, 6, 1, 1, 0, 10, 7 }, { 11, 41, 0, 1, 1, 0, 11, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 12, { 10, 30, 0, 4, 1, 0, 11, 12 }, { 11, 58, 0, 5, 1, 0, 11, 10 },
+    .integral_gradients = { integral_gradients, 12, { 3, 17, 7, 1, 1, 0, 10, 10 }, { 11, 58, 0, 5, 1, 0, 11, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .measure_values = { measure_values, 1, { 2, 6, 0, 1, 1, 0, 7, 4 }, { 2, 6, 0, 1, 1, 0, 7, 4 },
+    .measure_values = { measure_values, 1, { 2, 2, 1, 0, 0, 0, 4, 3 }, { 2, 6, 0, 1, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .measure_divergences = { measure_divergences, 1, { 3, 13, 0, 2, 1, 0, 10, 5 }, { 4, 25, 0, 2, 1, 0, 10, 6 },
+    .measure_divergences = { measure_divergences, 1, { 2, 5, 2, 1, 1, 0, 6, 4 }, { 4, 25, 0, 2, 1, 0, 10, 6 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .time_factor = { .loses_digits = "" },
-    .eliminated = { eliminated, 1, { 1, 3, 0, 1, 1, 0, 5, 3 }, { 1, 3, 0, 1, 1, 0, 5, 3 },
+    .eliminated = { eliminated, 1, { 2, 2, 0, 1, 1, 0, 5, 3 }, { 1, 3, 0, 1, 1, 0, 5, 3 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_count = 3, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,

@@ -1,0 +1,165 @@
+/* One division for many denominators. With R = 1/(d_1 ... d_k), the reciprocal of a product over a subset S is that over
+ * S and one more j, times d_j: so all reciprocals in use are nodes of a tree that hangs from the full set. */
+#include "system.h"
+
+#include <stdlib.h>
+
+enum { MOST = 12 }; /* denominators in one division */
+
+typedef struct {
+    ttc_system *system;
+    uint32_t members[MOST]; /* reciprocal variables of one level */
+    unsigned count;
+    uint32_t *variable;     /* by subset: variable + 1 that holds it */
+} group;
+
+/* 1 for a reciprocal whose operand needs no other, and so on; 0: not yet known. */
+static unsigned level_of(const ttc_system *system, unsigned *levels, uint32_t variable)
+{
+    const ttc_variable *v = system->variables + variable;
+    unsigned level = 1;
+    if (levels[variable] != 0) return levels[variable];
+    if (v->kind != TTC_VARIABLE_UNIT) {
+        if (v->kind != TTC_VARIABLE_INPUT) level = level_of(system, levels, v->operand);
+        if (v->kind == TTC_VARIABLE_RECIPROCAL) level++;
+    }
+    for (uint32_t i = 0; i < v->definition.count; i++)
+        for (unsigned j = 0; j < v->definition.cubes[i].count; j++) {
+            unsigned inner = level_of(system, levels, v->definition.cubes[i].factors[j]);
+            if (inner > level) level = inner;
+        }
+    levels[variable] = level;
+    return level;
+}
+
+/* The subset of members whose product a unit is; 0 when it is none, or holds a power. */
+static unsigned subset_of(const group *g, uint32_t variable)
+{
+    for (unsigned i = 0; i < g->count; i++)
+        if (g->members[i] == variable) return 1u << i;
+    const ttc_variable *v = g->system->variables + variable;
+    if (v->kind != TTC_VARIABLE_UNIT || v->is_output || v->definition.count != 1) return 0;
+    const ttc_cube *cube = v->definition.cubes;
+    unsigned subset = 0;
+    if (cube->sign < 0 || cube->scale != g->system->one) return 0;
+    for (unsigned i = 0; i < cube->count; i++) {
+        unsigned part = subset_of(g, cube->factors[i]);
+        if (part == 0 || (part & subset) != 0) return 0;
+        subset |= part;
+    }
+    return subset;
+}
+
+static unsigned size_of(unsigned subset)
+{
+    unsigned size = 0;
+    for (; subset != 0; subset &= subset - 1) size++;
+    return size;
+}
+
+static void define_by_product(ttc_system *system, uint32_t variable, uint32_t a, uint32_t b)
+{
+    ttc_cube cube = ttc_cube_one(system);
+    ttc_cube_multiply(&cube, a);
+    ttc_cube_multiply(&cube, b);
+    ttc_variable *v = system->variables + variable;
+    v->kind = TTC_VARIABLE_UNIT;
+    v->definition.count = 0;
+    ttc_polynomial_add(system, &v->definition, &cube);
+}
+
+/* Of the members outside `subset`, the one whose addition leads to a subset that is wanted, or that most wanted ones
+ * lie in. */
+static unsigned next_member(const group *g, const unsigned char *wanted, unsigned subset, unsigned target)
+{
+    unsigned best = 0, best_score = 0;
+    for (unsigned i = 0; i < g->count; i++) {
+        unsigned bit = 1u << i, larger = subset | bit, score = 1;
+        if ((subset & bit) != 0 || (target & bit) == 0) continue;
+        for (unsigned s = 1; s < 1u << g->count; s++) score += wanted[s] && (s & ~larger) == 0;
+        score += wanted[larger] ? 1u << MOST : 0;
+        if (score > best_score) {
+            best_score = score;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* Make `subset` available: from the smallest available one that holds it, along wanted ones where possible. */
+static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset)
+{
+    ttc_system *system = g->system;
+    if (g->variable[subset] != 0) return g->variable[subset] - 1;
+    unsigned full = (1u << g->count) - 1, target = full;
+    for (unsigned s = subset; s <= full; s++)
+        if (g->variable[s] != 0 && (subset & ~s) == 0 && size_of(s) < size_of(target)) target = s;
+    unsigned member = next_member(g, wanted, subset, target);
+    uint32_t larger = derive(g, wanted, subset | 1u << member);
+    uint32_t variable = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
+    if (system->failed) return 0;
+    define_by_product(system, variable, larger, system->variables[g->members[member]].operand);
+    g->variable[subset] = variable + 1;
+    return variable;
+}
+
+static void set_alias(ttc_system *system, uint32_t variable, uint32_t of)
+{
+    ttc_cube cube = ttc_cube_one(system);
+    ttc_cube_multiply(&cube, of);
+    ttc_variable *v = system->variables + variable;
+    v->kind = TTC_VARIABLE_UNIT;
+    v->definition.count = 0;
+    ttc_polynomial_add(system, &v->definition, &cube);
+}
+
+static void share_group(group *g)
+{
+    ttc_system *system = g->system;
+    unsigned subsets = 1u << g->count;
+    uint32_t known = system->count;
+    unsigned char *wanted = calloc(subsets, 1);
+    unsigned *subset = calloc(known + 1, sizeof *subset);
+    uint32_t *operands = calloc(g->count, sizeof *operands);
+    g->variable = calloc(subsets, sizeof *g->variable);
+    system->failed |= wanted == NULL || subset == NULL || operands == NULL || g->variable == NULL;
+    if (system->failed) goto done;
+    for (uint32_t v = 0; v < known; v++) {
+        subset[v] = subset_of(g, v);
+        wanted[subset[v]] = 1;
+    }
+    wanted[0] = 0;
+    ttc_cube product = ttc_cube_one(system);
+    for (unsigned i = 0; i < g->count; i++) ttc_cube_multiply(&product, system->variables[g->members[i]].operand);
+    uint32_t all = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
+    if (system->failed) goto done;
+    ttc_polynomial_add(system, &system->variables[all].definition, &product);
+    g->variable[subsets - 1] = ttc_system_add_variable(system, TTC_VARIABLE_RECIPROCAL, all) + 1;
+    for (unsigned size = g->count; size > 0 && !system->failed; size--)
+        for (unsigned s = 1; s < subsets; s++)
+            if (wanted[s] && size_of(s) == size) derive(g, wanted, s);
+    for (uint32_t v = 0; v < known && !system->failed; v++)
+        if (subset[v] != 0) set_alias(system, v, g->variable[subset[v]] - 1);
+done:
+    free(wanted);
+    free(subset);
+    free(operands);
+    free(g->variable);
+}
+
+void ttc_system_share_reciprocals(ttc_system *system)
+{
+    uint32_t count = system->count;
+    unsigned *levels = calloc(count + 1, sizeof *levels), deepest = 0;
+    system->failed |= levels == NULL;
+    for (uint32_t v = 0; v < count && !system->failed; v++)
+        if (system->variables[v].kind == TTC_VARIABLE_RECIPROCAL && level_of(system, levels, v) > deepest)
+            deepest = levels[v];
+    for (unsigned level = 2; level <= deepest && !system->failed; level++) {
+        group g = { .system = system };
+        for (uint32_t v = 0; v < count && g.count < MOST; v++)
+            if (system->variables[v].kind == TTC_VARIABLE_RECIPROCAL && levels[v] == level) g.members[g.count++] = v;
+        if (g.count > 1) share_group(&g);
+    }
+    free(levels);
+}
