@@ -94,8 +94,10 @@ static bool parse_matrix(ttc_parser *parser, ttc_claim *claim)
         column++;
         if (ttc_parse_accept_mark(parser, ',')) continue;
         if (width == 0) width = column;
-        if (column != width)
+        if (column != width) {
+            claim->entry_count = 0; /* said once: the size of the whole is then not looked at */
             return ttc_parse_error(parser, place, "a row of %zu entries (expected %zu, as in the first row)", column, width);
+        }
         column = 0;
         if (!ttc_parse_accept_mark(parser, ';')) return true;
     }
