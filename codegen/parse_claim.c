@@ -134,6 +134,9 @@ static bool parse_target_bindings(ttc_parser *parser, ttc_claim *claim)
     do {
         const ttc_token *name = ttc_parse_name(parser, "a state or root of the target");
         if (name == NULL || !ttc_parse_expect_mark(parser, '=', "the name")) return false;
+        if (claim->bindings.count >= TTC_SYMBOL_LIMIT)
+            return ttc_parse_error(parser, ttc_token_place(name), "too many names are set (expected at most %d)",
+                                   TTC_SYMBOL_LIMIT);
         for (size_t i = 0; i < claim->bindings.count; i++)
             if (strlen(claim->target_names[i]) == name->length &&
                 memcmp(claim->target_names[i], name->text, name->length) == 0)

@@ -146,8 +146,8 @@ static void check_levels(ttc_parser *parser)
 static void check_equations(ttc_parser *parser)
 {
     const ttc_model *model = parser->model;
-    bool is_empty = parser->tokens->kind == TTC_TOKEN_END; /* said already */
-    if (model->state_count == 0 && !is_empty) ttc_parse_error(parser, (ttc_place){ 1, 1 }, "the model has no state (expected at least one)");
+    bool is_right = ttc_error_count(parser->diagnostics) == parser->errors_before; /* else the states may be what is wrong */
+    if (model->state_count == 0 && is_right) ttc_parse_error(parser, (ttc_place){ 1, 1 }, "the model has no state (expected at least one)");
     for (size_t i = 0; i < model->state_count; i++) {
         const ttc_symbol_entry *state = model->symbols + model->states[i];
         if (i >= model->equation_count || model->equations[i].place.line == 0)
