@@ -43,6 +43,13 @@ ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place)
     return TTC_NONE;
 }
 
+static bool is_integer(const ttc_token *token)
+{
+    bool result = token->kind == TTC_TOKEN_NUMBER;
+    for (uint32_t i = 0; result && i < token->length; i++) result = token->text[i] >= '0' && token->text[i] <= '9';
+    return result;
+}
+
 /* integer, with a sign or in parentheses */
 static bool parse_exponent(ttc_parser *parser, long *exponent)
 {
@@ -50,8 +57,7 @@ static bool parse_exponent(ttc_parser *parser, long *exponent)
     bool negative = ttc_parse_accept_mark(parser, '-');
     if (!negative) ttc_parse_accept_mark(parser, '+');
     const ttc_token *token = ttc_parse_peek(parser);
-    if (token->kind != TTC_TOKEN_NUMBER || strspn(token->text, "0123456789") < token->length)
-        return ttc_parse_unexpected(parser, "an integer exponent");
+    if (!is_integer(token)) return ttc_parse_unexpected(parser, "an integer exponent");
     parser->at++;
     long value = 0;
     for (uint32_t i = 0; i < token->length && value <= TTC_EXPONENT_LIMIT; i++) value = 10 * value + (token->text[i] - '0');
