@@ -1,0 +1,32 @@
+/** A branch of the stable or unstable manifold of a saddle of a two-dimensional map, as a parametrised curve.
+ *
+ *  With F = P^(period), squared where the multiplier is negative, lambda > 1 the multiplier of F (of its inverse for the stable
+ *  manifold) and v its unit eigenvector,
+ *      gamma(sigma) = F^n(q + side * seed * lambda^(sigma - n) v),   n = floor(sigma),   sigma >= 0:
+ *  one unit of sigma is one fundamental domain. The seed's distance from the manifold is O(seed^2), and every F contracts
+ *  it by the other multiplier; along the manifold it only shifts sigma by O(seed). */
+#ifndef JLT_DYNAMICS_BRANCH_H
+#define JLT_DYNAMICS_BRANCH_H
+
+#include "dynamics/periodic.h"
+
+typedef struct {
+    jlt_map *map;
+    double q[2], v[2];  /* the saddle's point; the eigenvector, side included */
+    double lambda;      /* > 1: growth away from the saddle, of F or of its inverse */
+    size_t returns;     /* of P in one F */
+    int time_direction; /* +1 unstable, -1 stable */
+    double seed;
+} jlt_branch;
+
+/** side +1 or -1: along the eigenvector whose larger component is positive, or against it. point: which point of the
+ *  orbit, 0 .. period-1. seed: distance of the first point, 1e-8 .. 1e-2.
+ *  Errors: ARG, the orbit is no saddle of a two-dimensional map; those of jlt_periodic_rotate. */
+JLT_CHECKED jlt_status jlt_branch_init(jlt_branch *out, jlt_map *map, const jlt_periodic *saddle, size_t point,
+                                       bool stable, int side, double seed);
+
+/** gamma(sigma), and when tangent is not NULL its derivative by the variational equations (five times dearer).
+ *  Errors: as jlt_map_apply; DOMAIN where the branch ends at a pole. Cost: floor(sigma)*returns returns. */
+JLT_CHECKED jlt_status jlt_branch_point(const jlt_branch *self, double q[2], double *tangent, double sigma);
+
+#endif

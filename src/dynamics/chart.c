@@ -1,0 +1,108 @@
+#include "dynamics/chart.h"
+
+#include <math.h>
+#include <string.h>
+
+static jlt_status plane_lift(const jlt_chart *self, double *x, double *tangent, const double *q)
+{
+    unsigned i, k;
+
+    for (k = 0; k < self->dim; k++)
+        if (!isfinite(q[k])) return JLT_ERR_NONFINITE;
+    if (tangent != NULL) memset(tangent, 0, sizeof *tangent * self->states * self->dim);
+    for (i = 0, k = 0; i < self->states; i++) {
+        if (i == self->column) {
+            x[i] = self->level;
+            continue;
+        }
+        x[i] = q[k];
+        if (tangent != NULL) tangent[i * self->dim + k] = 1;
+        k++;
+    }
+    return JLT_OK;
+}
+
+static void plane_lower(const jlt_chart *self, double *q, double *slope, const double *x)
+{
+    unsigned i, k;
+
+    if (slope != NULL) memset(slope, 0, sizeof *slope * self->states * self->dim);
+    for (i = 0, k = 0; i < self->states; i++) {
+        if (i == self->column) continue;
+        q[k] = x[i];
+        if (slope != NULL) slope[k * self->states + i] = 1;
+        k++;
+    }
+}
+
+static double plane_flux(const jlt_chart *self, const double *x, const double *f)
+{
+    (void)x;
+    return f[self->column];
+}
+
+jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level, const char *const *names,
+                           const int *signs)
+{
+    unsigned i, k;
+
+    if (states < 2 || states > JLT_CHART_STATES_MAX || column >= states || !isfinite(level)) return JLT_ERR_ARG;
+    memset(out, 0, sizeof *out);
+    out->dim = states - 1;
+    out->states = states;
+    out->column = column;
+    out->level = level;
+    out->reversible = signs != NULL && signs[column] < 0 && level == 0;
+    for (i = 0, k = 0; i < states; i++) {
+        if (i == column) continue;
+        out->names[k] = names[i];
+        out->mirror[k] = signs != NULL ? signs[i] : 1;
+        k++;
+    }
+    out->lift = plane_lift;
+    out->lower = plane_lower;
+    out->flux = plane_flux;
+    return JLT_OK;
+}
+
+/* Reduced by the nearest multiple of the period, so that small differences keep their digits. */
+static double reduce(double value, double period)
+{
+    double reduced;
+
+    if (period == 0) return value;
+    reduced = remainder(value, period);
+    return reduced == -period / 2 ? period / 2 : reduced;
+}
+
+void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p)
+{
+    unsigned k;
+
+    for (k = 0; k < self->dim; k++) out[k] = reduce(q[k] - p[k], self->period[k]);
+}
+
+void jlt_chart_wrap(const jlt_chart *self, double *q)
+{
+    unsigned k;
+
+    for (k = 0; k < self->dim; k++) q[k] = reduce(q[k], self->period[k]);
+}
+
+double jlt_chart_distance(const jlt_chart *self, const double *q, const double *p)
+{
+    double difference[JLT_CHART_DIM_MAX], sum = 0;
+    unsigned k;
+
+    jlt_chart_difference(self, difference, q, p);
+    for (k = 0; k < self->dim; k++) sum += difference[k] * difference[k];
+    return sqrt(sum);
+}
+
+void jlt_chart_mirror(const jlt_chart *self, double *out, const double *q)
+{
+    unsigned k;
+
+    for (k = 0; k < self->dim; k++) out[k] = self->mirror[k] * q[k];
+    jlt_chart_wrap(self, out);
+}

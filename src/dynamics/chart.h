@@ -1,0 +1,66 @@
+/** Coordinates on a surface of section: how a point of the section becomes a state, and back.
+ *
+ *  A section is where one state has a fixed value, restricted to the levels of known integrals. A chart names its
+ *  coordinates q (dim of them), gives the state x(q) with its derivative, the coordinates q(x) with their derivative, and
+ *  what the map needs to know of the geometry: the flux form, the reversor, the ends of the model.
+ *
+ *  jlt_chart is a base: the charts of particular models embed it as their first member. Plain data, immutable once made,
+ *  shared freely between threads. */
+#ifndef JLT_DYNAMICS_CHART_H
+#define JLT_DYNAMICS_CHART_H
+
+#include "integrate/event.h"
+
+enum { JLT_CHART_DIM_MAX = 7, JLT_CHART_STATES_MAX = 8 };
+
+typedef struct jlt_chart jlt_chart;
+struct jlt_chart {
+    unsigned dim, states;                /* of q and of x; dim <= 7, states <= 8 */
+    unsigned column;                     /* the section is x[column] = level */
+    double level;
+    const char *names[JLT_CHART_DIM_MAX];
+    double period[JLT_CHART_DIM_MAX];    /* 2 pi for an angle, 0 for a coordinate on a line */
+    bool reversible;                     /* q -> mirror * q with time reversed maps the return map to its inverse */
+    int mirror[JLT_CHART_DIM_MAX];       /* +1 or -1 */
+
+    /* x (states,), and when tangent is not NULL dx/dq (states, dim), row-major. Errors: EMPTY, the levels have no state
+     * there; DOMAIN, q is at or beyond a pole; NONFINITE. */
+    jlt_status (*lift)(const jlt_chart *self, double *x, double *tangent, const double *q);
+
+    /* q (dim,), angles in (-pi, pi], and when slope is not NULL dq/dx (dim, states), row-major. */
+    void (*lower)(const jlt_chart *self, double *q, double *slope, const double *x);
+
+    /* Density, in the coordinates q, of the flux of volume through the section on its levels; f = dx/dtau at x. */
+    double (*flux)(const jlt_chart *self, const double *x, const double *f);
+
+    /* What the trace of df/dx counts beyond the divergence on the levels: the rates of relations that states satisfy
+     * (s^2 + gamma3^2 = 1 for a lifted root). NULL: nothing. */
+    double (*excess)(const jlt_chart *self, const double *x, const double *f, const double *jacobian);
+
+    /* Normal reaction of the support; the model holds while it is positive. NULL: no such limit. */
+    double (*contact)(const jlt_chart *self, const double *x, const double *f);
+
+    /* Side (+1, -1) of a pole, for a state that has ended there. NULL: there are no poles. */
+    int (*side)(const jlt_chart *self, const double *x);
+};
+
+/** The chart of a plain section x[column] = level: q are the other states, in order. signs, shape (states,), +1 or -1, when
+ *  the model has the reversor x -> signs * x; NULL: none. It is used when the section contains the reversor's fixed points
+ *  (signs[column] = -1 and level = 0). names: shape (states,), kept by reference.
+ *  Errors: ARG, states outside 2 .. 8 or column >= states. */
+JLT_CHECKED jlt_status jlt_chart_plane(jlt_chart *out, unsigned states, unsigned column, double level,
+                                       const char *const *names, const int *signs);
+
+/** q -> q - p with angles taken to (-pi, pi]. All of shape (dim,); out may be either. */
+void jlt_chart_difference(const jlt_chart *self, double *out, const double *q, const double *p);
+
+/** Angles taken to (-pi, pi], in place. */
+void jlt_chart_wrap(const jlt_chart *self, double *q);
+
+/** Euclidean length of jlt_chart_difference. */
+double jlt_chart_distance(const jlt_chart *self, const double *q, const double *p);
+
+/** Image under the reversor; out may be q. */
+void jlt_chart_mirror(const jlt_chart *self, double *out, const double *q);
+
+#endif

@@ -1,0 +1,201 @@
+#include "dynamics/chart_top.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double pi = 3.14159265358979323846;
+
+typedef struct {
+    double s2, b, K, Theta, D;
+} geometry;
+
+static geometry at(const jlt_chart_top *self, double gamma3, double s)
+{
+    geometry here;
+
+    here.s2 = s * s;
+    here.b = self->a3 + self->R * gamma3;
+    here.K = self->I1 * self->R * self->R * here.s2 + self->I3 * here.b * here.b;
+    here.Theta = self->m * here.K + self->I1 * self->I3;
+    here.D = self->I1 + self->m * self->a3 * self->a3 * here.s2;
+    return here;
+}
+
+static double root_of(double gamma3)
+{
+    return sqrt((1 - gamma3) * (1 + gamma3));
+}
+
+static double speed2(const jlt_chart_top *self, double gamma3, double K)
+{
+    return (2 * (self->E - self->m * self->g * self->a3 * gamma3) - self->G * self->G / K) / self->m;
+}
+
+/* dK/dgamma3 along the section, where s^2 = 1 - gamma3^2. */
+static double slope_of_K(const jlt_chart_top *self, double gamma3, double b)
+{
+    return 2 * self->R * (self->I3 * b - self->I1 * self->R * gamma3);
+}
+
+static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const double *q)
+{
+    const jlt_chart_top *self = (const jlt_chart_top *)base;
+    const double eta = q[0], gamma3 = q[1];
+    geometry here;
+    double W2, W, ratio, K_slope, W_slope, ratio_slope;
+
+    if (!isfinite(eta) || !isfinite(gamma3)) return JLT_ERR_NONFINITE;
+    if (gamma3 <= -1 || gamma3 >= 1) return JLT_ERR_DOMAIN;
+    here = at(self, gamma3, root_of(gamma3));
+    W2 = speed2(self, gamma3, here.K);
+    if (!(W2 > 0)) return JLT_ERR_EMPTY;
+    W = sqrt(W2);
+    ratio = sqrt(self->m * here.K / here.Theta);
+    x[JLT_CHART_TOP_GAMMA3] = gamma3;
+    x[JLT_CHART_TOP_V_NU] = W * sin(eta);
+    x[JLT_CHART_TOP_OMEGA_TAU] = 0;
+    x[JLT_CHART_TOP_V_TAU] = W * ratio * cos(eta);
+    x[JLT_CHART_TOP_S] = root_of(gamma3);
+    if (tangent == NULL) return JLT_OK;
+
+    /* W W' = (G^2 K'/K^2 / 2 - m g a3)/m;  ratio^2 = m K/Theta, so ratio'/ratio = K' I1 I3/(2 K Theta). */
+    K_slope = slope_of_K(self, gamma3, here.b);
+    W_slope = (self->G * self->G * K_slope / (2 * here.K * here.K) - self->m * self->g * self->a3) / (self->m * W);
+    ratio_slope = ratio * K_slope * self->I1 * self->I3 / (2 * here.K * here.Theta);
+    memset(tangent, 0, sizeof *tangent * base->states * base->dim);
+    tangent[2 * JLT_CHART_TOP_GAMMA3 + 1] = 1;
+    tangent[2 * JLT_CHART_TOP_V_NU] = W * cos(eta);
+    tangent[2 * JLT_CHART_TOP_V_NU + 1] = W_slope * sin(eta);
+    tangent[2 * JLT_CHART_TOP_V_TAU] = -W * ratio * sin(eta);
+    tangent[2 * JLT_CHART_TOP_V_TAU + 1] = (W_slope * ratio + W * ratio_slope) * cos(eta);
+    tangent[2 * JLT_CHART_TOP_S + 1] = -gamma3 / x[JLT_CHART_TOP_S];
+    return JLT_OK;
+}
+
+static void lower(const jlt_chart *base, double *q, double *slope, const double *x)
+{
+    const jlt_chart_top *self = (const jlt_chart_top *)base;
+    const geometry here = at(self, x[JLT_CHART_TOP_GAMMA3], x[JLT_CHART_TOP_S]);
+    const double v_nu = x[JLT_CHART_TOP_V_NU], v_tau = x[JLT_CHART_TOP_V_TAU];
+    const double ratio = sqrt(self->m * here.K / here.Theta), u = v_tau / ratio;
+    double W2, K_slope;
+
+    q[0] = atan2(v_nu, u);
+    q[1] = x[JLT_CHART_TOP_GAMMA3];
+    if (slope == NULL) return;
+
+    /* eta = atan2(v_nu, u), u = v_tau/ratio; the derivative in gamma3 goes along s^2 = 1 - gamma3^2, so that s itself
+     * gets none: tangent vectors of the flow satisfy the relation. */
+    W2 = v_nu * v_nu + u * u;
+    K_slope = slope_of_K(self, x[JLT_CHART_TOP_GAMMA3], here.b);
+    memset(slope, 0, sizeof *slope * base->states * base->dim);
+    slope[JLT_CHART_TOP_V_NU] = u / W2;
+    slope[JLT_CHART_TOP_V_TAU] = -v_nu / (W2 * ratio);
+    slope[JLT_CHART_TOP_GAMMA3] = v_nu * u * K_slope * self->I1 * self->I3 / (2 * here.K * here.Theta * W2);
+    slope[base->states + JLT_CHART_TOP_GAMMA3] = 1;
+}
+
+/* Volume dgamma3 dv_nu domega_tau dv_tau = (dt omega_tau') dE deta dgamma3 * d(v_nu, v_tau)/d(eta, E), and the last factor
+ * is W ratio dW/dE = ratio/m. With s lifted the volume on s^2 + gamma3^2 = 1 carries 1/(2s), and f holds s omega_tau'. */
+static double flux(const jlt_chart *base, const double *x, const double *f)
+{
+    const jlt_chart_top *self = (const jlt_chart_top *)base;
+    const geometry here = at(self, x[JLT_CHART_TOP_GAMMA3], x[JLT_CHART_TOP_S]);
+
+    return sqrt(here.K / (self->m * here.Theta)) * f[JLT_CHART_TOP_OMEGA_TAU] / x[JLT_CHART_TOP_S];
+}
+
+/* C = s^2 + gamma3^2 - 1 obeys C' = kappa C. On C = 0, kappa grad C = J^T grad C + (Hessian of C) f. */
+static double excess(const jlt_chart *base, const double *x, const double *f, const double *jacobian)
+{
+    const double gamma3 = x[JLT_CHART_TOP_GAMMA3], s = x[JLT_CHART_TOP_S];
+    const double *row_gamma3 = jacobian + JLT_CHART_TOP_GAMMA3 * base->states;
+    const double *row_s = jacobian + JLT_CHART_TOP_S * base->states;
+    const double along_gamma3 =
+        gamma3 * row_gamma3[JLT_CHART_TOP_GAMMA3] + s * row_s[JLT_CHART_TOP_GAMMA3] + f[JLT_CHART_TOP_GAMMA3];
+    const double along_s = gamma3 * row_gamma3[JLT_CHART_TOP_S] + s * row_s[JLT_CHART_TOP_S] + f[JLT_CHART_TOP_S];
+
+    return (gamma3 * along_gamma3 + s * along_s) / (gamma3 * gamma3 + s * s);
+}
+
+/* The centre of mass is at the height R + a3 gamma3, so N = m (g + a3 gamma3''), gamma3' = s omega_tau, s' = -gamma3 omega_tau:
+ * N = m (g + a3 (s omega_tau' - gamma3 omega_tau^2)), and f holds s omega_tau'. */
+static double contact(const jlt_chart *base, const double *x, const double *f)
+{
+    const jlt_chart_top *self = (const jlt_chart_top *)base;
+    const double omega_tau = x[JLT_CHART_TOP_OMEGA_TAU];
+
+    return self->m *
+           (self->g + self->a3 * (f[JLT_CHART_TOP_OMEGA_TAU] - x[JLT_CHART_TOP_GAMMA3] * omega_tau * omega_tau));
+}
+
+static int side(const jlt_chart *base, const double *x)
+{
+    (void)base;
+    return x[JLT_CHART_TOP_GAMMA3] > 0 ? 1 : -1;
+}
+
+void jlt_chart_top_init(jlt_chart_top *out, double m, double R, double g, double I1, double I3, double a3, double E,
+                        double G)
+{
+    memset(out, 0, sizeof *out);
+    out->base.dim = 2;
+    out->base.states = 5;
+    out->base.column = JLT_CHART_TOP_OMEGA_TAU;
+    out->base.names[0] = "eta";
+    out->base.names[1] = "gamma3";
+    out->base.period[0] = 2 * pi;
+    out->base.reversible = true;
+    out->base.mirror[0] = -1;
+    out->base.mirror[1] = 1;
+    out->base.lift = lift;
+    out->base.lower = lower;
+    out->base.flux = flux;
+    out->base.excess = excess;
+    out->base.contact = contact;
+    out->base.side = side;
+    out->m = m;
+    out->R = R;
+    out->g = g;
+    out->I1 = I1;
+    out->I3 = I3;
+    out->a3 = a3;
+    out->E = E;
+    out->G = G;
+}
+
+double jlt_chart_top_speed2(const jlt_chart_top *self, double gamma3)
+{
+    return speed2(self, gamma3, at(self, gamma3, root_of(gamma3)).K);
+}
+
+void jlt_chart_top_rotation(const jlt_chart_top *self, double *omega_n, double *omega3, const double *x)
+{
+    const double s = x[JLT_CHART_TOP_S], v_tau = x[JLT_CHART_TOP_V_TAU];
+    const geometry here = at(self, x[JLT_CHART_TOP_GAMMA3], s);
+
+    *omega_n = (self->R * s * self->G + self->I3 * here.b * v_tau) / here.K;
+    *omega3 = (self->I1 * self->R * s * v_tau - here.b * self->G) / here.K;
+}
+
+double jlt_chart_top_energy(const jlt_chart_top *self, const double *x)
+{
+    const double gamma3 = x[JLT_CHART_TOP_GAMMA3], v_nu = x[JLT_CHART_TOP_V_NU];
+    const double omega_tau = x[JLT_CHART_TOP_OMEGA_TAU], v_tau = x[JLT_CHART_TOP_V_TAU];
+    const geometry here = at(self, gamma3, x[JLT_CHART_TOP_S]);
+
+    return (self->m * v_nu * v_nu + here.D * omega_tau * omega_tau + here.Theta / here.K * v_tau * v_tau +
+            self->G * self->G / here.K) / 2 + self->m * self->g * self->a3 * gamma3;
+}
+
+void jlt_chart_top_state(const jlt_chart_top *self, double *x, double gamma3, double v_nu, double omega_tau,
+                         double omega_n, double omega3)
+{
+    const double s = root_of(gamma3);
+
+    x[JLT_CHART_TOP_GAMMA3] = gamma3;
+    x[JLT_CHART_TOP_V_NU] = v_nu;
+    x[JLT_CHART_TOP_OMEGA_TAU] = omega_tau;
+    x[JLT_CHART_TOP_V_TAU] = (self->a3 + self->R * gamma3) * omega_n + self->R * s * omega3;
+    x[JLT_CHART_TOP_S] = s;
+}

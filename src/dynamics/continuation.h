@@ -1,0 +1,74 @@
+/** Continuation of a periodic orbit in one parameter or level, by pseudo-arclength, with its bifurcations.
+ *
+ *  Unknowns are u = (q, value/scale) in P^period(q; value) = q; the next point is sought at a fixed projection on the
+ *  tangent (Keller), so that folds are passed. DP comes from the variational equations, dP/dvalue from central
+ *  differences: that one only directs the steps, the points found satisfy the equation to rounding.
+ *  Bifurcations are sign changes of test functions, located by the secant method on the arclength:
+ *      fold                the tangent's component along the parameter
+ *      period doubling     det(DP^period + I)
+ *      branch point        the determinant of the bordered Jacobian (the orbit loses its symmetry, or meets another family)
+ *      torus               det(DP^period) - 1 between complex multipliers, for orbits that are not symmetric
+ *  Source: H. B. Keller (1977); W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM 2000. */
+#ifndef JLT_DYNAMICS_CONTINUATION_H
+#define JLT_DYNAMICS_CONTINUATION_H
+
+#include "dynamics/periodic.h"
+
+/** The maps of a family: map_at gives the map for a parameter value; it stays valid until the next call. */
+typedef struct {
+    jlt_status (*map_at)(void *context, jlt_map **map, double value);
+    void *context;
+} jlt_family;
+
+typedef enum {
+    JLT_BIFURCATION_NONE,
+    JLT_BIFURCATION_FOLD,
+    JLT_BIFURCATION_DOUBLING,
+    JLT_BIFURCATION_BRANCH,
+    JLT_BIFURCATION_TORUS
+} jlt_bifurcation;
+
+const char *jlt_bifurcation_name(jlt_bifurcation kind);
+
+typedef struct {
+    double value;
+    double arc; /* along the branch, in u */
+    jlt_periodic orbit;
+    jlt_bifurcation kind; /* NONE: an ordinary point */
+    double tangent[JLT_CHART_DIM_MAX + 1]; /* unit, in u, in the direction of travel */
+} jlt_continuation_point;
+
+typedef struct {
+    double scale;              /* of the parameter; default 1 */
+    double step, step_min, step_max; /* of arclength; defaults 0.01, 1e-6, 0.05 */
+    double low, high;          /* the run ends where value leaves [low, high] */
+    size_t points_max;         /* default 500 */
+    const volatile sig_atomic_t *interrupt;
+} jlt_continuation_options;
+
+typedef enum {
+    JLT_CONTINUATION_RANGE,  /* value left [low, high] */
+    JLT_CONTINUATION_POINTS,
+    JLT_CONTINUATION_STUCK,  /* no step above step_min converged: a pole, an empty level, tangency with the section */
+    JLT_CONTINUATION_INTERRUPT
+} jlt_continuation_end;
+
+/** Called for every point and every bifurcation in order; a status other than JLT_OK ends the run with it. */
+typedef jlt_status (*jlt_continuation_sink)(void *context, const jlt_continuation_point *point);
+
+/** Follow the orbit from `start` (value and orbit are read; a nonzero tangent gives the direction, otherwise the parameter
+ *  first goes up for direction +1 and down for -1). Errors: ARG, NOMEM, those of map_at and of the map at the start.
+ *  Cost: about 4 evaluations of P^period with derivative a point. */
+JLT_CHECKED jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *family,
+                                            const jlt_continuation_point *start, int direction,
+                                            const jlt_continuation_options *options, jlt_continuation_sink sink,
+                                            void *context);
+
+/** From a located branch point or period doubling, the first point of the other branch, on the given side (+1, -1) at the
+ *  distance `offset` in u; sections of two coordinates only. Its tangent points away.
+ *  Errors: ARG; NO_CONVERGENCE; those of the map. */
+JLT_CHECKED jlt_status jlt_continuation_switch(jlt_continuation_point *out, const jlt_family *family,
+                                               const jlt_continuation_point *at, int side, double offset,
+                                               const jlt_continuation_options *options);
+
+#endif

@@ -1,0 +1,35 @@
+/** What becomes of orbits: which pole they end at, when, or never; and how many of a grid of starts turn over. */
+#ifndef JLT_DYNAMICS_FATES_H
+#define JLT_DYNAMICS_FATES_H
+
+#include "dynamics/section.h"
+
+typedef struct {
+    jlt_fate fate;      /* ALIVE: neither an end nor a lost return within the budget */
+    double t;           /* of the end, or of the last return */
+    size_t returns;
+    double x[JLT_CHART_STATES_MAX]; /* there; at a pole the limit */
+    double contact;     /* least normal reaction met; the model is valid throughout only where it is positive */
+    bool interrupted;
+} jlt_fates_end;
+
+/** Follow the orbit from q for at most `returns` returns. Errors: as jlt_section_start and jlt_section_next. */
+JLT_CHECKED jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const double *q, size_t returns);
+
+/** The same from any state. */
+JLT_CHECKED jlt_status jlt_fates_follow_state(jlt_section *section, jlt_fates_end *end, const double *x, size_t returns);
+
+/** Numbers of starts by fate. Zeroed is empty. */
+typedef struct {
+    size_t starts;                /* that exist on the levels */
+    size_t by_fate[JLT_FATE_BUDGET + 1];
+    size_t contact[JLT_FATE_BUDGET + 1]; /* of these, those whose normal reaction stayed positive */
+} jlt_fates_count;
+
+void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end);
+
+/** Share of the starts with this fate, with its binomial standard error; NaN for no starts. contact_kept: only those whose
+ *  reaction stayed positive. */
+void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool contact_kept);
+
+#endif

@@ -1,0 +1,107 @@
+#include "dynamics/linear.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "ext/eigen.h"
+
+enum { N = JLT_LINEAR_DIM_MAX };
+
+void jlt_linear_multiply(double *out, const double *a, const double *b, unsigned dim)
+{
+    double product[N * N];
+    unsigned i, j, k;
+
+    for (i = 0; i < dim; i++)
+        for (j = 0; j < dim; j++) {
+            double sum = 0;
+            for (k = 0; k < dim; k++) sum += a[i * dim + k] * b[k * dim + j];
+            product[i * dim + j] = sum;
+        }
+    memcpy(out, product, sizeof *out * dim * dim);
+}
+
+/* a d - b c. Source: C.-P. Jeannerod, N. Louvet, J.-M. Muller, Math. Comp. 82 (2013). */
+static double difference_of_products(double a, double d, double b, double c)
+{
+    const double w = b * c, error = fma(-b, c, w), difference = fma(a, d, -w);
+
+    return difference + error;
+}
+
+double jlt_linear_determinant(const double *a, unsigned dim)
+{
+    double u[N * N], determinant = 1;
+    unsigned i, j, k;
+
+    if (dim == 2) return difference_of_products(a[0], a[3], a[1], a[2]);
+    memcpy(u, a, sizeof *u * dim * dim);
+    for (k = 0; k < dim; k++) {
+        unsigned pivot = k;
+        for (i = k + 1; i < dim; i++)
+            if (fabs(u[i * dim + k]) > fabs(u[pivot * dim + k])) pivot = i;
+        if (u[pivot * dim + k] == 0) return 0;
+        for (j = k; pivot != k && j < dim; j++) {
+            const double swap = u[k * dim + j];
+            u[k * dim + j] = u[pivot * dim + j];
+            u[pivot * dim + j] = swap;
+        }
+        determinant *= pivot == k ? u[k * dim + k] : -u[k * dim + k];
+        for (i = k + 1; i < dim; i++) {
+            const double factor = u[i * dim + k] / u[k * dim + k];
+            for (j = k; j < dim; j++) u[i * dim + j] -= factor * u[k * dim + j];
+        }
+    }
+    return determinant;
+}
+
+/* mu = (a + d)/2 +- sqrt((a - d)^2/4 + b c); the larger root comes without cancellation, the smaller from the product. */
+static void eigenvalues_of_two(double *re, double *im, const double *a)
+{
+    const double half = (a[0] + a[3]) / 2, gap = (a[0] - a[3]) / 2;
+    const double discriminant = fma(gap, gap, a[1] * a[2]);
+
+    if (discriminant < 0) {
+        re[0] = re[1] = half;
+        im[0] = sqrt(-discriminant);
+        im[1] = -im[0];
+        return;
+    }
+    im[0] = im[1] = 0;
+    re[0] = half + (half < 0 ? -1 : 1) * sqrt(discriminant);
+    re[1] = re[0] == 0 ? 0 : jlt_linear_determinant(a, 2) / re[0];
+}
+
+jlt_status jlt_linear_eigenvalues(double *re, double *im, const double *a, unsigned dim)
+{
+    unsigned i, j;
+    jlt_status st;
+
+    if (dim == 2) {
+        eigenvalues_of_two(re, im, a);
+        return JLT_OK;
+    }
+    st = jlt_eigen_values(re, im, a, dim);
+    if (st != JLT_OK) return st;
+    for (i = 0; i < dim; i++)
+        for (j = i; j > 0 && hypot(re[j], im[j]) > hypot(re[j - 1], im[j - 1]); j--) {
+            const double held_re = re[j], held_im = im[j];
+            re[j] = re[j - 1], im[j] = im[j - 1];
+            re[j - 1] = held_re, im[j - 1] = held_im;
+        }
+    return JLT_OK;
+}
+
+/* Both rows of a - value*I are orthogonal to v; the longer one says where it points. */
+void jlt_linear_eigenvector(double v[2], const double a[4], double value)
+{
+    const double first = hypot(a[0] - value, a[1]), second = hypot(a[2], a[3] - value);
+
+    if (first == 0 && second == 0) {
+        v[0] = 1, v[1] = 0;
+    } else if (first >= second) {
+        v[0] = -a[1] / first, v[1] = (a[0] - value) / first;
+    } else {
+        v[0] = (value - a[3]) / second, v[1] = a[2] / second;
+    }
+}

@@ -1,0 +1,22 @@
+/** Small dense linear algebra of maps: matrices (dim, dim) row-major, dim <= 8, on the stack. */
+#ifndef JLT_DYNAMICS_LINEAR_H
+#define JLT_DYNAMICS_LINEAR_H
+
+#include "core/status.h"
+
+enum { JLT_LINEAR_DIM_MAX = 8 };
+
+/** out = a b; out may be a or b. */
+void jlt_linear_multiply(double *out, const double *a, const double *b, unsigned dim);
+
+/** By elimination with partial pivoting; for dim = 2 by a compensated difference of products, good to 2 ulp. */
+double jlt_linear_determinant(const double *a, unsigned dim);
+
+/** Eigenvalues, largest modulus first, shape (dim,) each. dim = 2 in closed form, otherwise by GSL.
+ *  Errors: as jlt_eigen_values. */
+JLT_CHECKED jlt_status jlt_linear_eigenvalues(double *re, double *im, const double *a, unsigned dim);
+
+/** Unit vector v with a v = value v, for dim = 2, up to sign. */
+void jlt_linear_eigenvector(double v[2], const double a[4], double value);
+
+#endif

@@ -1,0 +1,93 @@
+#include "dynamics/lyapunov.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Columns of q replaced by A q, orthonormalised by modified Gram-Schmidt, twice; growth gets the logarithms of the lengths. */
+static void step_frame(double *frame, double *growth, const double *slope, unsigned d)
+{
+    double next[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
+    unsigned i, j, k, pass;
+
+    for (i = 0; i < d; i++)
+        for (j = 0; j < d; j++) {
+            double sum = 0;
+            for (k = 0; k < d; k++) sum += slope[i * d + k] * frame[k * d + j];
+            next[i * d + j] = sum;
+        }
+    for (j = 0; j < d; j++) {
+        double length = 0;
+        for (pass = 0; pass < 2; pass++)
+            for (k = 0; k < j; k++) {
+                double inner = 0;
+                for (i = 0; i < d; i++) inner += next[i * d + k] * next[i * d + j];
+                for (i = 0; i < d; i++) next[i * d + j] -= inner * next[i * d + k];
+            }
+        for (i = 0; i < d; i++) length = hypot(length, next[i * d + j]);
+        growth[j] += log(length);
+        for (i = 0; i < d; i++) next[i * d + j] /= length;
+    }
+    memcpy(frame, next, sizeof *frame * d * d);
+}
+
+jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double *q, size_t returns,
+                            jlt_lyapunov_observer observer, void *context)
+{
+    const unsigned d = jlt_map_flow(map)->chart->dim;
+    double frame[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX] = { 0 }, growth[JLT_CHART_DIM_MAX] = { 0 }, expansion = 0;
+    jlt_lyapunov_state state = { .returns = 0 };
+    jlt_status st = JLT_OK;
+    jlt_image image;
+    unsigned k;
+
+    memcpy(state.q, q, d * sizeof *q);
+    for (k = 0; k < d; k++) frame[k * d + k] = 1;
+    while (state.returns < returns) {
+        JLT_TRY(jlt_map_apply(map, &image, state.q, 1, 1));
+        step_frame(frame, growth, image.slope, d);
+        memcpy(state.q, image.q, sizeof state.q);
+        state.t += image.T;
+        state.returns++;
+        expansion += image.expansion;
+        for (k = 0; k < d; k++) state.exponents[k] = growth[k] / state.t;
+        state.sum_check = expansion / state.t;
+        if (observer != NULL && observer(context, &state) != 0) break;
+    }
+done:
+    *out = state;
+    return st;
+}
+
+jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns)
+{
+    const unsigned d = jlt_map_flow(map)->chart->dim;
+    double vector[JLT_CHART_DIM_MAX], norm2 = 0, last;
+    jlt_image image;
+    const jlt_status st = jlt_map_apply(map, &image, q, returns, 1);
+    unsigned i, j, k;
+
+    if (st != JLT_OK) return st;
+    /* Power iteration on A^T A from its longest row of A: the norm from below, to rounding. */
+    for (i = 0; i < d; i++) {
+        double sum = 0;
+        for (j = 0; j < d; j++) sum += image.slope[i * d + j] * image.slope[i * d + j];
+        if (sum <= norm2) continue;
+        norm2 = sum;
+        memcpy(vector, image.slope + i * d, sizeof *vector * d);
+    }
+    last = 0;
+    for (k = 0; k < 200 && norm2 > 0 && fabs(norm2 - last) > 1e-15 * norm2; k++) {
+        double mapped[JLT_CHART_DIM_MAX] = { 0 }, length = 0;
+        for (j = 0; j < d; j++) length = hypot(length, vector[j]);
+        for (i = 0; i < d; i++)
+            for (j = 0; j < d; j++) mapped[i] += image.slope[i * d + j] * vector[j] / length;
+        last = norm2;
+        for (norm2 = 0, i = 0; i < d; i++) norm2 += mapped[i] * mapped[i];
+        memset(vector, 0, sizeof *vector * d);
+        for (i = 0; i < d; i++)
+            for (j = 0; j < d; j++) vector[j] += image.slope[i * d + j] * mapped[i];
+    }
+    *exponent = log(norm2) / (2 * image.T);
+    *t = image.T;
+    return JLT_OK;
+}

@@ -1,0 +1,28 @@
+/** Lyapunov exponents of a return map: growth rates of its derivative, by repeated QR (Benettin et al. 1980, Dieci et al.).
+ *
+ *  In section coordinates the flow's own direction and the levels' directions, whose exponents are zero, are already out. */
+#ifndef JLT_DYNAMICS_LYAPUNOV_H
+#define JLT_DYNAMICS_LYAPUNOV_H
+
+#include "dynamics/map.h"
+
+typedef struct {
+    size_t returns;
+    double t;
+    double exponents[JLT_CHART_DIM_MAX]; /* per time, largest first in the limit */
+    double sum_check; /* mean divergence along the orbit: equals the sum of the exponents up to the ends' flux over t */
+    double q[JLT_CHART_DIM_MAX];
+} jlt_lyapunov_state;
+
+/** Called after every return; nonzero ends the run. */
+typedef int (*jlt_lyapunov_observer)(void *context, const jlt_lyapunov_state *state);
+
+/** From q over `returns` returns. out holds the last state also when an error ends the run.
+ *  Errors: those of jlt_map_apply. */
+JLT_CHECKED jlt_status jlt_lyapunov_run(jlt_map *map, jlt_lyapunov_state *out, const double *q, size_t returns,
+                                        jlt_lyapunov_observer observer, void *context);
+
+/** Finite-time exponent: log of the 2-norm of D(P^returns)(q), per time. Errors: those of jlt_map_apply. */
+JLT_CHECKED jlt_status jlt_lyapunov_finite(jlt_map *map, double *exponent, double *t, const double *q, size_t returns);
+
+#endif

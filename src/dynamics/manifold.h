@@ -1,0 +1,42 @@
+/** Growing a branch of a manifold as a polygon, point after point, with spacing set by arc length and curvature.
+ *
+ *  Every point is computed from the seed itself (jlt_branch), so nothing is interpolated and errors do not pile up. A point
+ *  is accepted when its distance to the last one is under `spacing` and the polygon turns there by less than `turn`, or when
+ *  it is closer than `finest`; otherwise the parameter's step is halved.
+ *  Source: D. Hobson, J. Comput. Phys. 104 (1993); B. Krauskopf, H. Osinga, J. Comput. Phys. 146 (1998), the criteria. */
+#ifndef JLT_DYNAMICS_MANIFOLD_H
+#define JLT_DYNAMICS_MANIFOLD_H
+
+#include "dynamics/branch.h"
+
+typedef enum {
+    JLT_MANIFOLD_LENGTH, /* the length asked for is reached */
+    JLT_MANIFOLD_POINTS, /* the number of points is */
+    JLT_MANIFOLD_POLE,   /* the branch runs into orbits that end at a pole, or leave the levels */
+    JLT_MANIFOLD_INTERRUPT
+} jlt_manifold_end;
+
+typedef struct {
+    double spacing;    /* default 0.01 */
+    double turn;       /* in radians, default 0.2 */
+    double finest;     /* default 1e-4 */
+    double length_max; /* default 5 */
+    size_t points_max; /* default 20000 */
+} jlt_manifold_options;
+
+/** A polygon, owned: (eta, gamma3), sigma and arc length of each point. Zeroed is empty. */
+typedef struct {
+    double *points; /* shape (count, 2) */
+    double *sigma;  /* shape (count,), increasing */
+    double *length; /* shape (count,), from the first point */
+    size_t count;
+    jlt_manifold_end end;
+} jlt_manifold;
+
+void jlt_manifold_clear(jlt_manifold *self); /* frees; legal on a zeroed polygon */
+
+/** Grow into an empty polygon. options NULL: all defaults. Errors: ARG, NOMEM, and those of the integrator. */
+JLT_CHECKED jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *branch,
+                                         const jlt_manifold_options *options);
+
+#endif

@@ -1,0 +1,249 @@
+#include "dynamics/map.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dynamics/linear.h"
+
+enum { DIM_MAX = JLT_CHART_STATES_MAX * (1 + JLT_CHART_DIM_MAX) + 1 };
+
+/* Below this a lifted root will not come back: orbits that only graze a pole stay far above it. */
+static const double root_floor = 1e-13;
+
+/* The block behind the varied field: states, tangent vectors by columns, integral of the divergence. */
+typedef struct {
+    const jlt_chart *chart;
+    const jlt_field *field;
+    jlt_kernel_function rhs_jacobian;
+} varied;
+
+struct jlt_map {
+    jlt_flow flow;
+    varied block;
+    jlt_field field;
+    double scale[DIM_MAX];
+    jlt_orbit *orbit;
+    jlt_section *section; /* plain returns */
+    bool at_pole;
+};
+
+static void varied_call(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const varied *block = (const varied *)(const void *)p;
+    const jlt_chart *chart = block->chart;
+    const unsigned n = chart->states, columns = chart->dim;
+    double both[JLT_CHART_STATES_MAX * (1 + JLT_CHART_STATES_MAX)];
+    const double *jacobian = both + n;
+    double trace = 0;
+    unsigned i, j, k;
+
+    if (block->rhs_jacobian != NULL) block->rhs_jacobian(x, block->field->p, both);
+    else {
+        block->field->call(x, block->field->p, both);
+        block->field->jacobian(x, block->field->p, both + n);
+    }
+    memcpy(out, both, n * sizeof *out);
+    for (k = 0; k < columns; k++) {
+        const double *y = x + n * (1 + k);
+        double *dy = out + n * (1 + k);
+        for (i = 0; i < n; i++) {
+            double sum = 0;
+            for (j = 0; j < n; j++) sum += jacobian[i * n + j] * y[j];
+            dy[i] = sum;
+        }
+    }
+    for (i = 0; i < n; i++) trace += jacobian[i * n + i];
+    if (chart->excess != NULL) trace -= chart->excess(chart, x, both, jacobian);
+    out[n * (1 + columns)] = trace;
+}
+
+static void varied_time(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const varied *block = (const varied *)(const void *)p;
+
+    block->field->time_rate(x, block->field->p, out);
+}
+
+static int watch_pole(void *context, jlt_orbit *orbit)
+{
+    jlt_map *self = context;
+
+    self->at_pole = fabs(jlt_orbit_stepper(orbit)->x[self->flow.field->root]) < root_floor;
+    return self->at_pole;
+}
+
+static jlt_status make_field(jlt_map *self)
+{
+    const jlt_field *plain = self->flow.field;
+    unsigned i;
+
+    if (plain->jacobian == NULL && self->flow.rhs_jacobian == NULL) return JLT_ERR_UNSUPPORTED;
+    self->block = (varied){ self->flow.chart, plain, self->flow.rhs_jacobian };
+    self->field = (jlt_field){ .dim = plain->dim * (1 + self->flow.chart->dim) + 1,
+                               .call = varied_call,
+                               .p = (const double *)(const void *)&self->block,
+                               .time_rate = plain->time_rate != NULL ? varied_time : NULL,
+                               .root = -1,
+                               .scale = self->scale };
+    for (i = 0; i < self->field.dim; i++) self->scale[i] = 1;
+    for (i = 0; i < plain->dim; i++)
+        if (plain->scale != NULL) self->scale[i] = plain->scale[i];
+        else if ((int)i == plain->root) self->scale[i] = 0;
+    return JLT_OK;
+}
+
+jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
+{
+    jlt_status st = JLT_OK;
+    jlt_map *self = NULL;
+
+    *out = NULL;
+    if (flow->chart == NULL || flow->field == NULL || flow->chart->states != flow->field->dim) return JLT_ERR_ARG;
+    self = calloc(1, sizeof *self);
+    if (self == NULL) return JLT_ERR_NOMEM;
+    self->flow = *flow;
+    if (self->flow.method == NULL || self->flow.method->needs_jet) self->flow.method = jlt_method_find(NULL);
+    if (self->flow.max_steps == 0) self->flow.max_steps = 100000;
+    if (self->flow.t_max == 0) self->flow.t_max = INFINITY;
+    JLT_TRY(make_field(self));
+    JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method, &self->field,
+                             &(jlt_options){ .tolerance = flow->tolerance,
+                                             .max_steps = self->flow.max_steps,
+                                             .interrupt = flow->interrupt }));
+    if (flow->field->root >= 0) jlt_orbit_observe(self->orbit, watch_pole, self);
+    JLT_TRY(jlt_section_create(&self->section, flow));
+    *out = self;
+    self = NULL; /* ownership moved to the caller */
+done:
+    jlt_map_destroy(self);
+    return st;
+}
+
+void jlt_map_destroy(jlt_map *self)
+{
+    if (self == NULL) return;
+    jlt_orbit_destroy(self->orbit);
+    jlt_section_destroy(self->section);
+    free(self);
+}
+
+const jlt_flow *jlt_map_flow(const jlt_map *self)
+{
+    return &self->flow;
+}
+
+static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direction)
+{
+    const jlt_event event = { .column = self->flow.chart->column,
+                              .level = self->flow.chart->level,
+                              .direction = self->flow.direction };
+    jlt_status st;
+
+    self->at_pole = false;
+    st = jlt_orbit_next(self->orbit, time_direction * self->flow.t_max, &event, 1, outcome);
+    if (st != JLT_OK) return st;
+    if (outcome->end == JLT_END_EVENT) return JLT_OK;
+    if (outcome->end == JLT_END_TIME) return JLT_ERR_BUDGET;
+    return outcome->end == JLT_END_OBSERVER ? JLT_ERR_DOMAIN : JLT_ERR_NO_CONVERGENCE;
+}
+
+/* DP of one return from the end of the varied orbit. */
+static void project(const jlt_chart *chart, double *slope, double *q, const double *end, const double *f)
+{
+    const unsigned n = chart->states, d = chart->dim, c = chart->column;
+    double lowering[JLT_CHART_DIM_MAX * JLT_CHART_STATES_MAX];
+    unsigned i, j, k;
+
+    chart->lower(chart, q, lowering, end);
+    for (k = 0; k < d; k++) {
+        const double *y = end + n * (1 + k);
+        for (i = 0; i < d; i++) {
+            double sum = 0;
+            for (j = 0; j < n; j++)
+                if (j != c) sum += lowering[i * n + j] * (y[j] - f[j] / f[c] * y[c]);
+            slope[i * d + k] = sum;
+        }
+    }
+}
+
+/* One return with derivative, multiplied onto what `image` holds. */
+static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
+{
+    const jlt_chart *chart = self->flow.chart;
+    const unsigned n = chart->states, d = chart->dim;
+    double start[DIM_MAX] = { 0 }, tangent[JLT_CHART_STATES_MAX * JLT_CHART_DIM_MAX];
+    double f[JLT_CHART_STATES_MAX], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
+    double before, after, expansion, determinant, defect;
+    jlt_outcome outcome;
+    jlt_status st = JLT_OK;
+    unsigned i, k;
+
+    JLT_TRY(chart->lift(chart, start, tangent, image->q));
+    for (k = 0; k < d; k++)
+        for (i = 0; i < n; i++) start[n * (1 + k) + i] = tangent[i * d + k];
+    self->flow.field->call(start, self->flow.field->p, f);
+    before = chart->flux(chart, start, f);
+    JLT_TRY(jlt_orbit_start(self->orbit, 0, start, time_direction));
+    JLT_TRY(to_section(self, &outcome, time_direction));
+    self->flow.field->call(outcome.x, self->flow.field->p, f);
+    after = chart->flux(chart, outcome.x, f);
+    project(chart, slope, image->q, outcome.x, f);
+    for (i = 0; i < d * d; i++)
+        if (!isfinite(slope[i])) return JLT_ERR_NONFINITE;
+    expansion = outcome.x[n * (1 + d)];
+    determinant = jlt_linear_determinant(slope, d);
+    /* A crossing in the other direction turns the flux round; volume is counted positive. */
+    defect = fabs(determinant * after / before) * exp(-expansion) - 1;
+    if (fabs(defect) > fabs(image->defect)) image->defect = defect;
+    jlt_linear_multiply(image->slope, slope, image->slope, d);
+    image->T += outcome.t;
+    image->expansion += expansion;
+    image->determinant *= determinant;
+    memcpy(image->x, outcome.x, n * sizeof *image->x);
+done:
+    return st;
+}
+
+jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction)
+{
+    const unsigned d = self->flow.chart->dim;
+    jlt_image image = { .determinant = 1 };
+    jlt_status st = JLT_OK;
+    size_t i;
+
+    if (count == 0) return JLT_ERR_ARG;
+    memcpy(image.q, q, d * sizeof *q);
+    for (i = 0; i < d; i++) image.slope[i * d + i] = 1;
+    for (i = 0; i < count; i++) JLT_TRY(advance(self, &image, time_direction));
+    *out = image;
+done:
+    return st;
+}
+
+jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction)
+{
+    const unsigned d = self->flow.chart->dim;
+    jlt_image image = { .T = 0 };
+    jlt_status st = JLT_OK;
+    jlt_return row;
+    size_t i;
+
+    if (count == 0) return JLT_ERR_ARG;
+    memcpy(image.q, q, d * sizeof *q);
+    JLT_TRY(jlt_section_start(self->section, &row, image.q, time_direction));
+    for (i = 0; i < count; i++) {
+        JLT_TRY(jlt_section_next(self->section, &row));
+        if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
+        if (row.fate == JLT_FATE_BUDGET) return JLT_ERR_BUDGET;
+        if (row.fate != JLT_FATE_ALIVE) return JLT_ERR_DOMAIN;
+    }
+    memcpy(image.q, row.q, sizeof image.q);
+    memcpy(image.x, row.x, sizeof image.x);
+    image.T = row.t;
+    for (i = 0; i < (size_t)d * d; i++) image.slope[i] = NAN;
+    image.determinant = image.expansion = image.defect = NAN;
+    *out = image;
+done:
+    return st;
+}

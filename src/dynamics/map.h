@@ -1,0 +1,42 @@
+/** The return map P of a section and its derivative DP, by the variational equations of the generated Jacobian.
+ *
+ *  With Y the derivative of the flow applied to the tangent vectors dx/dq of the start, and f the field at the return,
+ *      DP = dq/dx (I - f e_c^T / f_c) Y,
+ *  c the section's column: the middle factor is the variation of the return time, and e_c^T x = level on the section.
+ *
+ *  The exact identity that checks it: with F the density of flux in section coordinates (see jlt_chart),
+ *      det DP = F(start)/F(end) * exp(integral of the divergence on the levels),
+ *  the integral being one more component of the same integration. */
+#ifndef JLT_DYNAMICS_MAP_H
+#define JLT_DYNAMICS_MAP_H
+
+#include "dynamics/section.h"
+
+typedef struct {
+    double q[JLT_CHART_DIM_MAX];
+    double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX]; /* DP, (dim, dim) row-major; of P^count by the chain rule */
+    double T;                /* time of all returns, negative backwards */
+    double determinant;      /* of slope: product over the returns */
+    double expansion;        /* integral of the divergence on the levels, over all returns */
+    double defect;           /* det DP * F(end)/F(start) * exp(-expansion) - 1 of the worst single return */
+    double x[JLT_CHART_STATES_MAX];
+} jlt_image;
+
+typedef struct jlt_map jlt_map;
+
+/** Errors: ARG; UNSUPPORTED, the field has no Jacobian; NOMEM. */
+JLT_CHECKED jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow);
+void jlt_map_destroy(jlt_map *self); /* NULL is legal */
+
+const jlt_flow *jlt_map_flow(const jlt_map *self);
+
+/** P^count(q), count >= 1 returns forwards (time_direction +1) or backwards (-1), with its derivative.
+ *  Every return starts from the chart's point, exactly on the levels.
+ *  Errors: EMPTY, DOMAIN (q, or the orbit ended at a pole or lost contact), BUDGET, NONFINITE, NO_PROGRESS,
+ *  NO_CONVERGENCE (interrupted); out is then not touched. */
+JLT_CHECKED jlt_status jlt_map_apply(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
+
+/** The same without the derivative, five times cheaper: fills q, T and x; slope, determinant, expansion, defect are NaN. */
+JLT_CHECKED jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t count, int time_direction);
+
+#endif

@@ -1,0 +1,51 @@
+/** Periodic points of a return map, by Newton's method on all points of the orbit at once (multiple shooting), so that the
+ *  residual reaches the rounding level also on strongly unstable orbits. */
+#ifndef JLT_DYNAMICS_PERIODIC_H
+#define JLT_DYNAMICS_PERIODIC_H
+
+#include "dynamics/map.h"
+
+enum { JLT_PERIODIC_MAX = 64 };
+
+typedef enum {
+    JLT_ORBIT_CENTRE,      /* complex multipliers of modulus 1 */
+    JLT_ORBIT_SADDLE,      /* 0 < mu2 < 1 < mu1 in modulus, mu1 > 0 */
+    JLT_ORBIT_FLIP_SADDLE, /* the same with mu1 < 0 */
+    JLT_ORBIT_ATTRACTING,  /* all inside the unit circle */
+    JLT_ORBIT_REPELLING,   /* all outside */
+    JLT_ORBIT_DEGENERATE   /* a multiplier +-1 within 1e-7 */
+} jlt_orbit_type;
+
+const char *jlt_periodic_type_name(jlt_orbit_type type);
+
+typedef struct {
+    size_t period;                                       /* primitive, <= JLT_PERIODIC_MAX */
+    double points[JLT_PERIODIC_MAX * JLT_CHART_DIM_MAX]; /* (period, dim), in the order of the map */
+    double T;                                            /* time of the whole orbit */
+    double slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX]; /* D(P^period) at the first point */
+    double trace;
+    double determinant;      /* exp of the integral of the divergence: the flux is the same at both ends */
+    double determinant_slope; /* of slope itself, a second way */
+    double re[JLT_CHART_DIM_MAX], im[JLT_CHART_DIM_MAX]; /* multipliers, largest modulus first */
+    double residual;         /* max over points of |P(q_i) - q_(i+1)| */
+    double defect;           /* worst defect of the flux identity, see map.h */
+    bool symmetric;          /* its own mirror image, within 1e-7 */
+    jlt_orbit_type type;
+} jlt_periodic;
+
+/** Newton from q (dim,), period returns. held: shape (dim,), 1 where a coordinate must keep its value (a family of orbits
+ *  is then made unique), or NULL; the equations are solved in the sense of least squares.
+ *  out is reduced to the primitive period. Errors: NO_CONVERGENCE; those of jlt_map_apply at q; ARG. */
+JLT_CHECKED jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const double *q, size_t period,
+                                         const unsigned char *held);
+
+/** Everything about a periodic orbit from its points, which are taken as they stand. Errors: those of jlt_map_apply. */
+JLT_CHECKED jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io);
+
+/** Make point `first` the first one, and measure again. */
+JLT_CHECKED jlt_status jlt_periodic_rotate(jlt_map *map, jlt_periodic *io, size_t first);
+
+/** The same orbit: equal period, and the first point of b within `distance` of a point of a. */
+bool jlt_periodic_same(const jlt_chart *chart, const jlt_periodic *a, const jlt_periodic *b, double distance);
+
+#endif

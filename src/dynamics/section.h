@@ -1,0 +1,69 @@
+/** Orbits seen through a surface of section: one return after another, and what becomes of the orbit.
+ *
+ *  Rows are handed out one at a time, so memory does not grow with their number. */
+#ifndef JLT_DYNAMICS_SECTION_H
+#define JLT_DYNAMICS_SECTION_H
+
+#include "dynamics/chart.h"
+#include "integrate/orbit.h"
+
+/** A flow with a section: what all of the dynamics works on. Plain data; nothing is owned, and chart and field must live
+ *  as long as what is made from it. Zero means the default, in all fields after `field`. */
+typedef struct {
+    const jlt_chart *chart;
+    const jlt_field *field;
+    jlt_kernel_function rhs_jacobian; /* f, then df/dx, on the field's block; NULL: field->jacobian beside field->call */
+    const jlt_method *method;         /* default: the first of the table */
+    double tolerance;                 /* of the local error; default 1e-12 */
+    jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */
+    size_t max_steps;                 /* of the integrator, for one return; default 10^5 */
+    double t_max;                     /* physical time for one return; default: no limit */
+    bool end_at_contact_loss;         /* an orbit ends where the normal reaction vanishes; default: it goes on, and rows
+                                         tell the least reaction met */
+    const volatile sig_atomic_t *interrupt;
+} jlt_flow;
+
+typedef enum {
+    JLT_FATE_ALIVE,
+    JLT_FATE_POLE_PLUS,    /* ended at gamma3 = +1 */
+    JLT_FATE_POLE_MINUS,   /* ended at gamma3 = -1 */
+    JLT_FATE_LOST_CONTACT, /* ended where the support no longer pushes */
+    JLT_FATE_BUDGET        /* steps or time of one return spent: neither a return nor an end was found */
+} jlt_fate;
+
+/** alive, pole+, pole-, lost_contact, budget. */
+const char *jlt_fate_name(jlt_fate fate);
+
+typedef struct {
+    size_t number;               /* 0 is the start */
+    double t;                    /* since the start, negative backwards */
+    double q[JLT_CHART_DIM_MAX]; /* NaN where the orbit ended off the section */
+    int direction;               /* +1, -1: of the crossing, for growing t; 0 at the start and at an end */
+    jlt_fate fate;
+    bool interrupted;            /* the flag was raised before the next return; the row repeats the point then reached */
+    double x[JLT_CHART_STATES_MAX];
+    double residual;             /* x[column] - level as the integrator left it */
+    double contact;              /* least normal reaction at accepted steps since the start; INFINITY: not known */
+} jlt_return;
+
+typedef struct jlt_section jlt_section;
+
+/** Errors: ARG (chart and field do not fit), as jlt_orbit_create, NOMEM. */
+JLT_CHECKED jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow);
+void jlt_section_destroy(jlt_section *self); /* NULL is legal */
+
+/** Start at q (dim,) on the section, time_direction +1 or -1. row (may be NULL) gets the start itself, number 0.
+ *  Errors: as the chart's lift. */
+JLT_CHECKED jlt_status jlt_section_start(jlt_section *self, jlt_return *row, const double *q, int time_direction);
+
+/** Start at any state x (states,), on the section or not; row->q is NaN off the section. Errors: NONFINITE. */
+JLT_CHECKED jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const double *x, int time_direction);
+
+/** The next return, or the end: after a row with a fate other than alive, or interrupted, call start again.
+ *  Errors: as jlt_orbit_next except BUDGET, which is a fate. */
+JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
+
+/** Accepted and rejected steps, and field evaluations, since creation of the orbit. */
+void jlt_section_cost(const jlt_section *self, size_t *steps, size_t *evaluations);
+
+#endif

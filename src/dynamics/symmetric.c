@@ -1,0 +1,174 @@
+#include "dynamics/symmetric.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    jlt_map *map;
+    jlt_section *both;  /* the flow's section, crossed in both directions */
+    const jlt_symmetric_line *line;
+    unsigned mirrored;
+    unsigned char held[JLT_CHART_DIM_MAX];
+} search;
+
+/* h_1 .. h_count along the orbit from u; NaN after its end. */
+static jlt_status halves(const search *self, double *h, double u, size_t count)
+{
+    const jlt_chart *chart = jlt_map_flow(self->map)->chart;
+    double q[JLT_CHART_DIM_MAX];
+    jlt_return row = { .fate = JLT_FATE_ALIVE };
+    jlt_status st;
+    size_t j;
+
+    for (j = 0; j < count; j++) h[j] = NAN;
+    memcpy(q, self->line->base, sizeof q);
+    q[self->line->free] = u;
+    st = jlt_section_start(self->both, NULL, q, 1);
+    if (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN) return JLT_OK;
+    for (j = 0; st == JLT_OK && j < count; j++) {
+        st = jlt_section_next(self->both, &row);
+        if (st != JLT_OK || row.interrupted || row.fate != JLT_FATE_ALIVE) break;
+        h[j] = chart->period[self->mirrored] != 0 ? sin(row.q[self->mirrored]) : row.q[self->mirrored];
+    }
+    if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
+    /* An orbit lost to the integrator ends there as one at a pole does. */
+    return st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS ? JLT_OK : st;
+}
+
+/* Zero of h_j between a and b by the Illinois method, bisecting where that is slow. *found is false at a jump. */
+static jlt_status bisect(const search *self, double *root, bool *found, double *work, double a, double ha, double b,
+                         double hb, size_t j)
+{
+    jlt_status st = JLT_OK;
+    double last = fmin(fabs(ha), fabs(hb)), previous = fabs(b - a);
+    int side = 0, iteration;
+
+    *found = false;
+    for (iteration = 0; iteration < 80 && fabs(b - a) > 4e-16 * fmax(1, fabs(a)); iteration++) {
+        double u = (a * hb - b * ha) / (hb - ha), h;
+        if (iteration % 3 == 2) {
+            if (fabs(b - a) > previous / 4 || !(u > fmin(a, b) && u < fmax(a, b))) u = (a + b) / 2;
+            previous = fabs(b - a);
+        }
+        st = halves(self, work, u, j);
+        if (st != JLT_OK) return st;
+        h = work[j - 1];
+        if (isnan(h)) return JLT_OK;
+        *root = u;
+        last = fabs(h);
+        if (last < 1e-14) break;
+        if ((h > 0) == (hb > 0)) {
+            b = u, hb = h;
+            if (side == 1) ha /= 2;
+            side = 1;
+        } else {
+            a = u, ha = h;
+            if (side == -1) hb /= 2;
+            side = -1;
+        }
+    }
+    *found = last < 1e-6;
+    return JLT_OK;
+}
+
+/* Bring the orbit through the line's point u to the map's own section, polish it and hand it over. */
+static jlt_status deliver(const search *self, double u, size_t period, jlt_symmetric_sink sink, void *context)
+{
+    const jlt_flow *flow = jlt_map_flow(self->map);
+    const jlt_chart *chart = flow->chart;
+    const unsigned d = chart->dim;
+    double q[JLT_CHART_DIM_MAX], x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], mirror[JLT_CHART_DIM_MAX];
+    double nearest = INFINITY;
+    jlt_periodic orbit;
+    jlt_image image;
+    jlt_status st;
+    size_t k, first = 0;
+
+    memcpy(q, self->line->base, sizeof q);
+    q[self->line->free] = u;
+    st = chart->lift(chart, x, NULL, q);
+    if (st != JLT_OK) return st;
+    flow->field->call(x, flow->field->p, f);
+    if (flow->direction != JLT_BOTH && flow->direction * f[chart->column] < 0) {
+        st = jlt_map_point(self->map, &image, q, 1, 1);
+        if (st != JLT_OK) return JLT_OK;
+        memcpy(q, image.q, sizeof q);
+    }
+    st = jlt_periodic_find(self->map, &orbit, q, period, d > 2 ? self->held : NULL);
+    if (st != JLT_OK) return st == JLT_ERR_NOMEM ? st : JLT_OK;
+    for (k = 0; k < orbit.period; k++) {
+        double distance;
+        jlt_chart_mirror(chart, mirror, orbit.points + k * d);
+        distance = jlt_chart_distance(chart, mirror, orbit.points + k * d);
+        if (distance < nearest - 1e-9) nearest = distance, first = k;
+    }
+    if (first != 0) {
+        st = jlt_periodic_rotate(self->map, &orbit, first);
+        if (st != JLT_OK) return st;
+    }
+    return sink(context, &orbit);
+}
+
+static jlt_status sample(const search *self, double *table, size_t crossings, double *at)
+{
+    const jlt_symmetric_line *line = self->line;
+    jlt_status st = JLT_OK;
+    size_t i;
+
+    for (i = 0; st == JLT_OK && i < line->samples; i++) {
+        at[i] = line->low + (line->high - line->low) * (double)i / (double)(line->samples - 1);
+        st = halves(self, table + i * crossings, at[i], crossings);
+    }
+    return st;
+}
+
+jlt_status jlt_symmetric_search(jlt_map *map, const jlt_symmetric_line *line, size_t period_max, jlt_symmetric_sink sink,
+                                void *context)
+{
+    const jlt_flow *flow = jlt_map_flow(map);
+    const jlt_chart *chart = flow->chart;
+    search self = { .map = map, .line = line, .mirrored = JLT_CHART_DIM_MAX };
+    jlt_flow both = *flow;
+    jlt_status st = JLT_OK;
+    double *table = NULL, *at = NULL, *work = NULL;
+    const size_t crossings = flow->direction == JLT_BOTH ? period_max / 2 : period_max;
+    size_t i, j;
+    unsigned k;
+
+    if (line->samples < 2 || line->free >= chart->dim || !(line->low < line->high)) return JLT_ERR_ARG;
+    if (!chart->reversible) return JLT_ERR_UNSUPPORTED;
+    for (k = 0; k < chart->dim; k++) {
+        if (chart->mirror[k] > 0) {
+            self.held[k] = k != line->free;
+            continue;
+        }
+        if (self.mirrored != JLT_CHART_DIM_MAX || k == line->free) return JLT_ERR_UNSUPPORTED;
+        self.mirrored = k;
+    }
+    if (self.mirrored == JLT_CHART_DIM_MAX) return JLT_ERR_UNSUPPORTED;
+    if (crossings == 0) return JLT_OK;
+    both.direction = JLT_BOTH;
+    JLT_TRY(jlt_section_create(&self.both, &both));
+    table = malloc(line->samples * crossings * sizeof *table);
+    at = malloc(line->samples * sizeof *at);
+    work = malloc(crossings * sizeof *work);
+    st = JLT_ERR_NOMEM;
+    if (table == NULL || at == NULL || work == NULL) goto done;
+    JLT_TRY(sample(&self, table, crossings, at));
+    for (j = 1; j <= crossings; j++)
+        for (i = 0; i + 1 < line->samples; i++) {
+            const double ha = table[i * crossings + j - 1], hb = table[(i + 1) * crossings + j - 1];
+            double root = 0;
+            bool found;
+            if (isnan(ha) || isnan(hb) || (ha > 0) == (hb > 0)) continue;
+            JLT_TRY(bisect(&self, &root, &found, work, at[i], ha, at[i + 1], hb, j));
+            if (found) JLT_TRY(deliver(&self, root, flow->direction == JLT_BOTH ? 2 * j : j, sink, context));
+        }
+done:
+    jlt_section_destroy(self.both);
+    free(table);
+    free(at);
+    free(work);
+    return st;
+}

@@ -1,0 +1,181 @@
+#include "dynamics/system.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kernel/descriptor.h"
+
+static const char *const names[] = { "m", "R", "g", "I1", "I3", "a3", "E", "G" };
+
+jlt_top_values jlt_system_defaults(void)
+{
+    return (jlt_top_values){ .m = 1, .R = 1, .g = 1, .I1 = 1. / 3, .I3 = 1. / 3, .a3 = 0.51, .E = 2.15, .G = -0.56 };
+}
+
+double *jlt_system_value(jlt_top_values *values, const char *name)
+{
+    double *const entries[] = { &values->m,  &values->R,  &values->g, &values->I1,
+                                &values->I3, &values->a3, &values->E, &values->G };
+    size_t i;
+
+    for (i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(names[i], name) == 0) return entries[i];
+    return NULL;
+}
+
+static jlt_status bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params, const jlt_flow *options)
+{
+    jlt_status st = JLT_OK;
+
+    if (descriptor == NULL || descriptor->jacobian.call == NULL) return JLT_ERR_UNSUPPORTED;
+    JLT_TRY(jlt_instance_create(&self->instance, descriptor, params));
+    JLT_TRY(jlt_field_of(&self->field, descriptor, self->instance->block));
+    if (options != NULL) self->flow = *options;
+    else self->flow.direction = JLT_RISING;
+    self->flow.field = &self->field;
+    self->flow.rhs_jacobian = descriptor->rhs_jacobian.call;
+done:
+    return st;
+}
+
+static jlt_status top_params(double *params, const jlt_descriptor *descriptor, const jlt_top_values *values)
+{
+    jlt_top_values copy = *values;
+    unsigned i;
+
+    for (i = 0; i < descriptor->param_count; i++) {
+        const double *value = jlt_system_value(&copy, descriptor->params[i].name);
+        if (value == NULL) return JLT_ERR_UNSUPPORTED;
+        params[i] = *value;
+    }
+    return JLT_OK;
+}
+
+jlt_status jlt_system_top(jlt_system **out, const jlt_top_values *values, const jlt_flow *options)
+{
+    static const char model[] = "spherical_top_level";
+    const jlt_descriptor *descriptor = jlt_descriptor_find(model, NULL, "regular", NULL);
+    double params[16], low, high;
+    jlt_system *self = NULL;
+    jlt_status st = JLT_OK;
+
+    *out = NULL;
+    if (descriptor == NULL || descriptor->param_count > 16) return JLT_ERR_UNSUPPORTED;
+    if (!isfinite(values->E) || !isfinite(values->G)) return JLT_ERR_NONFINITE;
+    JLT_TRY(top_params(params, descriptor, values));
+    descriptor = jlt_descriptor_choose(model, "regular", NULL, params);
+    self = calloc(1, sizeof *self);
+    st = JLT_ERR_NOMEM;
+    if (self == NULL) goto done;
+    self->values = *values;
+    self->is_top = true;
+    JLT_TRY(bind(self, descriptor, params, options));
+    jlt_chart_top_init(&self->chart.top, values->m, values->R, values->g, values->I1, values->I3, values->a3, values->E,
+                       values->G);
+    self->flow.chart = &self->chart.top.base;
+    st = JLT_ERR_EMPTY;
+    if (!jlt_system_interval(&self->chart.top, &low, &high)) goto done;
+    st = JLT_OK;
+    *out = self;
+    self = NULL; /* ownership moved to the caller */
+done:
+    jlt_system_destroy(self);
+    return st;
+}
+
+jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, const double *params, unsigned column,
+                            double level, const int *signs, const jlt_flow *options)
+{
+    const char *state_names[JLT_CHART_STATES_MAX];
+    jlt_system *self = NULL;
+    jlt_status st = JLT_OK;
+    unsigned i;
+
+    *out = NULL;
+    if (descriptor->state_count > JLT_CHART_STATES_MAX) return JLT_ERR_ARG;
+    self = calloc(1, sizeof *self);
+    if (self == NULL) return JLT_ERR_NOMEM;
+    for (i = 0; i < descriptor->state_count; i++) state_names[i] = descriptor->states[i].name;
+    JLT_TRY(bind(self, descriptor, params, options));
+    JLT_TRY(jlt_chart_plane(&self->chart.plane, descriptor->state_count, column, level, state_names, signs));
+    self->flow.chart = &self->chart.plane;
+    *out = self;
+    self = NULL;
+done:
+    jlt_system_destroy(self);
+    return st;
+}
+
+void jlt_system_destroy(jlt_system *self)
+{
+    if (self == NULL) return;
+    jlt_instance_destroy(self->instance);
+    free(self);
+}
+
+/* The end of the interval between a point inside and one outside. */
+static double edge(const jlt_chart_top *chart, double inside, double outside)
+{
+    int i;
+
+    for (i = 0; i < 60; i++) {
+        const double middle = (inside + outside) / 2;
+        if (jlt_chart_top_speed2(chart, middle) > 0) inside = middle;
+        else outside = middle;
+    }
+    return inside;
+}
+
+bool jlt_system_interval(const jlt_chart_top *chart, double *low, double *high)
+{
+    enum { POINTS = 4096 };
+    double start = 0, before = -1;
+    bool open = false, found = false;
+    int i;
+
+    for (i = 0; i <= POINTS; i++) {
+        const double at = -1 + 2 * (i + 0.5) / POINTS;
+        const bool inside = i < POINTS && jlt_chart_top_speed2(chart, at) > 0;
+        if (inside && !open) start = i == 0 ? -1 + 1e-9 : edge(chart, at, before);
+        if (!inside && open) {
+            const double end = i == POINTS ? 1 - 1e-9 : edge(chart, before, at);
+            if (!found || end - start > *high - *low) *low = start, *high = end;
+            found = true;
+        }
+        open = inside;
+        before = at;
+    }
+    return found;
+}
+
+jlt_status jlt_system_map_at(void *context, jlt_map **map, double value)
+{
+    jlt_system_family *self = context;
+    double *entry = jlt_system_value(&self->values, self->name);
+    jlt_system *system = NULL;
+    jlt_status st = JLT_OK;
+
+    if (entry == NULL) return JLT_ERR_ARG;
+    if (self->map == NULL || *entry != value) {
+        *entry = value;
+        JLT_TRY(jlt_system_top(&system, &self->values, &self->options));
+        jlt_map_destroy(self->map);
+        self->map = NULL;
+        jlt_system_destroy(self->system);
+        self->system = system;
+        JLT_TRY(jlt_map_create(&self->map, &self->system->flow));
+    }
+    *map = self->map;
+done:
+    if (st != JLT_OK) jlt_system_family_clear(self);
+    return st;
+}
+
+void jlt_system_family_clear(jlt_system_family *self)
+{
+    jlt_map_destroy(self->map);
+    jlt_system_destroy(self->system);
+    self->map = NULL;
+    self->system = NULL;
+}
