@@ -22,7 +22,7 @@ typedef struct {
     double scale;
 } equation;
 
-const char *jlt_bifurcation_name(jlt_bifurcation kind)
+const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind)
 {
     static const char *const names[] = { "", "fold", "period doubling", "branch point", "torus" };
     return (unsigned)kind < sizeof names / sizeof *names ? names[kind] : "unknown";

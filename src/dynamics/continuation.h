@@ -28,7 +28,7 @@ typedef enum {
     JLT_BIFURCATION_TORUS
 } jlt_bifurcation;
 
-const char *jlt_bifurcation_name(jlt_bifurcation kind);
+const char *jlt_continuation_bifurcation_name(jlt_bifurcation kind);
 
 typedef struct {
     double value;

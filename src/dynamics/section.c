@@ -17,7 +17,7 @@ struct jlt_section {
 
 static const char *const fate_names[] = { "alive", "pole+", "pole-", "lost_contact", "budget" };
 
-const char *jlt_fate_name(jlt_fate fate)
+const char *jlt_section_fate_name(jlt_fate fate)
 {
     return (unsigned)fate < sizeof fate_names / sizeof *fate_names ? fate_names[fate] : "unknown";
 }

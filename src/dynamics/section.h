@@ -32,7 +32,7 @@ typedef enum {
 } jlt_fate;
 
 /** alive, pole+, pole-, lost_contact, budget. */
-const char *jlt_fate_name(jlt_fate fate);
+const char *jlt_section_fate_name(jlt_fate fate);
 
 typedef struct {
     size_t number;               /* 0 is the start */
