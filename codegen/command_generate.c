@@ -49,6 +49,7 @@ static bool generate_shared(ttc_output *output, const ttc_plan *plans, size_t co
     } fixed[] = { { "kernel_abi.h", ttc_emit_abi },
                   { "kernel_arithmetic.h", ttc_emit_arithmetic },
                   { "kernel_ball.h", ttc_emit_ball_header },
+                  { "kernel_jet.h", ttc_emit_jet_header },
                   { "lanes.h", ttc_emit_lanes_header },
                   { "registry.h", ttc_emit_registry_header } };
     static const struct {

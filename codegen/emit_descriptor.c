@@ -218,7 +218,7 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k)
     if (k->integral_count > 0) ttc_text_add(text, "    .integrals = integrals,\n");
     if (k->measure_count > 0) ttc_text_add(text, "    .measures = measures,\n");
     if (k->family_count > 0) ttc_text_add(text, "    .equilibria = equilibria,\n");
-    ttc_text_add(text, "    .rhs_complex = rhs_complex,\n    .batches = {\n");
+    ttc_text_add(text, "    .jet = jet,\n    .rhs_complex = rhs_complex,\n    .batches = {\n");
     for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
         ttc_text_format(text, "        &jlt_batch_%s_", model->name);
         ttc_emit_stem(text, field);
@@ -231,7 +231,7 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
 {
     const ttc_field *field = k->field;
     add_header(text, k);
-    ttc_text_add(text, "#include \"kernel_abi.h\"\n#include \"kernel_arithmetic.h\"\n\n#include <math.h>\n\n");
+    ttc_text_add(text, "#include \"kernel_abi.h\"\n#include \"kernel_arithmetic.h\"\n#include \"kernel_jet.h\"\n\n#include <math.h>\n\n");
     ttc_text_format(text, "extern const char jlt_table_%s[];\nextern const jlt_descriptor jlt_kernels_%s_", field->model->name,
                     field->model->name);
     ttc_emit_stem(text, field);
@@ -249,6 +249,8 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
         ttc_emit_function(text, ttc_kernel_name((ttc_kernel_kind)kind), k->kernels[kind].optimized, field, &k->block);
         ttc_text_add(text, "\n");
     }
+    ttc_emit_jet(text, k);
+    ttc_text_add(text, "\n");
     ttc_emit_complex(text, k->field);
     ttc_text_add(text, "\n");
     if (!ttc_emit_equilibria(text, k)) return false;

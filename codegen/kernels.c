@@ -4,6 +4,7 @@
 #include "optimize.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 const char *ttc_kernel_name(ttc_kernel_kind kind)
 {
@@ -121,6 +122,18 @@ static bool add_measure_kernels(ttc_kernels *k)
     return !k->field->failed;
 }
 
+static bool build_jet(ttc_kernels *k)
+{
+    size_t n = k->field->state_count;
+    ttc_id *outputs = malloc((n + 1) * sizeof *outputs);
+    if (outputs == NULL) return false;
+    memcpy(outputs, k->field->rhs, n * sizeof *outputs);
+    outputs[n] = k->field->factor;
+    k->jet = ttc_optimize(k->field, outputs, n + (k->field->time != NULL), &k->block);
+    free(outputs);
+    return k->jet != NULL;
+}
+
 static bool build_programs(ttc_kernels *k)
 {
     k->block.field = k->field;
@@ -134,6 +147,7 @@ static bool build_programs(ttc_kernels *k)
         kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->count, &k->block);
         if (kernel->naive == NULL || kernel->reference == NULL || kernel->optimized == NULL) return false;
     }
+    if (!build_jet(k)) return false;
     k->prepare = ttc_lower(k->field, k->block.entries, k->block.count, (ttc_lowering){ .share = true });
     return k->prepare != NULL && !k->block.failed;
 }
@@ -166,6 +180,7 @@ void ttc_kernels_destroy(ttc_kernels *kernels)
         ttc_program_destroy(kernels->kernels[kind].reference);
         ttc_program_destroy(kernels->kernels[kind].optimized);
     }
+    ttc_program_destroy(kernels->jet);
     ttc_program_destroy(kernels->prepare);
     ttc_block_clear(&kernels->block);
     free(kernels->integrals);

@@ -33,6 +33,7 @@ typedef struct {
 typedef struct {
     ttc_field *field;
     ttc_block block;
+    ttc_program *jet;     /* the field, and dt/dtau after it in a time of its own: what Taylor recurrences are made from */
     ttc_program *prepare; /* raw parameters -> entries of the block after the parameters */
     ttc_kernel kernels[TTC_KERNEL_KINDS];
     uint32_t *integrals; /* claims that hold here, in order of appearance */

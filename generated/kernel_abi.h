@@ -19,6 +19,13 @@ typedef void (*jlt_kernel_prepare)(const double *restrict params, double *restri
 typedef void (*jlt_kernel_complex)(const double complex *restrict x, const double *restrict params,
                                    double complex *restrict out);
 
+/* Taylor coefficients of the solution through x: coefficients[k*columns + i] = (d/dtau)^k x_i / k!, k = 0 .. order, with
+ * columns = states in the model's own time, and states + 1 in a time of its own, where the last column is t (0 in row 0).
+ * 1 <= order <= JLT_JET_ORDER_MAX. Cost: O(order^2). */
+enum { JLT_JET_ORDER_MAX = 40 };
+typedef void (*jlt_kernel_jet)(const double *restrict x, const double *restrict p, unsigned order,
+                               double *restrict coefficients);
+
 typedef enum { JLT_ANY_SIGN, JLT_POSITIVE, JLT_NONNEGATIVE, JLT_NONZERO } jlt_sign;
 
 typedef struct {
@@ -112,6 +119,7 @@ typedef struct jlt_descriptor {
     jlt_kernel measure_divergences; /* div(rho f), shape (measures,) */
     jlt_kernel time_factor;         /* dt/dtau, shape (1,); call NULL in the model's own time */
     jlt_kernel eliminated;          /* the eliminated state, shape (1,); call NULL when none is */
+    jlt_kernel_jet jet;
     jlt_kernel_complex rhs_complex;
     const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has */
 

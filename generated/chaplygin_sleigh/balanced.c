@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -119,6 +120,21 @@ static void measure_divergences(const double *restrict x, const double *restrict
     (void)x;
     (void)p;
     out[0] = 0.0;
+}
+
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    (void)p;
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    for (unsigned k = 0; k < order; k++) {
+        double *restrict next = coefficients + (k + 1)*2;
+        next[0] = x0[k + 1] = (k == 0 ? 0.0 : 0)/(k + 1);
+        next[1] = x1[k + 1] = (k == 0 ? 0.0 : 0)/(k + 1);
+    }
 }
 
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
@@ -257,6 +273,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
     .integrals = integrals,
     .measures = measures,
     .equilibria = equilibria,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_chaplygin_sleigh_balanced_baseline,

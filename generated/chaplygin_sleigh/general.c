@@ -16,6 +16,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -109,6 +110,33 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t1 = p[8]*x[1]; /* (I + m*a^2)*w */
     out[0] = t0;
     out[1] = t1;
+}
+
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    const double t5 = p[2]*p[0];
+    double t7[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x1, x1, k);
+        t3[k] = p[2]*t2[k];
+        t7[k] = t5*x0[k];
+        t8[k] = jlt_jet_product(x1, t7, k);
+        t10[k] = t8[k]/p[3];
+        t11[k] = -t10[k];
+        double *restrict next = coefficients + (k + 1)*2;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t11[k]/(k + 1);
+    }
 }
 
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
@@ -251,6 +279,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .integral_count = 1, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_chaplygin_sleigh_general_baseline,

@@ -17,6 +17,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -472,6 +473,141 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[14] = t33;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    const double t29 = p[5]*p[5];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    const double t34 = p[1]*p[1];
+    const double t35 = p[0]*t34;
+    const double t36 = p[4]*t35;
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    const double t40 = p[5]*t35;
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    const double t45 = p[1]*p[0];
+    const double t46 = p[5]*t45;
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    const double t60 = p[4]*t45;
+    double t61[JLT_JET_ORDER_MAX + 1];
+    double t62[JLT_JET_ORDER_MAX + 1];
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t64[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    double t66[JLT_JET_ORDER_MAX + 1];
+    double t67[JLT_JET_ORDER_MAX + 1];
+    double t69[JLT_JET_ORDER_MAX + 1];
+    double t70[JLT_JET_ORDER_MAX + 1];
+    double t71[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t9[k] = p[1]*x3[k];
+        t11[k] = jlt_jet_product(t9, x4, k);
+        t12[k] = x0[k]*p[1];
+        t13[k] = jlt_jet_product(x3, x3, k);
+        t14[k] = jlt_jet_product(t12, t13, k);
+        t15[k] = jlt_jet_quotient(t14[k], t5, t15, k);
+        t16[k] = t11[k] + t15[k];
+        t17[k] = jlt_jet_product(x0, t13, k);
+        t18[k] = jlt_jet_quotient(t17[k], t5, t18, k);
+        t19[k] = -t18[k];
+        t22[k] = x3[k]*p[5];
+        t23[k] = jlt_jet_product(x4, t22, k);
+        t24[k] = t23[k]/p[4];
+        t25[k] = t19[k] - t24[k];
+        t26[k] = jlt_jet_product(x2, x0, k);
+        t27[k] = jlt_jet_product(x3, t26, k);
+        t28[k] = jlt_jet_quotient(t27[k], t5, t28, k);
+        t30[k] = x2[k]*t29;
+        t31[k] = jlt_jet_product(x4, t30, k);
+        t37[k] = jlt_jet_product(t5, t5, k);
+        t38[k] = t36*t37[k];
+        t39[k] = (k == 0 ? p[6] : 0) + t38[k];
+        t41[k] = t3[k]*t40;
+        t42[k] = t39[k] + t41[k];
+        t43[k] = jlt_jet_quotient(t31[k], t42, t43, k);
+        t44[k] = t28[k] + t43[k];
+        t47[k] = x0[k]*t46;
+        t48[k] = jlt_jet_product(x3, t47, k);
+        t49[k] = jlt_jet_product(t5, t42, k);
+        t51[k] = x2[k]*p[1];
+        t52[k] = x1[k] + t51[k];
+        t53[k] = jlt_jet_product(t48, t52, k);
+        t54[k] = jlt_jet_quotient(t53[k], t49, t54, k);
+        t55[k] = t44[k] - t54[k];
+        t56[k] = x2[k]*t40;
+        t57[k] = jlt_jet_product(x4, t56, k);
+        t58[k] = jlt_jet_quotient(t57[k], t42, t58, k);
+        t59[k] = t55[k] + t58[k];
+        t61[k] = x3[k]*t60;
+        t62[k] = jlt_jet_product(t52, t61, k);
+        t63[k] = jlt_jet_quotient(t62[k], t42, t63, k);
+        t64[k] = x0[k]*t35;
+        t65[k] = jlt_jet_product(x2, t64, k);
+        t66[k] = jlt_jet_product(x4, t65, k);
+        t67[k] = jlt_jet_product(t5, t66, k);
+        t69[k] = t67[k]*p[7];
+        t70[k] = jlt_jet_quotient(t69[k], t42, t70, k);
+        t71[k] = t70[k] - t63[k];
+        double *restrict next = coefficients + (k + 1)*5;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t16[k]/(k + 1);
+        next[2] = x2[k + 1] = t25[k]/(k + 1);
+        next[3] = x3[k + 1] = t59[k]/(k + 1);
+        next[4] = x4[k + 1] = t71[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -808,6 +944,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced = {
     .integral_count = 3, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_baseline,

@@ -17,6 +17,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -371,6 +372,123 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[19] = 0.0;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    const double t26 = p[5]*p[5];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    const double t30 = p[1]*p[1];
+    const double t31 = p[0]*t30;
+    const double t32 = p[5]*t31;
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    const double t41 = p[1]*p[0];
+    const double t42 = p[5]*t41;
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t9[k] = p[1]*x3[k];
+        t11[k] = jlt_jet_product(t9, x4, k);
+        t12[k] = x0[k]*p[1];
+        t13[k] = jlt_jet_product(x3, x3, k);
+        t14[k] = jlt_jet_product(t12, t13, k);
+        t15[k] = jlt_jet_quotient(t14[k], t5, t15, k);
+        t16[k] = t11[k] + t15[k];
+        t17[k] = jlt_jet_product(x0, t13, k);
+        t18[k] = jlt_jet_quotient(t17[k], t5, t18, k);
+        t19[k] = -t18[k];
+        t20[k] = jlt_jet_product(x3, x4, k);
+        t21[k] = t19[k] - t20[k];
+        t22[k] = jlt_jet_product(x2, x0, k);
+        t23[k] = jlt_jet_product(x3, t22, k);
+        t24[k] = jlt_jet_quotient(t23[k], t5, t24, k);
+        t27[k] = x2[k]*t26;
+        t28[k] = jlt_jet_product(x4, t27, k);
+        t33[k] = t3[k]*t32;
+        t35[k] = t33[k] + (k == 0 ? p[6] : 0);
+        t36[k] = jlt_jet_product(t5, t5, k);
+        t37[k] = t32*t36[k];
+        t38[k] = t35[k] + t37[k];
+        t39[k] = jlt_jet_quotient(t28[k], t38, t39, k);
+        t40[k] = t24[k] + t39[k];
+        t43[k] = x0[k]*t42;
+        t44[k] = jlt_jet_product(x3, t43, k);
+        t45[k] = jlt_jet_product(t5, t38, k);
+        t47[k] = x2[k]*p[1];
+        t48[k] = x1[k] + t47[k];
+        t49[k] = jlt_jet_product(t44, t48, k);
+        t50[k] = jlt_jet_quotient(t49[k], t45, t50, k);
+        t51[k] = t40[k] - t50[k];
+        t52[k] = x2[k]*t32;
+        t53[k] = jlt_jet_product(x4, t52, k);
+        t54[k] = jlt_jet_quotient(t53[k], t38, t54, k);
+        t55[k] = t51[k] + t54[k];
+        t56[k] = x3[k]*t42;
+        t57[k] = jlt_jet_product(t48, t56, k);
+        t58[k] = jlt_jet_quotient(t57[k], t38, t58, k);
+        t59[k] = -t58[k];
+        double *restrict next = coefficients + (k + 1)*5;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t16[k]/(k + 1);
+        next[2] = x2[k + 1] = t21[k]/(k + 1);
+        next[3] = x3[k + 1] = t55[k]/(k + 1);
+        next[4] = x4[k + 1] = t59[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -672,6 +790,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .integral_count = 4, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_equal_baseline,

@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -432,6 +433,130 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
     out[0] = x[5];
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double x5[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    const double t23 = p[5]*p[5];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    const double t28 = p[1]*p[1];
+    const double t29 = p[0]*t28;
+    const double t30 = p[5]*t29;
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    const double t39 = p[1]*p[0];
+    const double t40 = p[5]*t39;
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = x5[0] = x[5];
+    coefficients[6] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x5, x5, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t6[k] = p[1]*x3[k];
+        t8[k] = jlt_jet_product(t6, x4, k);
+        t9[k] = jlt_jet_product(x5, t8, k);
+        t11[k] = p[1]*x0[k];
+        t12[k] = jlt_jet_product(x3, x3, k);
+        t13[k] = jlt_jet_product(t11, t12, k);
+        t14[k] = t9[k] + t13[k];
+        t15[k] = jlt_jet_product(x0, t12, k);
+        t16[k] = -t15[k];
+        t17[k] = jlt_jet_product(x3, x4, k);
+        t18[k] = jlt_jet_product(x5, t17, k);
+        t19[k] = t16[k] - t18[k];
+        t20[k] = jlt_jet_product(x2, x0, k);
+        t21[k] = jlt_jet_product(x3, t20, k);
+        t24[k] = x2[k]*t23;
+        t25[k] = jlt_jet_product(x4, t24, k);
+        t26[k] = jlt_jet_product(x5, t25, k);
+        t31[k] = jlt_jet_product(x0, x0, k);
+        t32[k] = t30*t31[k];
+        t34[k] = t32[k] + (k == 0 ? p[6] : 0);
+        t35[k] = t2[k]*t30;
+        t36[k] = t34[k] + t35[k];
+        t37[k] = jlt_jet_quotient(t26[k], t36, t37, k);
+        t38[k] = t21[k] + t37[k];
+        t41[k] = x0[k]*t40;
+        t42[k] = jlt_jet_product(x3, t41, k);
+        t44[k] = x2[k]*p[1];
+        t45[k] = x1[k] + t44[k];
+        t46[k] = jlt_jet_product(t42, t45, k);
+        t47[k] = jlt_jet_quotient(t46[k], t36, t47, k);
+        t48[k] = t38[k] - t47[k];
+        t49[k] = x2[k]*t30;
+        t50[k] = jlt_jet_product(x4, t49, k);
+        t51[k] = jlt_jet_product(x5, t50, k);
+        t52[k] = jlt_jet_quotient(t51[k], t36, t52, k);
+        t53[k] = t48[k] + t52[k];
+        t54[k] = x3[k]*t40;
+        t55[k] = jlt_jet_product(x5, t54, k);
+        t56[k] = jlt_jet_product(t45, t55, k);
+        t57[k] = jlt_jet_quotient(t56[k], t36, t57, k);
+        t58[k] = -t57[k];
+        t59[k] = jlt_jet_product(x5, t20, k);
+        t60[k] = -t59[k];
+        double *restrict next = coefficients + (k + 1)*7;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t14[k]/(k + 1);
+        next[2] = x2[k + 1] = t19[k]/(k + 1);
+        next[3] = x3[k + 1] = t53[k]/(k + 1);
+        next[4] = x4[k + 1] = t58[k]/(k + 1);
+        next[5] = x5[k + 1] = t60[k]/(k + 1);
+        next[6] = x5[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -528,6 +653,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 4, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_equal_in_regular_baseline,

@@ -21,6 +21,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -413,6 +414,105 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t4;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    const double t6 = p[1]*p[5];
+    double t7[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    const double t28 = p[1]*p[0];
+    const double t29 = p[5]*t28;
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    const double t32 = p[1]*p[1];
+    const double t33 = p[0]*t32;
+    const double t34 = p[5]*t33;
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x4, x4, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t7[k] = x4[k]*t6;
+        t10[k] = t6*x0[k];
+        t12[k] = jlt_jet_product(t10, x3, k);
+        t13[k] = (k == 0 ? p[6] : 0) + t12[k];
+        t14[k] = jlt_jet_quotient(t13[k], t7, t14, k);
+        t15[k] = p[1]*t14[k];
+        t16[k] = jlt_jet_product(x3, t15, k);
+        t17[k] = jlt_jet_product(x4, t16, k);
+        t18[k] = p[1]*x0[k];
+        t19[k] = jlt_jet_product(t14, t14, k);
+        t20[k] = jlt_jet_product(t18, t19, k);
+        t21[k] = t17[k] + t20[k];
+        t22[k] = jlt_jet_product(x0, t19, k);
+        t23[k] = -t22[k];
+        t24[k] = jlt_jet_product(x3, t14, k);
+        t25[k] = jlt_jet_product(x4, t24, k);
+        t26[k] = t23[k] - t25[k];
+        t30[k] = t14[k]*t29;
+        t31[k] = jlt_jet_product(x4, t30, k);
+        t35[k] = jlt_jet_product(x0, x0, k);
+        t36[k] = t34*t35[k];
+        t38[k] = t36[k] + (k == 0 ? p[7] : 0);
+        t39[k] = t2[k]*t34;
+        t40[k] = t38[k] + t39[k];
+        t42[k] = x2[k]*p[1];
+        t43[k] = x1[k] + t42[k];
+        t44[k] = jlt_jet_product(t31, t43, k);
+        t45[k] = jlt_jet_quotient(t44[k], t40, t45, k);
+        t46[k] = -t45[k];
+        t47[k] = jlt_jet_product(x2, x0, k);
+        t48[k] = jlt_jet_product(x4, t47, k);
+        t49[k] = -t48[k];
+        double *restrict next = coefficients + (k + 1)*6;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t21[k]/(k + 1);
+        next[2] = x2[k + 1] = t26[k]/(k + 1);
+        next[3] = x3[k + 1] = t46[k]/(k + 1);
+        next[4] = x4[k + 1] = t49[k]/(k + 1);
+        next[5] = x4[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -506,6 +606,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_equal_in_regular_on_level_G_baseline,

@@ -21,6 +21,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -443,6 +444,128 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t4;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    const double t8 = p[1]*p[5];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    const double t29 = p[5]*p[5];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    const double t34 = p[1]*p[1];
+    const double t35 = p[0]*t34;
+    const double t36 = p[5]*t35;
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    const double t45 = p[1]*p[0];
+    const double t46 = p[5]*t45;
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x4, x4, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t6[k] = p[1]*x3[k];
+        t10[k] = t8*x0[k];
+        t12[k] = x3[k]*t8;
+        t13[k] = jlt_jet_product(x4, t12, k);
+        t14[k] = t13[k] - (k == 0 ? p[6] : 0);
+        t15[k] = jlt_jet_quotient(t14[k], t10, t15, k);
+        t16[k] = jlt_jet_product(t6, t15, k);
+        t17[k] = jlt_jet_product(x4, t16, k);
+        t18[k] = p[1]*x0[k];
+        t19[k] = jlt_jet_product(x3, x3, k);
+        t20[k] = jlt_jet_product(t18, t19, k);
+        t21[k] = t17[k] + t20[k];
+        t22[k] = jlt_jet_product(x0, t19, k);
+        t23[k] = -t22[k];
+        t24[k] = jlt_jet_product(x3, t15, k);
+        t25[k] = jlt_jet_product(x4, t24, k);
+        t26[k] = t23[k] - t25[k];
+        t27[k] = jlt_jet_product(x2, x0, k);
+        t28[k] = jlt_jet_product(x3, t27, k);
+        t30[k] = x2[k]*t29;
+        t31[k] = jlt_jet_product(t15, t30, k);
+        t32[k] = jlt_jet_product(x4, t31, k);
+        t37[k] = jlt_jet_product(x0, x0, k);
+        t38[k] = t36*t37[k];
+        t40[k] = t38[k] + (k == 0 ? p[7] : 0);
+        t41[k] = t2[k]*t36;
+        t42[k] = t40[k] + t41[k];
+        t43[k] = jlt_jet_quotient(t32[k], t42, t43, k);
+        t44[k] = t28[k] + t43[k];
+        t47[k] = x0[k]*t46;
+        t48[k] = jlt_jet_product(x3, t47, k);
+        t50[k] = x2[k]*p[1];
+        t51[k] = x1[k] + t50[k];
+        t52[k] = jlt_jet_product(t48, t51, k);
+        t53[k] = jlt_jet_quotient(t52[k], t42, t53, k);
+        t54[k] = t44[k] - t53[k];
+        t55[k] = x2[k]*t36;
+        t56[k] = jlt_jet_product(t15, t55, k);
+        t57[k] = jlt_jet_product(x4, t56, k);
+        t58[k] = jlt_jet_quotient(t57[k], t42, t58, k);
+        t59[k] = t54[k] + t58[k];
+        t60[k] = jlt_jet_product(x4, t27, k);
+        t61[k] = -t60[k];
+        double *restrict next = coefficients + (k + 1)*6;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t21[k]/(k + 1);
+        next[2] = x2[k + 1] = t26[k]/(k + 1);
+        next[3] = x3[k + 1] = t59[k]/(k + 1);
+        next[4] = x4[k + 1] = t61[k]/(k + 1);
+        next[5] = x4[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -537,6 +660,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_equal_in_regular_on_level_G_omega3_baseline,

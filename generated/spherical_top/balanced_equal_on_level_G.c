@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -357,6 +358,96 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t8;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    const double t9 = p[1]*p[5];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    const double t30 = p[1]*p[0];
+    const double t31 = p[5]*t30;
+    double t32[JLT_JET_ORDER_MAX + 1];
+    const double t33 = p[1]*p[1];
+    const double t34 = p[0]*t33;
+    const double t35 = p[5]*t34;
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t10[k] = t5[k]*t9;
+        t12[k] = x0[k]*t9;
+        t14[k] = jlt_jet_product(t12, x3, k);
+        t15[k] = (k == 0 ? p[6] : 0) + t14[k];
+        t16[k] = jlt_jet_quotient(t15[k], t10, t16, k);
+        t17[k] = p[1]*t16[k];
+        t18[k] = jlt_jet_product(x3, t17, k);
+        t19[k] = x0[k]*p[1];
+        t20[k] = jlt_jet_product(t16, t16, k);
+        t21[k] = jlt_jet_product(t19, t20, k);
+        t22[k] = jlt_jet_quotient(t21[k], t5, t22, k);
+        t23[k] = t18[k] + t22[k];
+        t24[k] = jlt_jet_product(x0, t20, k);
+        t25[k] = jlt_jet_quotient(t24[k], t5, t25, k);
+        t26[k] = -t25[k];
+        t27[k] = jlt_jet_product(x3, t16, k);
+        t28[k] = t26[k] - t27[k];
+        t32[k] = t16[k]*t31;
+        t36[k] = t3[k]*t35;
+        t38[k] = t36[k] + (k == 0 ? p[7] : 0);
+        t39[k] = jlt_jet_product(t5, t5, k);
+        t40[k] = t35*t39[k];
+        t41[k] = t38[k] + t40[k];
+        t43[k] = x2[k]*p[1];
+        t44[k] = x1[k] + t43[k];
+        t45[k] = jlt_jet_product(t32, t44, k);
+        t46[k] = jlt_jet_quotient(t45[k], t41, t46, k);
+        t47[k] = -t46[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t23[k]/(k + 1);
+        next[2] = x2[k + 1] = t28[k]/(k + 1);
+        next[3] = x3[k + 1] = t47[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -447,6 +538,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G = {
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_equal_on_level_G_baseline,

@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -393,6 +394,123 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t8;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    const double t11 = p[1]*p[5];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    const double t32 = p[5]*p[5];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    const double t36 = p[1]*p[1];
+    const double t37 = p[0]*t36;
+    const double t38 = p[5]*t37;
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    const double t47 = p[1]*p[0];
+    const double t48 = p[5]*t47;
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t9[k] = p[1]*x3[k];
+        t12[k] = x0[k]*t11;
+        t14[k] = x3[k]*t11;
+        t15[k] = jlt_jet_product(t5, t14, k);
+        t16[k] = t15[k] - (k == 0 ? p[6] : 0);
+        t17[k] = jlt_jet_quotient(t16[k], t12, t17, k);
+        t18[k] = jlt_jet_product(t9, t17, k);
+        t19[k] = x0[k]*p[1];
+        t20[k] = jlt_jet_product(x3, x3, k);
+        t21[k] = jlt_jet_product(t19, t20, k);
+        t22[k] = jlt_jet_quotient(t21[k], t5, t22, k);
+        t23[k] = t18[k] + t22[k];
+        t24[k] = jlt_jet_product(x0, t20, k);
+        t25[k] = jlt_jet_quotient(t24[k], t5, t25, k);
+        t26[k] = -t25[k];
+        t27[k] = jlt_jet_product(x3, t17, k);
+        t28[k] = t26[k] - t27[k];
+        t29[k] = jlt_jet_product(x2, x0, k);
+        t30[k] = jlt_jet_product(x3, t29, k);
+        t31[k] = jlt_jet_quotient(t30[k], t5, t31, k);
+        t33[k] = x2[k]*t32;
+        t34[k] = jlt_jet_product(t17, t33, k);
+        t39[k] = t3[k]*t38;
+        t41[k] = t39[k] + (k == 0 ? p[7] : 0);
+        t42[k] = jlt_jet_product(t5, t5, k);
+        t43[k] = t38*t42[k];
+        t44[k] = t41[k] + t43[k];
+        t45[k] = jlt_jet_quotient(t34[k], t44, t45, k);
+        t46[k] = t31[k] + t45[k];
+        t49[k] = x0[k]*t48;
+        t50[k] = jlt_jet_product(x3, t49, k);
+        t51[k] = jlt_jet_product(t5, t44, k);
+        t53[k] = x2[k]*p[1];
+        t54[k] = x1[k] + t53[k];
+        t55[k] = jlt_jet_product(t50, t54, k);
+        t56[k] = jlt_jet_quotient(t55[k], t51, t56, k);
+        t57[k] = t46[k] - t56[k];
+        t58[k] = x2[k]*t38;
+        t59[k] = jlt_jet_product(t17, t58, k);
+        t60[k] = jlt_jet_quotient(t59[k], t44, t60, k);
+        t61[k] = t57[k] + t60[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t23[k]/(k + 1);
+        next[2] = x2[k + 1] = t28[k]/(k + 1);
+        next[3] = x3[k + 1] = t61[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -484,6 +602,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3 
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_equal_on_level_G_omega3_baseline,

@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -544,6 +545,148 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
     out[0] = x[5];
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double x5[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    const double t26 = p[5]*p[5];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    const double t32 = p[1]*p[1];
+    const double t33 = p[0]*t32;
+    const double t34 = p[4]*t33;
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    const double t37 = p[5]*t33;
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    const double t43 = p[1]*p[0];
+    const double t44 = p[5]*t43;
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    const double t58 = p[4]*t43;
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    double t62[JLT_JET_ORDER_MAX + 1];
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t64[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    double t66[JLT_JET_ORDER_MAX + 1];
+    double t68[JLT_JET_ORDER_MAX + 1];
+    double t69[JLT_JET_ORDER_MAX + 1];
+    double t70[JLT_JET_ORDER_MAX + 1];
+    double t71[JLT_JET_ORDER_MAX + 1];
+    double t72[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = x5[0] = x[5];
+    coefficients[6] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x5, x5, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t6[k] = p[1]*x3[k];
+        t8[k] = jlt_jet_product(t6, x4, k);
+        t9[k] = jlt_jet_product(x5, t8, k);
+        t11[k] = p[1]*x0[k];
+        t12[k] = jlt_jet_product(x3, x3, k);
+        t13[k] = jlt_jet_product(t11, t12, k);
+        t14[k] = t9[k] + t13[k];
+        t15[k] = jlt_jet_product(x0, t12, k);
+        t16[k] = -t15[k];
+        t19[k] = x3[k]*p[5];
+        t20[k] = jlt_jet_product(x4, t19, k);
+        t21[k] = jlt_jet_product(x5, t20, k);
+        t22[k] = t21[k]/p[4];
+        t23[k] = t16[k] - t22[k];
+        t24[k] = jlt_jet_product(x2, x0, k);
+        t25[k] = jlt_jet_product(x3, t24, k);
+        t27[k] = x2[k]*t26;
+        t28[k] = jlt_jet_product(x4, t27, k);
+        t29[k] = jlt_jet_product(x5, t28, k);
+        t35[k] = t2[k]*t34;
+        t36[k] = (k == 0 ? p[6] : 0) + t35[k];
+        t38[k] = jlt_jet_product(x0, x0, k);
+        t39[k] = t37*t38[k];
+        t40[k] = t36[k] + t39[k];
+        t41[k] = jlt_jet_quotient(t29[k], t40, t41, k);
+        t42[k] = t25[k] + t41[k];
+        t45[k] = x0[k]*t44;
+        t46[k] = jlt_jet_product(x3, t45, k);
+        t48[k] = x2[k]*p[1];
+        t49[k] = x1[k] + t48[k];
+        t50[k] = jlt_jet_product(t46, t49, k);
+        t51[k] = jlt_jet_quotient(t50[k], t40, t51, k);
+        t52[k] = t42[k] - t51[k];
+        t53[k] = x2[k]*t37;
+        t54[k] = jlt_jet_product(x4, t53, k);
+        t55[k] = jlt_jet_product(x5, t54, k);
+        t56[k] = jlt_jet_quotient(t55[k], t40, t56, k);
+        t57[k] = t52[k] + t56[k];
+        t59[k] = x3[k]*t58;
+        t60[k] = jlt_jet_product(x5, t59, k);
+        t61[k] = jlt_jet_product(t49, t60, k);
+        t62[k] = jlt_jet_quotient(t61[k], t40, t62, k);
+        t63[k] = x0[k]*t33;
+        t64[k] = jlt_jet_product(x2, t63, k);
+        t65[k] = jlt_jet_product(x4, t64, k);
+        t66[k] = jlt_jet_product(t2, t65, k);
+        t68[k] = t66[k]*p[7];
+        t69[k] = jlt_jet_quotient(t68[k], t40, t69, k);
+        t70[k] = t69[k] - t62[k];
+        t71[k] = jlt_jet_product(x5, t24, k);
+        t72[k] = -t71[k];
+        double *restrict next = coefficients + (k + 1)*7;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t14[k]/(k + 1);
+        next[2] = x2[k + 1] = t23[k]/(k + 1);
+        next[3] = x3[k + 1] = t57[k]/(k + 1);
+        next[4] = x4[k + 1] = t70[k]/(k + 1);
+        next[5] = x5[k + 1] = t72[k]/(k + 1);
+        next[6] = x5[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -639,6 +782,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_in_regular_baseline,

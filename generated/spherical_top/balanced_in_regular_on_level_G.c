@@ -21,6 +21,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -535,6 +536,123 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t4;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    const double t6 = p[1]*p[4];
+    double t7[JLT_JET_ORDER_MAX + 1];
+    const double t10 = p[1]*p[5];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    const double t32 = p[1]*p[0];
+    const double t33 = p[4]*t32;
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    const double t37 = p[1]*p[1];
+    const double t38 = p[0]*t37;
+    const double t39 = p[4]*t38;
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    const double t42 = p[5]*t38;
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x4, x4, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t7[k] = x4[k]*t6;
+        t12[k] = t10*x0[k];
+        t14[k] = jlt_jet_product(t12, x3, k);
+        t15[k] = (k == 0 ? p[6] : 0) + t14[k];
+        t16[k] = jlt_jet_quotient(t15[k], t7, t16, k);
+        t17[k] = p[1]*t16[k];
+        t18[k] = jlt_jet_product(x3, t17, k);
+        t19[k] = jlt_jet_product(x4, t18, k);
+        t20[k] = p[1]*x0[k];
+        t21[k] = jlt_jet_product(t16, t16, k);
+        t22[k] = jlt_jet_product(t20, t21, k);
+        t23[k] = t19[k] + t22[k];
+        t24[k] = jlt_jet_product(x0, t21, k);
+        t25[k] = -t24[k];
+        t26[k] = p[5]*t16[k];
+        t27[k] = jlt_jet_product(x3, t26, k);
+        t28[k] = jlt_jet_product(x4, t27, k);
+        t29[k] = t28[k]/p[4];
+        t30[k] = t25[k] - t29[k];
+        t34[k] = t16[k]*t33;
+        t35[k] = jlt_jet_product(x4, t34, k);
+        t40[k] = t2[k]*t39;
+        t41[k] = (k == 0 ? p[7] : 0) + t40[k];
+        t43[k] = jlt_jet_product(x0, x0, k);
+        t44[k] = t42*t43[k];
+        t45[k] = t41[k] + t44[k];
+        t47[k] = x2[k]*p[1];
+        t48[k] = x1[k] + t47[k];
+        t49[k] = jlt_jet_product(t35, t48, k);
+        t50[k] = jlt_jet_quotient(t49[k], t45, t50, k);
+        t51[k] = x0[k]*t38;
+        t52[k] = jlt_jet_product(x2, t51, k);
+        t53[k] = jlt_jet_product(x3, t52, k);
+        t54[k] = jlt_jet_product(t2, t53, k);
+        t56[k] = t54[k]*p[8];
+        t57[k] = jlt_jet_quotient(t56[k], t45, t57, k);
+        t58[k] = t57[k] - t50[k];
+        t59[k] = jlt_jet_product(x2, x0, k);
+        t60[k] = jlt_jet_product(x4, t59, k);
+        t61[k] = -t60[k];
+        double *restrict next = coefficients + (k + 1)*6;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t23[k]/(k + 1);
+        next[2] = x2[k + 1] = t30[k]/(k + 1);
+        next[3] = x3[k + 1] = t58[k]/(k + 1);
+        next[4] = x4[k + 1] = t61[k]/(k + 1);
+        next[5] = x4[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -627,6 +745,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G = 
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_in_regular_on_level_G_baseline,

@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -460,6 +461,114 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t8;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    const double t9 = p[1]*p[4];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    const double t13 = p[1]*p[5];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    const double t34 = p[1]*p[0];
+    const double t35 = p[4]*t34;
+    double t36[JLT_JET_ORDER_MAX + 1];
+    const double t38 = p[1]*p[1];
+    const double t39 = p[0]*t38;
+    const double t40 = p[4]*t39;
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    const double t44 = p[5]*t39;
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t10[k] = t5[k]*t9;
+        t14[k] = x0[k]*t13;
+        t16[k] = jlt_jet_product(t14, x3, k);
+        t17[k] = (k == 0 ? p[6] : 0) + t16[k];
+        t18[k] = jlt_jet_quotient(t17[k], t10, t18, k);
+        t19[k] = p[1]*t18[k];
+        t20[k] = jlt_jet_product(x3, t19, k);
+        t21[k] = x0[k]*p[1];
+        t22[k] = jlt_jet_product(t18, t18, k);
+        t23[k] = jlt_jet_product(t21, t22, k);
+        t24[k] = jlt_jet_quotient(t23[k], t5, t24, k);
+        t25[k] = t20[k] + t24[k];
+        t26[k] = jlt_jet_product(x0, t22, k);
+        t27[k] = jlt_jet_quotient(t26[k], t5, t27, k);
+        t28[k] = -t27[k];
+        t29[k] = p[5]*t18[k];
+        t30[k] = jlt_jet_product(x3, t29, k);
+        t31[k] = t30[k]/p[4];
+        t32[k] = t28[k] - t31[k];
+        t36[k] = t18[k]*t35;
+        t41[k] = jlt_jet_product(t5, t5, k);
+        t42[k] = t40*t41[k];
+        t43[k] = (k == 0 ? p[7] : 0) + t42[k];
+        t45[k] = t3[k]*t44;
+        t46[k] = t43[k] + t45[k];
+        t48[k] = x2[k]*p[1];
+        t49[k] = x1[k] + t48[k];
+        t50[k] = jlt_jet_product(t36, t49, k);
+        t51[k] = jlt_jet_quotient(t50[k], t46, t51, k);
+        t52[k] = x0[k]*t39;
+        t53[k] = jlt_jet_product(x2, t52, k);
+        t54[k] = jlt_jet_product(x3, t53, k);
+        t55[k] = jlt_jet_product(t5, t54, k);
+        t57[k] = t55[k]*p[8];
+        t58[k] = jlt_jet_quotient(t57[k], t46, t58, k);
+        t59[k] = t58[k] - t51[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t25[k]/(k + 1);
+        next[2] = x2[k + 1] = t32[k]/(k + 1);
+        next[3] = x3[k + 1] = t59[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -549,6 +658,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G = {
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_on_level_G_baseline,

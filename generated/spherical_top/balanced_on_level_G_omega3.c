@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -470,6 +471,129 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t8;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    const double t11 = p[1]*p[5];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    const double t15 = p[1]*p[4];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    const double t36 = p[5]*p[5];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    const double t41 = p[1]*p[1];
+    const double t42 = p[0]*t41;
+    const double t43 = p[4]*t42;
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    const double t47 = p[5]*t42;
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    const double t52 = p[1]*p[0];
+    const double t53 = p[5]*t52;
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    double t62[JLT_JET_ORDER_MAX + 1];
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t64[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    double t66[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t9[k] = p[1]*x3[k];
+        t12[k] = x0[k]*t11;
+        t16[k] = x3[k]*t15;
+        t17[k] = jlt_jet_product(t5, t16, k);
+        t18[k] = t17[k] - (k == 0 ? p[6] : 0);
+        t19[k] = jlt_jet_quotient(t18[k], t12, t19, k);
+        t20[k] = jlt_jet_product(t9, t19, k);
+        t21[k] = x0[k]*p[1];
+        t22[k] = jlt_jet_product(x3, x3, k);
+        t23[k] = jlt_jet_product(t21, t22, k);
+        t24[k] = jlt_jet_quotient(t23[k], t5, t24, k);
+        t25[k] = t20[k] + t24[k];
+        t26[k] = jlt_jet_product(x0, t22, k);
+        t27[k] = jlt_jet_quotient(t26[k], t5, t27, k);
+        t28[k] = -t27[k];
+        t29[k] = x3[k]*p[5];
+        t30[k] = jlt_jet_product(t19, t29, k);
+        t31[k] = t30[k]/p[4];
+        t32[k] = t28[k] - t31[k];
+        t33[k] = jlt_jet_product(x2, x0, k);
+        t34[k] = jlt_jet_product(x3, t33, k);
+        t35[k] = jlt_jet_quotient(t34[k], t5, t35, k);
+        t37[k] = x2[k]*t36;
+        t38[k] = jlt_jet_product(t19, t37, k);
+        t44[k] = jlt_jet_product(t5, t5, k);
+        t45[k] = t43*t44[k];
+        t46[k] = (k == 0 ? p[7] : 0) + t45[k];
+        t48[k] = t3[k]*t47;
+        t49[k] = t46[k] + t48[k];
+        t50[k] = jlt_jet_quotient(t38[k], t49, t50, k);
+        t51[k] = t35[k] + t50[k];
+        t54[k] = x0[k]*t53;
+        t55[k] = jlt_jet_product(x3, t54, k);
+        t56[k] = jlt_jet_product(t5, t49, k);
+        t58[k] = x2[k]*p[1];
+        t59[k] = x1[k] + t58[k];
+        t60[k] = jlt_jet_product(t55, t59, k);
+        t61[k] = jlt_jet_quotient(t60[k], t56, t61, k);
+        t62[k] = t51[k] - t61[k];
+        t63[k] = x2[k]*t47;
+        t64[k] = jlt_jet_product(t19, t63, k);
+        t65[k] = jlt_jet_quotient(t64[k], t49, t65, k);
+        t66[k] = t62[k] + t65[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t25[k]/(k + 1);
+        next[2] = x2[k + 1] = t32[k]/(k + 1);
+        next[3] = x3[k + 1] = t66[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -560,6 +684,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3 = {
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_balanced_on_level_G_omega3_baseline,

@@ -16,6 +16,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -554,6 +555,191 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[7] = 0.0;
     out[8] = t28;
     out[9] = t29;
+}
+
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    const double t20 = p[3]*p[3];
+    const double t21 = p[0]*t20;
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    const double t32 = p[0]*p[2];
+    const double t33 = p[3]*t32;
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    const double t50 = p[0]*p[5];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    const double t54 = p[1]*p[1];
+    const double t55 = p[0]*t54;
+    const double t56 = p[4]*t55;
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    double t62[JLT_JET_ORDER_MAX + 1];
+    double t64[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    double t66[JLT_JET_ORDER_MAX + 1];
+    double t67[JLT_JET_ORDER_MAX + 1];
+    double t68[JLT_JET_ORDER_MAX + 1];
+    double t69[JLT_JET_ORDER_MAX + 1];
+    double t70[JLT_JET_ORDER_MAX + 1];
+    const double t71 = p[5]*p[5];
+    double t72[JLT_JET_ORDER_MAX + 1];
+    double t73[JLT_JET_ORDER_MAX + 1];
+    double t74[JLT_JET_ORDER_MAX + 1];
+    double t75[JLT_JET_ORDER_MAX + 1];
+    const double t76 = p[1]*p[0];
+    const double t77 = p[5]*t76;
+    double t78[JLT_JET_ORDER_MAX + 1];
+    double t79[JLT_JET_ORDER_MAX + 1];
+    double t80[JLT_JET_ORDER_MAX + 1];
+    double t81[JLT_JET_ORDER_MAX + 1];
+    double t82[JLT_JET_ORDER_MAX + 1];
+    const double t83 = p[4]*t76;
+    double t84[JLT_JET_ORDER_MAX + 1];
+    double t85[JLT_JET_ORDER_MAX + 1];
+    double t86[JLT_JET_ORDER_MAX + 1];
+    double t87[JLT_JET_ORDER_MAX + 1];
+    double t88[JLT_JET_ORDER_MAX + 1];
+    double t89[JLT_JET_ORDER_MAX + 1];
+    double t90[JLT_JET_ORDER_MAX + 1];
+    double t92[JLT_JET_ORDER_MAX + 1];
+    double t93[JLT_JET_ORDER_MAX + 1];
+    double t94[JLT_JET_ORDER_MAX + 1];
+    const double t95 = p[3]*t76;
+    const double t96 = p[5]*t95;
+    double t97[JLT_JET_ORDER_MAX + 1];
+    double t98[JLT_JET_ORDER_MAX + 1];
+    double t99[JLT_JET_ORDER_MAX + 1];
+    double t100[JLT_JET_ORDER_MAX + 1];
+    double t101[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t8[k] = jlt_jet_product(x3, x3, k);
+        t11[k] = x0[k]*p[1];
+        t12[k] = (k == 0 ? p[3] : 0) + t11[k];
+        t13[k] = jlt_jet_product(t8, t12, k);
+        t14[k] = jlt_jet_quotient(t13[k], t5, t14, k);
+        t15[k] = x3[k]*p[1];
+        t17[k] = jlt_jet_product(t15, x4, k);
+        t18[k] = t14[k] + t17[k];
+        t22[k] = x0[k]*t21;
+        t23[k] = jlt_jet_product(x2, x2, k);
+        t24[k] = jlt_jet_product(t22, t23, k);
+        t25[k] = jlt_jet_product(t5, t24, k);
+        t27[k] = jlt_jet_product(t5, t5, k);
+        t28[k] = t21*t27[k];
+        t29[k] = (k == 0 ? p[4] : 0) + t28[k];
+        t30[k] = jlt_jet_quotient(t25[k], t29, t30, k);
+        t34[k] = t5[k]*t33;
+        t35[k] = jlt_jet_quotient(t34[k], t29, t35, k);
+        t36[k] = t30[k] - t35[k];
+        t37[k] = x0[k]*p[4];
+        t38[k] = jlt_jet_product(t8, t37, k);
+        t39[k] = jlt_jet_product(t5, t29, k);
+        t40[k] = jlt_jet_quotient(t38[k], t39, t40, k);
+        t41[k] = t36[k] - t40[k];
+        t43[k] = x3[k]*p[5];
+        t44[k] = jlt_jet_product(x4, t43, k);
+        t45[k] = jlt_jet_quotient(t44[k], t29, t45, k);
+        t46[k] = t41[k] - t45[k];
+        t47[k] = jlt_jet_product(x2, x0, k);
+        t48[k] = jlt_jet_product(x3, t47, k);
+        t49[k] = jlt_jet_quotient(t48[k], t5, t49, k);
+        t51[k] = x3[k]*t50;
+        t52[k] = jlt_jet_product(t12, t51, k);
+        t57[k] = t27[k]*t56;
+        t58[k] = (k == 0 ? p[6] : 0) + t57[k];
+        t59[k] = jlt_jet_product(t12, t12, k);
+        t60[k] = t50*t59[k];
+        t61[k] = t58[k] + t60[k];
+        t62[k] = jlt_jet_product(t5, t61, k);
+        t64[k] = x0[k]*p[3];
+        t65[k] = (k == 0 ? p[1] : 0) + t64[k];
+        t66[k] = jlt_jet_product(x2, t65, k);
+        t67[k] = x1[k] + t66[k];
+        t68[k] = jlt_jet_product(t52, t67, k);
+        t69[k] = jlt_jet_quotient(t68[k], t62, t69, k);
+        t70[k] = t49[k] - t69[k];
+        t72[k] = x2[k]*t71;
+        t73[k] = jlt_jet_product(x4, t72, k);
+        t74[k] = jlt_jet_quotient(t73[k], t61, t74, k);
+        t75[k] = t70[k] + t74[k];
+        t78[k] = x2[k]*t77;
+        t79[k] = jlt_jet_product(x4, t78, k);
+        t80[k] = jlt_jet_product(t65, t79, k);
+        t81[k] = jlt_jet_quotient(t80[k], t61, t81, k);
+        t82[k] = t75[k] + t81[k];
+        t84[k] = x3[k]*t83;
+        t85[k] = jlt_jet_product(t67, t84, k);
+        t86[k] = jlt_jet_quotient(t85[k], t61, t86, k);
+        t87[k] = x0[k]*t55;
+        t88[k] = jlt_jet_product(x2, t87, k);
+        t89[k] = jlt_jet_product(x4, t88, k);
+        t90[k] = jlt_jet_product(t5, t89, k);
+        t92[k] = t90[k]*p[7];
+        t93[k] = jlt_jet_quotient(t92[k], t61, t93, k);
+        t94[k] = t93[k] - t86[k];
+        t97[k] = x2[k]*t96;
+        t98[k] = jlt_jet_product(x4, t97, k);
+        t99[k] = jlt_jet_product(t5, t98, k);
+        t100[k] = jlt_jet_quotient(t99[k], t61, t100, k);
+        t101[k] = t94[k] - t100[k];
+        double *restrict next = coefficients + (k + 1)*5;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t18[k]/(k + 1);
+        next[2] = x2[k + 1] = t46[k]/(k + 1);
+        next[3] = x3[k + 1] = t82[k]/(k + 1);
+        next[4] = x4[k + 1] = t101[k]/(k + 1);
+    }
 }
 
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
@@ -1128,6 +1314,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .integral_count = 2, .measure_count = 0, .equilibria_count = 3,
     .integrals = integrals,
     .equilibria = equilibria,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_general_baseline,

@@ -18,6 +18,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -633,6 +634,196 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
     out[0] = x[5];
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double x5[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    const double t18 = p[3]*p[3];
+    const double t19 = p[0]*t18;
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    const double t29 = p[0]*p[2];
+    const double t30 = p[3]*t29;
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    const double t46 = p[0]*p[5];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    const double t50 = p[1]*p[1];
+    const double t51 = p[0]*t50;
+    const double t52 = p[4]*t51;
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    double t62[JLT_JET_ORDER_MAX + 1];
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t64[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    const double t66 = p[5]*p[5];
+    double t67[JLT_JET_ORDER_MAX + 1];
+    double t68[JLT_JET_ORDER_MAX + 1];
+    double t69[JLT_JET_ORDER_MAX + 1];
+    double t70[JLT_JET_ORDER_MAX + 1];
+    double t71[JLT_JET_ORDER_MAX + 1];
+    const double t72 = p[1]*p[0];
+    const double t73 = p[5]*t72;
+    double t74[JLT_JET_ORDER_MAX + 1];
+    double t75[JLT_JET_ORDER_MAX + 1];
+    double t76[JLT_JET_ORDER_MAX + 1];
+    double t77[JLT_JET_ORDER_MAX + 1];
+    double t78[JLT_JET_ORDER_MAX + 1];
+    double t79[JLT_JET_ORDER_MAX + 1];
+    const double t80 = p[4]*t72;
+    double t81[JLT_JET_ORDER_MAX + 1];
+    double t82[JLT_JET_ORDER_MAX + 1];
+    double t83[JLT_JET_ORDER_MAX + 1];
+    double t84[JLT_JET_ORDER_MAX + 1];
+    double t85[JLT_JET_ORDER_MAX + 1];
+    double t86[JLT_JET_ORDER_MAX + 1];
+    double t87[JLT_JET_ORDER_MAX + 1];
+    double t88[JLT_JET_ORDER_MAX + 1];
+    double t90[JLT_JET_ORDER_MAX + 1];
+    double t91[JLT_JET_ORDER_MAX + 1];
+    double t92[JLT_JET_ORDER_MAX + 1];
+    const double t93 = p[3]*t72;
+    const double t94 = p[5]*t93;
+    double t95[JLT_JET_ORDER_MAX + 1];
+    double t96[JLT_JET_ORDER_MAX + 1];
+    double t97[JLT_JET_ORDER_MAX + 1];
+    double t98[JLT_JET_ORDER_MAX + 1];
+    double t99[JLT_JET_ORDER_MAX + 1];
+    double t100[JLT_JET_ORDER_MAX + 1];
+    double t101[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = x5[0] = x[5];
+    coefficients[6] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x5, x5, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t5[k] = jlt_jet_product(x3, x3, k);
+        t9[k] = p[1]*x0[k];
+        t10[k] = (k == 0 ? p[3] : 0) + t9[k];
+        t11[k] = jlt_jet_product(t5, t10, k);
+        t12[k] = x3[k]*p[1];
+        t14[k] = jlt_jet_product(t12, x4, k);
+        t15[k] = jlt_jet_product(x5, t14, k);
+        t16[k] = t11[k] + t15[k];
+        t20[k] = x0[k]*t19;
+        t21[k] = jlt_jet_product(x2, x2, k);
+        t22[k] = jlt_jet_product(t20, t21, k);
+        t23[k] = jlt_jet_product(t2, t22, k);
+        t25[k] = t2[k]*t19;
+        t26[k] = (k == 0 ? p[4] : 0) + t25[k];
+        t27[k] = jlt_jet_quotient(t23[k], t26, t27, k);
+        t31[k] = t2[k]*t30;
+        t32[k] = jlt_jet_quotient(t31[k], t26, t32, k);
+        t33[k] = t27[k] - t32[k];
+        t34[k] = x0[k]*p[4];
+        t35[k] = jlt_jet_product(t5, t34, k);
+        t36[k] = jlt_jet_quotient(t35[k], t26, t36, k);
+        t37[k] = t33[k] - t36[k];
+        t39[k] = x3[k]*p[5];
+        t40[k] = jlt_jet_product(x4, t39, k);
+        t41[k] = jlt_jet_product(x5, t40, k);
+        t42[k] = jlt_jet_quotient(t41[k], t26, t42, k);
+        t43[k] = t37[k] - t42[k];
+        t44[k] = jlt_jet_product(x2, x0, k);
+        t45[k] = jlt_jet_product(x3, t44, k);
+        t47[k] = x3[k]*t46;
+        t48[k] = jlt_jet_product(t10, t47, k);
+        t53[k] = t2[k]*t52;
+        t54[k] = (k == 0 ? p[6] : 0) + t53[k];
+        t55[k] = jlt_jet_product(t10, t10, k);
+        t56[k] = t46*t55[k];
+        t57[k] = t54[k] + t56[k];
+        t59[k] = p[3]*x0[k];
+        t60[k] = (k == 0 ? p[1] : 0) + t59[k];
+        t61[k] = jlt_jet_product(x2, t60, k);
+        t62[k] = x1[k] + t61[k];
+        t63[k] = jlt_jet_product(t48, t62, k);
+        t64[k] = jlt_jet_quotient(t63[k], t57, t64, k);
+        t65[k] = t45[k] - t64[k];
+        t67[k] = x2[k]*t66;
+        t68[k] = jlt_jet_product(x4, t67, k);
+        t69[k] = jlt_jet_product(x5, t68, k);
+        t70[k] = jlt_jet_quotient(t69[k], t57, t70, k);
+        t71[k] = t65[k] + t70[k];
+        t74[k] = x2[k]*t73;
+        t75[k] = jlt_jet_product(x4, t74, k);
+        t76[k] = jlt_jet_product(x5, t75, k);
+        t77[k] = jlt_jet_product(t60, t76, k);
+        t78[k] = jlt_jet_quotient(t77[k], t57, t78, k);
+        t79[k] = t71[k] + t78[k];
+        t81[k] = x3[k]*t80;
+        t82[k] = jlt_jet_product(x5, t81, k);
+        t83[k] = jlt_jet_product(t62, t82, k);
+        t84[k] = jlt_jet_quotient(t83[k], t57, t84, k);
+        t85[k] = x0[k]*t51;
+        t86[k] = jlt_jet_product(x2, t85, k);
+        t87[k] = jlt_jet_product(x4, t86, k);
+        t88[k] = jlt_jet_product(t2, t87, k);
+        t90[k] = t88[k]*p[7];
+        t91[k] = jlt_jet_quotient(t90[k], t57, t91, k);
+        t92[k] = t91[k] - t84[k];
+        t95[k] = x2[k]*t94;
+        t96[k] = jlt_jet_product(x4, t95, k);
+        t97[k] = jlt_jet_product(t2, t96, k);
+        t98[k] = jlt_jet_quotient(t97[k], t57, t98, k);
+        t99[k] = t92[k] - t98[k];
+        t100[k] = jlt_jet_product(x5, t44, k);
+        t101[k] = -t100[k];
+        double *restrict next = coefficients + (k + 1)*7;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t16[k]/(k + 1);
+        next[2] = x2[k + 1] = t43[k]/(k + 1);
+        next[3] = x3[k + 1] = t79[k]/(k + 1);
+        next[4] = x4[k + 1] = t99[k]/(k + 1);
+        next[5] = x5[k + 1] = t101[k]/(k + 1);
+        next[6] = x5[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -726,6 +917,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_general_in_regular_baseline,

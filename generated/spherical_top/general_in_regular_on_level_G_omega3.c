@@ -20,6 +20,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -593,6 +594,169 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t5;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    const double t17 = p[1]*p[4];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    const double t26 = p[3]*p[3];
+    const double t27 = p[0]*t26;
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    const double t36 = p[0]*p[2];
+    const double t37 = p[3]*t36;
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    const double t52 = p[5]*p[0];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    const double t56 = p[1]*p[1];
+    const double t57 = p[0]*t56;
+    const double t58 = p[4]*t57;
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    double t62[JLT_JET_ORDER_MAX + 1];
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    double t66[JLT_JET_ORDER_MAX + 1];
+    double t67[JLT_JET_ORDER_MAX + 1];
+    double t68[JLT_JET_ORDER_MAX + 1];
+    double t69[JLT_JET_ORDER_MAX + 1];
+    double t70[JLT_JET_ORDER_MAX + 1];
+    double t71[JLT_JET_ORDER_MAX + 1];
+    const double t72 = p[5]*p[5];
+    double t73[JLT_JET_ORDER_MAX + 1];
+    double t74[JLT_JET_ORDER_MAX + 1];
+    double t75[JLT_JET_ORDER_MAX + 1];
+    double t76[JLT_JET_ORDER_MAX + 1];
+    double t77[JLT_JET_ORDER_MAX + 1];
+    const double t78 = p[1]*p[0];
+    const double t79 = p[5]*t78;
+    double t80[JLT_JET_ORDER_MAX + 1];
+    double t81[JLT_JET_ORDER_MAX + 1];
+    double t82[JLT_JET_ORDER_MAX + 1];
+    double t83[JLT_JET_ORDER_MAX + 1];
+    double t84[JLT_JET_ORDER_MAX + 1];
+    double t85[JLT_JET_ORDER_MAX + 1];
+    double t86[JLT_JET_ORDER_MAX + 1];
+    double t87[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x4, x4, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t5[k] = jlt_jet_product(x3, x3, k);
+        t9[k] = p[1]*x0[k];
+        t10[k] = (k == 0 ? p[3] : 0) + t9[k];
+        t11[k] = jlt_jet_product(t5, t10, k);
+        t12[k] = x3[k]*p[1];
+        t14[k] = t10[k]*p[5];
+        t18[k] = x3[k]*t17;
+        t19[k] = jlt_jet_product(x4, t18, k);
+        t20[k] = t19[k] - (k == 0 ? p[6] : 0);
+        t21[k] = jlt_jet_quotient(t20[k], t14, t21, k);
+        t22[k] = jlt_jet_product(t12, t21, k);
+        t23[k] = jlt_jet_product(x4, t22, k);
+        t24[k] = t11[k] + t23[k];
+        t28[k] = x0[k]*t27;
+        t29[k] = jlt_jet_product(x2, x2, k);
+        t30[k] = jlt_jet_product(t28, t29, k);
+        t31[k] = jlt_jet_product(t2, t30, k);
+        t32[k] = t2[k]*t27;
+        t33[k] = (k == 0 ? p[4] : 0) + t32[k];
+        t34[k] = jlt_jet_quotient(t31[k], t33, t34, k);
+        t38[k] = t2[k]*t37;
+        t39[k] = jlt_jet_quotient(t38[k], t33, t39, k);
+        t40[k] = t34[k] - t39[k];
+        t41[k] = x0[k]*p[4];
+        t42[k] = jlt_jet_product(t5, t41, k);
+        t43[k] = jlt_jet_quotient(t42[k], t33, t43, k);
+        t44[k] = t40[k] - t43[k];
+        t45[k] = x3[k]*p[5];
+        t46[k] = jlt_jet_product(t21, t45, k);
+        t47[k] = jlt_jet_product(x4, t46, k);
+        t48[k] = jlt_jet_quotient(t47[k], t33, t48, k);
+        t49[k] = t44[k] - t48[k];
+        t50[k] = jlt_jet_product(x2, x0, k);
+        t51[k] = jlt_jet_product(x3, t50, k);
+        t53[k] = x3[k]*t52;
+        t54[k] = jlt_jet_product(t10, t53, k);
+        t59[k] = t2[k]*t58;
+        t60[k] = (k == 0 ? p[7] : 0) + t59[k];
+        t61[k] = jlt_jet_product(t10, t10, k);
+        t62[k] = t52*t61[k];
+        t63[k] = t60[k] + t62[k];
+        t65[k] = p[3]*x0[k];
+        t66[k] = (k == 0 ? p[1] : 0) + t65[k];
+        t67[k] = jlt_jet_product(x2, t66, k);
+        t68[k] = x1[k] + t67[k];
+        t69[k] = jlt_jet_product(t54, t68, k);
+        t70[k] = jlt_jet_quotient(t69[k], t63, t70, k);
+        t71[k] = t51[k] - t70[k];
+        t73[k] = x2[k]*t72;
+        t74[k] = jlt_jet_product(t21, t73, k);
+        t75[k] = jlt_jet_product(x4, t74, k);
+        t76[k] = jlt_jet_quotient(t75[k], t63, t76, k);
+        t77[k] = t71[k] + t76[k];
+        t80[k] = x2[k]*t79;
+        t81[k] = jlt_jet_product(t21, t80, k);
+        t82[k] = jlt_jet_product(x4, t81, k);
+        t83[k] = jlt_jet_product(t66, t82, k);
+        t84[k] = jlt_jet_quotient(t83[k], t63, t84, k);
+        t85[k] = t77[k] + t84[k];
+        t86[k] = jlt_jet_product(x4, t50, k);
+        t87[k] = -t86[k];
+        double *restrict next = coefficients + (k + 1)*6;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t24[k]/(k + 1);
+        next[2] = x2[k + 1] = t49[k]/(k + 1);
+        next[3] = x3[k + 1] = t85[k]/(k + 1);
+        next[4] = x4[k + 1] = t87[k]/(k + 1);
+        next[5] = x4[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -684,6 +848,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_ome
         "divides by b: grows without bound, and so do rounding errors, where it vanishes" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_general_in_regular_on_level_G_omega3_baseline,

@@ -18,6 +18,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -549,6 +550,161 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t9;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    const double t9 = p[1]*p[4];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    const double t28 = p[3]*p[3];
+    const double t29 = p[0]*t28;
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    const double t39 = p[0]*p[2];
+    const double t40 = p[3]*t39;
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    const double t53 = p[1]*p[0];
+    const double t54 = p[4]*t53;
+    double t55[JLT_JET_ORDER_MAX + 1];
+    const double t57 = p[1]*p[1];
+    const double t58 = p[0]*t57;
+    const double t59 = p[4]*t58;
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    const double t62 = p[5]*p[0];
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t64[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    double t67[JLT_JET_ORDER_MAX + 1];
+    double t68[JLT_JET_ORDER_MAX + 1];
+    double t69[JLT_JET_ORDER_MAX + 1];
+    double t70[JLT_JET_ORDER_MAX + 1];
+    double t71[JLT_JET_ORDER_MAX + 1];
+    double t72[JLT_JET_ORDER_MAX + 1];
+    double t73[JLT_JET_ORDER_MAX + 1];
+    double t74[JLT_JET_ORDER_MAX + 1];
+    double t75[JLT_JET_ORDER_MAX + 1];
+    double t76[JLT_JET_ORDER_MAX + 1];
+    double t78[JLT_JET_ORDER_MAX + 1];
+    double t79[JLT_JET_ORDER_MAX + 1];
+    double t80[JLT_JET_ORDER_MAX + 1];
+    const double t81 = p[3]*t53;
+    const double t82 = p[5]*t81;
+    double t83[JLT_JET_ORDER_MAX + 1];
+    double t84[JLT_JET_ORDER_MAX + 1];
+    double t85[JLT_JET_ORDER_MAX + 1];
+    double t86[JLT_JET_ORDER_MAX + 1];
+    double t87[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t10[k] = t5[k]*t9;
+        t14[k] = p[5]*x3[k];
+        t16[k] = x0[k]*p[1];
+        t17[k] = (k == 0 ? p[3] : 0) + t16[k];
+        t18[k] = jlt_jet_product(t14, t17, k);
+        t19[k] = (k == 0 ? p[6] : 0) + t18[k];
+        t20[k] = jlt_jet_quotient(t19[k], t10, t20, k);
+        t21[k] = jlt_jet_product(t20, t20, k);
+        t22[k] = jlt_jet_product(t17, t21, k);
+        t23[k] = jlt_jet_quotient(t22[k], t5, t23, k);
+        t24[k] = p[1]*t20[k];
+        t25[k] = jlt_jet_product(x3, t24, k);
+        t26[k] = t23[k] + t25[k];
+        t30[k] = x0[k]*t29;
+        t31[k] = jlt_jet_product(x2, x2, k);
+        t32[k] = jlt_jet_product(t30, t31, k);
+        t33[k] = jlt_jet_product(t5, t32, k);
+        t34[k] = jlt_jet_product(t5, t5, k);
+        t35[k] = t29*t34[k];
+        t36[k] = (k == 0 ? p[4] : 0) + t35[k];
+        t37[k] = jlt_jet_quotient(t33[k], t36, t37, k);
+        t41[k] = t5[k]*t40;
+        t42[k] = jlt_jet_quotient(t41[k], t36, t42, k);
+        t43[k] = t37[k] - t42[k];
+        t44[k] = x0[k]*p[4];
+        t45[k] = jlt_jet_product(t21, t44, k);
+        t46[k] = jlt_jet_product(t5, t36, k);
+        t47[k] = jlt_jet_quotient(t45[k], t46, t47, k);
+        t48[k] = t43[k] - t47[k];
+        t49[k] = p[5]*t20[k];
+        t50[k] = jlt_jet_product(x3, t49, k);
+        t51[k] = jlt_jet_quotient(t50[k], t36, t51, k);
+        t52[k] = t48[k] - t51[k];
+        t55[k] = t20[k]*t54;
+        t60[k] = t34[k]*t59;
+        t61[k] = (k == 0 ? p[7] : 0) + t60[k];
+        t63[k] = jlt_jet_product(t17, t17, k);
+        t64[k] = t62*t63[k];
+        t65[k] = t61[k] + t64[k];
+        t67[k] = x0[k]*p[3];
+        t68[k] = (k == 0 ? p[1] : 0) + t67[k];
+        t69[k] = jlt_jet_product(x2, t68, k);
+        t70[k] = x1[k] + t69[k];
+        t71[k] = jlt_jet_product(t55, t70, k);
+        t72[k] = jlt_jet_quotient(t71[k], t65, t72, k);
+        t73[k] = x0[k]*t58;
+        t74[k] = jlt_jet_product(x2, t73, k);
+        t75[k] = jlt_jet_product(x3, t74, k);
+        t76[k] = jlt_jet_product(t5, t75, k);
+        t78[k] = t76[k]*p[8];
+        t79[k] = jlt_jet_quotient(t78[k], t65, t79, k);
+        t80[k] = t79[k] - t72[k];
+        t83[k] = x2[k]*t82;
+        t84[k] = jlt_jet_product(x3, t83, k);
+        t85[k] = jlt_jet_product(t5, t84, k);
+        t86[k] = jlt_jet_quotient(t85[k], t65, t86, k);
+        t87[k] = t80[k] - t86[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t26[k]/(k + 1);
+        next[2] = x2[k + 1] = t52[k]/(k + 1);
+        next[3] = x3[k + 1] = t87[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -636,6 +792,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G = {
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_general_on_level_G_baseline,

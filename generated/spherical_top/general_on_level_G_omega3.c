@@ -18,6 +18,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -555,6 +556,166 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t9;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    const double t20 = p[1]*p[4];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    const double t28 = p[3]*p[3];
+    const double t29 = p[0]*t28;
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    const double t39 = p[0]*p[2];
+    const double t40 = p[3]*t39;
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    const double t56 = p[5]*p[0];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    const double t60 = p[1]*p[1];
+    const double t61 = p[0]*t60;
+    const double t62 = p[4]*t61;
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t64[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    double t66[JLT_JET_ORDER_MAX + 1];
+    double t67[JLT_JET_ORDER_MAX + 1];
+    double t68[JLT_JET_ORDER_MAX + 1];
+    double t70[JLT_JET_ORDER_MAX + 1];
+    double t71[JLT_JET_ORDER_MAX + 1];
+    double t72[JLT_JET_ORDER_MAX + 1];
+    double t73[JLT_JET_ORDER_MAX + 1];
+    double t74[JLT_JET_ORDER_MAX + 1];
+    double t75[JLT_JET_ORDER_MAX + 1];
+    double t76[JLT_JET_ORDER_MAX + 1];
+    const double t77 = p[5]*p[5];
+    double t78[JLT_JET_ORDER_MAX + 1];
+    double t79[JLT_JET_ORDER_MAX + 1];
+    double t80[JLT_JET_ORDER_MAX + 1];
+    double t81[JLT_JET_ORDER_MAX + 1];
+    const double t82 = p[1]*p[0];
+    const double t83 = p[5]*t82;
+    double t84[JLT_JET_ORDER_MAX + 1];
+    double t85[JLT_JET_ORDER_MAX + 1];
+    double t86[JLT_JET_ORDER_MAX + 1];
+    double t87[JLT_JET_ORDER_MAX + 1];
+    double t88[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t8[k] = jlt_jet_product(x3, x3, k);
+        t11[k] = x0[k]*p[1];
+        t12[k] = (k == 0 ? p[3] : 0) + t11[k];
+        t13[k] = jlt_jet_product(t8, t12, k);
+        t14[k] = jlt_jet_quotient(t13[k], t5, t14, k);
+        t15[k] = x3[k]*p[1];
+        t17[k] = t12[k]*p[5];
+        t21[k] = x3[k]*t20;
+        t22[k] = jlt_jet_product(t5, t21, k);
+        t23[k] = t22[k] - (k == 0 ? p[6] : 0);
+        t24[k] = jlt_jet_quotient(t23[k], t17, t24, k);
+        t25[k] = jlt_jet_product(t15, t24, k);
+        t26[k] = t14[k] + t25[k];
+        t30[k] = x0[k]*t29;
+        t31[k] = jlt_jet_product(x2, x2, k);
+        t32[k] = jlt_jet_product(t30, t31, k);
+        t33[k] = jlt_jet_product(t5, t32, k);
+        t34[k] = jlt_jet_product(t5, t5, k);
+        t35[k] = t29*t34[k];
+        t36[k] = (k == 0 ? p[4] : 0) + t35[k];
+        t37[k] = jlt_jet_quotient(t33[k], t36, t37, k);
+        t41[k] = t5[k]*t40;
+        t42[k] = jlt_jet_quotient(t41[k], t36, t42, k);
+        t43[k] = t37[k] - t42[k];
+        t44[k] = x0[k]*p[4];
+        t45[k] = jlt_jet_product(t8, t44, k);
+        t46[k] = jlt_jet_product(t5, t36, k);
+        t47[k] = jlt_jet_quotient(t45[k], t46, t47, k);
+        t48[k] = t43[k] - t47[k];
+        t49[k] = x3[k]*p[5];
+        t50[k] = jlt_jet_product(t24, t49, k);
+        t51[k] = jlt_jet_quotient(t50[k], t36, t51, k);
+        t52[k] = t48[k] - t51[k];
+        t53[k] = jlt_jet_product(x2, x0, k);
+        t54[k] = jlt_jet_product(x3, t53, k);
+        t55[k] = jlt_jet_quotient(t54[k], t5, t55, k);
+        t57[k] = x3[k]*t56;
+        t58[k] = jlt_jet_product(t12, t57, k);
+        t63[k] = t34[k]*t62;
+        t64[k] = (k == 0 ? p[7] : 0) + t63[k];
+        t65[k] = jlt_jet_product(t12, t12, k);
+        t66[k] = t56*t65[k];
+        t67[k] = t64[k] + t66[k];
+        t68[k] = jlt_jet_product(t5, t67, k);
+        t70[k] = x0[k]*p[3];
+        t71[k] = (k == 0 ? p[1] : 0) + t70[k];
+        t72[k] = jlt_jet_product(x2, t71, k);
+        t73[k] = x1[k] + t72[k];
+        t74[k] = jlt_jet_product(t58, t73, k);
+        t75[k] = jlt_jet_quotient(t74[k], t68, t75, k);
+        t76[k] = t55[k] - t75[k];
+        t78[k] = x2[k]*t77;
+        t79[k] = jlt_jet_product(t24, t78, k);
+        t80[k] = jlt_jet_quotient(t79[k], t67, t80, k);
+        t81[k] = t76[k] + t80[k];
+        t84[k] = x2[k]*t83;
+        t85[k] = jlt_jet_product(t24, t84, k);
+        t86[k] = jlt_jet_product(t71, t85, k);
+        t87[k] = jlt_jet_quotient(t86[k], t67, t87, k);
+        t88[k] = t81[k] + t87[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t26[k]/(k + 1);
+        next[2] = x2[k + 1] = t52[k]/(k + 1);
+        next[3] = x3[k + 1] = t88[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -643,6 +804,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3 = {
         "divides by b: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_general_on_level_G_omega3_baseline,

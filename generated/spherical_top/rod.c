@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -453,6 +454,115 @@ static void measure_divergences(const double *restrict x, const double *restrict
     out[0] = t16;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    const double t20 = p[3]*p[3];
+    const double t21 = p[0]*t20;
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    const double t32 = p[0]*p[2];
+    const double t33 = p[3]*t32;
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t8[k] = jlt_jet_product(x3, x3, k);
+        t11[k] = x0[k]*p[1];
+        t12[k] = (k == 0 ? p[3] : 0) + t11[k];
+        t13[k] = jlt_jet_product(t8, t12, k);
+        t14[k] = jlt_jet_quotient(t13[k], t5, t14, k);
+        t15[k] = x3[k]*p[1];
+        t17[k] = jlt_jet_product(t15, x4, k);
+        t18[k] = t14[k] + t17[k];
+        t22[k] = x0[k]*t21;
+        t23[k] = jlt_jet_product(x2, x2, k);
+        t24[k] = jlt_jet_product(t22, t23, k);
+        t25[k] = jlt_jet_product(t5, t24, k);
+        t27[k] = jlt_jet_product(t5, t5, k);
+        t28[k] = t21*t27[k];
+        t29[k] = (k == 0 ? p[4] : 0) + t28[k];
+        t30[k] = jlt_jet_quotient(t25[k], t29, t30, k);
+        t34[k] = t5[k]*t33;
+        t35[k] = jlt_jet_quotient(t34[k], t29, t35, k);
+        t36[k] = t30[k] - t35[k];
+        t37[k] = x0[k]*p[4];
+        t38[k] = jlt_jet_product(t8, t37, k);
+        t39[k] = jlt_jet_product(t5, t29, k);
+        t40[k] = jlt_jet_quotient(t38[k], t39, t40, k);
+        t41[k] = t36[k] - t40[k];
+        t42[k] = jlt_jet_product(x2, x0, k);
+        t43[k] = jlt_jet_product(x3, t42, k);
+        t44[k] = jlt_jet_quotient(t43[k], t5, t44, k);
+        t45[k] = p[1]*t27[k];
+        t47[k] = x0[k]*p[3];
+        t48[k] = (k == 0 ? p[1] : 0) + t47[k];
+        t49[k] = jlt_jet_product(x2, t48, k);
+        t50[k] = x1[k] + t49[k];
+        t51[k] = jlt_jet_product(x3, t50, k);
+        t52[k] = jlt_jet_quotient(t51[k], t45, t52, k);
+        t53[k] = jlt_jet_product(x4, t42, k);
+        t54[k] = jlt_jet_quotient(t53[k], t5, t54, k);
+        t55[k] = t54[k] - t52[k];
+        double *restrict next = coefficients + (k + 1)*5;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t18[k]/(k + 1);
+        next[2] = x2[k + 1] = t41[k]/(k + 1);
+        next[3] = x3[k + 1] = t44[k]/(k + 1);
+        next[4] = x4[k + 1] = t55[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -553,6 +663,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .integral_count = 4, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_rod_baseline,

@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -426,6 +427,112 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
     out[0] = x[5];
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double x5[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    const double t18 = p[3]*p[3];
+    const double t19 = p[0]*t18;
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    const double t29 = p[0]*p[2];
+    const double t30 = p[3]*t29;
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = x5[0] = x[5];
+    coefficients[6] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x5, x5, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t5[k] = jlt_jet_product(x3, x3, k);
+        t9[k] = p[1]*x0[k];
+        t10[k] = (k == 0 ? p[3] : 0) + t9[k];
+        t11[k] = jlt_jet_product(t5, t10, k);
+        t12[k] = x3[k]*p[1];
+        t14[k] = jlt_jet_product(t12, x4, k);
+        t15[k] = jlt_jet_product(x5, t14, k);
+        t16[k] = t11[k] + t15[k];
+        t20[k] = x0[k]*t19;
+        t21[k] = jlt_jet_product(x2, x2, k);
+        t22[k] = jlt_jet_product(t20, t21, k);
+        t23[k] = jlt_jet_product(t2, t22, k);
+        t25[k] = t2[k]*t19;
+        t26[k] = (k == 0 ? p[4] : 0) + t25[k];
+        t27[k] = jlt_jet_quotient(t23[k], t26, t27, k);
+        t31[k] = t2[k]*t30;
+        t32[k] = jlt_jet_quotient(t31[k], t26, t32, k);
+        t33[k] = t27[k] - t32[k];
+        t34[k] = x0[k]*p[4];
+        t35[k] = jlt_jet_product(t5, t34, k);
+        t36[k] = jlt_jet_quotient(t35[k], t26, t36, k);
+        t37[k] = t33[k] - t36[k];
+        t38[k] = jlt_jet_product(x2, x0, k);
+        t39[k] = jlt_jet_product(x3, t38, k);
+        t40[k] = x5[k]*p[1];
+        t42[k] = p[3]*x0[k];
+        t43[k] = (k == 0 ? p[1] : 0) + t42[k];
+        t44[k] = jlt_jet_product(x2, t43, k);
+        t45[k] = x1[k] + t44[k];
+        t46[k] = jlt_jet_product(x3, t45, k);
+        t47[k] = jlt_jet_quotient(t46[k], t40, t47, k);
+        t48[k] = jlt_jet_product(x4, t38, k);
+        t49[k] = t48[k] - t47[k];
+        t50[k] = jlt_jet_product(x5, t38, k);
+        t51[k] = -t50[k];
+        double *restrict next = coefficients + (k + 1)*7;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t16[k]/(k + 1);
+        next[2] = x2[k + 1] = t37[k]/(k + 1);
+        next[3] = x3[k + 1] = t39[k]/(k + 1);
+        next[4] = x4[k + 1] = t49[k]/(k + 1);
+        next[5] = x5[k + 1] = t51[k]/(k + 1);
+        next[6] = x5[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -522,6 +629,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 4, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_rod_in_regular_baseline,

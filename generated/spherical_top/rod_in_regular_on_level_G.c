@@ -21,6 +21,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -417,6 +418,112 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t1;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    const double t6 = p[1]*p[4];
+    double t7[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    const double t22 = p[3]*p[3];
+    const double t23 = p[0]*t22;
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    const double t32 = p[0]*p[2];
+    const double t33 = p[3]*t32;
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x4, x4, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t7[k] = x4[k]*t6;
+        t9[k] = jlt_jet_quotient((k == 0 ? p[6] : 0), t7, t9, k);
+        t10[k] = jlt_jet_product(t9, t9, k);
+        t13[k] = p[1]*x0[k];
+        t14[k] = (k == 0 ? p[3] : 0) + t13[k];
+        t15[k] = jlt_jet_product(t10, t14, k);
+        t16[k] = p[1]*t9[k];
+        t18[k] = jlt_jet_product(t16, x3, k);
+        t19[k] = jlt_jet_product(x4, t18, k);
+        t20[k] = t15[k] + t19[k];
+        t24[k] = x0[k]*t23;
+        t25[k] = jlt_jet_product(x2, x2, k);
+        t26[k] = jlt_jet_product(t24, t25, k);
+        t27[k] = jlt_jet_product(t2, t26, k);
+        t28[k] = t2[k]*t23;
+        t29[k] = (k == 0 ? p[4] : 0) + t28[k];
+        t30[k] = jlt_jet_quotient(t27[k], t29, t30, k);
+        t34[k] = t2[k]*t33;
+        t35[k] = jlt_jet_quotient(t34[k], t29, t35, k);
+        t36[k] = t30[k] - t35[k];
+        t37[k] = p[4]*x0[k];
+        t38[k] = jlt_jet_product(t10, t37, k);
+        t39[k] = jlt_jet_quotient(t38[k], t29, t39, k);
+        t40[k] = t36[k] - t39[k];
+        t41[k] = x4[k]*p[1];
+        t43[k] = p[3]*x0[k];
+        t44[k] = (k == 0 ? p[1] : 0) + t43[k];
+        t45[k] = jlt_jet_product(x2, t44, k);
+        t46[k] = x1[k] + t45[k];
+        t47[k] = jlt_jet_product(t9, t46, k);
+        t48[k] = jlt_jet_quotient(t47[k], t41, t48, k);
+        t49[k] = jlt_jet_product(x2, x0, k);
+        t50[k] = jlt_jet_product(x3, t49, k);
+        t51[k] = t50[k] - t48[k];
+        t52[k] = jlt_jet_product(x4, t49, k);
+        t53[k] = -t52[k];
+        double *restrict next = coefficients + (k + 1)*6;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t20[k]/(k + 1);
+        next[2] = x2[k + 1] = t40[k]/(k + 1);
+        next[3] = x3[k + 1] = t51[k]/(k + 1);
+        next[4] = x4[k + 1] = t53[k]/(k + 1);
+        next[5] = x4[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -510,6 +617,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G = {
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_rod_in_regular_on_level_G_baseline,

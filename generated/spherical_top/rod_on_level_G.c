@@ -21,6 +21,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -440,6 +441,113 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     out[0] = t5;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    const double t9 = p[1]*p[4];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    const double t24 = p[3]*p[3];
+    const double t25 = p[0]*t24;
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    const double t35 = p[0]*p[2];
+    const double t36 = p[3]*t35;
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t10[k] = t5[k]*t9;
+        t12[k] = jlt_jet_quotient((k == 0 ? p[6] : 0), t10, t12, k);
+        t13[k] = jlt_jet_product(t12, t12, k);
+        t15[k] = x0[k]*p[1];
+        t16[k] = (k == 0 ? p[3] : 0) + t15[k];
+        t17[k] = jlt_jet_product(t13, t16, k);
+        t18[k] = jlt_jet_quotient(t17[k], t5, t18, k);
+        t19[k] = p[1]*t12[k];
+        t21[k] = jlt_jet_product(t19, x3, k);
+        t22[k] = t18[k] + t21[k];
+        t26[k] = x0[k]*t25;
+        t27[k] = jlt_jet_product(x2, x2, k);
+        t28[k] = jlt_jet_product(t26, t27, k);
+        t29[k] = jlt_jet_product(t5, t28, k);
+        t30[k] = jlt_jet_product(t5, t5, k);
+        t31[k] = t25*t30[k];
+        t32[k] = (k == 0 ? p[4] : 0) + t31[k];
+        t33[k] = jlt_jet_quotient(t29[k], t32, t33, k);
+        t37[k] = t5[k]*t36;
+        t38[k] = jlt_jet_quotient(t37[k], t32, t38, k);
+        t39[k] = t33[k] - t38[k];
+        t40[k] = x0[k]*p[4];
+        t41[k] = jlt_jet_product(t13, t40, k);
+        t42[k] = jlt_jet_product(t5, t32, k);
+        t43[k] = jlt_jet_quotient(t41[k], t42, t43, k);
+        t44[k] = t39[k] - t43[k];
+        t45[k] = p[1]*t30[k];
+        t47[k] = x0[k]*p[3];
+        t48[k] = (k == 0 ? p[1] : 0) + t47[k];
+        t49[k] = jlt_jet_product(x2, t48, k);
+        t50[k] = x1[k] + t49[k];
+        t51[k] = jlt_jet_product(t12, t50, k);
+        t52[k] = jlt_jet_quotient(t51[k], t45, t52, k);
+        t53[k] = jlt_jet_product(x2, x0, k);
+        t54[k] = jlt_jet_product(x3, t53, k);
+        t55[k] = jlt_jet_quotient(t54[k], t5, t55, k);
+        t56[k] = t55[k] - t52[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t22[k]/(k + 1);
+        next[2] = x2[k + 1] = t44[k]/(k + 1);
+        next[3] = x3[k + 1] = t56[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -537,6 +645,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G = {
     .integral_count = 3, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_rod_on_level_G_baseline,

@@ -17,6 +17,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -520,6 +521,127 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[7] = t42;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    const double t9 = p[1]*p[1];
+    const double t11 = t9*p[3];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    const double t15 = t9*p[4];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    const double t20 = p[1]*p[6];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    const double t22 = p[1]*p[4];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    const double t36 = p[1]*p[3];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    const double t47 = p[3]*p[4];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t62[JLT_JET_ORDER_MAX + 1];
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t64[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t12[k] = jlt_jet_product(t5, t5, k);
+        t13[k] = t11*t12[k];
+        t16[k] = t3[k]*t15;
+        t17[k] = t13[k] + t16[k];
+        t18[k] = jlt_jet_product(t5, t17, k);
+        t21[k] = t5[k]*t20;
+        t23[k] = x0[k]*t22;
+        t24[k] = jlt_jet_product(x3, t23, k);
+        t25[k] = t21[k] + t24[k];
+        t26[k] = jlt_jet_product(x3, t25, k);
+        t27[k] = jlt_jet_quotient(t26[k], t18, t27, k);
+        t28[k] = jlt_jet_product(t17, t17, k);
+        t29[k] = jlt_jet_product(t5, t28, k);
+        t30[k] = jlt_jet_product(t25, t25, k);
+        t31[k] = jlt_jet_product(x0, t30, k);
+        t32[k] = jlt_jet_quotient(t31[k], t29, t32, k);
+        t33[k] = -t32[k];
+        t34[k] = p[3]*t28[k];
+        t35[k] = p[4]*t25[k];
+        t37[k] = x3[k]*t36;
+        t38[k] = jlt_jet_product(t5, t37, k);
+        t39[k] = x0[k]*t20;
+        t40[k] = t38[k] - t39[k];
+        t41[k] = jlt_jet_product(t35, t40, k);
+        t42[k] = jlt_jet_quotient(t41[k], t34, t42, k);
+        t43[k] = t33[k] - t42[k];
+        t45[k] = jlt_jet_product(t25, x1, k);
+        t46[k] = jlt_jet_quotient(t45[k], t18, t46, k);
+        t49[k] = t17[k]*p[0];
+        t51[k] = t49[k] + (k == 0 ? p[7] : 0);
+        t52[k] = jlt_jet_product(t18, t51, k);
+        t53[k] = x2[k]*p[1];
+        t54[k] = x1[k] + t53[k];
+        t55[k] = t47*t54[k];
+        t56[k] = jlt_jet_product(t25, t55, k);
+        t57[k] = jlt_jet_quotient(t56[k], t52, t57, k);
+        t58[k] = t57[k] - t46[k];
+        t59[k] = jlt_jet_product(x2, t23, k);
+        t60[k] = jlt_jet_product(t17, t51, k);
+        t62[k] = t59[k]*p[8];
+        t63[k] = jlt_jet_product(t40, t62, k);
+        t64[k] = jlt_jet_quotient(t63[k], t60, t64, k);
+        t65[k] = t58[k] - t64[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t27[k]/(k + 1);
+        next[2] = x2[k + 1] = t43[k]/(k + 1);
+        next[3] = x3[k + 1] = t65[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -776,6 +898,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .integral_count = 2, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_level_balanced_baseline,

@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -570,6 +571,132 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
     out[0] = x[4];
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    const double t6 = p[1]*p[1];
+    const double t8 = t6*p[3];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    const double t11 = t6*p[4];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    const double t17 = p[1]*p[6];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    const double t19 = p[1]*p[4];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    const double t33 = p[1]*p[3];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    const double t44 = p[3]*p[4];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    double t62[JLT_JET_ORDER_MAX + 1];
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t64[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x4, x4, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t9[k] = t2[k]*t8;
+        t13[k] = jlt_jet_product(x0, x0, k);
+        t14[k] = t11*t13[k];
+        t15[k] = t9[k] + t14[k];
+        t18[k] = x4[k]*t17;
+        t20[k] = x0[k]*t19;
+        t21[k] = jlt_jet_product(x3, t20, k);
+        t22[k] = t18[k] + t21[k];
+        t23[k] = jlt_jet_product(x3, t22, k);
+        t24[k] = jlt_jet_quotient(t23[k], t15, t24, k);
+        t25[k] = jlt_jet_product(t15, t15, k);
+        t26[k] = jlt_jet_product(t22, t22, k);
+        t27[k] = jlt_jet_product(x0, t26, k);
+        t28[k] = jlt_jet_quotient(t27[k], t25, t28, k);
+        t29[k] = -t28[k];
+        t30[k] = x4[k]*p[4];
+        t31[k] = p[3]*t25[k];
+        t32[k] = jlt_jet_product(t22, t30, k);
+        t34[k] = x3[k]*t33;
+        t35[k] = jlt_jet_product(x4, t34, k);
+        t36[k] = x0[k]*t17;
+        t37[k] = t35[k] - t36[k];
+        t38[k] = jlt_jet_product(t32, t37, k);
+        t39[k] = jlt_jet_quotient(t38[k], t31, t39, k);
+        t40[k] = t29[k] - t39[k];
+        t42[k] = jlt_jet_product(t22, x1, k);
+        t43[k] = jlt_jet_quotient(t42[k], t15, t43, k);
+        t46[k] = t15[k]*p[0];
+        t48[k] = t46[k] + (k == 0 ? p[7] : 0);
+        t49[k] = jlt_jet_product(t15, t48, k);
+        t50[k] = x2[k]*p[1];
+        t51[k] = x1[k] + t50[k];
+        t52[k] = t44*t51[k];
+        t53[k] = jlt_jet_product(t22, t52, k);
+        t54[k] = jlt_jet_quotient(t53[k], t49, t54, k);
+        t55[k] = t54[k] - t43[k];
+        t56[k] = jlt_jet_product(x2, t20, k);
+        t57[k] = jlt_jet_product(x4, t56, k);
+        t59[k] = t57[k]*p[8];
+        t60[k] = jlt_jet_product(t37, t59, k);
+        t61[k] = jlt_jet_quotient(t60[k], t49, t61, k);
+        t62[k] = t55[k] - t61[k];
+        t63[k] = jlt_jet_product(x2, x0, k);
+        t64[k] = jlt_jet_product(x4, t63, k);
+        t65[k] = -t64[k];
+        double *restrict next = coefficients + (k + 1)*6;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t24[k]/(k + 1);
+        next[2] = x2[k + 1] = t40[k]/(k + 1);
+        next[3] = x3[k + 1] = t62[k]/(k + 1);
+        next[4] = x4[k + 1] = t65[k]/(k + 1);
+        next[5] = x4[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -662,6 +789,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced_in_regular = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_level_balanced_in_regular_baseline,

@@ -16,6 +16,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -543,6 +544,167 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[3] = t16;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    const double t9 = p[1]*p[1];
+    const double t11 = t9*p[3];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    const double t23 = p[1]*p[6];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    const double t31 = p[5]*p[5];
+    const double t32 = p[0]*t31;
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    const double t41 = p[0]*p[2];
+    const double t42 = p[5]*t41;
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    const double t56 = p[1]*p[3];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t59[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    double t62[JLT_JET_ORDER_MAX + 1];
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    double t66[JLT_JET_ORDER_MAX + 1];
+    const double t67 = p[3]*p[4];
+    double t68[JLT_JET_ORDER_MAX + 1];
+    double t70[JLT_JET_ORDER_MAX + 1];
+    double t71[JLT_JET_ORDER_MAX + 1];
+    double t72[JLT_JET_ORDER_MAX + 1];
+    double t73[JLT_JET_ORDER_MAX + 1];
+    double t74[JLT_JET_ORDER_MAX + 1];
+    double t75[JLT_JET_ORDER_MAX + 1];
+    double t76[JLT_JET_ORDER_MAX + 1];
+    double t77[JLT_JET_ORDER_MAX + 1];
+    double t78[JLT_JET_ORDER_MAX + 1];
+    double t79[JLT_JET_ORDER_MAX + 1];
+    double t80[JLT_JET_ORDER_MAX + 1];
+    double t81[JLT_JET_ORDER_MAX + 1];
+    double t82[JLT_JET_ORDER_MAX + 1];
+    double t84[JLT_JET_ORDER_MAX + 1];
+    double t86[JLT_JET_ORDER_MAX + 1];
+    double t87[JLT_JET_ORDER_MAX + 1];
+    double t88[JLT_JET_ORDER_MAX + 1];
+    double t89[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t12[k] = jlt_jet_product(t5, t5, k);
+        t13[k] = t11*t12[k];
+        t16[k] = x0[k]*p[1];
+        t17[k] = (k == 0 ? p[5] : 0) + t16[k];
+        t18[k] = jlt_jet_product(t17, t17, k);
+        t19[k] = p[4]*t18[k];
+        t20[k] = t13[k] + t19[k];
+        t21[k] = jlt_jet_product(t5, t20, k);
+        t24[k] = t5[k]*t23;
+        t25[k] = x3[k]*p[4];
+        t26[k] = jlt_jet_product(t17, t25, k);
+        t27[k] = t24[k] + t26[k];
+        t28[k] = jlt_jet_product(x3, t27, k);
+        t29[k] = jlt_jet_quotient(t28[k], t21, t29, k);
+        t33[k] = x0[k]*t32;
+        t34[k] = jlt_jet_product(x2, x2, k);
+        t35[k] = jlt_jet_product(t33, t34, k);
+        t36[k] = jlt_jet_product(t5, t35, k);
+        t37[k] = t12[k]*t32;
+        t38[k] = (k == 0 ? p[3] : 0) + t37[k];
+        t39[k] = jlt_jet_quotient(t36[k], t38, t39, k);
+        t43[k] = t5[k]*t42;
+        t44[k] = jlt_jet_quotient(t43[k], t38, t44, k);
+        t45[k] = t39[k] - t44[k];
+        t46[k] = x0[k]*p[3];
+        t47[k] = jlt_jet_product(t20, t20, k);
+        t48[k] = jlt_jet_product(t5, t47, k);
+        t49[k] = jlt_jet_product(t38, t48, k);
+        t50[k] = jlt_jet_product(t27, t27, k);
+        t51[k] = jlt_jet_product(t46, t50, k);
+        t52[k] = jlt_jet_quotient(t51[k], t49, t52, k);
+        t53[k] = t45[k] - t52[k];
+        t54[k] = jlt_jet_product(t38, t47, k);
+        t55[k] = p[4]*t27[k];
+        t57[k] = x3[k]*t56;
+        t58[k] = jlt_jet_product(t5, t57, k);
+        t59[k] = t17[k]*p[6];
+        t60[k] = t58[k] - t59[k];
+        t61[k] = jlt_jet_product(t55, t60, k);
+        t62[k] = jlt_jet_quotient(t61[k], t54, t62, k);
+        t63[k] = t53[k] - t62[k];
+        t65[k] = jlt_jet_product(t27, x1, k);
+        t66[k] = jlt_jet_quotient(t65[k], t21, t66, k);
+        t68[k] = t20[k]*p[0];
+        t70[k] = t68[k] + (k == 0 ? p[7] : 0);
+        t71[k] = jlt_jet_product(t21, t70, k);
+        t72[k] = x0[k]*p[5];
+        t73[k] = (k == 0 ? p[1] : 0) + t72[k];
+        t74[k] = jlt_jet_product(x2, t73, k);
+        t75[k] = x1[k] + t74[k];
+        t76[k] = t67*t75[k];
+        t77[k] = jlt_jet_product(t27, t76, k);
+        t78[k] = jlt_jet_quotient(t77[k], t71, t78, k);
+        t79[k] = t78[k] - t66[k];
+        t80[k] = x2[k]*p[4];
+        t81[k] = jlt_jet_product(t20, t70, k);
+        t82[k] = jlt_jet_product(t60, t80, k);
+        t84[k] = t16[k]*p[8];
+        t86[k] = t84[k] - (k == 0 ? p[9] : 0);
+        t87[k] = jlt_jet_product(t82, t86, k);
+        t88[k] = jlt_jet_quotient(t87[k], t81, t88, k);
+        t89[k] = t79[k] - t88[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t29[k]/(k + 1);
+        next[2] = x2[k + 1] = t63[k]/(k + 1);
+        next[3] = x3[k + 1] = t89[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -809,6 +971,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .integral_count = 1, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_level_general_baseline,

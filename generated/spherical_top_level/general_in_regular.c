@@ -18,6 +18,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -605,6 +606,168 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
     out[0] = x[4];
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    const double t6 = p[1]*p[1];
+    const double t8 = t6*p[3];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    const double t19 = p[1]*p[6];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    const double t27 = p[5]*p[5];
+    const double t28 = p[0]*t27;
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    const double t37 = p[0]*p[2];
+    const double t38 = p[5]*t37;
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
+    double t49[JLT_JET_ORDER_MAX + 1];
+    double t50[JLT_JET_ORDER_MAX + 1];
+    const double t51 = p[1]*p[3];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
+    double t60[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
+    const double t62 = p[3]*p[4];
+    double t63[JLT_JET_ORDER_MAX + 1];
+    double t65[JLT_JET_ORDER_MAX + 1];
+    double t66[JLT_JET_ORDER_MAX + 1];
+    double t67[JLT_JET_ORDER_MAX + 1];
+    double t68[JLT_JET_ORDER_MAX + 1];
+    double t69[JLT_JET_ORDER_MAX + 1];
+    double t70[JLT_JET_ORDER_MAX + 1];
+    double t71[JLT_JET_ORDER_MAX + 1];
+    double t72[JLT_JET_ORDER_MAX + 1];
+    double t73[JLT_JET_ORDER_MAX + 1];
+    double t74[JLT_JET_ORDER_MAX + 1];
+    double t75[JLT_JET_ORDER_MAX + 1];
+    double t76[JLT_JET_ORDER_MAX + 1];
+    double t77[JLT_JET_ORDER_MAX + 1];
+    double t79[JLT_JET_ORDER_MAX + 1];
+    double t81[JLT_JET_ORDER_MAX + 1];
+    double t82[JLT_JET_ORDER_MAX + 1];
+    double t83[JLT_JET_ORDER_MAX + 1];
+    double t84[JLT_JET_ORDER_MAX + 1];
+    double t85[JLT_JET_ORDER_MAX + 1];
+    double t86[JLT_JET_ORDER_MAX + 1];
+    double t87[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x4, x4, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t9[k] = t2[k]*t8;
+        t13[k] = p[1]*x0[k];
+        t14[k] = (k == 0 ? p[5] : 0) + t13[k];
+        t15[k] = jlt_jet_product(t14, t14, k);
+        t16[k] = p[4]*t15[k];
+        t17[k] = t9[k] + t16[k];
+        t20[k] = x4[k]*t19;
+        t21[k] = x3[k]*p[4];
+        t22[k] = jlt_jet_product(t14, t21, k);
+        t23[k] = t20[k] + t22[k];
+        t24[k] = jlt_jet_product(x3, t23, k);
+        t25[k] = jlt_jet_quotient(t24[k], t17, t25, k);
+        t29[k] = x0[k]*t28;
+        t30[k] = jlt_jet_product(x2, x2, k);
+        t31[k] = jlt_jet_product(t29, t30, k);
+        t32[k] = jlt_jet_product(t2, t31, k);
+        t33[k] = t2[k]*t28;
+        t34[k] = (k == 0 ? p[3] : 0) + t33[k];
+        t35[k] = jlt_jet_quotient(t32[k], t34, t35, k);
+        t39[k] = t2[k]*t38;
+        t40[k] = jlt_jet_quotient(t39[k], t34, t40, k);
+        t41[k] = t35[k] - t40[k];
+        t42[k] = p[3]*x0[k];
+        t43[k] = jlt_jet_product(t17, t17, k);
+        t44[k] = jlt_jet_product(t34, t43, k);
+        t45[k] = jlt_jet_product(t23, t23, k);
+        t46[k] = jlt_jet_product(t42, t45, k);
+        t47[k] = jlt_jet_quotient(t46[k], t44, t47, k);
+        t48[k] = t41[k] - t47[k];
+        t49[k] = x4[k]*p[4];
+        t50[k] = jlt_jet_product(t23, t49, k);
+        t52[k] = x3[k]*t51;
+        t53[k] = jlt_jet_product(x4, t52, k);
+        t54[k] = t14[k]*p[6];
+        t55[k] = t53[k] - t54[k];
+        t56[k] = jlt_jet_product(t50, t55, k);
+        t57[k] = jlt_jet_quotient(t56[k], t44, t57, k);
+        t58[k] = t48[k] - t57[k];
+        t60[k] = jlt_jet_product(t23, x1, k);
+        t61[k] = jlt_jet_quotient(t60[k], t17, t61, k);
+        t63[k] = t17[k]*p[0];
+        t65[k] = t63[k] + (k == 0 ? p[7] : 0);
+        t66[k] = jlt_jet_product(t17, t65, k);
+        t67[k] = p[5]*x0[k];
+        t68[k] = (k == 0 ? p[1] : 0) + t67[k];
+        t69[k] = jlt_jet_product(x2, t68, k);
+        t70[k] = x1[k] + t69[k];
+        t71[k] = t62*t70[k];
+        t72[k] = jlt_jet_product(t23, t71, k);
+        t73[k] = jlt_jet_quotient(t72[k], t66, t73, k);
+        t74[k] = t73[k] - t61[k];
+        t75[k] = x2[k]*p[4];
+        t76[k] = jlt_jet_product(x4, t75, k);
+        t77[k] = jlt_jet_product(t55, t76, k);
+        t79[k] = t13[k]*p[8];
+        t81[k] = t79[k] - (k == 0 ? p[9] : 0);
+        t82[k] = jlt_jet_product(t77, t81, k);
+        t83[k] = jlt_jet_quotient(t82[k], t66, t83, k);
+        t84[k] = t74[k] - t83[k];
+        t85[k] = jlt_jet_product(x2, x0, k);
+        t86[k] = jlt_jet_product(x4, t85, k);
+        t87[k] = -t86[k];
+        double *restrict next = coefficients + (k + 1)*6;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t25[k]/(k + 1);
+        next[2] = x2[k + 1] = t58[k]/(k + 1);
+        next[3] = x3[k + 1] = t84[k]/(k + 1);
+        next[4] = x4[k + 1] = t87[k]/(k + 1);
+        next[5] = x4[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -695,6 +858,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general_in_regular = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_level_general_in_regular_baseline,

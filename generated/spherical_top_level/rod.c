@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -345,6 +346,88 @@ static void measure_divergences(const double *restrict x, const double *restrict
     out[0] = t18;
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    const double t9 = p[1]*p[3];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    const double t18 = p[5]*p[5];
+    const double t19 = p[0]*t18;
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    const double t28 = p[0]*p[2];
+    const double t29 = p[5]*t28;
+    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    const double t33 = p[1]*p[1];
+    const double t34 = p[3]*t33;
+    const double t35 = p[6]*p[6];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = jlt_jet_product(x0, x0, k);
+        t4[k] = (k == 0 ? 1.0 : 0) - t3[k];
+        t5[k] = jlt_jet_root(t4[k], t5, k);
+        t6[k] = jlt_jet_product(x2, t5, k);
+        t12[k] = p[6]*x3[k];
+        t13[k] = jlt_jet_product(t5, t5, k);
+        t14[k] = t9*t13[k];
+        t15[k] = jlt_jet_quotient(t12[k], t14, t15, k);
+        t20[k] = x0[k]*t19;
+        t21[k] = jlt_jet_product(x2, x2, k);
+        t22[k] = jlt_jet_product(t20, t21, k);
+        t23[k] = jlt_jet_product(t5, t22, k);
+        t24[k] = t13[k]*t19;
+        t25[k] = (k == 0 ? p[3] : 0) + t24[k];
+        t26[k] = jlt_jet_quotient(t23[k], t25, t26, k);
+        t30[k] = t5[k]*t29;
+        t31[k] = jlt_jet_quotient(t30[k], t25, t31, k);
+        t32[k] = t26[k] - t31[k];
+        t36[k] = x0[k]*t35;
+        t37[k] = jlt_jet_product(t5, t13, k);
+        t38[k] = t34*t37[k];
+        t39[k] = jlt_jet_product(t25, t38, k);
+        t40[k] = jlt_jet_quotient(t36[k], t39, t40, k);
+        t41[k] = t32[k] - t40[k];
+        t43[k] = p[6]*x1[k];
+        t44[k] = jlt_jet_quotient(t43[k], t14, t44, k);
+        t45[k] = -t44[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t6[k]/(k + 1);
+        next[1] = x1[k + 1] = t15[k]/(k + 1);
+        next[2] = x2[k + 1] = t41[k]/(k + 1);
+        next[3] = x3[k + 1] = t45[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -441,6 +524,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .integral_count = 2, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_level_rod_baseline,

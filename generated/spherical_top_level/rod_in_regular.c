@@ -19,6 +19,7 @@
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
+#include "kernel_jet.h"
 
 #include <math.h>
 
@@ -325,6 +326,91 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
     out[0] = x[4];
 }
 
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double x4[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    const double t6 = p[1]*p[3];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    const double t14 = p[5]*p[5];
+    const double t15 = p[0]*t14;
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    const double t25 = p[0]*p[2];
+    const double t26 = p[5]*t25;
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    const double t30 = p[1]*p[1];
+    const double t31 = p[3]*t30;
+    const double t32 = p[6]*p[6];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
+    double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = x4[0] = x[4];
+    coefficients[5] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t2[k] = jlt_jet_product(x4, x4, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
+        t9[k] = p[6]*x3[k];
+        t10[k] = x4[k]*t6;
+        t11[k] = jlt_jet_quotient(t9[k], t10, t11, k);
+        t17[k] = t15*x0[k];
+        t18[k] = jlt_jet_product(x2, x2, k);
+        t19[k] = jlt_jet_product(t17, t18, k);
+        t20[k] = jlt_jet_product(t2, t19, k);
+        t21[k] = t2[k]*t15;
+        t22[k] = (k == 0 ? p[3] : 0) + t21[k];
+        t23[k] = jlt_jet_quotient(t20[k], t22, t23, k);
+        t27[k] = t2[k]*t26;
+        t28[k] = jlt_jet_quotient(t27[k], t22, t28, k);
+        t29[k] = t23[k] - t28[k];
+        t33[k] = x0[k]*t32;
+        t34[k] = t2[k]*t31;
+        t35[k] = jlt_jet_product(t22, t34, k);
+        t36[k] = jlt_jet_quotient(t33[k], t35, t36, k);
+        t37[k] = t29[k] - t36[k];
+        t39[k] = p[6]*x1[k];
+        t40[k] = jlt_jet_quotient(t39[k], t10, t40, k);
+        t41[k] = -t40[k];
+        t42[k] = jlt_jet_product(x2, x0, k);
+        t43[k] = jlt_jet_product(x4, t42, k);
+        t44[k] = -t43[k];
+        double *restrict next = coefficients + (k + 1)*6;
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t11[k]/(k + 1);
+        next[2] = x2[k + 1] = t37[k]/(k + 1);
+        next[3] = x3[k + 1] = t41[k]/(k + 1);
+        next[4] = x4[k + 1] = t44[k]/(k + 1);
+        next[5] = x4[k]/(k + 1);
+    }
+}
+
 static void rhs_complex(const double complex *restrict x, const double *restrict params,
                         double complex *restrict out)
 {
@@ -417,6 +503,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+    .jet = jet,
     .rhs_complex = rhs_complex,
     .batches = {
         &jlt_batch_spherical_top_level_rod_in_regular_baseline,

@@ -16,6 +16,7 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const 
         .p = p,
         .time_rate = descriptor->time_factor.call,
         .jacobian = descriptor->jacobian.call,
+        .jet = descriptor->jet,
         .root = has_root ? (int)last : -1,
     };
     return JLT_OK;

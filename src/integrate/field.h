@@ -8,12 +8,7 @@
 #include "core/status.h"
 #include "kernel_abi.h"
 
-enum { JLT_FIELD_DIM_MAX = 256, JLT_VARIATION_DIM_MAX = 32, JLT_JET_ORDER_MAX = 40 };
-
-/** Taylor coefficients of the solution through x: coefficients[k*columns + i] = (d/dtau)^k x_i / k!, k = 0 .. order, with
- *  columns = dim in the model's own time, and dim + 1 in a time of its own, where the last column is t (0 in row 0).
- *  1 <= order <= JLT_JET_ORDER_MAX; p is the field's block; x and coefficients must not overlap. Cost: O(order^2). */
-typedef void (*jlt_jet)(const double *x, const double *p, unsigned order, double *coefficients);
+enum { JLT_FIELD_DIM_MAX = 256, JLT_VARIATION_DIM_MAX = 32 };
 
 typedef struct {
     unsigned dim;                  /* 1 .. JLT_FIELD_DIM_MAX */
@@ -21,7 +16,7 @@ typedef struct {
     const double *p;               /* passed through: a prepared block, or a structure aligned for double, cast */
     jlt_kernel_function time_rate; /* x, p -> dt/dtau > 0 (1,); NULL: tau is t */
     jlt_kernel_function jacobian;  /* x, p -> df/dx (dim, dim); NULL where not known */
-    jlt_jet jet;                   /* NULL where not known; the method taylor needs it */
+    jlt_kernel_jet jet;                 /* NULL where not known; the method taylor needs it */
     unsigned controlled;           /* leading states in the error norm; 0: all of them */
     int root;                      /* the lifted root whose zero is the pole, as an index into x; -1: none */
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured

@@ -1,0 +1,110 @@
+/* Generated Taylor recurrences of every field, against its right-hand side and its Jacobian. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+
+#include "registry.h"
+
+enum { STATES_MAX = 64, PARAMS_MAX = 64, ORDER = 16, ROUNDS = 10 };
+
+/* xorshift64*, Vigna 2016. */
+static double uniform(uint64_t *state)
+{
+    *state ^= *state >> 12;
+    *state ^= *state << 25;
+    *state ^= *state >> 27;
+    return (double)((*state * UINT64_C(2685821657736338717)) >> 11) * 0x1p-53;
+}
+
+static double largest(const double *a, unsigned n)
+{
+    double size = 0;
+    for (unsigned i = 0; i < n; i++) size = fmax(size, fabs(a[i]));
+    return size;
+}
+
+/* c_1 = f, c_2 = J f/2 on the model's states; row and column of t left out. Rounding: some hundred operations, and no
+ * sum cancels more than 1e4 of its terms at these points. */
+static void check_low_orders(const jlt_descriptor *d, const double *x, const double *p, const double *jet, unsigned columns)
+{
+    double f[STATES_MAX], jacobian[STATES_MAX * STATES_MAX];
+    const unsigned n = d->state_count;
+
+    d->rhs.call(x, p, f);
+    d->jacobian.call(x, p, jacobian);
+    const double size1 = largest(f, n), size2 = size1 * largest(jacobian, n * n) * n;
+    for (unsigned i = 0; i < n; i++) {
+        double slope = 0;
+        for (unsigned k = 0; k < n; k++) slope += jacobian[i * n + k] * f[k];
+        assert_true(fabs(jet[columns + i] - f[i]) <= 3e2 * 1e4 * 0x1p-53 * size1);
+        assert_true(fabs(jet[2 * columns + i] - slope / 2) <= 3e2 * 1e4 * 0x1p-53 * size2);
+    }
+}
+
+/* At a step where the last coefficient contributes 1e-9 of the first, the polynomial's slope is the field on the polynomial up to
+ * the terms left out, which are at most a few times larger than the last one kept. */
+static void check_high_orders(const jlt_descriptor *d, const double *p, const double *jet, unsigned columns)
+{
+    const unsigned n = d->state_count;
+    double last = largest(jet + ORDER * columns, n), size = fmax(1, largest(jet, n)), x[STATES_MAX], slope[STATES_MAX], f[STATES_MAX];
+    double h = fmin(0.1, pow(1e-9 * size / last, 1.0 / ORDER));
+
+    for (unsigned i = 0; i < n; i++) {
+        x[i] = slope[i] = 0;
+        for (unsigned k = ORDER; k >= 1; k--) {
+            x[i] = x[i] * h + jet[k * columns + i];
+            slope[i] = slope[i] * h + k * jet[k * columns + i];
+        }
+        x[i] = x[i] * h + jet[i];
+    }
+    d->rhs.call(x, p, f);
+    for (unsigned i = 0; i < n; i++) assert_true(fabs(slope[i] - f[i]) <= 1e-9 * ORDER / h * 10 * size);
+}
+
+static void jets_solve_their_equations(void **unused)
+{
+    uint64_t state = 7;
+
+    (void)unused;
+    for (unsigned index = 0; index < jlt_registry_count; index++) {
+        const jlt_descriptor *d = jlt_registry[index];
+        const unsigned columns = d->state_count + (d->time_factor.call != NULL);
+        double *p = malloc((d->block_count + 1) * sizeof *p), params[PARAMS_MAX], imposed[PARAMS_MAX], x[STATES_MAX];
+        static double jet[(ORDER + 1) * (STATES_MAX + 1)];
+        assert_non_null(p);
+        for (int round = 0; round < ROUNDS; round++) {
+            for (unsigned i = 0; i < d->param_count; i++) params[i] = 0.2 + uniform(&state);
+            if (d->impose != NULL) {
+                d->impose(NULL, params, imposed);
+                memcpy(params, imposed, d->param_count * sizeof *params);
+            }
+            d->prepare(params, p);
+            for (unsigned i = 0; i < d->state_count; i++) {
+                double low = isfinite(d->states[i].low) ? d->states[i].low : -1;
+                double high = isfinite(d->states[i].high) ? d->states[i].high : 1;
+                x[i] = low + (high - low) * (0.05 + 0.9 * uniform(&state));
+            }
+            d->jet(x, p, ORDER, jet);
+            check_low_orders(d, x, p, jet, columns);
+            check_high_orders(d, p, jet, columns);
+            if (d->time_factor.call != NULL) {
+                double rate;
+                d->time_factor.call(x, p, &rate);
+                assert_true(fabs(jet[columns + d->state_count] - rate) <= 1e2 * 0x1p-53 * fabs(rate));
+            }
+        }
+        free(p);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(jets_solve_their_equations) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
