@@ -4,7 +4,7 @@
 set -uo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-model=$JLT_SOURCE_DIR/codegen/models/spherical_top.tt
+model=$JLT_SOURCE_DIR/codegen/models/chaplygin_sleigh.tt
 status=0
 fail() { echo "$*"; status=1; }
 
