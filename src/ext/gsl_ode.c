@@ -11,6 +11,7 @@ struct jlt_gsl_ode {
     jlt_gsl_ode_field field;
     void *context;
     size_t dim;
+    double clock; /* since the reset; msadams tells a new step from a repeated one by it */
 };
 
 static int call(double t, const double x[], double f[], void *self)
@@ -53,6 +54,7 @@ void jlt_gsl_ode_destroy(jlt_gsl_ode *self)
 
 jlt_status jlt_gsl_ode_reset(jlt_gsl_ode *self)
 {
+    self->clock = 0;
     return gsl_odeiv2_driver_reset(self->driver) == GSL_SUCCESS ? JLT_OK : JLT_ERR_ARG;
 }
 
@@ -60,13 +62,13 @@ jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *h, double *tak
 {
     gsl_odeiv2_driver *d = self->driver;
     const unsigned long failed = d->e->failed_steps;
-    double t = 0; /* the field has no time: each step starts its own clock, so that none is lost to rounding */
-    const int code = gsl_odeiv2_evolve_apply(d->e, d->c, d->s, &self->system, &t, limit, h, x);
+    const double before = self->clock;
+    const int code = gsl_odeiv2_evolve_apply(d->e, d->c, d->s, &self->system, &self->clock, before + limit, h, x);
 
     *rejected += d->e->failed_steps - failed;
-    if (code != GSL_SUCCESS || t == 0) return JLT_ERR_NO_PROGRESS;
+    if (code != GSL_SUCCESS || self->clock == before) return JLT_ERR_NO_PROGRESS;
     for (size_t i = 0; i < self->dim; i++)
         if (!isfinite(x[i])) return JLT_ERR_NONFINITE;
-    *taken = t;
+    *taken = d->e->last_step;
     return JLT_OK;
 }

@@ -73,7 +73,8 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     if (st != JLT_OK) return st;
     if (jlt_step_vanishes(stepper->tau, taken)) return JLT_ERR_NO_PROGRESS;
     stepper->h = taken;
-    stepper->h_next = fabs(taken) < asked ? fmax(fabs(h), asked) : fabs(h);
+    /* A step cut short by the limit alone says nothing against the longer one. */
+    stepper->h_next = reach < asked && fabs(taken) >= reach ? fmax(fabs(h), asked) : fabs(h);
     memcpy(stepper->x_start, stepper->x, stepper->stride * sizeof *stepper->x);
     memcpy(stepper->f_start, stepper->f, stepper->stride * sizeof *stepper->f);
     memcpy(stepper->x, self->trial, stepper->columns * sizeof *stepper->x);
