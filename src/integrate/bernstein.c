@@ -2,7 +2,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdbool.h>
 #include <string.h>
 
 enum { SIZE = JLT_BERNSTEIN_DEGREE_MAX + 1, DEPTH_MAX = 40 };
@@ -61,23 +60,12 @@ static unsigned variations(const double *b, unsigned degree)
     return count;
 }
 
-static int first_sign(const double *b, unsigned degree, bool from_end)
-{
-    for (unsigned j = 0; j <= degree; j++) {
-        const double v = b[from_end ? degree - j : j];
-        if (v != 0) return v > 0 ? 1 : -1;
-    }
-    return 0;
-}
-
 /* The one zero of b on (0, 1), by the Illinois method with bisection as a watchdog. */
 static double only_root(const double *b, unsigned degree)
 {
     double lo = 0, hi = 1, at_lo = b[0], at_hi = b[degree];
     int stayed = 0;
 
-    if (at_lo == 0) at_lo = DBL_MIN * first_sign(b, degree, false);
-    if (at_hi == 0) at_hi = DBL_MIN * first_sign(b, degree, true);
     for (unsigned i = 0; i < 80 && hi - lo > DBL_EPSILON * hi; i++) {
         double mid = i % 8 == 7 ? 0.5 * (lo + hi) : (lo * at_hi - hi * at_lo) / (at_hi - at_lo);
         if (!(mid > lo && mid < hi)) mid = 0.5 * (lo + hi);
@@ -92,7 +80,6 @@ static double only_root(const double *b, unsigned degree)
             if (stayed < 0) at_lo *= 0.5;
             stayed = -1;
         }
-        if (mid == lo && lo == hi) break;
     }
     return 0.5 * (lo + hi);
 }
@@ -127,7 +114,14 @@ static void collect(collection *found, const double *b, double from, double widt
 
 unsigned jlt_bernstein_sign_changes(double *roots, const double *b, unsigned degree)
 {
+    double inner[SIZE]; /* zeros at the ends divided out: signs on (0, 1) stay */
+    memcpy(inner, b, (degree + 1) * sizeof *inner);
+    while (degree > 0 && inner[0] == 0) jlt_bernstein_deflate(inner, degree--);
+    while (degree > 0 && inner[degree] == 0) {
+        for (unsigned j = 0; j < degree; j++) inner[j] = inner[j] * degree / (degree - j);
+        degree--;
+    }
     collection found = { .roots = roots, .degree = degree };
-    if (degree > 0) collect(&found, b, 0, 1, 0);
+    if (degree > 0) collect(&found, inner, 0, 1, 0);
     return found.count;
 }

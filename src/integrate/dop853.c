@@ -141,7 +141,11 @@ static inline __attribute__((always_inline)) double error_norm(const jlt_dop853 
     }
     const double five = ((sum5[0] + sum5[1]) + (sum5[2] + sum5[3])) + ((sum5[4] + sum5[5]) + (sum5[6] + sum5[7]));
     const double three = ((sum3[0] + sum3[1]) + (sum3[2] + sum3[3])) + ((sum3[4] + sum3[5]) + (sum3[6] + sum3[7]));
-    const double denominator = five + 0.01 * three;
+    /* The slope at the end takes no part in the estimate, but a point without one must not be accepted. */
+    lanes last = { 0 };
+    FOR_BLOCKS last += 0 * K(13);
+    const double defect = ((last[0] + last[1]) + (last[2] + last[3])) + ((last[4] + last[5]) + (last[6] + last[7]));
+    const double denominator = five + 0.01 * three + defect;
     if (denominator == 0) return 0;
     return fabs(h) * five / (sqrt(denominator * stepper->controlled) * stepper->tolerance);
 }

@@ -297,14 +297,11 @@ done:
 
 jlt_status jlt_orbit_propagate(jlt_orbit *self, double t_end, double *x)
 {
-    jlt_outcome out;
-    jlt_status st = JLT_OK;
+    jlt_outcome out = { .x = NULL };
+    const jlt_status st = jlt_orbit_next(self, t_end, NULL, 0, &out);
 
-    JLT_TRY(jlt_orbit_next(self, t_end, NULL, 0, &out));
-    memcpy(x, out.x, self->stepper->field->dim * sizeof *x);
-    if (out.end == JLT_END_POLE) st = JLT_ERR_DOMAIN;
-done:
-    return st;
+    if (out.x != NULL) memcpy(x, out.x, self->stepper->field->dim * sizeof *x);
+    return st == JLT_OK && out.end == JLT_END_POLE ? JLT_ERR_DOMAIN : st;
 }
 
 jlt_status jlt_orbit_sample(jlt_orbit *self, double *states, size_t *done, const double *times, size_t count)

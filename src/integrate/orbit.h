@@ -65,7 +65,8 @@ void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context); /
 JLT_CHECKED jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events, unsigned count,
                                       jlt_outcome *out);
 
-/** To t_end exactly. x: shape (dim,). Errors: as above; DOMAIN, a pole was reached before, x then holds the limit. */
+/** To t_end exactly. x: shape (dim,). Errors: as above, x then holds the last accepted point; DOMAIN, a pole was reached
+ *  before, x then holds the limit. */
 JLT_CHECKED jlt_status jlt_orbit_propagate(jlt_orbit *self, double t_end, double *x);
 
 /** To each of `times` (count,), monotone in the orbit's direction; states: (count, dim). *done: rows filled.

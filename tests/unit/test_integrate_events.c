@@ -1,0 +1,236 @@
+/* Crossings: none missed, doubled or invented, at rounding level. Oracles are closed forms. */
+#include "unit/check.h"
+#include "unit/sample_fields.h"
+
+#include "integrate/orbit.h"
+
+static const double pi = 3.14159265358979323846;
+static const jlt_field oscillator_field = { .dim = 2, .call = oscillator, .root = -1 };
+static const char *const methods[] = { "dop853", "rk8pd", "rkf45", "msadams" };
+enum { METHODS = sizeof methods / sizeof *methods };
+
+static jlt_orbit *oscillator_orbit(const char *method, double tolerance, double phase, int direction)
+{
+    const double x[2] = { cos(phase), -sin(phase) };
+    jlt_orbit *orbit = NULL;
+    assert_ok(jlt_orbit_create(&orbit, jlt_method_find(method), &oscillator_field, &(jlt_options){ .tolerance = tolerance }));
+    assert_ok(jlt_orbit_start(orbit, 0, x, direction));
+    return orbit;
+}
+
+/* cos t = 0 alternately downwards and upwards, at pi/2 + k pi. Phase errors grow by about the tolerance a step. */
+static void crossings_of_the_oscillator_come_once_each_in_order(void **unused)
+{
+    (void)unused;
+    for (unsigned m = 0; m < METHODS; m++) {
+        const double tolerance = 1e-11, slack = strcmp(methods[m], "msadams") == 0 ? 1e5 : 1e3;
+        jlt_orbit *orbit = oscillator_orbit(methods[m], tolerance, 0, +1);
+        const jlt_event event = { .column = 0 };
+        jlt_outcome at;
+        for (int k = 0; k < 50; k++) {
+            assert_ok(jlt_orbit_next(orbit, INFINITY, &event, 1, &at));
+            assert_int_equal(at.end, JLT_END_EVENT);
+            assert_int_equal(at.crossing.direction, k % 2 == 0 ? JLT_FALLING : JLT_RISING);
+            assert_near(at.t, pi / 2 + k * pi, slack * tolerance);
+            assert_near(at.x[0], 0, 1e-15);
+        }
+        jlt_orbit_destroy(orbit);
+    }
+}
+
+/* Backwards, directions are still those of growing t. */
+static void a_backward_run_meets_the_same_crossings_with_the_same_directions(void **unused)
+{
+    (void)unused;
+    jlt_orbit *orbit = oscillator_orbit("dop853", 1e-13, 0, -1);
+    const jlt_event rising = { .column = 0, .direction = JLT_RISING };
+    jlt_outcome at;
+    for (int k = 0; k < 5; k++) {
+        assert_ok(jlt_orbit_next(orbit, -INFINITY, &rising, 1, &at));
+        assert_near(at.t, -pi / 2 - 2 * k * pi, 1e-11);
+    }
+    jlt_orbit_destroy(orbit);
+}
+
+/* From the section itself, or off it by rounding on either side: the first crossing is half a period later. */
+static void a_start_on_the_section_is_no_crossing(void **unused)
+{
+    (void)unused;
+    const double offsets[] = { 0, 1e-17, -1e-17, 3e-14, -3e-14 };
+    for (unsigned m = 0; m < METHODS; m++)
+        for (unsigned i = 0; i < 5; i++)
+            for (int leaving = -1; leaving <= 1; leaving += 2) {
+                const double x[2] = { offsets[i], leaving };
+                const jlt_event event = { .column = 0 };
+                jlt_orbit *orbit = NULL;
+                jlt_outcome at;
+                assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &oscillator_field,
+                                           &(jlt_options){ .tolerance = 1e-12 }));
+                assert_ok(jlt_orbit_start(orbit, 0, x, +1));
+                assert_ok(jlt_orbit_next(orbit, INFINITY, &event, 1, &at));
+                assert_near(at.t, pi, 1e-9);
+                assert_int_equal(at.crossing.direction, -leaving);
+                jlt_orbit_destroy(orbit);
+            }
+}
+
+/* Restarted from each crossing, as a section map does, the count stays exact. */
+static void restarting_from_crossings_neither_repeats_nor_skips(void **unused)
+{
+    (void)unused;
+    jlt_orbit *orbit = oscillator_orbit("dop853", 1e-12, 0.3, +1);
+    const jlt_event event = { .column = 0 };
+    jlt_outcome at;
+    double t = 0;
+    for (int k = 0; k < 200; k++) {
+        assert_ok(jlt_orbit_next(orbit, INFINITY, &event, 1, &at));
+        assert_near(at.t - t, k == 0 ? pi / 2 - 0.3 : pi, 1e-10);
+        t = at.t;
+        const double x[2] = { at.x[0], at.x[1] };
+        assert_ok(jlt_orbit_start(orbit, t, x, +1));
+    }
+    jlt_orbit_destroy(orbit);
+}
+
+/* cos t = 1 - d has two zeros 2 sqrt(2 d) apart at each multiple of 2 pi, both inside a step. Their places have the condition
+ * 1/sqrt(2 d), so errors of the state of 1e-12 become 1e-12/sqrt(2 d). */
+static void two_zeros_within_a_step_are_two_crossings(void **unused)
+{
+    (void)unused;
+    const double depths[] = { 1e-2, 1e-4, 1e-6, 1e-8 };
+    for (unsigned i = 0; i < 4; i++) {
+        const double d = depths[i], half = acos(1 - d);
+        jlt_orbit *orbit = oscillator_orbit("dop853", 1e-13, 1, +1);
+        const jlt_event event = { .column = 0, .level = 1 - d };
+        jlt_outcome at;
+        for (int k = 0; k < 6; k++) {
+            const double expected = 2 * pi * (k / 2 + 1) - 1 + (k % 2 == 0 ? -half : half);
+            assert_ok(jlt_orbit_next(orbit, INFINITY, &event, 1, &at));
+            assert_int_equal(at.crossing.direction, k % 2 == 0 ? JLT_RISING : JLT_FALLING);
+            assert_near(at.t, expected, 1e-11 / half);
+        }
+        jlt_orbit_destroy(orbit);
+    }
+}
+
+/* cos t touches 1: within rounding of the amplitude it is a grazing or two crossings, never one; at 1 + 1e-9 it is nothing,
+ * and the tolerance is far from resolving that in the polynomial (1e-7) so that the flow must decide. */
+static void a_touch_is_grazing_and_a_near_miss_is_nothing(void **unused)
+{
+    (void)unused;
+    jlt_outcome at;
+    jlt_orbit *orbit = oscillator_orbit("dop853", 1e-14, 1, +1);
+    const jlt_event miss = { .column = 0, .level = 1 + 1e-9, .grazing = true };
+    assert_ok(jlt_orbit_next(orbit, 100, &miss, 1, &at));
+    assert_int_equal(at.end, JLT_END_TIME);
+    jlt_orbit_destroy(orbit);
+
+    /* x1 = sin t from an exact start touches its amplitude after a quarter turn: one step, so within 16 roundings. */
+    const double x[2] = { 1, 0 };
+    const jlt_event touch = { .column = 0, .level = -1, .grazing = true };
+    assert_ok(jlt_orbit_create(&orbit, NULL, &oscillator_field, &(jlt_options){ .tolerance = 1e-15 }));
+    assert_ok(jlt_orbit_start(orbit, 0, x, +1));
+    assert_ok(jlt_orbit_next(orbit, 4, &touch, 1, &at));
+    assert_int_equal(at.end, JLT_END_EVENT);
+    assert_near(at.t, pi, 1e-7);
+    if (at.crossing.direction != 0) {
+        assert_int_equal(at.crossing.direction, JLT_FALLING);
+        assert_ok(jlt_orbit_next(orbit, 4, &touch, 1, &at));
+        assert_int_equal(at.end, JLT_END_EVENT);
+        assert_int_equal(at.crossing.direction, JLT_RISING);
+    }
+    assert_ok(jlt_orbit_next(orbit, 4, &touch, 1, &at));
+    assert_int_equal(at.end, JLT_END_TIME);
+    jlt_orbit_destroy(orbit);
+}
+
+/* Loose polynomial, tight truth: at tolerance 1e-6 crossings that the orbit itself has must come in pairs. */
+static void near_tangencies_come_in_pairs_or_not_at_all_at_any_tolerance(void **unused)
+{
+    (void)unused;
+    for (double tolerance = 1e-5; tolerance > 1e-13; tolerance *= 0.1)
+        for (double level = 1 - 20 * tolerance; level < 1 + 20 * tolerance; level += tolerance) {
+            jlt_orbit *orbit = oscillator_orbit("dop853", tolerance, 1, +1);
+            const jlt_event event = { .column = 0, .level = level };
+            int balance = 0;
+            for (;;) {
+                jlt_outcome at;
+                assert_ok(jlt_orbit_next(orbit, 30, &event, 1, &at));
+                if (at.end != JLT_END_EVENT) break;
+                balance += at.crossing.direction;
+                assert_true(balance == 0 || balance == 1);
+                assert_near(at.x[0], level, 1e-14);
+            }
+            assert_int_equal(balance, 0);
+            jlt_orbit_destroy(orbit);
+        }
+}
+
+static double product(void *context, const double *x)
+{
+    (void)context;
+    return x[0] * x[1];
+}
+
+/* x y = -sin(2t)/2: any smooth function of the state serves, with and without its rate. */
+static double product_rate(void *context, const double *x, const double *f)
+{
+    (void)context;
+    return x[0] * f[1] + f[0] * x[1];
+}
+
+static void events_of_functions_are_found_with_and_without_their_rate(void **unused)
+{
+    (void)unused;
+    for (int with = 0; with < 2; with++) {
+        jlt_orbit *orbit = oscillator_orbit("dop853", 1e-13, 0.1, +1);
+        const jlt_event event = { .value = product, .rate = with ? product_rate : NULL };
+        jlt_outcome at;
+        for (int k = 1; k < 20; k++) {
+            assert_ok(jlt_orbit_next(orbit, INFINITY, &event, 1, &at));
+            assert_near(at.t, k * pi / 2 - 0.1, 1e-11);
+        }
+        jlt_orbit_destroy(orbit);
+    }
+}
+
+/* Several events at once arrive in the order of time, and time ends in between lose nothing. */
+static void several_events_and_times_interleave_in_order(void **unused)
+{
+    (void)unused;
+    jlt_orbit *orbit = oscillator_orbit("dop853", 1e-13, 0.05, +1);
+    const jlt_event events[2] = { { .column = 0 }, { .column = 1 } };
+    jlt_outcome at;
+    int crossings = 0, times = 0;
+    while (times < 400) {
+        const double t_end = 0.25 * (times + 1);
+        assert_ok(jlt_orbit_next(orbit, t_end, events, 2, &at));
+        if (at.end == JLT_END_TIME) {
+            assert_near(at.t, t_end, 0);
+            assert_near(at.x[0], cos(t_end + 0.05), 1e-10);
+            times++;
+            continue;
+        }
+        crossings++;
+        assert_int_equal(at.crossing.event, crossings % 2 == 1 ? 0 : 1);
+        assert_near(at.t, crossings * pi / 2 - 0.05, 1e-10);
+    }
+    assert_int_equal(crossings, (int)floor((100 + 0.05) / (pi / 2)));
+    jlt_orbit_destroy(orbit);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(crossings_of_the_oscillator_come_once_each_in_order),
+        cmocka_unit_test(a_backward_run_meets_the_same_crossings_with_the_same_directions),
+        cmocka_unit_test(a_start_on_the_section_is_no_crossing),
+        cmocka_unit_test(restarting_from_crossings_neither_repeats_nor_skips),
+        cmocka_unit_test(two_zeros_within_a_step_are_two_crossings),
+        cmocka_unit_test(a_touch_is_grazing_and_a_near_miss_is_nothing),
+        cmocka_unit_test(near_tangencies_come_in_pairs_or_not_at_all_at_any_tolerance),
+        cmocka_unit_test(events_of_functions_are_found_with_and_without_their_rate),
+        cmocka_unit_test(several_events_and_times_interleave_in_order),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
