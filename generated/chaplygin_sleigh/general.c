@@ -119,23 +119,18 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
-    const double t5 = p[2]*p[0];
+    double t6[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
-    double t8[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
-    double t11[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     for (unsigned k = 0; k < order; k++) {
-        t2[k] = jlt_jet_product(x1, x1, k);
-        t3[k] = p[2]*t2[k];
-        t7[k] = t5*x0[k];
-        t8[k] = jlt_jet_product(x1, t7, k);
-        t10[k] = t8[k]/p[3];
-        t11[k] = -t10[k];
+        t2[k] = p[2]*x1[k];
+        t3[k] = jlt_jet_product(x1, t2, k);
+        t6[k] = x1[k]*p[3];
+        t7[k] = jlt_jet_product(x0, t6, k);
         double *restrict next = coefficients + (k + 1)*2;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t11[k]/(k + 1);
+        next[1] = x1[k + 1] = t7[k]/(k + 1);
     }
 }
 

@@ -82,6 +82,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t27 = params[0]/2.0; /* m/2 */
     const double t28 = params[1]*params[0]; /* R*m */
     const double t29 = params[6]/params[1]; /* G_level/R */
+    const double t30 = -params[4]; /* -I1 */
     out[7] = t1;
     out[8] = t3;
     out[9] = t4;
@@ -100,6 +101,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[22] = t27;
     out[23] = t28;
     out[24] = t29;
+    out[25] = t30;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -428,47 +430,33 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x4[JLT_JET_ORDER_MAX + 1];
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
-    const double t6 = p[1]*p[4];
     double t7[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
-    double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    const double t22 = p[3]*p[3];
-    const double t23 = p[0]*t22;
-    double t24[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
-    double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
-    const double t32 = p[0]*p[2];
-    const double t33 = p[3]*t32;
-    double t34[JLT_JET_ORDER_MAX + 1];
-    double t35[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
+    double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
-    double t44[JLT_JET_ORDER_MAX + 1];
-    double t45[JLT_JET_ORDER_MAX + 1];
-    double t46[JLT_JET_ORDER_MAX + 1];
-    double t47[JLT_JET_ORDER_MAX + 1];
-    double t48[JLT_JET_ORDER_MAX + 1];
-    double t49[JLT_JET_ORDER_MAX + 1];
-    double t50[JLT_JET_ORDER_MAX + 1];
-    double t51[JLT_JET_ORDER_MAX + 1];
-    double t52[JLT_JET_ORDER_MAX + 1];
-    double t53[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -478,48 +466,39 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x4, x4, k);
         t3[k] = jlt_jet_product(x2, t2, k);
-        t7[k] = x4[k]*t6;
-        t9[k] = jlt_jet_quotient((k == 0 ? p[6] : 0), t7, t9, k);
-        t10[k] = jlt_jet_product(t9, t9, k);
-        t13[k] = p[1]*x0[k];
-        t14[k] = (k == 0 ? p[3] : 0) + t13[k];
-        t15[k] = jlt_jet_product(t10, t14, k);
-        t16[k] = p[1]*t9[k];
-        t18[k] = jlt_jet_product(t16, x3, k);
-        t19[k] = jlt_jet_product(x4, t18, k);
-        t20[k] = t15[k] + t19[k];
-        t24[k] = x0[k]*t23;
-        t25[k] = jlt_jet_product(x2, x2, k);
-        t26[k] = jlt_jet_product(t24, t25, k);
-        t27[k] = jlt_jet_product(t2, t26, k);
-        t28[k] = t2[k]*t23;
-        t29[k] = (k == 0 ? p[4] : 0) + t28[k];
-        t30[k] = jlt_jet_quotient(t27[k], t29, t30, k);
-        t34[k] = t2[k]*t33;
-        t35[k] = jlt_jet_quotient(t34[k], t29, t35, k);
-        t36[k] = t30[k] - t35[k];
-        t37[k] = p[4]*x0[k];
-        t38[k] = jlt_jet_product(t10, t37, k);
-        t39[k] = jlt_jet_quotient(t38[k], t29, t39, k);
-        t40[k] = t36[k] - t39[k];
-        t41[k] = x4[k]*p[1];
-        t43[k] = p[3]*x0[k];
-        t44[k] = (k == 0 ? p[1] : 0) + t43[k];
-        t45[k] = jlt_jet_product(x2, t44, k);
-        t46[k] = x1[k] + t45[k];
-        t47[k] = jlt_jet_product(t9, t46, k);
-        t48[k] = jlt_jet_quotient(t47[k], t41, t48, k);
-        t49[k] = jlt_jet_product(x2, x0, k);
-        t50[k] = jlt_jet_product(x3, t49, k);
-        t51[k] = t50[k] - t48[k];
-        t52[k] = jlt_jet_product(x4, t49, k);
-        t53[k] = -t52[k];
+        t7[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
+        t11[k] = t2[k]*p[8] + (k == 0 ? p[4] : 0);
+        t12[k] = jlt_jet_product(x4, t11, k);
+        t14[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t12, t14, k);
+        t15[k] = jlt_jet_product(t11, t14, k);
+        t16[k] = p[7]*t15[k];
+        t17[k] = jlt_jet_product(t16, t16, k);
+        t18[k] = jlt_jet_product(t7, t17, k);
+        t20[k] = x4[k]*p[1];
+        t21[k] = jlt_jet_product(x3, t20, k);
+        t22[k] = jlt_jet_product(t16, t21, k) + t18[k];
+        t25[k] = t2[k]*p[10];
+        t27[k] = jlt_jet_product(x2, x0, k);
+        t28[k] = p[9]*t27[k];
+        t29[k] = t25[k] - jlt_jet_product(t3, t28, k);
+        t30[k] = jlt_jet_product(x0, t17, k) + t29[k];
+        t31[k] = x4[k]*p[25];
+        t32[k] = jlt_jet_product(t14, t31, k);
+        t33[k] = jlt_jet_product(t30, t32, k);
+        t36[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
+        t37[k] = jlt_jet_product(x2, t36, k) + x1[k];
+        t38[k] = p[11]*t37[k];
+        t39[k] = jlt_jet_product(t15, t38, k);
+        t40[k] = jlt_jet_product(t16, t39, k);
+        t41[k] = jlt_jet_product(x3, t27, k) - t40[k];
+        t42[k] = jlt_jet_product(x4, t27, k);
+        t43[k] = -t42[k];
         double *restrict next = coefficients + (k + 1)*6;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t20[k]/(k + 1);
-        next[2] = x2[k + 1] = t40[k]/(k + 1);
-        next[3] = x3[k + 1] = t51[k]/(k + 1);
-        next[4] = x4[k + 1] = t53[k]/(k + 1);
+        next[1] = x1[k + 1] = t22[k]/(k + 1);
+        next[2] = x2[k + 1] = t33[k]/(k + 1);
+        next[3] = x3[k + 1] = t41[k]/(k + 1);
+        next[4] = x4[k + 1] = t43[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -592,7 +571,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G = {
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 25,
+    .state_count = 5, .param_count = 7, .block_count = 26,
     .states = states,
     .params = params,
     .impose = impose,
