@@ -18,6 +18,7 @@ typedef struct {
     char **files; /* tables, at least one */
     size_t file_count;
     bool json;
+    bool mutate;
     const char *out;    /* directory */
     const char *format; /* "text", "latex" or "dot" */
     const char *command_line; /* "ttc COMMAND OPTIONS..." without directories of files, for headers of what is written */

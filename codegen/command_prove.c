@@ -1,9 +1,8 @@
 /* ttc prove: every claim of the tables, proved or refuted exactly. */
 #include "command.h"
-#include "prove.h"
+#include "mutate.h"
 
 #include <jansson.h>
-#include <stdlib.h>
 
 static void print_text(const ttc_proof_report *report)
 {
@@ -64,25 +63,85 @@ static void print_json(json_t *reports, size_t file_count)
     printf("\n");
 }
 
+static const char *fate_name(ttc_mutant_fate fate)
+{
+    switch (fate) {
+    case TTC_MUTANT_REFUTED: return "refuted";
+    case TTC_MUTANT_SURVIVED: return "survived";
+    case TTC_MUTANT_UNREADABLE: break;
+    }
+    return "unreadable";
+}
+
+static void print_mutants(const ttc_model *model, const ttc_mutation_report *report)
+{
+    for (size_t i = 0; i < report->count; i++) {
+        const ttc_mutant *mutant = &report->mutants[i];
+        if (mutant->fate == TTC_MUTANT_REFUTED) continue;
+        printf("%s:%u:%u: mutant %s: %s '%.*s'\n", model->file, (unsigned)mutant->place.line,
+               (unsigned)mutant->place.column, fate_name(mutant->fate), mutant->dropped ? "dropped" : "flipped",
+               (int)mutant->term_length, mutant->term);
+    }
+    printf("%s: %zu mutants: %zu refuted, %zu survived, %zu unreadable\n", model->name, report->count, report->refuted,
+           report->survived, report->unreadable);
+}
+
+static json_t *mutants_json(const ttc_model *model, const ttc_mutation_report *report)
+{
+    json_t *mutants = json_array();
+    for (size_t i = 0; i < report->count; i++) {
+        const ttc_mutant *mutant = &report->mutants[i];
+        json_array_append_new(mutants,
+                              json_pack("{s:i, s:i, s:s%, s:s, s:s, s:s?}", "line", (int)mutant->place.line, "column",
+                                        (int)mutant->place.column, "term", mutant->term, mutant->term_length, "change",
+                                        mutant->dropped ? "dropped" : "flipped", "fate", fate_name(mutant->fate),
+                                        "refuted", mutant->refuted));
+    }
+    return json_pack("{s:s, s:s, s:o, s:{s:I, s:I, s:I, s:I}}", "model", model->name, "hash", model->sha256, "mutants",
+                     mutants, "totals", "mutants", (json_int_t)report->count, "refuted", (json_int_t)report->refuted,
+                     "survived", (json_int_t)report->survived, "unreadable", (json_int_t)report->unreadable);
+}
+
+/* A survivor means that a claim is missing: exit status 1, as for a claim that fails. */
+static int mutate(const ttc_model *model, bool json, json_t *reports)
+{
+    ttc_mutation_report *report = NULL;
+    if (!ttc_mutate(model, ttc_resolve_beside, NULL, &report)) {
+        fprintf(stderr, "ttc: out of memory while mutating %s\n", model->file);
+        return TTC_EXIT_IO;
+    }
+    if (json) json_array_append_new(reports, mutants_json(model, report));
+    else print_mutants(model, report);
+    int status = report->survived > 0 ? TTC_EXIT_REFUTED : TTC_EXIT_DONE;
+    ttc_mutation_report_destroy(report);
+    return status;
+}
+
+static int prove(const ttc_model *model, bool json, json_t *reports)
+{
+    int status = TTC_EXIT_DONE;
+    ttc_proof_report *report = NULL;
+    if (!ttc_prove(model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report)) {
+        fprintf(stderr, "ttc: out of memory while proving %s\n", model->file);
+        return TTC_EXIT_IO;
+    }
+    if (json) json_array_append_new(reports, report_json(report));
+    else print_text(report);
+    complain(report);
+    if (report->refuted > 0) status = TTC_EXIT_REFUTED;
+    if (report->meaningless > 0) status = TTC_EXIT_BAD_TABLE;
+    ttc_proof_report_destroy(report);
+    return status;
+}
+
 int ttc_command_prove(const ttc_options *options)
 {
     int status = TTC_EXIT_DONE;
     json_t *reports = json_array();
     for (size_t i = 0; i < options->file_count; i++) {
-        ttc_proof_report *report = NULL;
         ttc_model *model = ttc_command_read(options->files[i], &status);
         if (model == NULL) continue;
-        if (!ttc_prove(model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report)) {
-            fprintf(stderr, "ttc: out of memory while proving %s\n", options->files[i]);
-            raise_status(&status, TTC_EXIT_IO);
-        } else {
-            if (options->json) json_array_append_new(reports, report_json(report));
-            else print_text(report);
-            complain(report);
-            if (report->refuted > 0) raise_status(&status, TTC_EXIT_REFUTED);
-            if (report->meaningless > 0) raise_status(&status, TTC_EXIT_BAD_TABLE);
-        }
-        ttc_proof_report_destroy(report);
+        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options->json, reports));
         ttc_model_destroy(model);
     }
     if (options->json) print_json(reports, options->file_count);

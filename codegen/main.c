@@ -5,12 +5,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f' };
+enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
 #define END_OF_OPTIONS { NULL, 0, NULL, 0, NULL, 0 }
 
 static const struct argp_option check_options[] = { JSON_OPTION, END_OF_OPTIONS };
+static const struct argp_option prove_options[] = {
+    JSON_OPTION,
+    { "mutate", OPTION_MUTATE, NULL, 0, "Flip and drop every term in turn, and report whether some claim is then refuted", 0 },
+    END_OF_OPTIONS
+};
 static const struct argp_option show_options[] = {
     { "format", OPTION_FORMAT, "FORMAT", 0, "text (as in the table; the default), latex, or dot (the graph of the shared "
                                             "expressions, for Graphviz)", 0 },
@@ -33,7 +38,7 @@ static const command commands[] = {
     { "check", "read tables and report what is wrong with them", ttc_command_check, check_options,
       "Read each table and report every error and warning as FILE:LINE:COLUMN, with the line and a caret. Nothing is "
       "proved and nothing is written." },
-    { "prove", "prove or refute every claim of tables, exactly", ttc_command_prove, check_options,
+    { "prove", "prove or refute every claim of tables, exactly", ttc_command_prove, prove_options,
       "Prove every claim of each table over Q(parameters)(states, roots), and that its variants, times and eliminations "
       "follow from it. A refuted claim is printed with its place and the remainder that is not zero; one that says "
       "nothing (a vanishing denominator, an empty zero level) is an error of the table." },
@@ -59,6 +64,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     switch (key) {
     case OPTION_JSON:
         options->json = true;
+        return 0;
+    case OPTION_MUTATE:
+        options->mutate = true;
         return 0;
     case OPTION_OUT:
         options->out = argument;

@@ -91,7 +91,7 @@ static bool prove_all(const ttc_model *model, ttc_resolver resolver, void *conte
         }
         if (!ok) return false;
         count(report, proof->status);
-        if (extent == TTC_PROVE_UNTIL_REFUTED && proof->status != TTC_PROVED) break;
+        if (extent == TTC_PROVE_UNTIL_REFUTED && proof->status == TTC_REFUTED) break;
     }
     return true;
 }

@@ -40,7 +40,7 @@ typedef enum { TTC_PROVE_ALL, TTC_PROVE_UNTIL_REFUTED } ttc_prove_extent;
 
 /** Prove every claim of a model, and that each variant, time and elimination follows from its field.
  *  resolver: NULL makes every reduction an error. The report is the caller's, for ttc_proof_report_destroy.
- *  UNTIL_REFUTED stops after the first claim that is not proved.
+ *  UNTIL_REFUTED stops after the first claim that is refuted.
  *  Returns false, and no report, when memory is out. Adds nodes to the model's graph, changes nothing else. */
 bool ttc_prove(const ttc_model *model, ttc_resolver resolver, void *context, ttc_prove_extent extent,
                ttc_proof_report **report);

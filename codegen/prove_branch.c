@@ -22,8 +22,7 @@ typedef struct {
 typedef struct {
     solution solutions[2 * RELATION_LIMIT];
     size_t solution_count, spares;
-    ttc_id relations[RELATION_LIMIT]; /* the factors that are zero on this branch */
-    size_t relation_count;
+    size_t relation_count;            /* solved so far */
     ttc_id leading[RELATION_LIMIT];   /* coefficients divided by that may vanish somewhere */
     size_t leading_count;
 } branch;
@@ -33,6 +32,7 @@ typedef struct {
     ttc_prover prover;
     const ttc_id *goals; /* expressions whose zero sets meet */
     size_t goal_count;
+    size_t examined;     /* branches on which the claim was put to the proof */
     bool counting;       /* only count the codimension */
     size_t needed;
     bool reached;        /* so far every branch is empty or of the codimension needed */
@@ -178,11 +178,11 @@ static bool is_generator(const ttc_ring *ring, slong variable)
     return false;
 }
 
-/* The state to solve for: linear before quadratic, and a leading coefficient free of states before any other. */
+/* The state to solve for: a leading coefficient free of states before any other, linear before quadratic, short before
+ * long. */
 static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *degree)
 {
-    slong best = -1;
-    int best_cost = 4;
+    slong best = -1, best_cost = WORD_MAX;
     fmpz_mpoly_t leading;
     fmpz_mpoly_init(leading, task->ring->context);
     for (slong v = 0; v < (slong)task->ring->variable_count; v++) {
@@ -191,7 +191,7 @@ static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *d
         if (in_some_radicand(task, factor, v)) continue;
         ulong exponent = (ulong)d;
         fmpz_mpoly_get_coeff_vars_ui(leading, factor, &v, &exponent, 1, task->ring->context);
-        int cost = (d == 1 ? 0 : 1) + (state_free(task, leading) ? 0 : 2);
+        slong cost = state_free(task, leading) ? d - 1 : 2 * fmpz_mpoly_length(leading, task->ring->context) + d - 1;
         if (cost < best_cost) {
             best = v;
             best_cost = cost;
@@ -238,7 +238,7 @@ static bool solve(ttc_task *task, branch *b, const fmpz_mpoly_t factor)
         b->solutions[b->solution_count++] = (solution){ spare, square, true };
         b->solutions[b->solution_count++] = (solution){ symbol, value, false };
     }
-    b->relations[b->relation_count++] = polynomial_node(task, factor);
+    b->relation_count++;
     fmpz_mpoly_t leading;
     fmpz_mpoly_init(leading, task->ring->context);
     fmpz_mpoly_get_coeff_vars_ui(leading, factor, &variable, &degree, 1, task->ring->context);
@@ -249,36 +249,67 @@ static bool solve(ttc_task *task, branch *b, const fmpz_mpoly_t factor)
 
 static void descend(search *s, const branch *b, size_t goal);
 
-static void finish(search *s, const branch *b)
+/* On this branch some leading coefficient vanishes after all: its points belong to those that the count of codimension
+ * looks after. */
+static bool is_degenerate(ttc_task *task, const branch *b)
+{
+    bool zero = false;
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; !zero && i < b->leading_count; i++) {
+        ttc_evaluate(task->field, &value, b->leading[i]);
+        zero = task->ring->status == TTC_RING_DIVISION_BY_ZERO
+               || (task->ring->status == TTC_RING_OK && ttc_ratio_is_zero(task->ring, &value));
+    }
+    ttc_ratio_clear(task->ring, &value);
+    return zero;
+}
+
+static void check_hidden(search *s, const branch *b)
 {
     ttc_id goals[RELATION_LIMIT + 1];
+    for (size_t i = 0; i < b->leading_count; i++) {
+        goals[0] = b->leading[i];
+        for (size_t k = 0; k < s->goal_count; k++) goals[k + 1] = s->goals[k];
+        if (!codimension_reached(s->task, goals, s->goal_count + 1, s->goal_count + 1, 0))
+            ttc_task_reject(s->task, "the zero level may have further components, which were not examined");
+    }
+}
+
+/* Every relation is solved: the claim itself. */
+static void finish(search *s, const branch *b)
+{
     if (s->counting) {
         s->reached = s->reached && b->relation_count >= s->needed;
         return;
     }
-    for (size_t i = 0; i < b->leading_count; i++) {
-        goals[0] = b->leading[i];
-        for (size_t k = 0; k < b->relation_count; k++) goals[k + 1] = b->relations[k];
-        if (!codimension_reached(s->task, goals, b->relation_count + 1, b->relation_count + 1, 0))
-            ttc_task_reject(s->task, "the zero level may have further components, which were not examined");
-    }
-    if (s->task->status != TTC_MEANINGLESS) run_signs(s->task, b, s->prover);
+    check_hidden(s, b);
+    if (s->task->status == TTC_MEANINGLESS) return;
+    s->examined++;
+    run_signs(s->task, b, s->prover);
 }
 
-/* The state of affairs is rebuilt for every factor, as a solution changes the field. */
+/* A solution changes the field, which is therefore built anew further down; ours is kept. */
+static void descend_apart(search *s, const branch *b, size_t goal)
+{
+    ttc_valuation *field = s->task->field;
+    ttc_ring *ring = s->task->ring;
+    s->task->field = NULL;
+    s->task->ring = NULL;
+    descend(s, b, goal);
+    s->task->field = field;
+    s->task->ring = ring;
+}
+
 static void follow(search *s, const branch *b, size_t goal, const fmpz_mpoly_t factor)
 {
     branch next = *b;
     ttc_task *task = s->task;
-    ttc_valuation *field = task->field;
-    ttc_ring *ring = task->ring;
     if (!solve(task, &next, factor)) {
         if (s->counting) s->reached = false;
         else ttc_task_reject(task, "the zero level cannot be solved for a state, linearly or by a square root");
         return;
     }
-    task->field = NULL;
-    task->ring = NULL;
     if (s->counting && next.relation_count < s->needed && next.leading_count > b->leading_count) {
         ttc_id goals[2 * RELATION_LIMIT];
         size_t count = 0;
@@ -287,16 +318,13 @@ static void follow(search *s, const branch *b, size_t goal, const fmpz_mpoly_t f
         s->reached = s->reached && s->depth < HIDING_DEPTH && s->goal_count < RELATION_LIMIT
                      && codimension_reached(task, goals, count, s->needed, s->depth + 1);
     }
-    if (!s->counting || s->reached) descend(s, &next, goal + 1);
-    task->field = field;
-    task->ring = ring;
+    if (!s->counting || s->reached) descend_apart(s, &next, goal + 1);
 }
 
 static void follow_factors(search *s, const branch *b, size_t goal, const fmpz_mpoly_t polynomial, bool whole)
 {
     ttc_task *task = s->task;
     fmpz_mpoly_factor_t factors;
-    size_t followed = 0;
     if (whole) {
         follow(s, b, goal, polynomial);
         return;
@@ -305,31 +333,18 @@ static void follow_factors(search *s, const branch *b, size_t goal, const fmpz_m
     if (!fmpz_mpoly_factor(factors, polynomial, task->ring->context)) {
         if (s->counting) s->reached = false;
         else ttc_task_reject(task, "the zero level could not be factored");
-        followed = 1;
     } else {
         for (slong i = 0; i < factors->num && task->status == TTC_PROVED; i++) {
             if (never_zero(task, factors->poly + i)) continue;
-            followed++;
             follow(s, b, goal, factors->poly + i);
         }
     }
-    if (followed == 0 && !s->counting) ttc_task_reject(task, "the zero level it is restricted to is empty");
     fmpz_mpoly_factor_clear(factors, task->ring->context);
 }
 
-/* One more relation; on reaching the last, the claim itself. */
-static void descend(search *s, const branch *b, size_t goal)
+static void meet(search *s, const branch *b, size_t goal)
 {
     ttc_task *task = s->task;
-    if (task->status != TTC_PROVED) return;
-    if (goal == s->goal_count || (s->counting && b->relation_count >= s->needed)) {
-        finish(s, b);
-        return;
-    }
-    if (!open_field(task, b, 0)) {
-        ttc_task_reject(task, "out of memory");
-        return;
-    }
     ttc_ratio value;
     fmpz_mpoly_t norm;
     ttc_ratio_init(task->ring, &value);
@@ -340,12 +355,13 @@ static void descend(search *s, const branch *b, size_t goal)
     for (size_t i = 0; i < task->ring->generator_count; i++)
         if (ttc_ratio_uses(task->ring, &value, task->ring->generators[i].variable)) rational = false;
     ttc_ring_status status = task->ring->status;
-    if (status != TTC_RING_OK || task->ring->choice_count > 0) {
+    if (s->counting && status == TTC_RING_ROOT_OF_ZERO) {
+        /* roots are positive: there is no such point */
+    } else if (status != TTC_RING_OK) {
         if (s->counting) s->reached = false;
-        else if (status == TTC_RING_OK) ttc_task_reject(task, "a root becomes rational on the zero level, with either sign");
         else ttc_task_reject(task, "on the zero level, %s", ttc_ring_status_text(status));
     } else if (ttc_ratio_is_zero(task->ring, &value)) {
-        if (s->counting) descend(s, b, goal + 1);
+        if (s->counting) descend_apart(s, b, goal + 1);
         else ttc_task_reject(task, "one of the zero levels it is restricted to follows from those before it");
     } else {
         /* A norm vanishes wherever its factor does: enough for counting, too much for a proof. */
@@ -354,7 +370,30 @@ static void descend(search *s, const branch *b, size_t goal)
     }
     fmpz_mpoly_clear(norm, task->ring->context);
     ttc_ratio_clear(task->ring, &value);
-    close_field(task);
+}
+
+/* One more relation, for every sign of roots that became rational; on reaching the last, the claim itself. */
+static void descend(search *s, const branch *b, size_t goal)
+{
+    ttc_task *task = s->task;
+    bool degenerate = false, again = true;
+    if (s->counting && (goal == s->goal_count || b->relation_count >= s->needed)) {
+        finish(s, b);
+        return;
+    }
+    for (unsigned choices = 0; again && task->status == TTC_PROVED; choices++) {
+        if (!open_field(task, b, choices)) {
+            ttc_task_reject(task, "out of memory");
+            return;
+        }
+        if (is_degenerate(task, b)) degenerate = true;
+        else if (goal < s->goal_count) meet(s, b, goal);
+        again = goal < s->goal_count && choices + 1 < 1u << task->ring->choice_count;
+        close_field(task);
+    }
+    if (s->counting || task->status != TTC_PROVED) return;
+    if (degenerate) check_hidden(s, b);
+    else if (goal == s->goal_count) finish(s, b);
 }
 
 static bool codimension_reached(ttc_task *task, const ttc_id *goals, size_t count, size_t needed, unsigned depth)
@@ -362,7 +401,7 @@ static bool codimension_reached(ttc_task *task, const ttc_id *goals, size_t coun
     search s = { .task = task, .goals = goals, .goal_count = count, .counting = true, .needed = needed,
                  .reached = true, .depth = depth };
     branch start = { .solution_count = 0 };
-    descend(&s, &start, 0);
+    descend_apart(&s, &start, 0);
     return s.reached;
 }
 
@@ -378,4 +417,5 @@ void ttc_task_run(ttc_task *task, ttc_prover prover)
     for (size_t i = 0; i < task->claim->modulo_count; i++)
         goals[i] = task->model->claims[task->claim->modulo[i]].expression;
     descend(&s, &start, 0);
+    if (s.examined == 0) ttc_task_reject(task, "the zero level it is restricted to is empty");
 }
