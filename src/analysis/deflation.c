@@ -220,19 +220,18 @@ static double norm(const double *values, size_t count)
     return sqrt(sum);
 }
 
-/* |x| |y| / |v u| of the whole matrix for an eigenvalue of B: u, v from the adjugate of B, x = (-follow u, u) and
- * y = A_f^T v / lambda. The product of the other distances, too, in *distances. */
-static double condition(double *distances, const problem *p, const choice *c, const double *re, const double *im, size_t at)
+/* |x| |y| / |v u| of the whole matrix for an eigenvalue of B: u, v from the adjugate of B,
+ * x = ((A_pf - A_pp W_p^(-1) W_f) u / lambda, u) and y = A_f^T v / lambda. */
+static double condition(const problem *p, const choice *c, double re, double im)
 {
     const size_t n = p->n, k = p->rank, rest = n - k;
     double adjugate[2 * SIZE * SIZE], x2 = 0.0, y2 = 0.0, product_re = 0.0, product_im = 0.0;
     const double *real = adjugate, *imaginary = adjugate + rest * rest;
+    const double lambda = hypot(re, im);
     size_t row = 0, column = 0;
 
-    *distances = 1.0;
-    for (size_t i = 0; i < rest; i++)
-        if (i != at) *distances *= hypot(re[i] - re[at], im[i] - im[at]);
-    (void)jlt_charpoly_adjugate(adjugate, c->block, rest, re[at], im[at]);
+    if (lambda == 0.0) return NAN;
+    (void)jlt_charpoly_adjugate(adjugate, c->block, rest, re, im);
     for (size_t i = 0; i < rest; i++)
         for (size_t j = 0; j < rest; j++)
             if (hypot(real[i * rest + j], imaginary[i * rest + j]) >
@@ -246,12 +245,16 @@ static double condition(double *distances, const problem *p, const choice *c, co
         product_im += ur * vi + ui * vr;
     }
     for (size_t l = 0; l < k; l++) {
+        const double *whole = p->a + c->pivots[l] * n;
         double r = 0.0, i = 0.0;
         for (size_t j = 0; j < rest; j++) {
-            r += c->follow[l * rest + j] * real[j * rest + column];
-            i += c->follow[l * rest + j] * imaginary[j * rest + column];
+            double entry = whole[c->others[j]];
+            for (size_t q = 0; q < k; q++)
+                if (whole[c->pivots[q]] != 0.0) entry -= whole[c->pivots[q]] * c->follow[q * rest + j];
+            r += entry * real[j * rest + column];
+            i += entry * imaginary[j * rest + column];
         }
-        x2 += r * r + i * i;
+        x2 += (r * r + i * i) / (lambda * lambda);
     }
     for (size_t j = 0; j < n; j++) {
         double r = 0.0, i = 0.0;
@@ -261,38 +264,101 @@ static double condition(double *distances, const problem *p, const choice *c, co
         }
         y2 += r * r + i * i;
     }
-    const double lambda = hypot(re[at], im[at]), product = hypot(product_re, product_im);
-    if (lambda == 0.0) return NAN;
+    const double product = hypot(product_re, product_im);
     return product == 0.0 ? INFINITY : sqrt(x2) * (sqrt(y2) / lambda) / product;
 }
 
-/* Eigenvalues of B with error bounds: closed form up to two rows, GSL beyond. */
+/* Rows and columns of B that are still coupled, after those whose eigenvalue stands on the diagonal are taken out: an
+ * exact permutation to block triangular form. */
+typedef struct {
+    size_t count, index[SIZE];
+} coupled;
+
+static bool isolated(const choice *c, const coupled *active, size_t rest, size_t at)
+{
+    bool row = true, column = true;
+
+    for (size_t k = 0; k < active->count; k++) {
+        const size_t i = active->index[at], j = active->index[k];
+        if (k == at) continue;
+        row = row && c->block[i * rest + j] == 0.0 && c->error[i * rest + j] == 0.0;
+        column = column && c->block[j * rest + i] == 0.0 && c->error[j * rest + i] == 0.0;
+    }
+    return row || column;
+}
+
+/* Eigenvalues on the diagonal, as many as there are, to the front of re, im, error; returns how many. */
+static size_t take_isolated(double *re, double *im, double *error, coupled *active, const choice *c, size_t rest)
+{
+    size_t taken = 0;
+
+    for (size_t at = 0; at < active->count;) {
+        const size_t i = active->index[at];
+        if (!isolated(c, active, rest, at)) {
+            at++;
+            continue;
+        }
+        re[taken] = c->block[i * rest + i];
+        im[taken] = 0.0;
+        error[taken++] = c->error[i * rest + i];
+        active->count--;
+        memmove(active->index + at, active->index + at + 1, (active->count - at) * sizeof *active->index);
+        at = 0;
+    }
+    return taken;
+}
+
+/* A coupled block of three rows or more, by GSL. First order where an eigenvalue is simple enough, Elsner's bound in any
+ * case (L. Elsner, Linear Algebra Appl. 71, 1985). */
+static jlt_status solve_large(double *re, double *im, double *error, const double *block, const double *block_error,
+                              size_t n)
+{
+    const double size = norm(block, n * n), noise = norm(block_error, n * n) + 10 * (double)n * roundoff * size;
+    const jlt_status st = jlt_eigen_values(re, im, block, n);
+
+    if (st != JLT_OK) return st;
+    for (size_t i = 0; i < n; i++) {
+        double distances = 1.0;
+        for (size_t k = 0; k < n; k++)
+            if (k != i) distances *= hypot(re[k] - re[i], im[k] - im[i]);
+        error[i] = pow(2 * size + noise, 1.0 - 1.0 / (double)n) * pow(noise, 1.0 / (double)n);
+        if (distances > 0.0)
+            error[i] = fmin(error[i], 2 * noise * jlt_charpoly_adjugate(NULL, block, n, re[i], im[i]) / distances);
+    }
+    return JLT_OK;
+}
+
+/* Eigenvalues of B with error bounds, those on the diagonal of a triangular part as they are, pairs in closed form. */
 static jlt_status solve_block(double *re, double *im, double *error, const problem *p, const choice *c)
 {
     const size_t rest = p->n - p->rank;
-    jlt_status st;
-    double size, noise, distances;
+    double block[SIZE * SIZE], block_error[SIZE * SIZE];
+    coupled active = { .count = rest };
+    size_t taken, n;
 
-    if (rest == 0) return JLT_OK;
-    if (rest == 1) {
-        re[0] = c->block[0];
-        im[0] = 0.0;
-        error[0] = c->error[0];
-        return JLT_OK;
-    }
-    if (rest == 2) return jlt_quadratic_eigenvalues(re, im, error, c->block, c->error);
-    st = jlt_eigen_values(re, im, c->block, rest);
-    if (st != JLT_OK) return st;
-    size = norm(c->block, rest * rest);
-    noise = norm(c->error, rest * rest) + 10 * (double)rest * roundoff * size;
-    for (size_t i = 0; i < rest; i++) {
-        const double adjugate = jlt_charpoly_adjugate(NULL, c->block, rest, re[i], im[i]);
-        /* First order where the eigenvalue is simple enough, Elsner's bound in any case. */
-        error[i] = pow(2 * size + noise, 1.0 - 1.0 / (double)rest) * pow(noise, 1.0 / (double)rest);
-        (void)condition(&distances, p, c, re, im, i);
-        if (distances > 0.0) error[i] = fmin(error[i], 2 * noise * adjugate / distances);
-    }
-    return JLT_OK;
+    for (size_t i = 0; i < rest; i++) active.index[i] = i;
+    taken = take_isolated(re, im, error, &active, c, rest);
+    n = active.count;
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n; j++) {
+            block[i * n + j] = c->block[active.index[i] * rest + active.index[j]];
+            block_error[i * n + j] = c->error[active.index[i] * rest + active.index[j]];
+        }
+    if (n == 0) return JLT_OK;
+    if (n == 2) return jlt_quadratic_eigenvalues(re + taken, im + taken, error + taken, block, block_error);
+    return solve_large(re + taken, im + taken, error + taken, block, block_error, n);
+}
+
+/* Ascending in (re, im), the errors along. */
+static void sort_ascending(double *re, double *im, double *error, size_t n)
+{
+    for (size_t i = 1; i < n; i++)
+        for (size_t j = i; j > 0; j--) {
+            const double held[3] = { re[j], im[j], error[j] };
+            if (re[j - 1] < re[j] || (!(re[j - 1] > re[j]) && im[j - 1] <= im[j])) break;
+            re[j] = re[j - 1], im[j] = im[j - 1], error[j] = error[j - 1];
+            re[j - 1] = held[0], im[j - 1] = held[1], error[j - 1] = held[2];
+        }
 }
 
 /* The largest distance from a value of one list to the nearest of the other. */
@@ -356,6 +422,9 @@ static jlt_status set_up(problem *p, const double *a, const double *error, size_
     for (size_t i = 0; i < count * n; i++)
         if (!isfinite(gradients[i])) return JLT_ERR_NONFINITE;
     independent(p, gradients, count);
+    for (size_t i = 0; i < p->rank; i++)
+        for (size_t j = 0; j < n; j++)
+            if (gradients[(size_t)p->row[i] * n + j] != 0.0 && !isnormal(p->w[i * n + j])) return JLT_ERR_NONFINITE;
     return JLT_OK;
 }
 
@@ -365,7 +434,7 @@ jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const d
     problem p = { 0 };
     choice best = { 0 };
     jlt_deflation r = { 0 };
-    double re[SIZE], im[SIZE], errors[SIZE], distances;
+    double re[SIZE], im[SIZE], errors[SIZE];
     size_t rest, zeros;
     jlt_status st;
 
@@ -374,12 +443,13 @@ jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const d
     if (!choose(&best, &p)) return JLT_ERR_NONFINITE;
     rest = n - p.rank;
     JLT_TRY(solve_block(re, im, errors, &p, &best));
+    sort_ascending(re, im, errors, rest);
     r.n = n;
     r.kept = rest;
     zeros = p.rank;
     for (size_t i = 0; i < p.rank; i++) r.values[i] = (jlt_eigenvalue){ 0.0, 0.0, NAN, 0.0, p.row[i] };
     for (size_t i = 0; i < rest; i++) {
-        r.values[p.rank + i] = (jlt_eigenvalue){ re[i], im[i], condition(&distances, &p, &best, re, im, i), errors[i], -1 };
+        r.values[p.rank + i] = (jlt_eigenvalue){ re[i], im[i], condition(&p, &best, re[i], im[i]), errors[i], -1 };
         zeros += hypot(re[i], im[i]) <= errors[i];
         r.coordinates[i] = best.others[i];
     }

@@ -42,7 +42,8 @@ typedef struct {
  *  In:  a, shape (n, n); error, shape (n, n), bound on |error of a|, or NULL: 4 units roundoff of each entry; gradients,
  *       shape (count, n), dependent ones allowed (the later is left out). n <= JLT_DEFLATION_SIZE_MAX.
  *  Errors: ARG, NONFINITE, NO_CONVERGENCE, NOMEM.
- *  Blocks of one or two rows are solved in closed form, with the discriminant in doubled precision; larger ones by GSL.
+ *  A triangular part of B gives its diagonal as it is; a coupled block of two rows is solved in closed form, a larger one
+ *  by GSL.
  *  Cost: choose(n, k) eliminations of k rows. Not reentrant: it calls ARPACK. */
 JLT_CHECKED jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
                                              const double *gradients, size_t count);
