@@ -167,7 +167,7 @@ done:
 static void judge(jlt_linearization *r, const double *error)
 {
     const size_t n = r->n;
-    bool negative = true;
+    bool negative = true, moves = false;
 
     r->trace_error = 0.0;
     for (size_t i = 0; i < n; i++)
@@ -175,16 +175,16 @@ static void judge(jlt_linearization *r, const double *error)
     r->trace_error += 2 * (double)n * roundoff * fabs(r->trace);
     r->obstructs = fabs(r->trace) > r->trace_error;
     r->verdict = r->eigen.defective_zero ? JLT_UNSTABLE : JLT_STABLE;
-    if (r->eigen.kept == 0) negative = false;
     for (size_t i = 0; i < n; i++) {
         const jlt_eigenvalue *value = &r->eigen.values[i];
-        if (value->source >= 0) continue;
+        if (value->source >= 0 || hypot(value->re, value->im) <= value->error) continue;
+        moves = true;
         /* A conjugate pair has the trace for twice its real part: its error is the trace's. */
         const double slack = value->im != 0.0 && r->eigen.kept == 2 ? fmin(value->error, r->trace_error) : value->error;
         if (value->re > slack) r->verdict = JLT_UNSTABLE;
         if (!(value->re < -slack)) negative = false;
     }
-    if (r->verdict == JLT_STABLE && !negative) r->verdict = JLT_CENTRE;
+    if (r->verdict == JLT_STABLE && !(moves && negative)) r->verdict = JLT_CENTRE;
 }
 
 jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params,

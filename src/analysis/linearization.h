@@ -12,11 +12,11 @@ enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
 /* A residual f_i counts as rounding when it stays below this part of sum_j |df_i/dx_j x_j|, the size of what cancels. */
 #define JLT_LINEARIZATION_TOLERANCE 1e-12
 
-/* Motion near the equilibrium, on the common level of the integrals. */
+/* Motion near the equilibrium, across the integrals' levels and the family of equilibria it belongs to. */
 typedef enum {
-    JLT_STABLE,   /* every eigenvalue not due to an integral has a negative real part */
-    JLT_UNSTABLE, /* one has a positive real part, or a zero eigenvalue is defective: growth, at least linear */
-    JLT_CENTRE    /* none of both, and some on the imaginary axis to within their error, or none at all */
+    JLT_STABLE,   /* every eigenvalue but zero has a negative real part, and zero is semisimple */
+    JLT_UNSTABLE, /* one has a positive real part, or zero is defective: growth, at least linear */
+    JLT_CENTRE    /* none of both: some on the imaginary axis to within their error, or none but zero */
 } jlt_verdict;
 
 typedef struct {
