@@ -31,6 +31,21 @@ static ttc_keyword find_keyword(const char *text, size_t length)
     return TTC_KEYWORD_NONE;
 }
 
+/* Words of later additions to the language: keywords where they open a record or a clause, free as names elsewhere. */
+static bool is_soft(ttc_keyword keyword)
+{
+    switch (keyword) {
+    case TTC_KEYWORD_MATRIX:
+    case TTC_KEYWORD_LEFTNULL:
+    case TTC_KEYWORD_REDUCTION:
+    case TTC_KEYWORD_RATE:
+    case TTC_KEYWORD_MODULO:
+    case TTC_KEYWORD_ONTO:
+    case TTC_KEYWORD_WITH: return true;
+    default: return false;
+    }
+}
+
 static uint32_t column_of(const lexer *l, const char *at) { return (uint32_t)(at - l->line_start) + 1; }
 
 static bool push(lexer *l, ttc_token_kind kind, ttc_keyword keyword, const char *start, const char *text, size_t length)
@@ -56,15 +71,32 @@ static bool push_bad(lexer *l, const char *start)
     return push(l, TTC_TOKEN_BAD, TTC_KEYWORD_NONE, start, start, (size_t)(l->at - start));
 }
 
+static size_t word_length(const lexer *l)
+{
+    const char *stop = l->at;
+    while (stop < l->end && is_word(*stop)) stop++;
+    return (size_t)(stop - l->at);
+}
+
+/* A record opens at its keyword; at a soft one only when a name follows, which no expression allows. */
+static bool opens_record(const lexer *l, ttc_keyword keyword, size_t length)
+{
+    if (!l->line_opens || keyword >= TTC_RECORD_COUNT) return false;
+    const char *next = l->at + length;
+    while (next < l->end && (*next == ' ' || *next == '\t')) next++;
+    return !is_soft(keyword) || (next < l->end && is_letter(*next));
+}
+
 static bool lex_word(lexer *l)
 {
     const char *start = l->at;
-    while (l->at < l->end && is_word(*l->at)) l->at++;
-    size_t length = (size_t)(l->at - start);
+    size_t length = word_length(l);
     ttc_keyword keyword = find_keyword(start, length);
+    bool opens = opens_record(l, keyword, length);
+    l->at += length;
     if (keyword != TTC_KEYWORD_NONE) {
-        bool opens = l->line_opens && keyword < TTC_RECORD_COUNT;
-        return push(l, opens ? TTC_TOKEN_RECORD : TTC_TOKEN_KEYWORD, keyword, start, start, length);
+        ttc_token_kind kind = opens ? TTC_TOKEN_RECORD : is_soft(keyword) ? TTC_TOKEN_NAME : TTC_TOKEN_KEYWORD;
+        return push(l, kind, keyword, start, start, length);
     }
     if (length > TTC_NAME_LIMIT) {
         ttc_report(l->diagnostics, TTC_ERROR, l->line, column_of(l, start), "a name of %zu characters (expected at most %d)",
@@ -145,11 +177,8 @@ static bool lex_mark(lexer *l)
 /* A line that neither opens a record nor is indented belongs to nothing. */
 static bool open_line(lexer *l)
 {
-    const char *stop = l->at;
-    while (stop < l->end && is_word(*stop)) stop++;
-    size_t length = (size_t)(stop - l->at);
-    ttc_keyword keyword = find_keyword(l->at, length);
-    if (l->at > l->line_start || keyword < TTC_RECORD_COUNT) return true;
+    size_t length = word_length(l);
+    if (l->at > l->line_start || opens_record(l, find_keyword(l->at, length), length)) return true;
     ttc_report(l->diagnostics, TTC_ERROR, l->line, 1, "'%.*s' opens no record (expected a keyword, or an indented line that "
                "continues the record above)", length == 0 ? 1 : (int)(length > 40 ? 40 : length), l->at);
     return push(l, TTC_TOKEN_RECORD, TTC_KEYWORD_NONE, l->at, l->at, length);

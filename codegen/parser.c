@@ -27,7 +27,7 @@ bool ttc_parse_at_mark(const ttc_parser *parser, char mark)
 bool ttc_parse_at_keyword(const ttc_parser *parser, ttc_keyword keyword)
 {
     const ttc_token *token = ttc_parse_peek(parser);
-    return token->kind == TTC_TOKEN_KEYWORD && token->keyword == keyword;
+    return (token->kind == TTC_TOKEN_KEYWORD || token->kind == TTC_TOKEN_NAME) && token->keyword == keyword;
 }
 
 bool ttc_parse_accept_mark(ttc_parser *parser, char mark)

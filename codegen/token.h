@@ -32,7 +32,7 @@ typedef enum {
     TTC_TOKEN_END,     /* of the table */
     TTC_TOKEN_RECORD,  /* a keyword that opens a record; keyword NONE: a line that belongs to no record */
     TTC_TOKEN_KEYWORD, /* any keyword elsewhere */
-    TTC_TOKEN_NAME,
+    TTC_TOKEN_NAME,    /* a word of a later addition carries its keyword as well: its place decides what it is */
     TTC_TOKEN_NUMBER,
     TTC_TOKEN_STRING,  /* text without the quotes */
     TTC_TOKEN_UNIT,    /* text without the brackets */

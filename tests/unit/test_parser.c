@@ -196,7 +196,7 @@ static void every_kind_of_claim(void **unused)
         "reversor x -> -x, y -> -y\n"
         "equilibria f : x = 2*a, y = 0 when b = x\n"
         "  trace f = 0\n  charpoly f = lambda^2 - a*b\n  obstructs f\n  matrix f = 0, a;\n    b, 0\n  leftnull f : E, H\n"
-        "integral H = b*x^2 - a*y^2\nequal same : E + K = rho\n"
+        "integral H = b*x^2 - a*y^2\nequal same : E + K = rho\nrate growth : x + y = a*y when b = 0\n"
         "reduction r : onto other.tt with u = x/y, v = 2 when a = 1 modulo H, K\n"
         "reduction s : onto \"the-other.tt\" with u = x\n");
     const ttc_claim *e = claim(model, "E");
@@ -236,6 +236,11 @@ static void every_kind_of_claim(void **unused)
     const ttc_claim *same = claim(model, "same"); /* a claim's name stands for its expression */
     prints(model, same->expression, "x - y + x^2");
     prints(model, same->other, "1");
+    const ttc_claim *growth = claim(model, "growth");
+    assert_int_equal(growth->kind, TTC_CLAIM_RATE);
+    prints(model, growth->expression, "x + y");
+    prints(model, growth->other, "a*y");
+    assert_int_equal(growth->when.count, 1);
     const ttc_claim *r = claim(model, "r");
     assert_string_equal(r->target, "other.tt");
     assert_string_equal(r->target_names[1], "v");
@@ -254,6 +259,17 @@ static void lambda_may_be_a_name_of_the_table(void **unused)
     assert_true(ttc_depends(model->graph, ttc_model_field(model, 0), own));
     assert_false(ttc_depends(model->graph, model->claims[1].expression, own));
     assert_true(ttc_depends(model->graph, model->claims[1].expression, 0));
+    ttc_model_destroy(model);
+}
+
+static void words_of_later_records_remain_free_as_names(void **unused)
+{
+    (void)unused;
+    ttc_model *model = parse("model t\nparam rate\nparam matrix\nparam with\nstate onto\nstate modulo\n"
+                             "eq onto = with\n  + matrix\n  - \n  rate*modulo\n  - rate - matrix*2\neq modulo = rate\n"
+                             "integral leftnull = onto when rate = 0 modulo reduction\ninvariant reduction = modulo - onto\n"
+                             "rate speed : modulo = rate\nequilibria f : onto = 0\nmatrix f = 0, 0; 0, 0\n");
+    prints(model, ttc_model_field(model, 0), "-rate - matrix + with - rate*modulo");
     ttc_model_destroy(model);
 }
 
@@ -340,6 +356,7 @@ int main(void)
         cmocka_unit_test(kernels_of_their_own),
         cmocka_unit_test(every_kind_of_claim),
         cmocka_unit_test(lambda_may_be_a_name_of_the_table),
+        cmocka_unit_test(words_of_later_records_remain_free_as_names),
         cmocka_unit_test(expansion_opens_lets_and_nothing_else),
         cmocka_unit_test(partial_derivatives_go_through_definitions),
         cmocka_unit_test(a_state_named_by_a_let_of_itself_has_slope_one),
