@@ -1,0 +1,249 @@
+#include "cli/motion.h"
+#include "cli/progress.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A picture holds so many points at most: memory does not grow with the returns. */
+enum { PICTURE_POINTS = 400000 };
+
+typedef struct {
+    jlt_motion_options motion;
+    const char **starts;
+    size_t start_count;
+    const char *grid;
+    size_t returns;
+    int time_direction;
+} options;
+
+enum { BACKWARD = 2000 };
+
+static const struct argp_option option_table[] = {
+    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "A start on the section; may be repeated", 1 },
+    { "grid", 'g', "COUNTxCOUNT", 0,
+      "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; points where the levels are empty are passed over", 1 },
+    { "returns", 'n', "N", 0, "Returns of every orbit; default 100", 1 },
+    { "backward", BACKWARD, NULL, 0, "Go backwards in time", 1 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case 'a': o->starts[o->start_count++] = value; return 0;
+    case 'g': o->grid = value; return 0;
+    case 'n': {
+        const jlt_exit code = jlt_grid_count(&o->returns, value, 1, SIZE_MAX / 2, "--returns");
+        if (code != JLT_EXIT_DONE) exit((int)code);
+        return 0;
+    }
+    case BACKWARD: o->time_direction = -1; return 0;
+    case ARGP_KEY_END:
+        if (o->start_count == 0 && o->grid == NULL) argp_error(state, "say where to start: --start or --grid");
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "[MODEL]",
+    "The Poincare map of the spherical top on omega_tau = 0 at levels of E and G, in coordinates (eta, gamma3): the returns "
+    "of orbits, and what becomes of them. For another model, on a section STATE=VALUE."
+    "\vColumns: orbit, return, t, eta, gamma3, v_nu, omega_n, omega3, fate. Return 0 is the start. An orbit that ends has "
+    "a last row with its fate: pole+ or pole- (gamma3 = 1 or -1 is reached; velocities are the limits), lost_contact, or "
+    "budget (one return took more than 100000 steps). Coordinates of the section are empty there.\n\n"
+    "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 --returns 10 --tol 1e-13\n"
+    "  jellett section --grid 24x16 --returns 400 --plot section.svg > section.csv",
+    children, NULL, NULL,
+};
+
+/* Counts for the closing words, and what the picture gets. */
+typedef struct {
+    size_t orbits, empty, rows, by_fate[JLT_FATE_BUDGET + 1], lost_contact;
+    FILE *points;
+    size_t point_count;
+} totals;
+
+static void write_row(FILE *file, const options *o, const jlt_system *system, size_t orbit, const jlt_return *row)
+{
+    const jlt_chart *chart = system->flow.chart;
+    double omega_n, omega3;
+
+    fprintf(file, "%zu,%zu,%.17g", orbit, row->number, row->t);
+    for (unsigned k = 0; k < chart->dim; k++) {
+        const bool is_gamma3 = system->is_top && k == 1; /* known off the section as well */
+        const double value = is_gamma3 ? row->x[JLT_CHART_TOP_GAMMA3] : row->q[k];
+        if (isnan(value)) fputc(',', file);
+        else fprintf(file, ",%.17g", value);
+    }
+    if (system->is_top) {
+        jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, row->x);
+        fprintf(file, ",%.17g,%.17g,%.17g", row->x[JLT_CHART_TOP_V_NU], omega_n, omega3);
+    }
+    fprintf(file, ",%s", jlt_section_fate_name(row->fate));
+    if (strcmp(o->motion.contact, "report") == 0) fprintf(file, ",%.17g", row->contact);
+    fputc('\n', file);
+}
+
+static void note(totals *sum, const jlt_return *row)
+{
+    sum->rows++;
+    if (sum->points == NULL || isnan(row->q[0]) || sum->point_count == PICTURE_POINTS) return;
+    fprintf(sum->points, "%.7g %.7g\n", row->q[0], row->q[1]);
+    sum->point_count++;
+}
+
+static jlt_status run_orbit(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system,
+                            jlt_section *section, const double *q, jlt_progress *progress, size_t all)
+{
+    const bool endless = o->returns > ((size_t)1 << 40);
+    jlt_return row;
+    jlt_status st = jlt_section_start(section, &row, q, o->time_direction);
+
+    if (st != JLT_OK) return st;
+    write_row(stream->file, o, system, sum->orbits, &row);
+    note(sum, &row);
+    while (row.fate == JLT_FATE_ALIVE && row.number < o->returns && !jlt_motion_interrupted(&o->motion)) {
+        st = jlt_section_next(section, &row);
+        if (st != JLT_OK) return st;
+        if (row.interrupted) break;
+        write_row(stream->file, o, system, sum->orbits, &row);
+        note(sum, &row);
+        if (ferror(stream->file)) return JLT_ERR_IO;
+        jlt_progress_show(progress, endless ? sum->rows : sum->orbits * o->returns + row.number,
+                          endless ? 0 : all * o->returns);
+    }
+    if (sum->points != NULL) fputs("\n", sum->points);
+    if (row.fate != JLT_FATE_ALIVE || !row.interrupted) sum->by_fate[row.fate]++;
+    if (!(row.contact > 0)) sum->lost_contact++;
+    sum->orbits++;
+    return JLT_OK;
+}
+
+static void closing_words(const totals *sum, const options *o, const jlt_stream *stream)
+{
+    const bool interrupted = jlt_motion_interrupted(&o->motion);
+
+    if (interrupted)
+        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu orbits are saved in %s\n", sum->rows, sum->orbits,
+                stream->path);
+    if (sum->empty > 0)
+        fprintf(stderr, "jellett: %zu points of the grid have no state on these levels\n", sum->empty);
+    if (sum->lost_contact > 0 && !o->motion.flow.end_at_contact_loss)
+        fprintf(stderr,
+                "jellett: %zu of %zu orbits pass through N <= 0, where the support no longer pushes and the model does not "
+                "hold; they were followed all the same (--contact end stops them there)\n",
+                sum->lost_contact, sum->orbits);
+}
+
+static jlt_exit draw(const options *o, const jlt_system *system, const char *points, const totals *sum)
+{
+    char *script = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&script, &size);
+    jlt_exit code;
+
+    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    fputs("set encoding utf8\n$POINTS << END\n", stream);
+    fputs(points, stream);
+    fputs("END\nset title \"Poincare map on the section, ", stream);
+    jlt_motion_caption(stream, system);
+    fprintf(stream, "\\n%zu orbits: %zu alive, %zu end at pole +1, %zu at pole -1, %zu lost contact, %zu budget\" noenhanced\n",
+            sum->orbits, sum->by_fate[JLT_FATE_ALIVE], sum->by_fate[JLT_FATE_POLE_PLUS],
+            sum->by_fate[JLT_FATE_POLE_MINUS], sum->by_fate[JLT_FATE_LOST_CONTACT], sum->by_fate[JLT_FATE_BUDGET]);
+    if (system->is_top) fputs("set xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset xrange [-pi:pi]\n", stream);
+    else
+        fprintf(stream, "set xlabel \"%s\" noenhanced\nset ylabel \"%s\" noenhanced\n", system->flow.chart->names[0],
+                system->flow.chart->names[1]);
+    fputs("unset key\nplot $POINTS with dots lc rgb '#202060'\n", stream);
+    fclose(stream);
+    code = jlt_motion_draw(&o->motion, script);
+    free(script);
+    return code;
+}
+
+static void column_names(FILE *file, const options *o, const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+
+    fputs("orbit,return,t", file);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",%s", chart->names[k]);
+    fprintf(file, "%s,fate%s\n", system->is_top ? ",v_nu,omega_n,omega3" : "",
+            strcmp(o->motion.contact, "report") == 0 ? ",contact_min" : "");
+}
+
+/* All starts, those of --start first. */
+static jlt_exit run_all(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system)
+{
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    jlt_section *section = NULL;
+    jlt_progress progress;
+    double q[JLT_CHART_DIM_MAX];
+    size_t grid = 0, all, i;
+    jlt_exit code = jlt_motion_axes(axes, system, o->grid);
+    jlt_status st = code == JLT_EXIT_DONE ? jlt_section_create(&section, &system->flow) : JLT_OK;
+
+    if (st != JLT_OK) code = jlt_motion_fail(st, system, "section");
+    if (o->grid != NULL) grid = jlt_motion_grid_size(axes, system);
+    all = o->start_count + grid;
+    jlt_progress_start(&progress, "returns");
+    for (i = 0; code == JLT_EXIT_DONE && i < all && !jlt_motion_interrupted(&o->motion); i++) {
+        const char *what = i < o->start_count ? o->starts[i] : "a start of the grid";
+        if (i < o->start_count) code = jlt_motion_start(q, system, o->starts[i]);
+        else jlt_motion_grid_point(q, axes, system, i - o->start_count);
+        if (code != JLT_EXIT_DONE) break;
+        st = run_orbit(sum, stream, o, system, section, q, &progress, all);
+        if (i >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) sum->empty++;
+        else if (st != JLT_OK && st != JLT_ERR_IO) code = jlt_motion_fail(st, system, what);
+        else if (st == JLT_ERR_IO) break;
+    }
+    jlt_progress_end(&progress);
+    jlt_section_destroy(section);
+    return code;
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { .returns = 100, .time_direction = 1 };
+    totals sum = { 0 };
+    jlt_stream stream = { 0 };
+    jlt_system *system = NULL;
+    char *points = NULL;
+    size_t size = 0;
+    jlt_exit code;
+
+    o.starts = calloc((size_t)argc, sizeof *o.starts);
+    if (o.starts == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    jlt_motion_begin(&o.motion, argc, argv);
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code != JLT_EXIT_DONE) goto done;
+    if (o.motion.plot != NULL) sum.points = open_memstream(&points, &size);
+    jlt_motion_header(stream.file, &o.motion, system);
+    column_names(stream.file, &o, system);
+    code = run_all(&sum, &stream, &o, system);
+    if (sum.points != NULL) fclose(sum.points);
+    if (code != JLT_EXIT_DONE) goto done;
+    code = jlt_stream_close(&stream);
+    if (code == JLT_EXIT_DONE) closing_words(&sum, &o, &stream);
+    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, points, &sum);
+done:
+    jlt_stream_discard(&stream);
+    jlt_system_destroy(system);
+    jlt_motion_end(&o.motion);
+    free(points);
+    free(o.starts);
+    return code;
+}
+
+const jlt_command jlt_command_section = {
+    "section", "[MODEL] --start ...|--grid ... [OPTION...]", "Poincare map at levels of E and G: returns, fates, picture", run
+};

@@ -1,0 +1,111 @@
+#include "cli/grid.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ext/number.h"
+
+static const double pi = 3.14159265358979323846;
+
+jlt_exit jlt_grid_number(double *value, const char *text, size_t length, const char *option)
+{
+    if (length == 2 && strncmp(text, "pi", 2) == 0) *value = pi;
+    else if (length == 3 && strncmp(text, "-pi", 3) == 0) *value = -pi;
+    else if (jlt_number_parse(value, text, length) != JLT_OK)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%.*s' is no finite number (write 2, -0.51, 1e-3, 1/3 or pi)", option,
+                                (int)length, text);
+    return JLT_EXIT_DONE;
+}
+
+jlt_exit jlt_grid_count(size_t *value, const char *text, size_t low, size_t high, const char *option)
+{
+    char *end;
+    unsigned long long number;
+
+    errno = 0;
+    number = strtoull(text, &end, 10);
+    if (text[0] < '0' || text[0] > '9' || *end != '\0' || errno != 0 || number < low || number > high)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' is no whole number from %zu to %zu", option, text, low, high);
+    *value = (size_t)number;
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit count_part(size_t *value, const char *text, size_t length, const char *option)
+{
+    char copy[24];
+
+    if (length >= sizeof copy) length = sizeof copy - 1;
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    return jlt_grid_count(value, copy, 1, 1000000000, option);
+}
+
+jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t length, const char *option)
+{
+    const char *equals = memchr(text, '=', length), *end = text + length, *first, *second;
+    jlt_grid_axis read = { .count = 1 };
+    jlt_exit code;
+
+    if (equals == NULL || equals == text || (size_t)(equals - text) >= sizeof read.name)
+        return jlt_command_fail(JLT_EXIT_USAGE, "%s: '%.*s' is no range (write NAME=LOW:HIGH:COUNT)", option, (int)length,
+                                text);
+    memcpy(read.name, text, (size_t)(equals - text));
+    first = memchr(equals, ':', (size_t)(end - equals));
+    if (first == NULL) {
+        code = jlt_grid_number(&read.low, equals + 1, (size_t)(end - equals) - 1, option);
+        read.high = read.low;
+    } else {
+        second = memchr(first + 1, ':', (size_t)(end - first) - 1);
+        if (second == NULL)
+            return jlt_command_fail(JLT_EXIT_USAGE, "%s: '%.*s' has no count (write NAME=LOW:HIGH:COUNT)", option,
+                                    (int)length, text);
+        code = jlt_grid_number(&read.low, equals + 1, (size_t)(first - equals) - 1, option);
+        if (code == JLT_EXIT_DONE) code = jlt_grid_number(&read.high, first + 1, (size_t)(second - first) - 1, option);
+        if (code == JLT_EXIT_DONE) code = count_part(&read.count, second + 1, (size_t)(end - second) - 1, option);
+    }
+    if (code == JLT_EXIT_DONE) *axis = read;
+    return code;
+}
+
+jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option)
+{
+    jlt_exit code = JLT_EXIT_DONE;
+    size_t i = 0;
+
+    if (strchr(text, '=') == NULL) {
+        for (i = 0; code == JLT_EXIT_DONE && i < *count; i++) {
+            const size_t length = strcspn(text, "x");
+            code = count_part(&axes[i].count, text, length, option);
+            text += length;
+            if ((i + 1 < *count) != (*text == 'x'))
+                return jlt_command_fail(JLT_EXIT_USAGE, "%s: a grid is COUNTxCOUNT or NAME=LOW:HIGH:COUNT,...", option);
+            if (*text == 'x') text++;
+        }
+        return code;
+    }
+    while (code == JLT_EXIT_DONE && *text != '\0') {
+        const size_t length = strcspn(text, ",");
+        jlt_grid_axis axis;
+        size_t at = 0;
+        code = jlt_grid_axis_parse(&axis, text, length, option);
+        if (code != JLT_EXIT_DONE) break;
+        while (at < *count && strcmp(axes[at].name, axis.name) != 0) at++;
+        if (at == *count && *count == room)
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no coordinate '%s' here", option, axis.name);
+        if (at == *count) ++*count;
+        axes[at] = axis;
+        text += length;
+        if (*text == ',') text++;
+    }
+    return code;
+}
+
+double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period)
+{
+    double parts = axis->count > 1 ? (double)(axis->count - 1) : 1;
+
+    if (period != 0 && fabs(axis->high - axis->low - period) < 1e-9) parts = (double)axis->count;
+    return axis->low + (axis->high - axis->low) * (double)index / parts;
+}

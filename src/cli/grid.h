@@ -1,0 +1,31 @@
+/** Grids and counts as typed on the command line. */
+#ifndef JLT_CLI_GRID_H
+#define JLT_CLI_GRID_H
+
+#include <stdbool.h>
+
+#include "cli/command.h"
+
+typedef struct {
+    char name[32];
+    double low, high;
+    size_t count; /* >= 1 */
+} jlt_grid_axis;
+
+/** NAME=LOW:HIGH:COUNT, or NAME=VALUE for a single point. Values are exact numbers, or pi and -pi. */
+jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t length, const char *option);
+
+/** Axes separated by commas into axes[0 .. *count - 1], at most `room`; or COUNTxCOUNT, which sets the counts of the axes as
+ *  they stand. */
+jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option);
+
+/* Value number `index`: ends included, or for a periodic axis that spans its period the high end left out. */
+double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period);
+
+/** A whole number from low to high. */
+jlt_exit jlt_grid_count(size_t *value, const char *text, size_t low, size_t high, const char *option);
+
+/** A finite number, exact as everywhere; or pi. */
+jlt_exit jlt_grid_number(double *value, const char *text, size_t length, const char *option);
+
+#endif

@@ -1,0 +1,364 @@
+#include "cli/motion.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/interrupt.h"
+#include "kernel/descriptor.h"
+#include "report/csv.h"
+#include "report/picture.h"
+
+static const double pi = 3.14159265358979323846;
+
+enum { SECTION = 1000, MIRROR, CONTACT, KEEP, METHOD };
+
+static const struct argp_option option_table[] = {
+    { NULL, 0, NULL, 0, "The system:", 10 },
+    { "set", 's', "NAME=VALUE,...", 0, "Parameters; default (5.1) of the paper, m=1,R=1,g=1,I1=1/3,I3=1/3,a3=0.51", 10 },
+    { "level", 'l', "E=VALUE,G=VALUE", 0, "Levels of energy and of Jellett's integral; default E=2.15,G=-0.56", 10 },
+    { "section", SECTION, "STATE=VALUE", 0, "Section of another model", 10 },
+    { "mirror", MIRROR, "STATE,...", 0, "States whose sign another model's reversor changes", 10 },
+    { NULL, 0, NULL, 0, "The computation:", 11 },
+    { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
+    { "tol", 't', "VALUE", 0, "Tolerance of the local error; default 1e-12", 11 },
+    { "method", METHOD, "NAME", 0, "dop853 (default), taylor, rk8pd, rkf45, msadams", 11 },
+    { "contact", CONTACT, "ignore|report|end", 0,
+      "What to do where the support stops pushing (N <= 0), so that the model no longer holds: go on and say at the end how "
+      "many orbits did (default), tell the least N in a column of its own, or end the orbit as lost_contact", 11 },
+    { NULL, 0, NULL, 0, "Output:", 12 },
+    { "output", 'o', "FILE", 0, "Write rows there; default standard output", 12 },
+    { "plot", 'p', "FILE", 0, "Draw .svg, .png or .pdf", 12 },
+    { "keep", KEEP, "FILE", 0, "Keep the gnuplot script, data included", 12 },
+    { 0 },
+};
+
+static void parse_direction(jlt_motion_options *o, const char *value, struct argp_state *state)
+{
+    if (strcmp(value, "up") == 0) o->flow.direction = JLT_RISING;
+    else if (strcmp(value, "down") == 0) o->flow.direction = JLT_FALLING;
+    else if (strcmp(value, "both") == 0) o->flow.direction = JLT_BOTH;
+    else argp_error(state, "--direction is up, down or both, not '%s'", value);
+}
+
+static void parse_method(jlt_motion_options *o, const char *value, struct argp_state *state)
+{
+    o->flow.method = jlt_method_find(value);
+    if (o->flow.method == NULL)
+        argp_error(state, "there is no method '%s'; there are dop853, taylor, rk8pd, rkf45, msadams", value);
+}
+
+static void parse_tolerance(jlt_motion_options *o, const char *value)
+{
+    jlt_exit code = jlt_grid_number(&o->flow.tolerance, value, strlen(value), "--tol");
+
+    if (code == JLT_EXIT_DONE && !(o->flow.tolerance >= 1e-16 && o->flow.tolerance <= 0.1))
+        code = jlt_command_fail(JLT_EXIT_INPUT, "--tol %s: a tolerance lies between 1e-16 and 0.1", value);
+    if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+static void parse_list(jlt_assign_list *list, const char *value, const char *option)
+{
+    const jlt_exit code = jlt_assign_parse(list, value, option);
+
+    if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    jlt_motion_options *o = state->input;
+
+    switch (key) {
+    case 's': parse_list(&o->set, value, "--set"); return 0;
+    case 'l': parse_list(&o->level, value, "--level"); return 0;
+    case SECTION: o->section = value; return 0;
+    case MIRROR: o->mirror = value; return 0;
+    case 'd': parse_direction(o, value, state); return 0;
+    case 't': parse_tolerance(o, value); return 0;
+    case METHOD: parse_method(o, value, state); return 0;
+    case CONTACT:
+        if (strcmp(value, "ignore") != 0 && strcmp(value, "report") != 0 && strcmp(value, "end") != 0)
+            argp_error(state, "--contact is ignore, report or end, not '%s'", value);
+        o->contact = value;
+        o->flow.end_at_contact_loss = strcmp(value, "end") == 0;
+        return 0;
+    case 'o': o->output = value; return 0;
+    case 'p':
+        if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' is no .svg, .png or .pdf", value);
+        o->plot = value;
+        return 0;
+    case KEEP: o->keep = value; return 0;
+    case ARGP_KEY_ARG:
+        if (o->model != NULL) argp_error(state, "one model at most: '%s' is too many", value);
+        o->model = value;
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+const struct argp jlt_motion_argp = { option_table, parse, NULL, NULL, NULL, NULL, NULL };
+
+/* The command as a shell reads it: words with other than plain characters in quotes. */
+static char *join(int argc, char **argv)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789=,.:/+-_@%";
+    char *text = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&text, &size);
+
+    if (stream == NULL) return NULL;
+    for (int i = 0; i < argc; i++) {
+        const bool bare = i == 0 || (argv[i][0] != '\0' && argv[i][strspn(argv[i], plain)] == '\0');
+        if (i > 0) fputc(' ', stream);
+        if (!bare) fputc('\'', stream);
+        for (const char *c = argv[i]; *c != '\0'; c++) {
+            if (*c == '\'' && !bare) fputs("'\\''", stream);
+            else fputc(*c == '\n' ? ' ' : *c, stream);
+        }
+        if (!bare) fputc('\'', stream);
+    }
+    fclose(stream);
+    return text;
+}
+
+void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv)
+{
+    *options = (jlt_motion_options){ .contact = "ignore" };
+    options->flow.direction = JLT_RISING;
+    options->flow.tolerance = 1e-12;
+    options->flow.method = jlt_method_find(NULL);
+    options->flow.interrupt = jlt_interrupt_install();
+    options->command = join(argc, argv);
+}
+
+void jlt_motion_end(jlt_motion_options *options)
+{
+    jlt_assign_clear(&options->set);
+    jlt_assign_clear(&options->level);
+    free(options->command);
+    options->command = NULL;
+}
+
+bool jlt_motion_interrupted(const jlt_motion_options *options)
+{
+    return options->flow.interrupt != NULL && *options->flow.interrupt;
+}
+
+/* The least energy of a state with omega_tau = 0 on the level of G, over gamma3. */
+static double least_energy(const jlt_top_values *v)
+{
+    jlt_chart_top chart;
+    double least = INFINITY;
+
+    jlt_chart_top_init(&chart, v->m, v->R, v->g, v->I1, v->I3, v->a3, 0, v->G);
+    for (int i = 0; i < 4096; i++)
+        least = fmin(least, -v->m * jlt_chart_top_speed2(&chart, -1 + 2 * (i + 0.5) / 4096) / 2);
+    return least;
+}
+
+static jlt_exit top_system(jlt_system **system, const jlt_motion_options *options)
+{
+    jlt_top_values values = jlt_system_defaults();
+    const jlt_assign_list *const lists[] = { &options->set, &options->level };
+    jlt_status st;
+
+    for (size_t k = 0; k < 2; k++)
+        for (size_t i = 0; i < lists[k]->count; i++) {
+            const jlt_assignment *item = &lists[k]->items[i];
+            const bool is_level = strcmp(item->name, "E") == 0 || strcmp(item->name, "G") == 0;
+            double *entry = jlt_system_value(&values, item->name);
+            if (entry == NULL || is_level != (k == 1))
+                return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no %s '%s'; there are %s",
+                                        k == 0 ? "--set" : "--level", k == 0 ? "parameter" : "level", item->name,
+                                        k == 0 ? "m, R, g, I1, I3, a3" : "E, G");
+            *entry = item->value;
+        }
+    st = jlt_system_top(system, &values, &options->flow);
+    if (st == JLT_ERR_EMPTY)
+        return jlt_command_fail(JLT_EXIT_INPUT,
+                                "no state with omega_tau = 0 has E = %.10g and G = %.10g: raise E above %.10g, or take G "
+                                "nearer to 0",
+                                values.E, values.G, least_energy(&values));
+    if (st == JLT_ERR_DOMAIN)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--set: m, R, g and I1 must be positive, and I3 >= 0");
+    if (st == JLT_ERR_UNSUPPORTED)
+        return jlt_command_fail(JLT_EXIT_INPUT, "the kernels of spherical_top_level in regular time are not built in");
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, NULL, "the spherical top");
+}
+
+static jlt_exit mirror_signs(int *signs, const jlt_descriptor *d, const char *text)
+{
+    size_t index;
+
+    for (unsigned i = 0; i < d->state_count; i++) signs[i] = 1;
+    while (text != NULL && *text != '\0') {
+        const size_t length = strcspn(text, ",");
+        char name[64];
+        snprintf(name, sizeof name, "%.*s", (int)length, text);
+        if (!jlt_descriptor_state(d, name, &index))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--mirror: %s has no state '%s'", d->model, name);
+        signs[index] = -1;
+        text += length;
+        if (*text == ',') text++;
+    }
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *options)
+{
+    const jlt_descriptor *descriptor;
+    jlt_grid_axis section;
+    int signs[JLT_CHART_STATES_MAX];
+    double *params = NULL;
+    size_t column;
+    jlt_status st;
+    jlt_exit code;
+
+    code = jlt_assign_model(&descriptor, &params, options->model, &options->set);
+    if (code != JLT_EXIT_DONE) return code;
+    if (options->section == NULL)
+        code = jlt_command_fail(JLT_EXIT_USAGE, "say which section of %s: --section STATE=VALUE", descriptor->model);
+    else code = jlt_grid_axis_parse(&section, options->section, strlen(options->section), "--section");
+    if (code == JLT_EXIT_DONE && !jlt_descriptor_state(descriptor, section.name, &column))
+        code = jlt_command_fail(JLT_EXIT_INPUT, "--section: %s has no state '%s'", descriptor->model, section.name);
+    if (code == JLT_EXIT_DONE && descriptor->state_count > JLT_CHART_STATES_MAX)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "%s has %u states; sections serve up to %d", descriptor->model,
+                                descriptor->state_count, JLT_CHART_STATES_MAX);
+    if (code == JLT_EXIT_DONE) code = mirror_signs(signs, descriptor, options->mirror);
+    if (code == JLT_EXIT_DONE) {
+        st = jlt_system_plane(system, descriptor, params, (unsigned)column, section.low,
+                              options->mirror != NULL ? signs : NULL, &options->flow);
+        if (st != JLT_OK) code = jlt_motion_fail(st, NULL, descriptor->model);
+    }
+    free(params);
+    return code;
+}
+
+jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options)
+{
+    const char *model = options->model;
+
+    *system = NULL;
+    if (options->keep != NULL && options->plot == NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--keep keeps the script of a picture: add --plot FILE");
+    if (model == NULL || strcmp(model, "spherical_top") == 0 || strcmp(model, "spherical_top_level") == 0)
+        return top_system(system, options);
+    return plane_system(system, options);
+}
+
+jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what)
+{
+    double low, high;
+
+    if (status == JLT_ERR_EMPTY && system != NULL && system->is_top && jlt_system_interval(&system->chart.top, &low, &high))
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: no state has these levels there; gamma3 may lie in (%.10g, %.10g)",
+                                what, low, high);
+    if (status == JLT_ERR_DOMAIN && system != NULL && system->is_top)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: gamma3 must lie strictly between -1 and 1", what);
+    if (status == JLT_ERR_UNSUPPORTED && system != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: the kernels of %s have not what the method needs", what,
+                                system->instance->descriptor->model);
+    return jlt_command_fail(jlt_command_exit(status), "%s: %s", what, jlt_status_text(status));
+}
+
+static unsigned coordinate(const jlt_chart *chart, const char *name)
+{
+    unsigned k = 0;
+
+    while (k < chart->dim && strcmp(chart->names[k], name) != 0) k++;
+    return k;
+}
+
+jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
+{
+    const jlt_chart *chart = system->flow.chart;
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    bool given[JLT_CHART_DIM_MAX] = { false };
+    size_t count = 0;
+    jlt_exit code = strchr(text, '=') == NULL
+                        ? jlt_command_fail(JLT_EXIT_USAGE, "--start: '%s' is no start (write NAME=VALUE,...)", text)
+                        : jlt_grid_parse(axes, &count, chart->dim, text, "--start");
+
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
+        const unsigned k = coordinate(chart, axes[i].name);
+        if (k == chart->dim)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--start: the section has no coordinate '%s'", axes[i].name);
+        q[k] = axes[i].low;
+        given[k] = true;
+    }
+    for (unsigned k = 0; code == JLT_EXIT_DONE && k < chart->dim; k++)
+        if (!given[k]) code = jlt_command_fail(JLT_EXIT_INPUT, "--start: give %s as well", chart->names[k]);
+    return code;
+}
+
+jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text)
+{
+    const jlt_chart *chart = system->flow.chart;
+    size_t count = chart->dim;
+
+    for (unsigned k = 0; k < chart->dim; k++) {
+        axes[k] = (jlt_grid_axis){ .low = -1, .high = 1, .count = 1 };
+        snprintf(axes[k].name, sizeof axes[k].name, "%s", chart->names[k]);
+        if (chart->period[k] != 0) axes[k].low = -pi, axes[k].high = pi;
+    }
+    if (system->is_top) {
+        double low = -1, high = 1;
+        if (jlt_system_interval(&system->chart.top, &low, &high)) {
+            /* a hundredth of the interval off its ends, where eta loses its meaning */
+            axes[1].low = low + (high - low) / 200;
+            axes[1].high = high - (high - low) / 200;
+        }
+    }
+    return text == NULL ? JLT_EXIT_DONE : jlt_grid_parse(axes, &count, chart->dim, text, "--grid");
+}
+
+size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system)
+{
+    size_t all = 1;
+
+    for (unsigned k = 0; k < system->flow.chart->dim; k++) all *= axes[k].count;
+    return all;
+}
+
+void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_system *system, size_t index)
+{
+    for (unsigned k = 0; k < system->flow.chart->dim; k++) {
+        q[k] = jlt_grid_value(&axes[k], index % axes[k].count, system->flow.chart->period[k]);
+        index /= axes[k].count;
+    }
+}
+
+void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system)
+{
+    static const char *const directions[] = { "downwards", "in both directions", "upwards" };
+    const jlt_chart *chart = system->flow.chart;
+
+    jlt_csv_header(stream, options->command, system->instance->descriptor, system->instance->params);
+    if (system->is_top) fprintf(stream, "# levels E=%.17g G=%.17g\n", system->values.E, system->values.G);
+    fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,
+            chart->level, directions[options->flow.direction + 1], options->flow.method->name, options->flow.tolerance);
+    if (chart->contact != NULL) fprintf(stream, "; loss of contact: %s", options->contact);
+    fputs("; nothing is random, so there is no seed\n", stream);
+}
+
+void jlt_motion_caption(FILE *stream, const jlt_system *system)
+{
+    const jlt_descriptor *d = system->instance->descriptor;
+
+    for (unsigned i = 0; i < d->param_count; i++)
+        if (strcmp(d->params[i].name, "G") != 0)
+            fprintf(stream, "%s%s=%.6g", i == 0 ? "" : ", ", d->params[i].name, system->instance->params[i]);
+    if (system->is_top) fprintf(stream, ", E=%.6g, G=%.6g", system->values.E, system->values.G);
+}
+
+jlt_exit jlt_motion_draw(const jlt_motion_options *options, const char *script)
+{
+    const jlt_status st = jlt_picture_draw(options->plot, script, options->keep);
+
+    if (st == JLT_OK) return JLT_EXIT_DONE;
+    if (st == JLT_ERR_UNSUPPORTED)
+        return jlt_command_fail(JLT_EXIT_IO, "no gnuplot to be found: install gnuplot to draw pictures");
+    return jlt_command_fail(jlt_command_exit(st), "cannot draw '%s': %s", options->plot,
+                            st == JLT_ERR_IO ? strerror(errno) : jlt_status_text(st));
+}

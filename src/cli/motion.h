@@ -1,0 +1,57 @@
+/** What the commands about motion on a section have in common: options, the system they name, headers, messages. */
+#ifndef JLT_CLI_MOTION_H
+#define JLT_CLI_MOTION_H
+
+#include <argp.h>
+
+#include "cli/assign.h"
+#include "cli/grid.h"
+#include "cli/stream.h"
+#include "dynamics/system.h"
+
+typedef struct {
+    const char *model;   /* NULL: the spherical top */
+    const char *section; /* STATE=VALUE, for other models */
+    const char *mirror;  /* states whose sign the reversor changes, for other models */
+    jlt_assign_list set, level;
+    jlt_flow flow;
+    const char *contact; /* ignore (default), report, end */
+    const char *output, *plot, *keep;
+    char *command;       /* as typed, owned */
+} jlt_motion_options;
+
+/* Child parsers: put these into a command's table of children, with its jlt_motion_options as input of the child. */
+extern const struct argp jlt_motion_argp;
+
+/** To be called before argp_parse, with its argv. Installs the handler of Ctrl-C. */
+void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv);
+void jlt_motion_end(jlt_motion_options *options);
+
+/** The system that the options describe. Says what is wrong. */
+jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options);
+
+/** One start, NAME=VALUE,... for all coordinates of the section. */
+jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text);
+
+/** Default axes of a grid over the section: angles over their period, gamma3 over the interval of the levels. */
+jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text);
+
+/** Grid point number `index` (the first coordinate runs fastest), or the number of points. */
+void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_system *system, size_t index);
+size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system);
+
+/** Comment lines: command, kernels, parameters, levels, section, method, tolerance. */
+void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system);
+
+/* One line for captions: parameters and levels. */
+void jlt_motion_caption(FILE *stream, const jlt_system *system);
+
+/** "WHAT: reason", with the exit status that the library's status calls for. */
+jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);
+
+/** Draw a gnuplot script to options->plot, keeping it where asked. Says what is wrong. */
+jlt_exit jlt_motion_draw(const jlt_motion_options *options, const char *script);
+
+bool jlt_motion_interrupted(const jlt_motion_options *options);
+
+#endif

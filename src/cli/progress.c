@@ -1,0 +1,39 @@
+#include "cli/progress.h"
+
+#include <stdio.h>
+#include <unistd.h>
+
+static double since(const struct timespec *then, const struct timespec *now)
+{
+    return (double)(now->tv_sec - then->tv_sec) + 1e-9 * (double)(now->tv_nsec - then->tv_nsec);
+}
+
+void jlt_progress_start(jlt_progress *self, const char *unit)
+{
+    self->unit = unit;
+    self->visible = isatty(STDERR_FILENO) == 1;
+    clock_gettime(CLOCK_MONOTONIC, &self->started);
+    self->shown = self->started;
+}
+
+void jlt_progress_show(jlt_progress *self, size_t done, size_t all)
+{
+    struct timespec now;
+    double seconds;
+
+    if (!self->visible) return;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    if (since(&self->shown, &now) < 0.2) return;
+    self->shown = now;
+    seconds = since(&self->started, &now);
+    fprintf(stderr, "\r%zu", done);
+    if (all > 0) fprintf(stderr, " of %zu", all);
+    fprintf(stderr, " %s, %.3g a second", self->unit, (double)done / seconds);
+    if (all > done && done > 0) fprintf(stderr, ", %.0f s to go", seconds * (double)(all - done) / (double)done);
+    fputs("\033[K", stderr);
+}
+
+void jlt_progress_end(jlt_progress *self)
+{
+    if (self->visible) fputs("\r\033[K", stderr);
+}
