@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,12 +36,22 @@ jlt_exit jlt_command_exit(jlt_status status)
 
 char *jlt_command_line(int argc, char **argv)
 {
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789=,.:/+-_@%";
     char *text = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
 
     if (stream == NULL) return NULL;
-    for (int i = 0; i < argc; i++) fprintf(stream, "%s%s", i == 0 ? "" : " ", argv[i]);
+    for (int i = 0; i < argc; i++) {
+        const bool bare = i == 0 || (argv[i][0] != '\0' && argv[i][strspn(argv[i], plain)] == '\0');
+        if (i > 0) fputc(' ', stream);
+        if (!bare) fputc('\'', stream);
+        for (const char *c = argv[i]; *c != '\0'; c++) {
+            if (*c == '\'' && !bare) fputs("'\\''", stream);
+            else fputc(*c == '\n' ? ' ' : *c, stream);
+        }
+        if (!bare) fputc('\'', stream);
+    }
     if (fclose(stream) == 0) return text;
     free(text);
     return NULL;

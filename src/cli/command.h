@@ -27,6 +27,7 @@ extern const jlt_command jlt_command_verify;
 extern const jlt_command jlt_command_eigen;
 extern const jlt_command jlt_command_measure;
 extern const jlt_command jlt_command_models;
+extern const jlt_command jlt_command_section;
 
 /* "jellett: " message, on standard error; returns `code`. */
 #if defined(__GNUC__)

@@ -10,6 +10,7 @@
 static const jlt_command *const commands[] = {
     &jlt_command_eigen,
     &jlt_command_models,
+    &jlt_command_section,
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 

@@ -99,29 +99,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 const struct argp jlt_motion_argp = { option_table, parse, NULL, NULL, NULL, NULL, NULL };
 
-/* The command as a shell reads it: words with other than plain characters in quotes. */
-static char *join(int argc, char **argv)
-{
-    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789=,.:/+-_@%";
-    char *text = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&text, &size);
-
-    if (stream == NULL) return NULL;
-    for (int i = 0; i < argc; i++) {
-        const bool bare = i == 0 || (argv[i][0] != '\0' && argv[i][strspn(argv[i], plain)] == '\0');
-        if (i > 0) fputc(' ', stream);
-        if (!bare) fputc('\'', stream);
-        for (const char *c = argv[i]; *c != '\0'; c++) {
-            if (*c == '\'' && !bare) fputs("'\\''", stream);
-            else fputc(*c == '\n' ? ' ' : *c, stream);
-        }
-        if (!bare) fputc('\'', stream);
-    }
-    fclose(stream);
-    return text;
-}
-
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv)
 {
     *options = (jlt_motion_options){ .contact = "ignore" };
@@ -129,7 +106,7 @@ void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv)
     options->flow.tolerance = 1e-12;
     options->flow.method = jlt_method_find(NULL);
     options->flow.interrupt = jlt_interrupt_install();
-    options->command = join(argc, argv);
+    options->command = jlt_command_line(argc, argv);
 }
 
 void jlt_motion_end(jlt_motion_options *options)

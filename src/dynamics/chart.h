@@ -40,8 +40,8 @@ struct jlt_chart {
     /* Normal reaction of the support; the model holds while it is positive. NULL: no such limit. */
     double (*contact)(const jlt_chart *self, const double *x, const double *f);
 
-    /* Side (+1, -1) of a pole, for a state that has ended there. NULL: there are no poles. */
-    int (*side)(const jlt_chart *self, const double *x);
+    /* Side (+1, -1) of the pole at which a state has ended, what vanishes there being put to zero. NULL: there are no poles. */
+    int (*side)(const jlt_chart *self, double *x);
 };
 
 /** The chart of a plain section x[column] = level: q are the other states, in order. signs, shape (states,), +1 or -1, when

@@ -129,10 +129,14 @@ static double contact(const jlt_chart *base, const double *x, const double *f)
            (self->g + self->a3 * (f[JLT_CHART_TOP_OMEGA_TAU] - x[JLT_CHART_TOP_GAMMA3] * omega_tau * omega_tau));
 }
 
-static int side(const jlt_chart *base, const double *x)
+static int side(const jlt_chart *base, double *x)
 {
+    const int sign = x[JLT_CHART_TOP_GAMMA3] > 0 ? 1 : -1;
+
     (void)base;
-    return x[JLT_CHART_TOP_GAMMA3] > 0 ? 1 : -1;
+    x[JLT_CHART_TOP_GAMMA3] = sign;
+    x[JLT_CHART_TOP_S] = 0;
+    return sign;
 }
 
 void jlt_chart_top_init(jlt_chart_top *out, double m, double R, double g, double I1, double I3, double a3, double E,

@@ -156,7 +156,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
     fill(row, self, outcome.t, outcome.x, false);
     if (outcome.end == JLT_END_EVENT) row->fate = JLT_FATE_LOST_CONTACT;
     else if (outcome.end == JLT_END_POLE)
-        row->fate = chart->side == NULL || chart->side(chart, outcome.x) > 0 ? JLT_FATE_POLE_PLUS : JLT_FATE_POLE_MINUS;
+        row->fate = chart->side == NULL || chart->side(chart, row->x) > 0 ? JLT_FATE_POLE_PLUS : JLT_FATE_POLE_MINUS;
     else row->interrupted = true;
     return JLT_OK;
 }
