@@ -34,13 +34,15 @@ typedef struct {
     double root_floor;               /* the lane ends where the root is below */
     double tolerance;                /* of the local error, against max(|x_i|, 1), for the root against |x_i| */
     size_t max_steps;                /* of one orbit, accepted and rejected */
+    unsigned threads;                /* 0 and 1: the caller's alone */
     const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step; NULL: none */
 } jlt_batch_map;
 
-/** Called at each crossing, for one orbit in order of time: x (dim,); number counts from 1. A nonzero answer ends the run. */
+/** Called at each crossing, for one orbit in order of time: x (dim,); number counts from 1. A nonzero answer ends the run.
+ *  With several threads it is called by several at once, though never for the same orbit. */
 typedef int (*jlt_batch_row)(void *context, size_t orbit, size_t number, const double *x);
 
-/** Called once an orbit, with its last point. */
+/** Called once an orbit, with its last point; as above. */
 typedef int (*jlt_batch_end)(void *context, size_t orbit, jlt_lane_end end, size_t returns, const double *x);
 
 typedef struct {
@@ -50,7 +52,7 @@ typedef struct {
 } jlt_batch_work;
 
 /** The map from starts (count, dim), row after row, `returns` times each. work may be NULL.
- *  Errors: ARG; NOMEM. Cost: 12 stages of a full vector a step. No memory grows with `returns`. */
+ *  Errors: ARG; UNSUPPORTED, no instance for these lanes; NOMEM. Cost: 12 stages of a full vector a step. No memory grows with `returns`. */
 JLT_CHECKED jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,
                                          jlt_batch_row row, jlt_batch_end end, void *context, jlt_batch_work *work);
 

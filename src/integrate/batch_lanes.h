@@ -11,7 +11,9 @@ typedef struct {
     jlt_batch_row row;
     jlt_batch_end end;
     void *context;
-    jlt_batch_work *work; /* never NULL */
+    jlt_batch_work *work; /* of this thread; never NULL */
+    size_t *next;         /* shared by all threads: the next start; changed atomically */
+    int *stop;            /* shared by all threads: set once the run is to end */
 } jlt_batch_job;
 
 /* Errors: NOMEM. */

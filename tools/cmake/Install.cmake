@@ -36,7 +36,7 @@ install(FILES ${CMAKE_BINARY_DIR}/package/jellett-config.cmake ${CMAKE_BINARY_DI
 file(RELATIVE_PATH JLT_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" JLT_PREFIX_FROM_PC "${JLT_PREFIX_FROM_PC}")
 set(JLT_PC_LIBRARIES "")
-foreach(library ${Flint_libraries})
+foreach(library ${Flint_libraries} ${OpenMP_C_LIBRARIES})
   get_filename_component(stem ${library} NAME_WE)
   string(REGEX REPLACE "^lib" "-l" flag ${stem})
   string(APPEND JLT_PC_LIBRARIES " ${flag}")

@@ -1,0 +1,156 @@
+/* The batched section map: an orbit's rows do not depend on its company, and agree with quadruple precision. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <math.h>
+
+#include "integrate/batch.h"
+#include "kernel/batch_isa.h"
+#include "registry.h"
+
+enum { ORBITS = 64, RETURNS = 10, STATES = 5 };
+
+static const double I1 = 1.0 / 3, I3 = 1.0 / 3, a3 = 0.51, G = -0.56; /* (5.1), m = R = g = 1 */
+
+typedef struct {
+    double start[ORBITS][STATES];
+    double expected[ORBITS][RETURNS][3]; /* gamma3, v_nu, omega3 */
+} grid;
+
+typedef struct {
+    double x[ORBITS][RETURNS][STATES];
+    size_t rows;
+} rows;
+
+static void read_grid(const char *name, grid *g)
+{
+    char path[512], line[512];
+    snprintf(path, sizeof path, "%s/tests/reference/data/%s", JLT_SOURCE_DIR, name);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    assert_non_null(fgets(line, sizeof line, file));
+    while (fgets(line, sizeof line, file) != NULL) {
+        int orbit, number;
+        double t, gamma3, v_nu, omega_n, omega3;
+        assert_int_equal(sscanf(line, "%d,%d,%lf,%lf,%lf,%lf,%lf", &orbit, &number, &t, &gamma3, &v_nu, &omega_n, &omega3), 7);
+        double s = sqrt((1 - gamma3) * (1 + gamma3));
+        if (number == 0)
+            memcpy(g->start[orbit], (double[]){ gamma3, v_nu, 0, (a3 + gamma3) * omega_n + s * omega3, s }, sizeof g->start[0]);
+        else
+            memcpy(g->expected[orbit][number - 1], (double[]){ gamma3, v_nu, omega3 }, sizeof g->expected[0][0]);
+    }
+    fclose(file);
+}
+
+static int keep(void *context, size_t orbit, size_t number, const double *x)
+{
+    rows *r = context;
+    memcpy(r->x[orbit][number - 1], x, sizeof r->x[0][0]);
+    __atomic_fetch_add(&r->rows, 1, __ATOMIC_RELAXED);
+    return 0;
+}
+
+static int finish(void *context, size_t orbit, jlt_lane_end end, size_t returns, const double *x)
+{
+    (void)context;
+    (void)orbit;
+    (void)x;
+    assert_int_equal(end, JLT_LANE_DONE);
+    assert_int_equal(returns, RETURNS);
+    return 0;
+}
+
+static const jlt_descriptor *level(void)
+{
+    for (unsigned i = 0; i < jlt_registry_count; i++) {
+        const jlt_descriptor *d = jlt_registry[i];
+        if (strcmp(d->model, "spherical_top_level") == 0 && *d->variant == '\0' && strcmp(d->time, "regular") == 0) return d;
+    }
+    fail();
+    return NULL;
+}
+
+static void run(const jlt_kernel_batch *kernels, double tolerance, unsigned threads, const double *starts, size_t count, rows *out)
+{
+    const jlt_descriptor *d = level();
+    double params[] = { 1, 1, 1, I1, I3, a3, G }, block[256];
+
+    assert_true(d->block_count <= 256 && d->param_count == 7 && d->state_count == STATES);
+    d->prepare(params, block);
+    const jlt_batch_map map = { .kernels = kernels, .p = block, .dim = STATES, .column = 2, .direction = 1, .root = 4,
+                                .root_floor = 1e-9, .tolerance = tolerance, .max_steps = 1000000, .threads = threads };
+    out->rows = 0;
+    assert_int_equal(jlt_batch_section(&map, starts, count, RETURNS, keep, finish, out, NULL), JLT_OK);
+    assert_int_equal(out->rows, count * RETURNS);
+}
+
+/* The error after ten returns falls in step with the tolerance to its floor. At tolerance 1e-14 some 1300 steps a return
+ * time, each with roundings of 2^-53, amplified by less than 100 over ten returns: sqrt(1300)*100*1e-16 = 4e-13. */
+static void check_accuracy(const char *name)
+{
+    static grid g;
+    static rows r;
+    static const double tolerance[] = { 1e-8, 1e-11, 1e-14 }, bound[] = { 2e-6, 2e-9, 1e-12 };
+
+    read_grid(name, &g);
+    for (int i = 0; i < 3; i++) {
+        double error = 0;
+        run(jlt_batch_isa_best(level(), 0), tolerance[i], 1, g.start[0], ORBITS, &r);
+        for (int orbit = 0; orbit < ORBITS; orbit++)
+            for (int number = 0; number < RETURNS; number++) {
+                const double *x = r.x[orbit][number], *expected = g.expected[orbit][number];
+                double b = a3 + x[0], K = I1 * x[4] * x[4] + I3 * b * b, omega3 = (I1 * x[4] * x[3] - b * G) / K;
+                error = fmax(error, fmax(fabs(x[0] - expected[0]), fmax(fabs(x[1] - expected[1]), fabs(omega3 - expected[2]))));
+            }
+        print_message("%s: tolerance %g, error %.2e\n", name, tolerance[i], error);
+        assert_true(error < bound[i]);
+    }
+}
+
+static void returns_on_a_regular_island_match_quadruple_precision(void **unused)
+{
+    (void)unused;
+    check_accuracy("grid_regular_51.csv");
+}
+
+static void returns_that_graze_the_pole_match_quadruple_precision(void **unused)
+{
+    (void)unused;
+    check_accuracy("grid_grazing_51.csv");
+}
+
+static void rows_do_not_depend_on_lane_company_or_thread(void **unused)
+{
+    static grid g;
+    static rows together, alone, threaded;
+
+    (void)unused;
+    read_grid("grid_grazing_51.csv", &g);
+    for (int isa = 0; isa < JLT_ISA_COUNT; isa++) {
+        const jlt_kernel_batch *kernels = level()->batches[isa];
+        if (!jlt_batch_isa_runs(kernels)) continue;
+        run(kernels, 1e-10, 1, g.start[0], ORBITS, &together);
+        run(kernels, 1e-10, 2, g.start[0], ORBITS, &threaded);
+        assert_memory_equal(together.x, threaded.x, sizeof together.x);
+        for (int orbit = 0; orbit < ORBITS; orbit += 9) {
+            run(kernels, 1e-10, 1, g.start[orbit], 1, &alone);
+            assert_memory_equal(together.x[orbit], alone.x[0], sizeof alone.x[0]);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(returns_on_a_regular_island_match_quadruple_precision),
+        cmocka_unit_test(returns_that_graze_the_pole_match_quadruple_precision),
+        cmocka_unit_test(rows_do_not_depend_on_lane_company_or_thread),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
