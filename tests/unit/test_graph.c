@@ -408,7 +408,10 @@ static void errors_are_told_first_and_until_cleared(void **unused)
     assert_int_equal(ttc_power(g, large, 64), TTC_NONE);
     assert_int_equal(ttc_graph_error(g), TTC_GRAPH_COEFFICIENT);
     ttc_graph_clear_error(g);
-    assert_int_equal(ttc_add(g, ttc_divide(g, x, ttc_add(g, large, ttc_integer(g, 1))), ttc_divide(g, x, large)), TTC_NONE);
+    ttc_id small = ttc_divide(g, x, ttc_add(g, large, ttc_integer(g, 1)));
+    ttc_id more = ttc_add(g, ttc_symbol(g, 1), ttc_divide(g, x, large));
+    assert_int_not_equal(more, TTC_NONE);
+    assert_int_equal(ttc_add(g, small, more), TTC_NONE); /* the common denominator is too large */
     assert_int_equal(ttc_graph_error(g), TTC_GRAPH_COEFFICIENT);
     ttc_graph_clear_error(g);
 
