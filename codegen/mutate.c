@@ -34,11 +34,12 @@ static bool add_mutants(mutation *m, size_t first, size_t last)
     return true;
 }
 
-/* Terms of the sum that begins at `at`: up to a token that closes it. Sums in parentheses follow, but no exponents. */
-static bool sum_terms(mutation *m, size_t *at)
+/* Terms of the sum that begins at `at`: up to a token that closes it. Sums in parentheses follow (grouped:
+ * one of them), but no exponents. */
+static bool sum_terms(mutation *m, size_t *at, bool grouped)
 {
     const ttc_token *tokens = m->tokens;
-    size_t first = *at;
+    size_t first = *at, start = *at;
     for (;;) {
         const ttc_token *token = &tokens[*at];
         bool opens = is_mark(token, '(');
@@ -46,14 +47,15 @@ static bool sum_terms(mutation *m, size_t *at)
         bool closes = token->kind == TTC_TOKEN_END || token->kind == TTC_TOKEN_RECORD || token->kind == TTC_TOKEN_KEYWORD
                       || is_mark(token, ')') || is_mark(token, ',');
         if (closes || (is_sign(token) && !exponent && *at > first)) {
-            if (*at > first && !add_mutants(m, first, *at - 1)) return false;
+            bool whole = grouped && closes && first == start; /* a group of one term is no sum */
+            if (*at > first && !whole && !add_mutants(m, first, *at - 1)) return false;
             if (closes) return true;
             first = *at;
         }
         ++*at;
         if (opens && exponent) {
             while (!is_mark(&tokens[*at], ')') && tokens[*at].kind != TTC_TOKEN_END) ++*at;
-        } else if (opens && !sum_terms(m, at)) {
+        } else if (opens && !sum_terms(m, at, true)) {
             return false;
         }
         if (opens && is_mark(&tokens[*at], ')')) ++*at;
@@ -68,7 +70,7 @@ static bool record_terms(mutation *m, size_t record)
     if (!is_mark(&m->tokens[at], '=')) return true;
     at++;
     if (m->tokens[record].keyword == TTC_KEYWORD_ROOT) at += 2;
-    return sum_terms(m, &at);
+    return sum_terms(m, &at, false);
 }
 
 static bool find_terms(mutation *m)

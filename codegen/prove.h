@@ -22,7 +22,7 @@ const char *ttc_proof_status_name(ttc_proof_status status); /* "proved", "refute
 
 typedef struct {
     char *name;
-    const char *kind;  /* as written in the table; for derived claims "variant", "time", "eliminate", "kernel" */
+    const char *kind;  /* as written in the table; for derived claims "root", "variant", "time", "eliminate" */
     ttc_place place;
     ttc_proof_status status;
     char *remainder;   /* refuted: what is not zero, as text; error: the reason; proved: a witness, or NULL */
@@ -38,7 +38,8 @@ typedef struct {
 
 typedef enum { TTC_PROVE_ALL, TTC_PROVE_UNTIL_REFUTED } ttc_prove_extent;
 
-/** Prove every claim of a model, and that each variant, time and elimination follows from its field.
+/** Prove every claim of a model, that no root is of what is never positive, and that each variant, time and elimination follows
+ *  from its field.
  *  resolver: NULL makes every reduction an error. The report is the caller's, for ttc_proof_report_destroy.
  *  UNTIL_REFUTED stops after the first claim that is refuted.
  *  Returns false, and no report, when memory is out. Adds nodes to the model's graph, changes nothing else. */

@@ -1,5 +1,17 @@
 #include "prove_derived.h"
 
+/* A root is refuted when no term of its radicand is positive anywhere; where it is real in the domain is not examined. */
+static void prove_root(ttc_task *task)
+{
+    const ttc_symbol_entry *root = &task->model->symbols[task->claim->family];
+    ttc_ratio radicand;
+    ttc_ratio_init(task->ring, &radicand);
+    ttc_evaluate(task->field, &radicand, root->definition);
+    if (ttc_task_open(task) && (ttc_ratio_is_zero(task->ring, &radicand) || ttc_ratio_sign(task->ring, &radicand) < 0))
+        ttc_task_refute(task, &radicand, "not positive: the radicand of %s", root->name);
+    ttc_ratio_clear(task->ring, &radicand);
+}
+
 /* The field is defined under the substitution; that its values lie in the domain is checked with every claim. */
 static void prove_variant(ttc_task *task)
 {
@@ -56,14 +68,38 @@ static void prove_elimination(ttc_task *task)
     ttc_ratio_clear(task->ring, &left);
 }
 
+static size_t root_count(const ttc_model *model)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < model->symbol_count; i++) count += model->symbols[i].kind == TTC_ROOT;
+    return count;
+}
+
+static uint32_t root_at(const ttc_model *model, size_t index)
+{
+    uint32_t symbol = 0;
+    while (model->symbols[symbol].kind != TTC_ROOT || index-- > 0) symbol++;
+    return symbol;
+}
+
 size_t ttc_derived_count(const ttc_model *model)
 {
-    return model->variant_count + model->time_count + model->elimination_count;
+    return root_count(model) + model->variant_count + model->time_count + model->elimination_count;
 }
 
 void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_claim *derived)
 {
     *derived = (ttc_derived_claim){ .claim = { .kind = TTC_CLAIM_EQUAL } };
+    if (index < root_count(model)) {
+        uint32_t symbol = root_at(model, index);
+        derived->kind = "root";
+        derived->name = model->symbols[symbol].name;
+        derived->claim.place = model->symbols[symbol].place;
+        derived->claim.family = symbol;
+        derived->prove = prove_root;
+        return;
+    }
+    index -= root_count(model);
     if (index < model->variant_count) {
         derived->kind = "variant";
         derived->name = model->variants[index].name;

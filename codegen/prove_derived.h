@@ -1,4 +1,4 @@
-/** What the compiler derives from a model without being asked: each becomes a claim of its own, and is proved. */
+/** What a model says or the compiler derives without a claim being made (roots, variants, times, eliminations): each becomes a claim of its own, and is proved. */
 #ifndef TTC_PROVE_DERIVED_H
 #define TTC_PROVE_DERIVED_H
 
