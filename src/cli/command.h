@@ -28,6 +28,7 @@ extern const jlt_command jlt_command_eigen;
 extern const jlt_command jlt_command_measure;
 extern const jlt_command jlt_command_models;
 extern const jlt_command jlt_command_section;
+extern const jlt_command jlt_command_orbits;
 
 /* "jellett: " message, on standard error; returns `code`. */
 #if defined(__GNUC__)

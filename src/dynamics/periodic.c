@@ -11,7 +11,8 @@ enum { D = JLT_CHART_DIM_MAX, ITERATIONS = 40, HALVINGS = 6 };
 static const double same_point = 1e-7;     /* distances under this are one point */
 static const double degenerate = 1e-7;     /* multipliers closer to +-1 than this are not classified */
 static const double longest_step = 0.5;    /* of Newton, in section coordinates */
-static const double accepted = 1e-10;      /* largest residual of a converged orbit, relative to |DP| of one return */
+static const double accepted = 1e-10;      /* largest residual of a converged orbit, relative to |DP| of one return, */
+static const double accepted_most = 1e-9;  /* and absolute */
 static const double grazing = 1e-6;        /* a larger defect of the flux identity: the orbit touches the section */
 static const double null_cutoff = 1e-11;   /* singular values of I - DP under this are a family of orbits */
 
@@ -129,7 +130,7 @@ static jlt_status iterate(jlt_map *map, double *points, size_t period, const uns
         memcpy(points, trial, sizeof *points * period * d);
         now = then;
     }
-    return now.residual <= accepted * now.scale ? JLT_OK : st != JLT_OK ? st : JLT_ERR_NO_CONVERGENCE;
+    return now.residual <= fmin(accepted * now.scale, accepted_most) ? JLT_OK : st != JLT_OK ? st : JLT_ERR_NO_CONVERGENCE;
 }
 
 static size_t primitive(const jlt_chart *chart, const double *points, size_t period)

@@ -1,0 +1,274 @@
+#include "cli/motion.h"
+#include "cli/progress.h"
+#include "dynamics/orbits.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    jlt_motion_options motion;
+    size_t period_max, samples, settle;
+    const char *grid, *line;
+    const char *start; /* Newton from here alone */
+    double near;
+    const char *hold;
+} options;
+
+enum { NEAR = 2000, SETTLE, SAMPLES, LINE, HOLD };
+
+static const struct argp_option option_table[] = {
+    { "period", 'n', "N", 0, "Periods up to N returns, at most 64; default 3", 1 },
+    { "grid", 'g', "COUNTxCOUNT", 0,
+      "Starts of Newton's method over the whole section, or NAME=LOW:HIGH:COUNT,...; default 40x40; 0x0 for none", 1 },
+    { "near", NEAR, "DISTANCE", 0, "Newton is tried where an orbit comes back within this distance; default 0.6", 1 },
+    { "settle", SETTLE, "N", 0, "Try again after N returns of every start: finds what attracts; default 20", 1 },
+    { "samples", SAMPLES, "N", 0, "Points on each of the lines eta = 0 and eta = pi, for symmetric orbits; default 1000; 0 for none", 1 },
+    { "start", 'a', "NAME=VALUE,...", 0, "Newton from this point alone, with exactly N returns", 1 },
+    { "hold", HOLD, "NAME,...", 0, "Coordinates that keep the values of --start, where orbits come in families", 1 },
+    { "line", LINE, "NAME=LOW:HIGH:COUNT", 0,
+      "Symmetric orbits of exactly N returns or less on the line through --start along this coordinate alone", 1 },
+    { 0 },
+};
+
+static void count_option(size_t *value, const char *text, size_t low, size_t high, const char *name)
+{
+    const jlt_exit code = jlt_grid_count(value, text, low, high, name);
+
+    if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case 'n': count_option(&o->period_max, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
+    case 'g': o->grid = value; return 0;
+    case NEAR:
+        if (jlt_grid_number(&o->near, value, strlen(value), "--near") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
+        return 0;
+    case SETTLE: count_option(&o->settle, value, 0, 1000000000, "--settle"); return 0;
+    case SAMPLES: count_option(&o->samples, value, 0, 1000000000, "--samples"); return 0;
+    case LINE: o->line = value; return 0;
+    case HOLD: o->hold = value; return 0;
+    case 'a': o->start = value; return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "[MODEL]",
+    "Periodic points of the section's map: symmetric orbits as zeros along the reversor's lines, all others by Newton's "
+    "method on a grid of starts; one row an orbit."
+    "\vColumns: period, eta, gamma3, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, residual. The residual "
+    "is the largest distance by which a return misses the orbit's next point; the determinant is the exponential of the "
+    "integrated divergence, which DP's own determinant is checked against. An orbit that is not symmetric and has det != 1 "
+    "excludes a smooth positive invariant measure; its mirror image has 1/det.\n\n"
+    "  jellett orbits --period 4\n"
+    "  jellett orbits --set I1=0.591,I3=0.494,a3=0.548 --level E=2.15,G=0.161 --period 1",
+    children, NULL, NULL,
+};
+
+static void column_names(FILE *file, const jlt_chart *chart)
+{
+    fputs("period", file);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",%s", chart->names[k]);
+    fputs(",T,trace,det", file);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",mu%u_re,mu%u_im", k + 1, k + 1);
+    fputs(",symmetric,type,residual\n", file);
+}
+
+static void write_orbit(FILE *file, const jlt_chart *chart, const jlt_periodic *orbit)
+{
+    fprintf(file, "%zu", orbit->period);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",%.17g", orbit->points[k]);
+    fprintf(file, ",%.17g,%.17g,%.17g", orbit->T, orbit->trace, orbit->determinant);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",%.17g,%.17g", orbit->re[k], orbit->im[k]);
+    fprintf(file, ",%s,%s,%.3g\n", orbit->symmetric ? "yes" : "no", jlt_periodic_type_name(orbit->type), orbit->residual);
+}
+
+/* What the orbits say about an invariant measure, and how well the flux identity holds. */
+static void write_findings(FILE *file, const jlt_orbits *list, const jlt_chart *chart)
+{
+    double defect = 0;
+    size_t obstructions = 0, without_mirror = 0;
+
+    for (size_t i = 0; i < list->count; i++) {
+        const jlt_periodic *orbit = &list->orbits[i];
+        defect = fmax(defect, fabs(orbit->defect));
+        /* The determinant is known to the defect of its identity; a hundred times that is beyond doubt. */
+        if (orbit->symmetric || !(fabs(orbit->determinant - 1) > 1e-8 + 100 * fabs(orbit->defect))) continue;
+        obstructions++;
+        if (jlt_orbits_mirror(list, chart, i) == list->count) without_mirror++;
+    }
+    fprintf(file, "# %zu orbits; det DP against flux and divergence: worst relative defect %.2g\n", list->count, defect);
+    if (!chart->reversible) return;
+    if (obstructions == 0)
+        fputs("# no asymmetric orbit with det != 1 among them: nothing here excludes an invariant measure\n", file);
+    else
+        fprintf(file,
+                "# %zu asymmetric orbits with det != 1, %zu of them with their mirror image (det and 1/det): each excludes an "
+                "invariant measure with smooth positive density on this level\n",
+                obstructions, obstructions - without_mirror);
+}
+
+static void show(void *context, size_t done, size_t all, size_t found)
+{
+    (void)found;
+    jlt_progress_show(context, done, all);
+}
+
+static jlt_exit held_mask(unsigned char *held, const options *o, const jlt_chart *chart)
+{
+    const char *text = o->hold;
+
+    while (text != NULL && *text != '\0') {
+        const size_t length = strcspn(text, ",");
+        unsigned k = 0;
+        while (k < chart->dim && (strlen(chart->names[k]) != length || strncmp(chart->names[k], text, length) != 0)) k++;
+        if (k == chart->dim)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--hold: the section has no coordinate '%.*s'", (int)length, text);
+        held[k] = 1;
+        text += length;
+        if (*text == ',') text++;
+    }
+    return JLT_EXIT_DONE;
+}
+
+/* Newton from one point, or the zeros on one line through it. */
+static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+    unsigned char held[JLT_CHART_DIM_MAX] = { 0 };
+    jlt_symmetric_line line = { .samples = 0 };
+    jlt_orbits_options search = { .period_max = o->period_max, .lines = &line, .line_count = 1 };
+    jlt_periodic orbit;
+    jlt_grid_axis axis;
+    jlt_status st;
+    jlt_exit code = jlt_motion_start(line.base, system, o->start);
+
+    if (code == JLT_EXIT_DONE) code = held_mask(held, o, chart);
+    if (code != JLT_EXIT_DONE) return code;
+    if (o->line == NULL) {
+        st = jlt_periodic_find(map, &orbit, line.base, o->period_max, held);
+        if (st == JLT_OK) st = jlt_orbits_add(list, chart, &orbit);
+        return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, o->start);
+    }
+    code = jlt_grid_axis_parse(&axis, o->line, strlen(o->line), "--line");
+    if (code != JLT_EXIT_DONE) return code;
+    while (line.free < chart->dim && strcmp(chart->names[line.free], axis.name) != 0) line.free++;
+    line.low = axis.low, line.high = axis.high, line.samples = axis.count;
+    st = jlt_orbits_search(list, map, &search);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
+}
+
+static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+    const bool no_grid = o->grid != NULL && strcmp(o->grid, "0x0") == 0;
+    jlt_symmetric_line lines[2] = { { .free = 1 }, { .free = 1 } };
+    jlt_orbits_options search = { .period_max = o->period_max, .near = o->near, .settle = o->settle, .lines = lines };
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    jlt_progress progress;
+    jlt_status st;
+    jlt_exit code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : system->is_top ? "40x40" : NULL);
+
+    if (code != JLT_EXIT_DONE) return code;
+    for (unsigned k = 0; k < chart->dim; k++) {
+        search.low[k] = axes[k].low;
+        search.high[k] = axes[k].high;
+        search.counts[k] = no_grid ? 0 : axes[k].count;
+    }
+    if (system->is_top && o->samples >= 2 && jlt_system_interval(&system->chart.top, &lines[0].low, &lines[0].high)) {
+        lines[0].samples = o->samples;
+        lines[1] = lines[0];
+        lines[1].base[0] = 3.14159265358979323846;
+        search.line_count = 2;
+    }
+    jlt_progress_start(&progress, "starts");
+    search.progress = show;
+    search.context = &progress;
+    st = jlt_orbits_search(list, map, &search);
+    jlt_progress_end(&progress);
+    if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o->motion)) {
+        fprintf(stderr, "jellett: interrupted; the %zu orbits found so far are saved\n", list->count);
+        st = JLT_OK;
+    }
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "orbits");
+}
+
+static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbits *list)
+{
+    const jlt_chart *chart = system->flow.chart;
+    char *script = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&script, &size);
+    jlt_exit code;
+
+    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    fputs("set encoding utf8\n$POINTS << END\n", stream);
+    for (size_t i = 0; i < list->count; i++)
+        for (size_t k = 0; k < list->orbits[i].period; k++)
+            fprintf(stream, "%.9g %.9g %d\n", list->orbits[i].points[k * chart->dim],
+                    list->orbits[i].points[k * chart->dim + 1], (int)list->orbits[i].type);
+    fputs("-10 -10 0\nEND\nset title \"Periodic points, ", stream);
+    jlt_motion_caption(stream, system);
+    fprintf(stream, "\" noenhanced\nset xlabel \"%s\"\nset ylabel \"%s\"\n", system->is_top ? "η [rad]" : chart->names[0],
+            system->is_top ? "γ_3" : chart->names[1]);
+    if (system->is_top) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
+    fputs("set key outside bottom horizontal\nplot ", stream);
+    for (int type = 0; type <= (int)JLT_ORBIT_DEGENERATE; type++)
+        fprintf(stream, "%s$POINTS using 1:($3==%d?$2:1/0) with points pt %d ps 0.8 lc %d title \"%s\"", type == 0 ? "" : ", ",
+                type, type + 4, type + 1, jlt_periodic_type_name((jlt_orbit_type)type));
+    fputc('\n', stream);
+    fclose(stream);
+    code = jlt_motion_draw(&o->motion, script);
+    free(script);
+    return code;
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { .period_max = 3, .samples = 1000, .near = 0.6, .settle = 20 };
+    jlt_stream stream = { 0 };
+    jlt_orbits list = { 0 };
+    jlt_system *system = NULL;
+    jlt_map *map = NULL;
+    jlt_exit code;
+    jlt_status st;
+
+    jlt_motion_begin(&o.motion, argc, argv);
+    o.motion.flow.tolerance = 1e-13;
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE && o.line != NULL && o.start == NULL)
+        code = jlt_command_fail(JLT_EXIT_USAGE, "--line goes through a point: add --start");
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code != JLT_EXIT_DONE) goto done;
+    system->flow.max_steps = 20000;
+    st = jlt_map_create(&map, &system->flow);
+    code = st != JLT_OK ? jlt_motion_fail(st, system, "the map") : o.start != NULL ? from_start(&list, map, &o, system)
+                                                                                   : search_all(&list, map, &o, system);
+    if (code != JLT_EXIT_DONE) goto done;
+    jlt_motion_header(stream.file, &o.motion, system);
+    write_findings(stream.file, &list, system->flow.chart);
+    column_names(stream.file, system->flow.chart);
+    for (size_t i = 0; i < list.count; i++) write_orbit(stream.file, system->flow.chart, &list.orbits[i]);
+    code = jlt_stream_close(&stream);
+    if (code == JLT_EXIT_DONE && o.motion.plot != NULL) code = draw(&o, system, &list);
+done:
+    jlt_stream_discard(&stream);
+    jlt_orbits_clear(&list);
+    jlt_map_destroy(map);
+    jlt_system_destroy(system);
+    jlt_motion_end(&o.motion);
+    return code;
+}
+
+const jlt_command jlt_command_orbits = {
+    "orbits", "[MODEL] [OPTION...]", "Periodic orbits of the map: multipliers, type, symmetry, residual", run
+};
