@@ -2,28 +2,34 @@
 #include "kernel_ball.h"
 
 extern const jlt_ball_table jlt_balls_chaplygin_sleigh_general;
+extern const jlt_ball_table jlt_balls_routh_sphere_general;
+extern const jlt_ball_table jlt_balls_routh_sphere_general_in_regular;
 extern const jlt_ball_table jlt_balls_spherical_top_general;
 extern const jlt_ball_table jlt_balls_spherical_top_general_on_level_G;
 extern const jlt_ball_table jlt_balls_spherical_top_general_on_level_G_omega3;
 extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular;
 extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G;
 extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G_omega3;
+extern const jlt_ball_table jlt_balls_spherical_top_full_general;
 extern const jlt_ball_table jlt_balls_spherical_top_level_general;
 extern const jlt_ball_table jlt_balls_spherical_top_level_general_in_regular;
 
 const jlt_ball_table *const jlt_ball_registry[] = {
     &jlt_balls_chaplygin_sleigh_general,
+    &jlt_balls_routh_sphere_general,
+    &jlt_balls_routh_sphere_general_in_regular,
     &jlt_balls_spherical_top_general,
     &jlt_balls_spherical_top_general_on_level_G,
     &jlt_balls_spherical_top_general_on_level_G_omega3,
     &jlt_balls_spherical_top_general_in_regular,
     &jlt_balls_spherical_top_general_in_regular_on_level_G,
     &jlt_balls_spherical_top_general_in_regular_on_level_G_omega3,
+    &jlt_balls_spherical_top_full_general,
     &jlt_balls_spherical_top_level_general,
     &jlt_balls_spherical_top_level_general_in_regular,
 };
 
-const unsigned jlt_ball_registry_count = 9;
+const unsigned jlt_ball_registry_count = 12;
 
 void jlt_ball_rational(arb_t out, const char *digits, slong prec)
 {

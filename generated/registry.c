@@ -3,6 +3,10 @@
 
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_general;
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced;
+extern const jlt_descriptor jlt_kernels_routh_sphere_general;
+extern const jlt_descriptor jlt_kernels_routh_sphere_general_in_regular;
+extern const jlt_descriptor jlt_kernels_routh_sphere_balanced;
+extern const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular;
 extern const jlt_descriptor jlt_kernels_spherical_top_general;
 extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G;
 extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3;
@@ -25,6 +29,7 @@ extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_full_general;
 extern const jlt_descriptor jlt_kernels_spherical_top_level_general;
 extern const jlt_descriptor jlt_kernels_spherical_top_level_general_in_regular;
 extern const jlt_descriptor jlt_kernels_spherical_top_level_balanced;
@@ -35,6 +40,10 @@ extern const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular;
 const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_chaplygin_sleigh_general,
     &jlt_kernels_chaplygin_sleigh_balanced,
+    &jlt_kernels_routh_sphere_general,
+    &jlt_kernels_routh_sphere_general_in_regular,
+    &jlt_kernels_routh_sphere_balanced,
+    &jlt_kernels_routh_sphere_balanced_in_regular,
     &jlt_kernels_spherical_top_general,
     &jlt_kernels_spherical_top_general_on_level_G,
     &jlt_kernels_spherical_top_general_on_level_G_omega3,
@@ -57,6 +66,7 @@ const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_spherical_top_balanced_equal_in_regular,
     &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G,
     &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_full_general,
     &jlt_kernels_spherical_top_level_general,
     &jlt_kernels_spherical_top_level_general_in_regular,
     &jlt_kernels_spherical_top_level_balanced,
@@ -65,4 +75,4 @@ const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_spherical_top_level_rod_in_regular,
 };
 
-const unsigned jlt_registry_count = 30;
+const unsigned jlt_registry_count = 35;
