@@ -52,7 +52,8 @@ static void check_low_orders(const jlt_descriptor *d, const double *x, const dou
 static void check_high_orders(const jlt_descriptor *d, const double *p, const double *jet, unsigned columns)
 {
     const unsigned n = d->state_count;
-    double last = largest(jet + ORDER * columns, n), size = fmax(1, largest(jet, n)), x[STATES_MAX], slope[STATES_MAX], f[STATES_MAX];
+    double last = largest(jet + ORDER * columns, n), size = fmax(1, largest(jet, n));
+    double x[STATES_MAX] = { 0 }, slope[STATES_MAX] = { 0 }, f[STATES_MAX];
     double jacobian[STATES_MAX * STATES_MAX];
     double h = fmin(0.1, pow(1e-9 * size / last, 1.0 / ORDER));
 
