@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/signals.h"
 
 #include <argp.h>
 #include <errno.h>
@@ -55,6 +56,7 @@ static int run(const jlt_command *command, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    jlt_signals_to_main();
     if (atexit(close_output) != 0) return JLT_EXIT_NUMERICAL;
     argp_err_exit_status = JLT_EXIT_USAGE;
     if (argc < 2) {

@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# What jellett writes to a file is there whole or not at all: status 5 and the old file untouched where it cannot be
+# written; the old file or the new one, and nothing beside it, however the program is stopped.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+fail() { echo "$*"; status=1; }
+
+at=v_nu=0.7,omega3=1.1
+sweep=(jellett eigen --set a3=0 --at "$at" --sweep gamma3=-0.99:0.99:2001)
+
+expect() { # STATUS TITLE COMMAND...
+    local want=$1 title=$2 code
+    shift 2
+    "$@" > /dev/null 2> "$scratch/err"
+    code=$?
+    [ $code -eq "$want" ] || { fail "$title: status $code, not $want"; head -5 "$scratch/err"; }
+    [ "$want" -eq 0 ] || [ -s "$scratch/err" ] || fail "$title: nothing said on standard error"
+}
+
+# The comment header quotes the command line, and with it the name of the file.
+same() { diff -q <(grep -v '^#' "$1") <(grep -v '^#' "$2") > /dev/null; }
+
+mkdir "$scratch/d"
+start=$(date +%s%N)
+expect 0 "a plain run" "${sweep[@]}" --output "$scratch/whole"
+lasts=$(($(date +%s%N) - start))
+touch "$scratch/file"
+expect 5 "output below a file" "${sweep[@]}" --output "$scratch/file/below"
+expect 5 "output is a folder" "${sweep[@]}" --output "$scratch/d"
+expect 5 "no such folder" "${sweep[@]}" --output "$scratch/none/out"
+expect 5 "full device" "${sweep[@]}" --output /dev/full
+expect 5 "picture in no such folder" "${sweep[@]}" --plot "$scratch/none/out.svg"
+expect 5 "picture to where nothing can be made" "${sweep[@]}" --plot /proc/out.svg
+
+# A full disk, played by a limit on the size of files.
+limited() { (ulimit -f 4; trap '' XFSZ; "${sweep[@]}" "$@"); }
+echo old > "$scratch/d/out"
+expect 5 "disk full" limited --output "$scratch/d/out"
+[ "$(cat "$scratch/d/out")" = old ] || fail "disk full: the old file is damaged"
+[ "$(ls -A "$scratch/d")" = out ] || fail "disk full: leaves $(ls -A "$scratch/d")"
+
+for signal in INT TERM KILL; do
+    for k in $(seq 1 8); do
+        echo old > "$scratch/d/out"
+        # With job control, because a background job of a script ignores SIGINT otherwise.
+        set -m
+        "${sweep[@]}" --output "$scratch/d/out" > /dev/null 2>&1 &
+        job=$!
+        set +m
+        sleep "$(awk -v ns="$lasts" -v k="$k" 'BEGIN { printf "%.6f", ns * 1e-9 * k / 8 }')"
+        kill -$signal $job 2>/dev/null
+        wait $job 2>/dev/null
+        same "$scratch/d/out" "$scratch/whole" || [ "$(cat "$scratch/d/out")" = old ] ||
+            fail "SIG$signal at $k/8: the file is neither the old one nor the new one"
+        [ $signal = KILL ] || [ "$(ls -A "$scratch/d")" = out ] || fail "SIG$signal at $k/8: leaves $(ls -A "$scratch/d")"
+        find "$scratch/d" -name 'out?*' -delete
+    done
+done
+exit $status
