@@ -37,7 +37,8 @@ jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt
     jlt_orbit *self;
 
     *out = NULL;
-    if (options == NULL) options = &(jlt_options){ 0 };
+    const jlt_options defaults = { .tolerance = 0 };
+    if (options == NULL) options = &defaults;
     if (options->tolerance < 0 || options->max_step < 0 || options->first_step < 0) return JLT_ERR_ARG;
     if (options->invariants.count > JLT_INVARIANTS_MAX) return JLT_ERR_ARG;
     if (options->project && options->invariants.gradients == NULL) return JLT_ERR_ARG;
