@@ -62,6 +62,22 @@ static inline jlt_lanes jlt_lanes_sine(jlt_lanes a)
     return a;
 }
 
+/* Bit j is set where lane j of the mask is true. */
+static inline unsigned jlt_lanes_bits(jlt_lane_mask mask)
+{
+#if JLT_LANES == 8 && defined(__AVX512DQ__)
+    return (unsigned)_mm512_movepi64_mask((__m512i)mask);
+#elif JLT_LANES == 4 && defined(__AVX__)
+    return (unsigned)_mm256_movemask_pd((__m256d)mask);
+#elif JLT_LANES == 2 && defined(__SSE2__)
+    return (unsigned)_mm_movemask_pd((__m128d)mask);
+#else
+    unsigned bits = 0;
+    for (int lane = 0; lane < JLT_LANES; lane++) bits |= (unsigned)(mask[lane] & 1) << lane;
+    return bits;
+#endif
+}
+
 static inline jlt_lanes jlt_lanes_select(jlt_lane_mask mask, jlt_lanes yes, jlt_lanes no)
 {
     return (jlt_lanes)((mask & (jlt_lane_mask)yes) | (~mask & (jlt_lane_mask)no));

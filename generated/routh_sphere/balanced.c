@@ -2,13 +2,13 @@
  *
  *  Source:     E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243
  *  Variant:    balanced: a3 = 0
- *  Table:      routh_sphere, SHA-256 06b77d0dd1f2c71fd1556f36725721f5b8a137a08dc5caedfd1047625bcc9bb7
+ *  Table:      routh_sphere, SHA-256 7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e
  *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   16    5    1    1    0     10    8   (65)
- *  jacobian            4   33   13    1    1    0     12   11   (196)
- *  rhs_jacobian        6   33   16    1    1    0     11   17   (237)
+ *  jacobian            3   33   13    1    1    0     11   11   (196)
+ *  rhs_jacobian        6   33   16    1    1    0     11   16   (237)
  *  divergence          2    6    2    1    1    0      5    4   (24)
  *  integral_values     2   12    8    0    2    0      8    7   (47)
  *  integral_gradients  2   21    7    1    2    0      9    8   (71)
@@ -61,29 +61,30 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t10 = t7 + t9; /* m*R*R*I3 + I3*I3 */
     const double t11 = params[4] - params[5]; /* I1 - I3 */
     const double t12 = t1*t11; /* m*R*R*(I1 - I3) */
-    const double t13 = params[0]*params[1]; /* m*R */
-    const double t14 = t13/t2; /* m*R/K */
-    const double t15 = t3*2.0; /* I1/K*2 */
-    const double t16 = -t15; /* -I1/K*2 */
-    const double t17 = t16 - t4; /* -I1/K*2 - m*R*R/K */
-    const double t18 = -t8; /* -I3/K */
-    const double t19 = -t13; /* -m*R */
-    const double t20 = -t14; /* -m*R/K */
-    const double t21 = t18 - t4; /* -I3/K - m*R*R/K */
-    const double t22 = t6*2.0; /* I1*m*R*R*2 */
-    const double t23 = t7*2.0; /* m*R*R*I3*2 */
-    const double t24 = t22 - t23; /* I1*m*R*R*2 - m*R*R*I3*2 */
-    const double t25 = -t12; /* -m*R*R*(I1 - I3) */
-    const double t26 = t4 + t15; /* m*R*R/K + I1/K*2 */
-    const double t27 = params[4]/2.0; /* I1/2 */
-    const double t28 = params[5]/2.0; /* I3/2 */
-    const double t29 = params[0]/2.0; /* m/2 */
-    const double t30 = params[4]*params[1]; /* I1*R */
-    const double t31 = params[1]*params[5]; /* R*I3 */
-    const double t32 = -t30; /* -I1*R */
-    const double t33 = -t31; /* -R*I3 */
-    const double t34 = t7 - t6; /* m*R*R*I3 - I1*m*R*R */
-    const double t35 = t6 - t7; /* I1*m*R*R - m*R*R*I3 */
+    const double t13 = -t3; /* -I1/K */
+    const double t14 = params[0]*params[1]; /* m*R */
+    const double t15 = -t14; /* -m*R */
+    const double t16 = t14/t2; /* m*R/K */
+    const double t17 = -t16; /* -m*R/K */
+    const double t18 = t3*2.0; /* I1/K*2 */
+    const double t19 = -t18; /* -I1/K*2 */
+    const double t20 = t19 - t4; /* -I1/K*2 - m*R*R/K */
+    const double t21 = -t8; /* -I3/K */
+    const double t22 = t21 - t4; /* -I3/K - m*R*R/K */
+    const double t23 = t6*2.0; /* I1*m*R*R*2 */
+    const double t24 = t7*2.0; /* m*R*R*I3*2 */
+    const double t25 = t23 - t24; /* I1*m*R*R*2 - m*R*R*I3*2 */
+    const double t26 = -t12; /* -m*R*R*(I1 - I3) */
+    const double t27 = t4 + t18; /* m*R*R/K + I1/K*2 */
+    const double t28 = params[4]/2.0; /* I1/2 */
+    const double t29 = params[5]/2.0; /* I3/2 */
+    const double t30 = params[0]/2.0; /* m/2 */
+    const double t31 = params[4]*params[1]; /* I1*R */
+    const double t32 = params[1]*params[5]; /* R*I3 */
+    const double t33 = -t31; /* -I1*R */
+    const double t34 = -t32; /* -R*I3 */
+    const double t35 = t7 - t6; /* m*R*R*I3 - I1*m*R*R */
+    const double t36 = t6 - t7; /* I1*m*R*R - m*R*R*I3 */
     out[6] = t3;
     out[7] = t4;
     out[8] = t5;
@@ -92,28 +93,28 @@ static void prepare(const double *restrict params, double *restrict out)
     out[11] = t8;
     out[12] = t10;
     out[13] = t12;
-    out[14] = t14;
+    out[14] = t13;
     out[15] = t17;
-    out[16] = t18;
-    out[17] = t20;
-    out[18] = t21;
-    out[19] = t24;
-    out[20] = t25;
-    out[21] = t26;
-    out[22] = t27;
-    out[23] = t28;
-    out[24] = t29;
+    out[16] = t20;
+    out[17] = t21;
+    out[18] = t22;
+    out[19] = t25;
+    out[20] = t26;
+    out[21] = t27;
+    out[22] = t28;
+    out[23] = t29;
+    out[24] = t30;
     out[25] = t0;
-    out[26] = t30;
-    out[27] = t31;
-    out[28] = t19;
+    out[26] = t31;
+    out[27] = t32;
+    out[28] = t15;
     out[29] = t2;
-    out[30] = t13;
-    out[31] = t32;
-    out[32] = t33;
-    out[33] = t34;
+    out[30] = t14;
+    out[31] = t33;
+    out[32] = t34;
+    out[33] = t35;
     out[34] = t2;
-    out[35] = t35;
+    out[35] = t36;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -167,44 +168,43 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t11 = x[1]*t10; /* omega_tau*gamma3*Theta*1/(Theta*s) */
     const double t12 = -t11; /* -omega_tau*gamma3*Theta*1/(Theta*s) */
     const double t13 = JLT_FMA(t10, t10, 1.0); /* gamma3*Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s) + 1 */
-    const double t14 = p[6]*x[2]; /* I1/K*omega_n */
-    const double t15 = t13*t14; /* (gamma3*Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s) + 1)*I1/K*omega_n */
-    const double t16 = p[1]*x[3]; /* R*omega3 */
-    const double t17 = t6*t16; /* s*R*omega3 */
-    const double t18 = x[2]*p[1]; /* omega_n*R */
-    const double t19 = JLT_FMA(x[0], t18, t17); /* v_tau = gamma3*omega_n*R + s*R*omega3 */
-    const double t20 = t9*t19; /* Theta*1/(Theta*s)*v_tau */
-    const double t21 = JLT_FNMA(t10, t16, t18); /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*Theta*1/(Theta*s)*R*omega3 */
-    const double t22 = JLT_FMA(t10, t20, t21); /* gamma3*Theta*1/(Theta*s)*Theta*1/(Theta*s)*v_tau + d(v_tau)/d(gamma3) */
-    const double t23 = JLT_FMA(p[14], t22, t15); /* m*R/K*t22 + t15 */
-    const double t24 = t9*x[2]; /* Theta*1/(Theta*s)*omega_n */
-    const double t25 = t23*t24; /* (m*R/K*t22 + t15)*Theta*1/(Theta*s)*omega_n */
-    const double t26 = -t25; /* -(m*R/K*t22 + t15)*Theta*1/(Theta*s)*omega_n */
+    const double t14 = t9*x[2]; /* Theta*1/(Theta*s)*omega_n */
+    const double t15 = t13*t14; /* (gamma3*Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s) + 1)*Theta*1/(Theta*s)*omega_n */
+    const double t16 = p[14]*x[2]; /* (-I1/K)*omega_n */
+    const double t17 = t15*t16; /* t15*(-I1/K)*omega_n */
+    const double t18 = x[0]*x[2]; /* gamma3*omega_n */
+    const double t19 = JLT_FMA(t6, x[3], t18); /* s*omega3 + gamma3*omega_n */
+    const double t20 = p[1]*t19; /* R*(s*omega3 + gamma3*omega_n) */
+    const double t21 = t9*t20; /* Theta*1/(Theta*s)*R*(s*omega3 + gamma3*omega_n) */
+    const double t22 = t10*t21; /* gamma3*Theta*1/(Theta*s)*Theta*1/(Theta*s)*R*(s*omega3 + gamma3*omega_n) */
+    const double t23 = JLT_FNMA(t10, x[3], x[2]); /* omega_n - gamma3*Theta*1/(Theta*s)*omega3 */
+    const double t24 = JLT_FMA(p[1], t23, t22); /* R*(omega_n - gamma3*Theta*1/(Theta*s)*omega3) + t22 */
+    const double t25 = t14*p[15]; /* Theta*1/(Theta*s)*omega_n*(-m*R/K) */
+    const double t26 = JLT_FMA(t24, t25, t17); /* (R*(omega_n - gamma3*Theta*1/(Theta*s)*omega3) + t22)*Theta*1/(Theta*s)*omega_n*(-m*R/K) + t15*(-I1/K)*omega_n */
     const double t27 = t10*x[2]; /* gamma3*Theta*1/(Theta*s)*omega_n */
-    const double t28 = x[3]*p[16]; /* omega3*(-I3/K) */
-    const double t29 = JLT_FMA(t20, p[17], t28); /* Theta*1/(Theta*s)*v_tau*(-m*R/K) + omega3*(-I3/K) */
-    const double t30 = JLT_FMA(p[15], t27, t29); /* (-2*I1/K - m*R^2/K)*gamma3*Theta*1/(Theta*s)*omega_n + Theta*1/(Theta*s)*v_tau*(-m*R/K) + omega3*(-I3/K) */
+    const double t28 = x[3]*p[17]; /* omega3*(-I3/K) */
+    const double t29 = JLT_FMA(p[15], t21, t28); /* (-m*R/K)*Theta*1/(Theta*s)*R*(s*omega3 + gamma3*omega_n) + omega3*(-I3/K) */
+    const double t30 = JLT_FMA(p[16], t27, t29); /* (-2*I1/K - m*R^2/K)*gamma3*Theta*1/(Theta*s)*omega_n + t29 */
     const double t31 = x[2]*p[18]; /* omega_n*(-I3/K - m*R^2/K) */
-    const double t32 = x[1]*t24; /* omega_tau*Theta*1/(Theta*s)*omega_n */
-    const double t33 = t13*t32; /* (gamma3*Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s) + 1)*omega_tau*Theta*1/(Theta*s)*omega_n */
-    const double t34 = x[0]*p[19]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t35 = t6*t8; /* s*1/(Theta*s) */
-    const double t36 = x[3]*t35; /* omega3*s*1/(Theta*s) */
-    const double t37 = x[1]*t35; /* omega_tau*s*1/(Theta*s) */
-    const double t38 = p[12]*t37; /* (I3^2 + m*R^2*I3)*omega_tau*s*1/(Theta*s) */
-    const double t39 = t34*t36; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*omega3*s*1/(Theta*s) */
-    const double t40 = JLT_FMA(t38, t39, t33); /* (I3^2 + m*R^2*I3)*omega_tau*s*1/(Theta*s)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*omega3*s*1/(Theta*s) + t33 */
-    const double t41 = JLT_FMA(t36, p[12], t27); /* omega3*s*1/(Theta*s)*(I3^2 + m*R^2*I3) + gamma3*Theta*1/(Theta*s)*omega_n */
-    const double t42 = t6*t34; /* s*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t43 = JLT_FNMA(t35, t42, t10); /* gamma3*Theta*1/(Theta*s) - s*1/(Theta*s)*s*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t44 = JLT_FMS(x[0], t43, t6); /* gamma3*t43 - s */
-    const double t45 = x[1]*p[20]; /* omega_tau*(-m*R^2*(I1 - I3)) */
-    const double t46 = t36*t45; /* omega3*s*1/(Theta*s)*omega_tau*(-m*R^2*(I1 - I3)) */
-    const double t47 = t44*t46; /* (gamma3*t43 - s)*omega3*s*1/(Theta*s)*omega_tau*(-m*R^2*(I1 - I3)) */
-    const double t48 = x[0]*p[13]; /* gamma3*m*R^2*(I1 - I3) */
-    const double t49 = t6*t48; /* s*gamma3*m*R^2*(I1 - I3) */
-    const double t50 = t36*t49; /* omega3*s*1/(Theta*s)*s*gamma3*m*R^2*(I1 - I3) */
-    const double t51 = t37*t49; /* omega_tau*s*1/(Theta*s)*s*gamma3*m*R^2*(I1 - I3) */
+    const double t32 = x[1]*t15; /* omega_tau*t15 */
+    const double t33 = x[0]*p[19]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t34 = t6*t8; /* s*1/(Theta*s) */
+    const double t35 = x[3]*t34; /* omega3*s*1/(Theta*s) */
+    const double t36 = x[1]*t34; /* omega_tau*s*1/(Theta*s) */
+    const double t37 = p[12]*t36; /* (I3^2 + m*R^2*I3)*omega_tau*s*1/(Theta*s) */
+    const double t38 = t33*t35; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*omega3*s*1/(Theta*s) */
+    const double t39 = JLT_FMA(t37, t38, t32); /* (I3^2 + m*R^2*I3)*omega_tau*s*1/(Theta*s)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*omega3*s*1/(Theta*s) + omega_tau*t15 */
+    const double t40 = JLT_FMA(t35, p[12], t27); /* omega3*s*1/(Theta*s)*(I3^2 + m*R^2*I3) + gamma3*Theta*1/(Theta*s)*omega_n */
+    const double t41 = t6*t33; /* s*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t42 = JLT_FNMA(t34, t41, t10); /* gamma3*Theta*1/(Theta*s) - s*1/(Theta*s)*s*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t43 = JLT_FMS(x[0], t42, t6); /* gamma3*t42 - s */
+    const double t44 = x[3]*p[20]; /* omega3*(-m*R^2*(I1 - I3)) */
+    const double t45 = t36*t44; /* omega_tau*s*1/(Theta*s)*omega3*(-m*R^2*(I1 - I3)) */
+    const double t46 = t43*t45; /* (gamma3*t42 - s)*omega_tau*s*1/(Theta*s)*omega3*(-m*R^2*(I1 - I3)) */
+    const double t47 = x[0]*p[13]; /* gamma3*m*R^2*(I1 - I3) */
+    const double t48 = t6*t47; /* s*gamma3*m*R^2*(I1 - I3) */
+    const double t49 = t35*t48; /* omega3*s*1/(Theta*s)*s*gamma3*m*R^2*(I1 - I3) */
+    const double t50 = t36*t48; /* omega_tau*s*1/(Theta*s)*s*gamma3*m*R^2*(I1 - I3) */
     out[0] = t12;
     out[1] = t6;
     out[2] = 0.0;
@@ -213,14 +213,14 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[5] = 0.0;
     out[6] = t30;
     out[7] = t31;
-    out[8] = t40;
-    out[9] = t41;
+    out[8] = t39;
+    out[9] = t40;
     out[10] = t11;
-    out[11] = t38;
-    out[12] = t47;
-    out[13] = t50;
+    out[11] = t37;
+    out[12] = t46;
+    out[13] = t49;
     out[14] = 0.0;
-    out[15] = t51;
+    out[15] = t50;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -252,15 +252,15 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t24 = x[3]*t23; /* omega3*omega_tau*s*1/(s*Theta) */
     const double t25 = p[12]*t24; /* (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/(s*Theta) */
     const double t26 = JLT_FMA(x[2], t21, t25); /* omega_n*omega_tau*gamma3*Theta*1/(s*Theta) + (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/(s*Theta) */
-    const double t27 = t24*p[13]; /* omega3*omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3) */
-    const double t28 = x[0]*t3; /* gamma3*s */
-    const double t29 = t27*t28; /* omega3*omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3)*gamma3*s */
+    const double t27 = t3*p[13]; /* s*m*R^2*(I1 - I3) */
+    const double t28 = x[0]*t27; /* gamma3*s*m*R^2*(I1 - I3) */
+    const double t29 = t24*t28; /* omega3*omega_tau*s*1/(s*Theta)*gamma3*s*m*R^2*(I1 - I3) */
     const double t30 = -t21; /* -omega_tau*gamma3*Theta*1/(s*Theta) */
-    const double t31 = p[6]*x[2]; /* I1/K*omega_n */
-    const double t32 = t8*t14; /* (I1/K*gamma3*omega_n + m*R^2/K*(s*omega3 + gamma3*omega_n))*Theta*1/(s*Theta) */
-    const double t33 = JLT_FNMA(x[3], t20, x[2]); /* omega_n - omega3*gamma3*Theta*1/(s*Theta) */
-    const double t34 = JLT_FMA(t20, t32, t31); /* gamma3*Theta*1/(s*Theta)*t32 + I1/K*omega_n */
-    const double t35 = JLT_FMA(p[7], t33, t34); /* m*R^2/K*(omega_n - omega3*gamma3*Theta*1/(s*Theta)) + gamma3*Theta*1/(s*Theta)*t32 + I1/K*omega_n */
+    const double t31 = JLT_FNMA(x[3], t20, x[2]); /* omega_n - omega3*gamma3*Theta*1/(s*Theta) */
+    const double t32 = p[6]*x[2]; /* I1/K*omega_n */
+    const double t33 = t8*t14; /* (I1/K*gamma3*omega_n + m*R^2/K*(s*omega3 + gamma3*omega_n))*Theta*1/(s*Theta) */
+    const double t34 = JLT_FMA(t20, t33, t32); /* gamma3*Theta*1/(s*Theta)*t33 + I1/K*omega_n */
+    const double t35 = JLT_FMA(p[7], t31, t34); /* m*R^2/K*(omega_n - omega3*gamma3*Theta*1/(s*Theta)) + gamma3*Theta*1/(s*Theta)*t33 + I1/K*omega_n */
     const double t36 = t15*t35; /* omega_n*Theta*1/(s*Theta)*t35 */
     const double t37 = -t36; /* -omega_n*Theta*1/(s*Theta)*t35 */
     const double t38 = x[2]*t20; /* omega_n*gamma3*Theta*1/(s*Theta) */
@@ -276,12 +276,12 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t48 = x[3]*t22; /* omega3*s*1/(s*Theta) */
     const double t49 = JLT_FMA(p[12], t48, t38); /* (I3^2 + m*R^2*I3)*omega3*s*1/(s*Theta) + omega_n*gamma3*Theta*1/(s*Theta) */
     const double t50 = p[12]*t23; /* (I3^2 + m*R^2*I3)*omega_tau*s*1/(s*Theta) */
-    const double t51 = JLT_FMS(x[0], t20, t3); /* gamma3*gamma3*Theta*1/(s*Theta) - s */
-    const double t52 = t27*t51; /* omega3*omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3)*(gamma3*gamma3*Theta*1/(s*Theta) - s) */
-    const double t53 = JLT_FMS(t29, t46, t52); /* omega3*omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3)*gamma3*s*s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) - t52 */
-    const double t54 = p[13]*t28; /* m*R^2*(I1 - I3)*gamma3*s */
-    const double t55 = t48*t54; /* omega3*s*1/(s*Theta)*m*R^2*(I1 - I3)*gamma3*s */
-    const double t56 = t23*t54; /* omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3)*gamma3*s */
+    const double t51 = x[0]*p[13]; /* gamma3*m*R^2*(I1 - I3) */
+    const double t52 = JLT_FNMA(t20, t51, t27); /* s*m*R^2*(I1 - I3) - gamma3*Theta*1/(s*Theta)*gamma3*m*R^2*(I1 - I3) */
+    const double t53 = JLT_FMA(t28, t46, t52); /* gamma3*s*m*R^2*(I1 - I3)*s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) + t52 */
+    const double t54 = t24*t53; /* omega3*omega_tau*s*1/(s*Theta)*t53 */
+    const double t55 = t28*t48; /* gamma3*s*m*R^2*(I1 - I3)*omega3*s*1/(s*Theta) */
+    const double t56 = t23*t28; /* omega_tau*s*1/(s*Theta)*gamma3*s*m*R^2*(I1 - I3) */
     out[0] = t4;
     out[1] = t19;
     out[2] = t26;
@@ -298,7 +298,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[13] = t49;
     out[14] = t21;
     out[15] = t50;
-    out[16] = t53;
+    out[16] = t54;
     out[17] = t55;
     out[18] = 0.0;
     out[19] = t56;
@@ -615,7 +615,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .elimination = "",
     .title = "Sphere with displaced centre of mass rolling without slipping, reduced system",
     .source = "E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243",
-    .sha256 = "06b77d0dd1f2c71fd1556f36725721f5b8a137a08dc5caedfd1047625bcc9bb7",
+    .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0",
     .table = jlt_table_routh_sphere,
     .state_count = 4, .param_count = 6, .block_count = 36,
@@ -625,9 +625,9 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 4, 16, 5, 1, 1, 0, 10, 8 }, { 11, 46, 0, 7, 1, 0, 10, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 4, 33, 13, 1, 1, 0, 12, 11 }, { 31, 137, 0, 27, 1, 0, 11, 8 },
+    .jacobian = { jacobian, 16, { 3, 33, 13, 1, 1, 0, 11, 11 }, { 31, 137, 0, 27, 1, 0, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 6, 33, 16, 1, 1, 0, 11, 17 }, { 37, 165, 0, 34, 1, 0, 11, 10 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 6, 33, 16, 1, 1, 0, 11, 16 }, { 37, 165, 0, 34, 1, 0, 11, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 6, 2, 1, 1, 0, 5, 4 }, { 4, 18, 0, 1, 1, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

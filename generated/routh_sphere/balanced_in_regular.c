@@ -3,7 +3,7 @@
  *  Source:     E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      routh_sphere, SHA-256 06b77d0dd1f2c71fd1556f36725721f5b8a137a08dc5caedfd1047625bcc9bb7
+ *  Table:      routh_sphere, SHA-256 7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e
  *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -51,24 +51,24 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t0 = params[1]*params[1]; /* R*R */
     const double t1 = params[0]*t0; /* m*R*R */
     const double t2 = params[4] + t1; /* K = I1 + m*R*R */
-    const double t3 = params[5]/t2; /* I3/K */
+    const double t3 = params[4]/t2; /* I1/K */
     const double t4 = t1/t2; /* m*R*R/K */
-    const double t5 = params[4]/t2; /* I1/K */
+    const double t5 = params[5]/t2; /* I3/K */
     const double t6 = params[5]*params[5]; /* I3*I3 */
-    const double t7 = params[5]*t1; /* I3*m*R*R */
-    const double t8 = t6 + t7; /* I3*I3 + I3*m*R*R */
-    const double t9 = params[5]*params[4]; /* I3*I1 */
+    const double t7 = t1*params[5]; /* m*R*R*I3 */
+    const double t8 = t6 + t7; /* I3*I3 + m*R*R*I3 */
+    const double t9 = params[4]*params[5]; /* I1*I3 */
     const double t10 = params[4]*t1; /* I1*m*R*R */
     const double t11 = params[4] - params[5]; /* I1 - I3 */
     const double t12 = t1*t11; /* m*R*R*(I1 - I3) */
-    const double t13 = -t5; /* -I1/K */
+    const double t13 = -t3; /* -I1/K */
     const double t14 = t13 - t4; /* -I1/K - m*R*R/K */
-    const double t15 = t5*2.0; /* I1/K*2 */
+    const double t15 = t3*2.0; /* I1/K*2 */
     const double t16 = -t15; /* -I1/K*2 */
     const double t17 = t16 - t4; /* -I1/K*2 - m*R*R/K */
-    const double t18 = -t3; /* -I3/K */
+    const double t18 = -t5; /* -I3/K */
     const double t19 = -t4; /* -m*R*R/K */
-    const double t20 = t3 + t4; /* I3/K + m*R*R/K */
+    const double t20 = t4 + t5; /* m*R*R/K + I3/K */
     const double t21 = params[5]*t6; /* I3*I3*I3 */
     const double t22 = t1*t21; /* m*R*R*I3*I3*I3 */
     const double t23 = 2.0*t22; /* 2*m*R*R*I3*I3*I3 */
@@ -94,13 +94,12 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t43 = params[4]*t37; /* I1*R*R*R*R*2*m*m */
     const double t44 = t11*t43; /* (I1 - I3)*I1*R*R*R*R*2*m*m */
     const double t45 = t4 + t15; /* m*R*R/K + I1/K*2 */
-    const double t46 = params[5]*t41; /* I3*R*R*m*2 */
-    const double t47 = params[4]/2.0; /* I1/2 */
-    const double t48 = params[5]/2.0; /* I3/2 */
-    const double t49 = params[0]/2.0; /* m/2 */
-    const double t50 = params[4]*params[1]; /* I1*R */
-    const double t51 = params[5]*params[1]; /* I3*R */
-    const double t52 = -t51; /* -I3*R */
+    const double t46 = params[4]/2.0; /* I1/2 */
+    const double t47 = params[5]/2.0; /* I3/2 */
+    const double t48 = params[0]/2.0; /* m/2 */
+    const double t49 = params[4]*params[1]; /* I1*R */
+    const double t50 = params[1]*params[5]; /* R*I3 */
+    const double t51 = -t50; /* -R*I3 */
     out[6] = t3;
     out[7] = t4;
     out[8] = t5;
@@ -123,25 +122,24 @@ static void prepare(const double *restrict params, double *restrict out)
     out[25] = t46;
     out[26] = t47;
     out[27] = t48;
-    out[28] = t49;
-    out[29] = t0;
+    out[28] = t0;
+    out[29] = t49;
     out[30] = t50;
-    out[31] = t51;
-    out[32] = t1;
-    out[33] = t2;
-    out[34] = t52;
+    out[31] = t1;
+    out[32] = t2;
+    out[33] = t51;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[1]; /* s*omega_tau */
     const double t1 = x[4]*t0; /* s*s*omega_tau */
-    const double t2 = x[4]*x[3]; /* s*omega3 */
-    const double t3 = p[6]*t2; /* I3/K*s*omega3 */
-    const double t4 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t5 = t2 + t4; /* s*omega3 + omega_n*gamma3 */
-    const double t6 = JLT_FMA(t4, p[8], t3); /* omega_n*gamma3*I1/K + I3/K*s*omega3 */
-    const double t7 = JLT_FMA(p[7], t5, t6); /* m*R^2/K*(s*omega3 + omega_n*gamma3) + omega_n*gamma3*I1/K + I3/K*s*omega3 */
+    const double t2 = x[2]*x[0]; /* omega_n*gamma3 */
+    const double t3 = p[6]*t2; /* I1/K*omega_n*gamma3 */
+    const double t4 = x[4]*x[3]; /* s*omega3 */
+    const double t5 = t2 + t4; /* omega_n*gamma3 + s*omega3 */
+    const double t6 = JLT_FMA(t4, p[8], t3); /* s*omega3*I3/K + I1/K*omega_n*gamma3 */
+    const double t7 = JLT_FMA(p[7], t5, t6); /* m*R^2/K*(omega_n*gamma3 + s*omega3) + s*omega3*I3/K + I1/K*omega_n*gamma3 */
     const double t8 = x[2]*t7; /* omega_n*t7 */
     const double t9 = -t8; /* -omega_n*t7 */
     const double t10 = x[4]*p[11]; /* s*m*R^2*I1 */
@@ -149,8 +147,8 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t12 = JLT_FMA(x[4], t10, p[10]); /* s*s*m*R^2*I1 + I1*I3 */
     const double t13 = JLT_FMA(x[0], t11, t12); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t14 = 1.0/t13; /* 1/Theta */
-    const double t15 = t2*t14; /* s*omega3*1/Theta */
-    const double t16 = JLT_FMA(p[9], t15, t4); /* (I3^2 + m*R^2*I3)*s*omega3*1/Theta + omega_n*gamma3 */
+    const double t15 = t4*t14; /* s*omega3*1/Theta */
+    const double t16 = JLT_FMA(p[9], t15, t2); /* (I3^2 + m*R^2*I3)*s*omega3*1/Theta + omega_n*gamma3 */
     const double t17 = x[1]*t16; /* omega_tau*((I3^2 + m*R^2*I3)*s*omega3*1/Theta + omega_n*gamma3) */
     const double t18 = t0*x[0]; /* s*omega_tau*gamma3 */
     const double t19 = p[13]*t18; /* m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
@@ -244,32 +242,32 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[1]; /* s*omega_tau */
-    const double t1 = x[4]*t0; /* s*s*omega_tau */
+    const double t0 = x[4]*x[4]; /* s*s */
+    const double t1 = x[1]*t0; /* omega_tau*s*s */
     const double t2 = x[4]*x[3]; /* s*omega3 */
-    const double t3 = p[6]*t2; /* I3/K*s*omega3 */
+    const double t3 = p[8]*t2; /* I3/K*s*omega3 */
     const double t4 = x[2]*x[0]; /* omega_n*gamma3 */
     const double t5 = t2 + t4; /* s*omega3 + omega_n*gamma3 */
     const double t6 = JLT_FMA(p[7], t5, t3); /* m*R^2/K*(s*omega3 + omega_n*gamma3) + I3/K*s*omega3 */
-    const double t7 = JLT_FMA(t4, p[8], t6); /* omega_n*gamma3*I1/K + m*R^2/K*(s*omega3 + omega_n*gamma3) + I3/K*s*omega3 */
+    const double t7 = JLT_FMA(t4, p[6], t6); /* omega_n*gamma3*I1/K + m*R^2/K*(s*omega3 + omega_n*gamma3) + I3/K*s*omega3 */
     const double t8 = x[2]*t7; /* omega_n*t7 */
     const double t9 = -t8; /* -omega_n*t7 */
     const double t10 = x[1]*t4; /* omega_tau*omega_n*gamma3 */
-    const double t11 = x[4]*x[4]; /* s*s */
-    const double t12 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t13 = JLT_FMA(p[11], t11, p[10]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t14 = JLT_FMA(p[12], t12, t13); /* Theta = m*R^2*I3*gamma3*gamma3 + m*R^2*I1*s*s + I1*I3 */
-    const double t15 = 1.0/t14; /* 1/Theta */
-    const double t16 = x[4]*t15; /* s*1/Theta */
-    const double t17 = x[1]*t16; /* omega_tau*s*1/Theta */
-    const double t18 = x[3]*t17; /* omega3*omega_tau*s*1/Theta */
-    const double t19 = JLT_FMA(p[9], t18, t10); /* (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/Theta + omega_tau*omega_n*gamma3 */
-    const double t20 = x[4]*x[0]; /* s*gamma3 */
-    const double t21 = t18*p[13]; /* omega3*omega_tau*s*1/Theta*m*R^2*(I1 - I3) */
-    const double t22 = t20*t21; /* s*gamma3*omega3*omega_tau*s*1/Theta*m*R^2*(I1 - I3) */
-    const double t23 = x[1]*t20; /* omega_tau*s*gamma3 */
-    const double t24 = -t23; /* -omega_tau*s*gamma3 */
-    const double t25 = t0*2.0; /* s*omega_tau*2 */
+    const double t11 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t12 = JLT_FMA(t0, p[11], p[10]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t13 = JLT_FMA(p[12], t11, t12); /* Theta = m*R^2*I3*gamma3*gamma3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t14 = 1.0/t13; /* 1/Theta */
+    const double t15 = x[4]*t14; /* s*1/Theta */
+    const double t16 = x[1]*t15; /* omega_tau*s*1/Theta */
+    const double t17 = x[3]*t16; /* omega3*omega_tau*s*1/Theta */
+    const double t18 = JLT_FMA(p[9], t17, t10); /* (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/Theta + omega_tau*omega_n*gamma3 */
+    const double t19 = x[4]*x[0]; /* s*gamma3 */
+    const double t20 = p[13]*t19; /* m*R^2*(I1 - I3)*s*gamma3 */
+    const double t21 = t17*t20; /* omega3*omega_tau*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
+    const double t22 = x[1]*t19; /* omega_tau*s*gamma3 */
+    const double t23 = -t22; /* -omega_tau*s*gamma3 */
+    const double t24 = x[1]*x[4]; /* omega_tau*s */
+    const double t25 = 2.0*t24; /* 2*omega_tau*s */
     const double t26 = x[2]*p[14]; /* omega_n*(-I1/K - m*R^2/K) */
     const double t27 = x[2]*t26; /* omega_n*omega_n*(-I1/K - m*R^2/K) */
     const double t28 = JLT_FMA(t4, p[24], t6); /* omega_n*gamma3*(2*I1/K + m*R^2/K) + m*R^2/K*(s*omega3 + omega_n*gamma3) + I3/K*s*omega3 */
@@ -280,37 +278,37 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t33 = x[3]*t30; /* omega3*omega_n*(I3/K + m*R^2/K) */
     const double t34 = -t33; /* -omega3*omega_n*(I3/K + m*R^2/K) */
     const double t35 = x[1]*x[2]; /* omega_tau*omega_n */
-    const double t36 = x[0]*t18; /* gamma3*omega3*omega_tau*s*1/Theta */
-    const double t37 = t15*p[19]; /* 1/Theta*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
+    const double t36 = x[0]*t17; /* gamma3*omega3*omega_tau*s*1/Theta */
+    const double t37 = t14*p[19]; /* 1/Theta*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
     const double t38 = JLT_FNMA(t36, t37, t35); /* omega_tau*omega_n - gamma3*omega3*omega_tau*s*1/Theta*1/Theta*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t39 = x[3]*t16; /* omega3*s*1/Theta */
+    const double t39 = x[3]*t15; /* omega3*s*1/Theta */
     const double t40 = JLT_FMA(p[9], t39, t4); /* (I3^2 + m*R^2*I3)*omega3*s*1/Theta + omega_n*gamma3 */
     const double t41 = x[1]*x[0]; /* omega_tau*gamma3 */
-    const double t42 = p[9]*t17; /* (I3^2 + m*R^2*I3)*omega_tau*s*1/Theta */
+    const double t42 = p[9]*t16; /* (I3^2 + m*R^2*I3)*omega_tau*s*1/Theta */
     const double t43 = x[1]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3) */
     const double t44 = x[3]*t43; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t45 = t15*t44; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t46 = t16*t18; /* s*1/Theta*omega3*omega_tau*s*1/Theta */
+    const double t45 = t14*t44; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t46 = t15*t17; /* s*1/Theta*omega3*omega_tau*s*1/Theta */
     const double t47 = JLT_FNMA(p[20], t46, t45); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - (2*m*R^2*I1*I3^2 + 2*m^2*R^4*I1*I3)*s*1/Theta*omega3*omega_tau*s*1/Theta */
-    const double t48 = t12*p[25]; /* gamma3*gamma3*2*m*R^2*I3 */
-    const double t49 = JLT_FNMA(t16, t48, x[4]); /* s - s*1/Theta*gamma3*gamma3*2*m*R^2*I3 */
-    const double t50 = t21*t49; /* omega3*omega_tau*s*1/Theta*m*R^2*(I1 - I3)*(s - s*1/Theta*gamma3*gamma3*2*m*R^2*I3) */
-    const double t51 = t20*p[13]; /* s*gamma3*m*R^2*(I1 - I3) */
-    const double t52 = t39*t51; /* omega3*s*1/Theta*s*gamma3*m*R^2*(I1 - I3) */
-    const double t53 = t17*t51; /* omega_tau*s*1/Theta*s*gamma3*m*R^2*(I1 - I3) */
+    const double t48 = x[4]*p[13]; /* s*m*R^2*(I1 - I3) */
+    const double t49 = t17*t48; /* omega3*omega_tau*s*1/Theta*s*m*R^2*(I1 - I3) */
+    const double t50 = t11*p[21]; /* gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
+    const double t51 = JLT_FNMA(t46, t50, t49); /* omega3*omega_tau*s*1/Theta*s*m*R^2*(I1 - I3) - s*1/Theta*omega3*omega_tau*s*1/Theta*gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
+    const double t52 = t20*t39; /* m*R^2*(I1 - I3)*s*gamma3*omega3*s*1/Theta */
+    const double t53 = t16*t20; /* omega_tau*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
     const double t54 = t36*p[22]; /* gamma3*omega3*omega_tau*s*1/Theta*2*m*R^2*(I1 - I3) */
-    const double t55 = t20*p[23]; /* s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
+    const double t55 = t19*p[23]; /* s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
     const double t56 = JLT_FNMA(t46, t55, t54); /* gamma3*omega3*omega_tau*s*1/Theta*2*m*R^2*(I1 - I3) - s*1/Theta*omega3*omega_tau*s*1/Theta*s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
-    const double t57 = -t0; /* -s*omega_tau */
-    const double t58 = -t20; /* -s*gamma3 */
+    const double t57 = -t24; /* -omega_tau*s */
+    const double t58 = -t19; /* -s*gamma3 */
     const double t59 = -t41; /* -omega_tau*gamma3 */
     out[0] = t1;
     out[1] = t9;
-    out[2] = t19;
-    out[3] = t22;
-    out[4] = t24;
+    out[2] = t18;
+    out[3] = t21;
+    out[4] = t23;
     out[5] = 0.0;
-    out[6] = t11;
+    out[6] = t0;
     out[7] = 0.0;
     out[8] = 0.0;
     out[9] = t25;
@@ -324,7 +322,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[17] = t41;
     out[18] = t42;
     out[19] = t47;
-    out[20] = t50;
+    out[20] = t51;
     out[21] = t52;
     out[22] = 0.0;
     out[23] = t53;
@@ -354,18 +352,18 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 {
     const double t0 = x[1]*x[1]; /* omega_tau*omega_tau */
     const double t1 = JLT_FMA(x[2], x[2], t0); /* omega_n*omega_n + omega_tau*omega_tau */
-    const double t2 = p[26]*t1; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t3 = p[27]*x[3]; /* 1/2*I3*omega3 */
+    const double t2 = p[25]*t1; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
+    const double t3 = p[26]*x[3]; /* 1/2*I3*omega3 */
     const double t4 = x[2]*x[0]; /* omega_n*gamma3 */
     const double t5 = JLT_FMA(x[3], x[4], t4); /* omega3*s + omega_n*gamma3 */
     const double t6 = p[1]*t5; /* v_tau = R*(omega3*s + omega_n*gamma3) */
     const double t7 = t6*t6; /* v_tau*v_tau */
-    const double t8 = JLT_FMA(t0, p[29], t7); /* omega_tau*omega_tau*R^2 + v_tau*v_tau */
+    const double t8 = JLT_FMA(t0, p[28], t7); /* omega_tau*omega_tau*R^2 + v_tau*v_tau */
     const double t9 = JLT_FMA(x[3], t3, t2); /* omega3*1/2*I3*omega3 + 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t10 = JLT_FMA(p[28], t8, t9); /* 1/2*m*(omega_tau*omega_tau*R^2 + v_tau*v_tau) + t9 */
-    const double t11 = x[2]*p[30]; /* omega_n*R*I1 */
+    const double t10 = JLT_FMA(p[27], t8, t9); /* 1/2*m*(omega_tau*omega_tau*R^2 + v_tau*v_tau) + t9 */
+    const double t11 = x[2]*p[29]; /* omega_n*R*I1 */
     const double t12 = x[4]*t11; /* s*omega_n*R*I1 */
-    const double t13 = x[3]*p[31]; /* omega3*R*I3 */
+    const double t13 = x[3]*p[30]; /* omega3*R*I3 */
     const double t14 = JLT_FNMA(x[0], t13, t12); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
     const double t15 = x[4]*p[11]; /* s*m*R^2*I1 */
     const double t16 = x[0]*p[12]; /* gamma3*m*R^2*I3 */
@@ -382,18 +380,18 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 {
     const double t0 = x[2]*x[0]; /* omega_n*gamma3 */
     const double t1 = JLT_FMA(x[3], x[4], t0); /* omega3*s + omega_n*gamma3 */
-    const double t2 = p[32]*t1; /* m*R^2*(omega3*s + omega_n*gamma3) */
+    const double t2 = p[31]*t1; /* m*R^2*(omega3*s + omega_n*gamma3) */
     const double t3 = x[2]*t2; /* omega_n*m*R^2*(omega3*s + omega_n*gamma3) */
-    const double t4 = p[33]*x[1]; /* (I1 + m*R^2)*omega_tau */
+    const double t4 = p[32]*x[1]; /* (I1 + m*R^2)*omega_tau */
     const double t5 = x[2]*p[4]; /* omega_n*I1 */
     const double t6 = JLT_FMA(x[0], t2, t5); /* gamma3*m*R^2*(omega3*s + omega_n*gamma3) + omega_n*I1 */
     const double t7 = x[4]*t2; /* s*m*R^2*(omega3*s + omega_n*gamma3) */
     const double t8 = JLT_FMA(x[3], p[5], t7); /* omega3*I3 + s*m*R^2*(omega3*s + omega_n*gamma3) */
     const double t9 = x[3]*t2; /* omega3*m*R^2*(omega3*s + omega_n*gamma3) */
-    const double t10 = x[3]*p[34]; /* omega3*(-R*I3) */
-    const double t11 = x[4]*p[30]; /* s*R*I1 */
-    const double t12 = x[0]*p[34]; /* gamma3*(-R*I3) */
-    const double t13 = x[2]*p[30]; /* omega_n*R*I1 */
+    const double t10 = x[3]*p[33]; /* omega3*(-R*I3) */
+    const double t11 = x[4]*p[29]; /* s*R*I1 */
+    const double t12 = x[0]*p[33]; /* gamma3*(-R*I3) */
+    const double t13 = x[2]*p[29]; /* omega_n*R*I1 */
     const double t14 = x[4]*p[11]; /* s*m*R^2*I1 */
     const double t15 = x[0]*p[12]; /* gamma3*m*R^2*I3 */
     const double t16 = JLT_FMA(x[4], t14, p[10]); /* s*s*m*R^2*I1 + I1*I3 */
@@ -468,8 +466,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t7[k] = jlt_jet_product(x4, x3, k);
         t9[k] = jlt_jet_product(x2, x0, k);
         t10[k] = t7[k] + t9[k];
-        t12[k] = t7[k]*p[6];
-        t14[k] = t9[k]*p[8] + t12[k];
+        t12[k] = t7[k]*p[8];
+        t14[k] = t9[k]*p[6] + t12[k];
         t15[k] = p[7]*t10[k] + t14[k];
         t16[k] = jlt_jet_product(x2, t15, k);
         t17[k] = -t16[k];
@@ -557,10 +555,10 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular = {
     .elimination = "",
     .title = "Sphere with displaced centre of mass rolling without slipping, reduced system",
     .source = "E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243",
-    .sha256 = "06b77d0dd1f2c71fd1556f36725721f5b8a137a08dc5caedfd1047625bcc9bb7",
+    .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0",
     .table = jlt_table_routh_sphere,
-    .state_count = 5, .param_count = 6, .block_count = 35,
+    .state_count = 5, .param_count = 6, .block_count = 34,
     .states = states,
     .params = params,
     .impose = impose,

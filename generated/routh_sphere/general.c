@@ -1,13 +1,13 @@
 /* Sphere with displaced centre of mass rolling without slipping, reduced system
  *
  *  Source:     E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243
- *  Table:      routh_sphere, SHA-256 06b77d0dd1f2c71fd1556f36725721f5b8a137a08dc5caedfd1047625bcc9bb7
+ *  Table:      routh_sphere, SHA-256 7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e
  *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   26   14    1    1    0     13   12   (86)
- *  jacobian            7   50   27    1    1    0     16   18   (295)
- *  rhs_jacobian        6   58   31    1    1    0     16   30   (350)
+ *  rhs                 2   26   14    1    1    0     13   11   (86)
+ *  jacobian            7   51   27    1    1    0     17   18   (295)
+ *  rhs_jacobian        7   57   31    1    1    0     17   28   (350)
  *  divergence          2    9    7    1    1    0      9    6   (42)
  *  integral_values     2   13   12    0    2    0      6    9   (57)
  *  integral_gradients  4   28   13    1    2    0     11   11   (86)
@@ -37,12 +37,12 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     const double t0 = -params[4]; /* -I1 */
-    const double t1 = params[0]*params[2]; /* m*g */
-    const double t2 = t1*params[3]; /* m*g*a3 */
-    const double t3 = t2/params[4]; /* m*g*a3/I1 */
-    const double t4 = params[0]*params[1]; /* m*R */
-    const double t5 = params[3]*t4; /* a3*m*R */
-    const double t6 = t5/params[4]; /* a3*m*R/I1 */
+    const double t1 = params[0]*params[1]; /* m*R */
+    const double t2 = t1*params[3]; /* m*R*a3 */
+    const double t3 = t2/params[4]; /* m*R*a3/I1 */
+    const double t4 = params[0]*params[2]; /* m*g */
+    const double t5 = params[3]*t4; /* a3*m*g */
+    const double t6 = t5/params[4]; /* a3*m*g/I1 */
     const double t7 = params[0]/params[4]; /* m/I1 */
     const double t8 = params[1]*params[1]; /* R*R */
     const double t9 = params[3]*params[3]; /* a3*a3 */
@@ -66,8 +66,8 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t27 = params[4]*(-2.0); /* I1*(-2) */
     const double t28 = -params[5]; /* -I3 */
     const double t29 = -params[0]; /* -m */
-    const double t30 = params[5]/t4; /* I3/(m*R) */
-    const double t31 = t5*params[5]; /* a3*m*R*I3 */
+    const double t30 = params[5]/t1; /* I3/(m*R) */
+    const double t31 = t2*params[5]; /* m*R*a3*I3 */
     const double t32 = t8*t21; /* R*R*m*2 */
     const double t33 = params[4]*t32; /* I1*R*R*m*2 */
     const double t34 = params[5]*t22; /* I3*R*m*2 */
@@ -75,19 +75,20 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t36 = params[0]*params[3]; /* m*a3 */
     const double t37 = -t36; /* -m*a3 */
     const double t38 = params[4]*t23; /* I1*a3*R*m*2 */
-    const double t39 = params[5]/params[0]; /* I3/m */
-    const double t40 = -t4; /* -m*R */
-    const double t41 = params[3]*2.0; /* a3*2 */
-    const double t42 = params[0]/2.0; /* m/2 */
-    const double t43 = params[4]/2.0; /* I1/2 */
-    const double t44 = params[5]/2.0; /* I3/2 */
-    const double t45 = params[4]*params[1]; /* I1*R */
-    const double t46 = -t45; /* -I1*R */
-    const double t47 = params[1]*params[5]; /* R*I3 */
-    const double t48 = -t47; /* -R*I3 */
-    const double t49 = params[0]*4.0; /* m*4 */
-    const double t50 = params[1]*t49; /* R*m*4 */
-    const double t51 = params[3]*t50; /* a3*R*m*4 */
+    const double t39 = t11*params[5]; /* R*2*I3 */
+    const double t40 = params[5]/params[0]; /* I3/m */
+    const double t41 = -t1; /* -m*R */
+    const double t42 = params[3]*2.0; /* a3*2 */
+    const double t43 = params[0]/2.0; /* m/2 */
+    const double t44 = params[4]/2.0; /* I1/2 */
+    const double t45 = params[5]/2.0; /* I3/2 */
+    const double t46 = params[4]*params[1]; /* I1*R */
+    const double t47 = -t46; /* -I1*R */
+    const double t48 = params[1]*params[5]; /* R*I3 */
+    const double t49 = -t48; /* -R*I3 */
+    const double t50 = params[0]*4.0; /* m*4 */
+    const double t51 = params[1]*t50; /* R*m*4 */
+    const double t52 = params[3]*t51; /* a3*R*m*4 */
     out[6] = t0;
     out[7] = t3;
     out[8] = t6;
@@ -98,14 +99,14 @@ static void prepare(const double *restrict params, double *restrict out)
     out[13] = t15;
     out[14] = t16;
     out[15] = t17;
-    out[16] = t4;
+    out[16] = t1;
     out[17] = t19;
     out[18] = t20;
     out[19] = t23;
     out[20] = t24;
     out[21] = t26;
-    out[22] = t5;
-    out[23] = t2;
+    out[22] = t2;
+    out[23] = t5;
     out[24] = t27;
     out[25] = t28;
     out[26] = t29;
@@ -116,19 +117,20 @@ static void prepare(const double *restrict params, double *restrict out)
     out[31] = t35;
     out[32] = t37;
     out[33] = t38;
-    out[34] = t25;
-    out[35] = t36;
-    out[36] = t39;
+    out[34] = t36;
+    out[35] = t39;
+    out[36] = t22;
     out[37] = t40;
     out[38] = t41;
     out[39] = t42;
-    out[40] = t9;
-    out[41] = t43;
+    out[40] = t43;
+    out[41] = t9;
     out[42] = t44;
     out[43] = t45;
     out[44] = t46;
-    out[45] = t48;
-    out[46] = t51;
+    out[45] = t47;
+    out[46] = t49;
+    out[47] = t52;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -138,8 +140,8 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = x[1]*t3; /* omega_tau*s */
-    const double t5 = t3*p[7]; /* s*m*g*a3/I1 */
-    const double t6 = x[1]*p[8]; /* omega_tau*m*R*a3/I1 */
+    const double t5 = x[1]*p[7]; /* omega_tau*m*R*a3/I1 */
+    const double t6 = t4*t5; /* omega_tau*s*omega_tau*m*R*a3/I1 */
     const double t7 = x[0]*x[2]; /* gamma3*omega_n */
     const double t8 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t9 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
@@ -160,11 +162,11 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t24 = t16*t23; /* K*Theta*1/(s*K*Theta) */
     const double t25 = t14*t24; /* (v_tau*m/I1*e + gamma3*omega_n)*K*Theta*1/(s*K*Theta) */
     const double t26 = JLT_FMA(x[3], p[15], t25); /* omega3*I3/I1 + (v_tau*m/I1*e + gamma3*omega_n)*K*Theta*1/(s*K*Theta) */
-    const double t27 = JLT_FMA(t4, t6, t5); /* omega_tau*s*omega_tau*m*R*a3/I1 + s*m*g*a3/I1 */
-    const double t28 = JLT_FMA(x[2], t26, t27); /* omega_n*t26 + omega_tau*s*omega_tau*m*R*a3/I1 + s*m*g*a3/I1 */
+    const double t27 = JLT_FMA(t3, p[8], t6); /* s*m*g*a3/I1 + omega_tau*s*omega_tau*m*R*a3/I1 */
+    const double t28 = JLT_FMA(x[2], t26, t27); /* omega_n*t26 + s*m*g*a3/I1 + omega_tau*s*omega_tau*m*R*a3/I1 */
     const double t29 = t3*p[6]; /* s*(-I1) */
     const double t30 = t23*t29; /* Theta*1/(s*K*Theta)*s*(-I1) */
-    const double t31 = t28*t30; /* (omega_n*t26 + omega_tau*s*omega_tau*m*R*a3/I1 + s*m*g*a3/I1)*Theta*1/(s*K*Theta)*s*(-I1) */
+    const double t31 = t28*t30; /* (omega_n*t26 + s*m*g*a3/I1 + omega_tau*s*omega_tau*m*R*a3/I1)*Theta*1/(s*K*Theta)*s*(-I1) */
     const double t32 = t7*t24; /* gamma3*omega_n*K*Theta*1/(s*K*Theta) */
     const double t33 = JLT_FMA(t8, p[16], p[5]); /* e*m*R + I3 */
     const double t34 = x[3]*t16; /* omega3*K */
@@ -212,16 +214,16 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t25 = t18*p[19]; /* s*Theta*1/(s*K*Theta)*2*m*R*a3 */
     const double t26 = JLT_FMS(t14, t15, t25); /* K*Theta*1/(s*K*Theta)*gamma3*K*Theta*1/(s*K*Theta) - s*Theta*1/(s*K*Theta)*2*m*R*a3 */
-    const double t27 = p[1]*x[2]; /* R*omega_n */
-    const double t28 = JLT_FNMA(t15, t21, t27); /* d(v_tau)/d(gamma3) = R*omega_n - gamma3*K*Theta*1/(s*K*Theta)*R*omega3 */
-    const double t29 = JLT_FMA(t22, t26, t28); /* v_tau*t26 + d(v_tau)/d(gamma3) */
-    const double t30 = JLT_FMA(t24, t29, t23); /* e*(v_tau*t26 + d(v_tau)/d(gamma3)) + a3*v_tau */
-    const double t31 = t14*t30; /* K*Theta*1/(s*K*Theta)*(e*(v_tau*t26 + d(v_tau)/d(gamma3)) + a3*v_tau) */
+    const double t27 = t22*t26; /* v_tau*t26 */
+    const double t28 = JLT_FNMA(t15, x[3], x[2]); /* omega_n - gamma3*K*Theta*1/(s*K*Theta)*omega3 */
+    const double t29 = JLT_FMA(p[1], t28, t27); /* R*(omega_n - gamma3*K*Theta*1/(s*K*Theta)*omega3) + v_tau*t26 */
+    const double t30 = JLT_FMA(t24, t29, t23); /* e*t29 + a3*v_tau */
+    const double t31 = t14*t30; /* K*Theta*1/(s*K*Theta)*(e*t29 + a3*v_tau) */
     const double t32 = JLT_FMA(t15, t26, t14); /* gamma3*K*Theta*1/(s*K*Theta)*t26 + K*Theta*1/(s*K*Theta) */
     const double t33 = x[2]*t32; /* omega_n*(gamma3*K*Theta*1/(s*K*Theta)*t26 + K*Theta*1/(s*K*Theta)) */
     const double t34 = t18*x[3]; /* s*Theta*1/(s*K*Theta)*omega3 */
     const double t35 = JLT_FNMA(p[21], t34, t33); /* t33 - 2*m*R*a3*I3/I1*s*Theta*1/(s*K*Theta)*omega3 */
-    const double t36 = JLT_FMA(p[20], t35, t31); /* I1/m*(t33 - 2*m*R*a3*I3/I1*s*Theta*1/(s*K*Theta)*omega3) + t31 */
+    const double t36 = JLT_FMA(p[20], t35, t31); /* I1/m*(t33 - 2*m*R*a3*I3/I1*s*Theta*1/(s*K*Theta)*omega3) + K*Theta*1/(s*K*Theta)*(e*t29 + a3*v_tau) */
     const double t37 = p[0]*t19; /* m*omega_n*s*Theta*1/(s*K*Theta) */
     const double t38 = t9*t25; /* s*s*Theta*1/(s*K*Theta)*2*m*R*a3 */
     const double t39 = t15 + t38; /* gamma3*K*Theta*1/(s*K*Theta) + s*s*Theta*1/(s*K*Theta)*2*m*R*a3 */
@@ -252,25 +254,26 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t64 = t12*t63; /* 1/(s*K*Theta)*K*s */
     const double t65 = x[1]*t64; /* omega_tau*1/(s*K*Theta)*K*s */
     const double t66 = x[3]*t65; /* omega3*omega_tau*1/(s*K*Theta)*K*s */
-    const double t67 = t57*p[5]; /* m*R*(e + I3/(m*R))*I3 */
-    const double t68 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
-    const double t69 = JLT_FMS(t5, p[30], t68); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t70 = t64*t69; /* 1/(s*K*Theta)*K*s*d(Theta)/d(gamma3) */
-    const double t71 = JLT_FNMA(t67, t70, p[28]); /* m*R*a3*I3 - m*R*(e + I3/(m*R))*I3*1/(s*K*Theta)*K*s*d(Theta)/d(gamma3) */
+    const double t67 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
+    const double t68 = JLT_FMS(t5, p[30], t67); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t69 = t57*p[5]; /* m*R*(e + I3/(m*R))*I3 */
+    const double t70 = t64*t69; /* 1/(s*K*Theta)*K*s*m*R*(e + I3/(m*R))*I3 */
+    const double t71 = JLT_FNMA(t68, t70, p[28]); /* m*R*a3*I3 - d(Theta)/d(gamma3)*1/(s*K*Theta)*K*s*m*R*(e + I3/(m*R))*I3 */
     const double t72 = JLT_FMA(t66, t71, t62); /* omega3*omega_tau*1/(s*K*Theta)*K*s*t71 + t60*K*Theta*1/(s*K*Theta)*omega_n */
     const double t73 = t15*x[2]; /* gamma3*K*Theta*1/(s*K*Theta)*omega_n */
-    const double t74 = x[3]*t64; /* omega3*1/(s*K*Theta)*K*s */
-    const double t75 = JLT_FMA(t67, t74, t73); /* m*R*(e + I3/(m*R))*I3*omega3*1/(s*K*Theta)*K*s + gamma3*K*Theta*1/(s*K*Theta)*omega_n */
-    const double t76 = t65*t67; /* omega_tau*1/(s*K*Theta)*K*s*m*R*(e + I3/(m*R))*I3 */
-    const double t77 = t9*p[31]; /* s*m*R^2*(I1 - I3) */
-    const double t78 = JLT_FMA(t9, t70, t15); /* s*1/(s*K*Theta)*K*s*d(Theta)/d(gamma3) + gamma3*K*Theta*1/(s*K*Theta) */
-    const double t79 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
-    const double t80 = p[16]*t79; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t81 = JLT_FNMA(t78, t80, t77); /* s*m*R^2*(I1 - I3) - t78*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t82 = t66*t81; /* omega3*omega_tau*1/(s*K*Theta)*K*s*(s*m*R^2*(I1 - I3) - t78*m*R*(gamma3*R*(I1 - I3) - a3*I3)) */
-    const double t83 = t9*t80; /* s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t84 = t74*t83; /* omega3*1/(s*K*Theta)*K*s*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t85 = t65*t83; /* omega_tau*1/(s*K*Theta)*K*s*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t74 = JLT_FMA(x[3], t70, t73); /* omega3*1/(s*K*Theta)*K*s*m*R*(e + I3/(m*R))*I3 + gamma3*K*Theta*1/(s*K*Theta)*omega_n */
+    const double t75 = t65*t69; /* omega_tau*1/(s*K*Theta)*K*s*m*R*(e + I3/(m*R))*I3 */
+    const double t76 = t9*p[31]; /* s*m*R^2*(I1 - I3) */
+    const double t77 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
+    const double t78 = p[16]*t77; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t79 = t9*t64; /* s*1/(s*K*Theta)*K*s */
+    const double t80 = JLT_FMA(t68, t79, t15); /* d(Theta)/d(gamma3)*s*1/(s*K*Theta)*K*s + gamma3*K*Theta*1/(s*K*Theta) */
+    const double t81 = JLT_FNMA(t78, t80, t76); /* s*m*R^2*(I1 - I3) - m*R*(gamma3*R*(I1 - I3) - a3*I3)*t80 */
+    const double t82 = t66*t81; /* omega3*omega_tau*1/(s*K*Theta)*K*s*(s*m*R^2*(I1 - I3) - m*R*(gamma3*R*(I1 - I3) - a3*I3)*t80) */
+    const double t83 = x[3]*t78; /* omega3*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t84 = t79*t83; /* s*1/(s*K*Theta)*K*s*omega3*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t85 = t9*t78; /* s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t86 = t65*t85; /* omega_tau*1/(s*K*Theta)*K*s*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
     out[0] = t17;
     out[1] = t9;
     out[2] = 0.0;
@@ -280,13 +283,13 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[6] = t55;
     out[7] = t59;
     out[8] = t72;
-    out[9] = t75;
+    out[9] = t74;
     out[10] = t16;
-    out[11] = t76;
+    out[11] = t75;
     out[12] = t82;
     out[13] = t84;
     out[14] = 0.0;
-    out[15] = t85;
+    out[15] = t86;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -323,89 +326,89 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t29 = t27*t28; /* (I3/I1*omega3 + t26)*(-I1)*omega_n*s*Theta*1/(s*Theta*K) */
     const double t30 = x[1]*p[1]; /* omega_tau*R */
     const double t31 = JLT_FMA(x[1], t30, p[2]); /* omega_tau*omega_tau*R + g */
-    const double t32 = t15*t31; /* s*Theta*1/(s*Theta*K)*(omega_tau*omega_tau*R + g) */
-    const double t33 = t3*p[32]; /* s*(-m*a3) */
-    const double t34 = JLT_FMA(t32, t33, t29); /* s*Theta*1/(s*Theta*K)*(omega_tau*omega_tau*R + g)*s*(-m*a3) + (I3/I1*omega3 + t26)*(-I1)*omega_n*s*Theta*1/(s*Theta*K) */
-    const double t35 = t3*t10; /* s*K */
-    const double t36 = t13*t35; /* 1/(s*Theta*K)*s*K */
-    const double t37 = x[3]*t36; /* omega3*1/(s*Theta*K)*s*K */
-    const double t38 = t20 + p[27]; /* e + I3/(m*R) */
-    const double t39 = p[16]*t38; /* m*R*(e + I3/(m*R)) */
-    const double t40 = p[5]*t39; /* I3*m*R*(e + I3/(m*R)) */
-    const double t41 = JLT_FMA(t37, t40, t19); /* omega3*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) + omega_n*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t42 = x[1]*t41; /* omega_tau*t41 */
-    const double t43 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
-    const double t44 = p[16]*t43; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t45 = t37*t44; /* omega3*1/(s*Theta*K)*s*K*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t46 = t4*t45; /* omega_tau*s*omega3*1/(s*Theta*K)*s*K*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t47 = x[1]*t18; /* omega_tau*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t48 = -t47; /* -omega_tau*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t49 = t16*t17; /* omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t50 = JLT_FMA(t18, t26, x[2]); /* gamma3*K*Theta*1/(s*Theta*K)*t26 + omega_n */
-    const double t51 = p[4]*t49; /* I1*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t52 = t16*t18; /* omega_n*s*Theta*1/(s*Theta*K)*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t53 = t16*p[33]; /* omega_n*s*Theta*1/(s*Theta*K)*2*m*R*a3*I1 */
-    const double t54 = t52*t53; /* omega_n*s*Theta*1/(s*Theta*K)*gamma3*K*Theta*1/(s*Theta*K)*omega_n*s*Theta*1/(s*Theta*K)*2*m*R*a3*I1 */
-    const double t55 = x[3]*p[34]; /* omega3*2*m*R*a3*I3 */
-    const double t56 = t15*t55; /* s*Theta*1/(s*Theta*K)*omega3*2*m*R*a3*I3 */
-    const double t57 = t15*p[19]; /* s*Theta*1/(s*Theta*K)*2*m*R*a3 */
-    const double t58 = JLT_FMA(t3, t57, t18); /* s*s*Theta*1/(s*Theta*K)*2*m*R*a3 + gamma3*K*Theta*1/(s*Theta*K) */
-    const double t59 = t32*t58; /* s*Theta*1/(s*Theta*K)*(omega_tau*omega_tau*R + g)*t58 */
-    const double t60 = JLT_FNMA(t23, t49, t59); /* s*Theta*1/(s*Theta*K)*(omega_tau*omega_tau*R + g)*t58 - v_tau*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t61 = t20*t49; /* e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t62 = x[2]*p[1]; /* omega_n*R */
-    const double t63 = JLT_FNMA(t18, t22, t62); /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*K*Theta*1/(s*Theta*K)*R*omega3 */
-    const double t64 = JLT_FMS(t23, t57, t63); /* v_tau*s*Theta*1/(s*Theta*K)*2*m*R*a3 - d(v_tau)/d(gamma3) */
-    const double t65 = p[0]*t61; /* m*e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t66 = JLT_FMA(t16, t56, t54); /* omega_n*s*Theta*1/(s*Theta*K)*s*Theta*1/(s*Theta*K)*omega3*2*m*R*a3*I3 + t54 */
-    const double t67 = JLT_FMA(t64, t65, t66); /* (v_tau*s*Theta*1/(s*Theta*K)*2*m*R*a3 - d(v_tau)/d(gamma3))*m*e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) + t66 */
-    const double t68 = JLT_FNMA(t50, t51, t67); /* t67 - (gamma3*K*Theta*1/(s*Theta*K)*t26 + omega_n)*I1*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t69 = JLT_FMA(p[35], t60, t68); /* m*a3*t60 + t68 */
-    const double t70 = t4*t57; /* omega_tau*s*s*Theta*1/(s*Theta*K)*2*m*R*a3 */
-    const double t71 = -t70; /* -omega_tau*s*s*Theta*1/(s*Theta*K)*2*m*R*a3 */
-    const double t72 = t52*p[24]; /* omega_n*s*Theta*1/(s*Theta*K)*gamma3*K*Theta*1/(s*Theta*K)*(-2*I1) */
-    const double t73 = JLT_FMA(x[3], p[36], t25); /* omega3*I3/m + K*Theta*1/(s*Theta*K)*e*v_tau */
-    const double t74 = t15*t73; /* s*Theta*1/(s*Theta*K)*(omega3*I3/m + K*Theta*1/(s*Theta*K)*e*v_tau) */
-    const double t75 = JLT_FMA(t5, t61, t74); /* b*e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) + t74 */
-    const double t76 = JLT_FMA(p[26], t75, t72); /* (-m)*t75 + t72 */
-    const double t77 = t16*t39; /* omega_n*s*Theta*1/(s*Theta*K)*m*R*(e + I3/(m*R)) */
-    const double t78 = -t77; /* -omega_n*s*Theta*1/(s*Theta*K)*m*R*(e + I3/(m*R)) */
-    const double t79 = x[1]*x[2]; /* omega_tau*omega_n */
-    const double t80 = JLT_FMA(t19, t47, t79); /* omega_n*gamma3*K*Theta*1/(s*Theta*K)*omega_tau*gamma3*K*Theta*1/(s*Theta*K) + omega_tau*omega_n */
-    const double t81 = t17*t80; /* K*Theta*1/(s*Theta*K)*t80 */
-    const double t82 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
-    const double t83 = JLT_FMS(t5, p[30], t82); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t84 = t36*t40; /* 1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) */
-    const double t85 = JLT_FNMA(t83, t84, p[28]); /* m*R*a3*I3 - d(Theta)/d(gamma3)*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) */
-    const double t86 = x[1]*t37; /* omega_tau*omega3*1/(s*Theta*K)*s*K */
-    const double t87 = JLT_FMA(t85, t86, t81); /* t85*omega_tau*omega3*1/(s*Theta*K)*s*K + K*Theta*1/(s*Theta*K)*t80 */
-    const double t88 = x[1]*t84; /* omega_tau*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) */
-    const double t89 = t36*t83; /* 1/(s*Theta*K)*s*K*d(Theta)/d(gamma3) */
-    const double t90 = t46*t89; /* t46*1/(s*Theta*K)*s*K*d(Theta)/d(gamma3) */
-    const double t91 = t4*p[31]; /* omega_tau*s*m*R^2*(I1 - I3) */
-    const double t92 = JLT_FMS(t37, t91, t90); /* omega3*1/(s*Theta*K)*s*K*omega_tau*s*m*R^2*(I1 - I3) - t46*1/(s*Theta*K)*s*K*d(Theta)/d(gamma3) */
-    const double t93 = JLT_FNMA(t45, t47, t92); /* t92 - omega3*1/(s*Theta*K)*s*K*m*R*(gamma3*R*(I1 - I3) - a3*I3)*omega_tau*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t94 = t3*t45; /* s*omega3*1/(s*Theta*K)*s*K*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t95 = t4*t44; /* omega_tau*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t96 = t36*t95; /* 1/(s*Theta*K)*s*K*omega_tau*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t32 = t3*t15; /* s*s*Theta*1/(s*Theta*K) */
+    const double t33 = p[32]*t31; /* (-m*a3)*(omega_tau*omega_tau*R + g) */
+    const double t34 = JLT_FMA(t32, t33, t29); /* s*s*Theta*1/(s*Theta*K)*(-m*a3)*(omega_tau*omega_tau*R + g) + (I3/I1*omega3 + t26)*(-I1)*omega_n*s*Theta*1/(s*Theta*K) */
+    const double t35 = x[1]*t19; /* omega_tau*omega_n*gamma3*K*Theta*1/(s*Theta*K) */
+    const double t36 = t3*t10; /* s*K */
+    const double t37 = t13*t36; /* 1/(s*Theta*K)*s*K */
+    const double t38 = x[1]*t37; /* omega_tau*1/(s*Theta*K)*s*K */
+    const double t39 = x[3]*t38; /* omega3*omega_tau*1/(s*Theta*K)*s*K */
+    const double t40 = t20 + p[27]; /* e + I3/(m*R) */
+    const double t41 = p[16]*t40; /* m*R*(e + I3/(m*R)) */
+    const double t42 = p[5]*t41; /* I3*m*R*(e + I3/(m*R)) */
+    const double t43 = JLT_FMA(t39, t42, t35); /* omega3*omega_tau*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) + omega_tau*omega_n*gamma3*K*Theta*1/(s*Theta*K) */
+    const double t44 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
+    const double t45 = p[16]*t44; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t46 = t3*t45; /* s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t47 = t39*t46; /* omega3*omega_tau*1/(s*Theta*K)*s*K*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t48 = x[1]*t18; /* omega_tau*gamma3*K*Theta*1/(s*Theta*K) */
+    const double t49 = -t48; /* -omega_tau*gamma3*K*Theta*1/(s*Theta*K) */
+    const double t50 = t16*t17; /* omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
+    const double t51 = JLT_FMA(t18, t26, x[2]); /* gamma3*K*Theta*1/(s*Theta*K)*t26 + omega_n */
+    const double t52 = p[4]*t50; /* I1*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
+    const double t53 = t16*t18; /* omega_n*s*Theta*1/(s*Theta*K)*gamma3*K*Theta*1/(s*Theta*K) */
+    const double t54 = t16*p[33]; /* omega_n*s*Theta*1/(s*Theta*K)*2*m*R*a3*I1 */
+    const double t55 = t53*t54; /* omega_n*s*Theta*1/(s*Theta*K)*gamma3*K*Theta*1/(s*Theta*K)*omega_n*s*Theta*1/(s*Theta*K)*2*m*R*a3*I1 */
+    const double t56 = x[3]*p[35]; /* omega3*2*R*I3 */
+    const double t57 = t16*t56; /* omega_n*s*Theta*1/(s*Theta*K)*omega3*2*R*I3 */
+    const double t58 = t20*t50; /* e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
+    const double t59 = t23*p[36]; /* v_tau*2*m*R */
+    const double t60 = t32*p[19]; /* s*s*Theta*1/(s*Theta*K)*2*m*R*a3 */
+    const double t61 = t18 + t60; /* gamma3*K*Theta*1/(s*Theta*K) + s*s*Theta*1/(s*Theta*K)*2*m*R*a3 */
+    const double t62 = JLT_FMA(t58, t59, t57); /* e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K)*v_tau*2*m*R + omega_n*s*Theta*1/(s*Theta*K)*omega3*2*R*I3 */
+    const double t63 = JLT_FMA(t31, t61, t62); /* (omega_tau*omega_tau*R + g)*t61 + t62 */
+    const double t64 = t15*t63; /* s*Theta*1/(s*Theta*K)*((omega_tau*omega_tau*R + g)*t61 + t62) */
+    const double t65 = JLT_FNMA(t23, t50, t64); /* t64 - v_tau*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
+    const double t66 = JLT_FNMA(x[3], t18, x[2]); /* omega_n - omega3*gamma3*K*Theta*1/(s*Theta*K) */
+    const double t67 = p[16]*t58; /* m*R*e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
+    const double t68 = JLT_FNMA(t66, t67, t55); /* t55 - (omega_n - omega3*gamma3*K*Theta*1/(s*Theta*K))*m*R*e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
+    const double t69 = JLT_FNMA(t51, t52, t68); /* t68 - (gamma3*K*Theta*1/(s*Theta*K)*t26 + omega_n)*I1*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
+    const double t70 = JLT_FMA(p[34], t65, t69); /* m*a3*t65 + t69 */
+    const double t71 = x[1]*t60; /* omega_tau*s*s*Theta*1/(s*Theta*K)*2*m*R*a3 */
+    const double t72 = -t71; /* -omega_tau*s*s*Theta*1/(s*Theta*K)*2*m*R*a3 */
+    const double t73 = t53*p[24]; /* omega_n*s*Theta*1/(s*Theta*K)*gamma3*K*Theta*1/(s*Theta*K)*(-2*I1) */
+    const double t74 = JLT_FMA(x[3], p[37], t25); /* omega3*I3/m + K*Theta*1/(s*Theta*K)*e*v_tau */
+    const double t75 = t15*t74; /* s*Theta*1/(s*Theta*K)*(omega3*I3/m + K*Theta*1/(s*Theta*K)*e*v_tau) */
+    const double t76 = JLT_FMA(t5, t58, t75); /* b*e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) + t75 */
+    const double t77 = JLT_FMA(p[26], t76, t73); /* (-m)*t76 + t73 */
+    const double t78 = t16*t41; /* omega_n*s*Theta*1/(s*Theta*K)*m*R*(e + I3/(m*R)) */
+    const double t79 = -t78; /* -omega_n*s*Theta*1/(s*Theta*K)*m*R*(e + I3/(m*R)) */
+    const double t80 = JLT_FMA(t18, t19, x[2]); /* gamma3*K*Theta*1/(s*Theta*K)*omega_n*gamma3*K*Theta*1/(s*Theta*K) + omega_n */
+    const double t81 = x[1]*t17; /* omega_tau*K*Theta*1/(s*Theta*K) */
+    const double t82 = t80*t81; /* t80*omega_tau*K*Theta*1/(s*Theta*K) */
+    const double t83 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
+    const double t84 = JLT_FMS(t5, p[30], t83); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t85 = t37*t42; /* 1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) */
+    const double t86 = JLT_FNMA(t84, t85, p[28]); /* m*R*a3*I3 - d(Theta)/d(gamma3)*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) */
+    const double t87 = JLT_FMA(t39, t86, t82); /* omega3*omega_tau*1/(s*Theta*K)*s*K*t86 + t80*omega_tau*K*Theta*1/(s*Theta*K) */
+    const double t88 = JLT_FMA(x[3], t85, t19); /* omega3*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) + omega_n*gamma3*K*Theta*1/(s*Theta*K) */
+    const double t89 = t38*t42; /* omega_tau*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) */
+    const double t90 = t3*p[31]; /* s*m*R^2*(I1 - I3) */
+    const double t91 = t37*t46; /* 1/(s*Theta*K)*s*K*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t92 = JLT_FNMA(t84, t91, t90); /* s*m*R^2*(I1 - I3) - d(Theta)/d(gamma3)*1/(s*Theta*K)*s*K*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t93 = JLT_FNMA(t18, t45, t92); /* t92 - gamma3*K*Theta*1/(s*Theta*K)*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t94 = t39*t93; /* omega3*omega_tau*1/(s*Theta*K)*s*K*t93 */
+    const double t95 = x[3]*t91; /* omega3*1/(s*Theta*K)*s*K*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t96 = t38*t46; /* omega_tau*1/(s*Theta*K)*s*K*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
     out[0] = t4;
     out[1] = t34;
-    out[2] = t42;
-    out[3] = t46;
-    out[4] = t48;
+    out[2] = t43;
+    out[3] = t47;
+    out[4] = t49;
     out[5] = t3;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t69;
-    out[9] = t71;
-    out[10] = t76;
-    out[11] = t78;
+    out[8] = t70;
+    out[9] = t72;
+    out[10] = t77;
+    out[11] = t79;
     out[12] = t87;
-    out[13] = t41;
-    out[14] = t47;
-    out[15] = t88;
-    out[16] = t93;
-    out[17] = t94;
+    out[13] = t88;
+    out[14] = t48;
+    out[15] = t89;
+    out[16] = t94;
+    out[17] = t95;
     out[18] = 0.0;
     out[19] = t96;
 }
@@ -424,12 +427,12 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t9 = JLT_FMA(p[0], t8, p[4]); /* K = m*(gamma3*2*R*a3 + R^2 + a3^2) + I1 */
     const double t10 = t7*t9; /* Theta*K */
     const double t11 = 1.0/t10; /* 1/(Theta*K) */
-    const double t12 = p[38]*t7; /* 2*a3*Theta */
+    const double t12 = p[39]*t7; /* 2*a3*Theta */
     const double t13 = t11*t12; /* 1/(Theta*K)*2*a3*Theta */
     const double t14 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
     const double t15 = t9*t14; /* K*(gamma3*R*(I1 - I3) - a3*I3) */
     const double t16 = JLT_FNMA(t11, t15, t13); /* 1/(Theta*K)*2*a3*Theta - 1/(Theta*K)*K*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t17 = p[37]*x[1]; /* (-m*R)*omega_tau */
+    const double t17 = p[38]*x[1]; /* (-m*R)*omega_tau */
     const double t18 = t3*t17; /* s*(-m*R)*omega_tau */
     const double t19 = t16*t18; /* t16*s*(-m*R)*omega_tau */
     out[0] = t19;
@@ -443,7 +446,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t4 = x[0] + 1.0; /* gamma3 + 1 */
     const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = JLT_FMA(p[40], t5, t2); /* a3^2*(1 - gamma3)*(gamma3 + 1) + e*e */
+    const double t6 = JLT_FMA(p[41], t5, t2); /* a3^2*(1 - gamma3)*(gamma3 + 1) + e*e */
     const double t7 = x[1]*x[1]; /* omega_tau*omega_tau */
     const double t8 = t6*t7; /* (a3^2*(1 - gamma3)*(gamma3 + 1) + e*e)*omega_tau*omega_tau */
     const double t9 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
@@ -453,11 +456,11 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t13 = JLT_FMA(t11, t12, t10); /* v_tau = s*R*omega3 + omega_n*b */
     const double t14 = JLT_FMA(t13, t13, t8); /* v_tau*v_tau + (a3^2*(1 - gamma3)*(gamma3 + 1) + e*e)*omega_tau*omega_tau */
     const double t15 = JLT_FMA(x[2], x[2], t7); /* omega_n*omega_n + omega_tau*omega_tau */
-    const double t16 = x[3]*p[42]; /* omega3*1/2*I3 */
+    const double t16 = x[3]*p[43]; /* omega3*1/2*I3 */
     const double t17 = JLT_FMA(x[3], t16, t0); /* omega3*omega3*1/2*I3 + m*g*a3*gamma3 */
-    const double t18 = JLT_FMA(p[41], t15, t17); /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) + omega3*omega3*1/2*I3 + m*g*a3*gamma3 */
-    const double t19 = JLT_FMA(p[39], t14, t18); /* 1/2*m*t14 + t18 */
-    const double t20 = x[2]*p[43]; /* omega_n*R*I1 */
+    const double t18 = JLT_FMA(p[42], t15, t17); /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) + omega3*omega3*1/2*I3 + m*g*a3*gamma3 */
+    const double t19 = JLT_FMA(p[40], t14, t18); /* 1/2*m*t14 + t18 */
+    const double t20 = x[2]*p[44]; /* omega_n*R*I1 */
     const double t21 = t11*t20; /* s*omega_n*R*I1 */
     const double t22 = x[3]*p[5]; /* omega3*I3 */
     const double t23 = JLT_FNMA(t9, t22, t21); /* s*omega_n*R*I1 - b*omega3*I3 */
@@ -500,7 +503,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t24 = JLT_FNMA(t22, t23, t5); /* (e - a3*gamma3)*omega_tau*a3*omega_tau - (omega3*1/(s*h)*gamma3*h - omega_n)*R*v_tau */
     const double t25 = JLT_FMA(p[0], t24, p[23]); /* m*t24 + m*g*a3 */
     const double t26 = t1*t1; /* e*e */
-    const double t27 = JLT_FMA(t10, p[40], t26); /* (1 - gamma3)*(gamma3 + 1)*a3^2 + e*e */
+    const double t27 = JLT_FMA(t10, p[41], t26); /* (1 - gamma3)*(gamma3 + 1)*a3^2 + e*e */
     const double t28 = p[0]*x[1]; /* m*omega_tau */
     const double t29 = t27*t28; /* ((1 - gamma3)*(gamma3 + 1)*a3^2 + e*e)*m*omega_tau */
     const double t30 = JLT_FMA(x[1], p[4], t29); /* omega_tau*I1 + ((1 - gamma3)*(gamma3 + 1)*a3^2 + e*e)*m*omega_tau */
@@ -510,10 +513,10 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t34 = t11*p[16]; /* s*m*R */
     const double t35 = t13*t34; /* v_tau*s*m*R */
     const double t36 = JLT_FMA(x[3], p[5], t35); /* omega3*I3 + v_tau*s*m*R */
-    const double t37 = x[2]*p[44]; /* omega_n*(-R*I1) */
+    const double t37 = x[2]*p[45]; /* omega_n*(-R*I1) */
     const double t38 = t21*t37; /* 1/(s*h)*gamma3*h*omega_n*(-R*I1) */
-    const double t39 = JLT_FMA(x[3], p[45], t38); /* omega3*(-R*I3) + 1/(s*h)*gamma3*h*omega_n*(-R*I1) */
-    const double t40 = t11*p[43]; /* s*R*I1 */
+    const double t39 = JLT_FMA(x[3], p[46], t38); /* omega3*(-R*I3) + 1/(s*h)*gamma3*h*omega_n*(-R*I1) */
+    const double t40 = t11*p[44]; /* s*R*I1 */
     const double t41 = t6*p[25]; /* b*(-I3) */
     const double t42 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
     const double t43 = JLT_FMS(t6, p[30], t42); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
@@ -567,7 +570,7 @@ static void measure_divergences(const double *restrict x, const double *restrict
     const double t11 = t9*t10; /* h*K*Theta */
     const double t12 = 1.0/t11; /* 1/(h*K*Theta) */
     const double t13 = t9*t12; /* h*1/(h*K*Theta) */
-    const double t14 = t8*p[38]; /* Theta*2*a3 */
+    const double t14 = t8*p[39]; /* Theta*2*a3 */
     const double t15 = t13*t14; /* h*1/(h*K*Theta)*Theta*2*a3 */
     const double t16 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
     const double t17 = t1*t16; /* K*(gamma3*R*(I1 - I3) - a3*I3) */
@@ -578,7 +581,7 @@ static void measure_divergences(const double *restrict x, const double *restrict
     const double t22 = t20*t21; /* s*omega_tau*m*R*K */
     const double t23 = t9*t22; /* h*s*omega_tau*m*R*K */
     const double t24 = t18*t23; /* t18*h*s*omega_tau*m*R*K */
-    const double t25 = t9*p[46]; /* h*4*m*R*a3 */
+    const double t25 = t9*p[47]; /* h*4*m*R*a3 */
     const double t26 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
     const double t27 = JLT_FMS(t5, p[30], t26); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
     const double t28 = t1*t1; /* K*K */
@@ -603,7 +606,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t6[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
-    double t12[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
@@ -651,8 +654,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t5[k] = jlt_jet_product(t3, t4, k);
         t6[k] = jlt_jet_root(t5[k], t6, k);
         t7[k] = jlt_jet_product(x1, t6, k);
-        t10[k] = t6[k]*p[7];
-        t12[k] = x1[k]*p[8];
+        t10[k] = x1[k]*p[7];
+        t11[k] = jlt_jet_product(t7, t10, k);
         t14[k] = jlt_jet_product(x0, x2, k);
         t18[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
         t19[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
@@ -673,7 +676,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t42[k] = jlt_jet_product(t31, t41, k);
         t43[k] = jlt_jet_product(t25, t42, k);
         t45[k] = x3[k]*p[15] + t43[k];
-        t46[k] = jlt_jet_product(t7, t12, k) + t10[k];
+        t46[k] = t6[k]*p[8] + t11[k];
         t47[k] = jlt_jet_product(x2, t45, k) + t46[k];
         t48[k] = t6[k]*p[6];
         t49[k] = jlt_jet_product(t41, t48, k);
@@ -942,18 +945,18 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .elimination = "",
     .title = "Sphere with displaced centre of mass rolling without slipping, reduced system",
     .source = "E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243",
-    .sha256 = "06b77d0dd1f2c71fd1556f36725721f5b8a137a08dc5caedfd1047625bcc9bb7",
+    .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0",
     .table = jlt_table_routh_sphere,
-    .state_count = 4, .param_count = 6, .block_count = 47,
+    .state_count = 4, .param_count = 6, .block_count = 48,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 2, 26, 14, 1, 1, 0, 13, 12 }, { 18, 58, 0, 9, 1, 0, 13, 10 },
+    .rhs = { rhs, 4, { 2, 26, 14, 1, 1, 0, 13, 11 }, { 18, 58, 0, 9, 1, 0, 13, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 7, 50, 27, 1, 1, 0, 16, 18 }, { 48, 209, 0, 37, 1, 0, 20, 11 },
+    .jacobian = { jacobian, 16, { 7, 51, 27, 1, 1, 0, 17, 18 }, { 48, 209, 0, 37, 1, 0, 20, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 6, 58, 31, 1, 1, 0, 16, 30 }, { 57, 246, 0, 46, 1, 0, 20, 12 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 7, 57, 31, 1, 1, 0, 17, 28 }, { 57, 246, 0, 46, 1, 0, 20, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 9, 7, 1, 1, 0, 9, 6 }, { 10, 29, 0, 2, 1, 0, 9, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -1,7 +1,7 @@
 /* Sphere with displaced centre of mass rolling without slipping, reduced system: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      routh_sphere, SHA-256 06b77d0dd1f2c71fd1556f36725721f5b8a137a08dc5caedfd1047625bcc9bb7
+ *  Table:      routh_sphere, SHA-256 7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e
  *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -1,7 +1,7 @@
 /* Spherical top with one nonholonomic constraint, on a level of Jellett's integral: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_level, SHA-256 10a4c2de6469ad072fa1ca7ab501e8e1bb7a8aedea3e7ae81b5ab2fa6f887a1f
+ *  Table:      spherical_top_level, SHA-256 0e21006c5ed6b2b43f047938803c9f453803feabeb018bd596d20a035cf11dee
  *  Command:    ttc generate --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
