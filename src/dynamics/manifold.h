@@ -39,4 +39,8 @@ void jlt_manifold_clear(jlt_manifold *self); /* frees; legal on a zeroed polygon
 JLT_CHECKED jlt_status jlt_manifold_grow(jlt_manifold *out, const jlt_branch *branch,
                                          const jlt_manifold_options *options);
 
+/** The mirror image of a curve: of an unstable branch of a saddle that is its own mirror image, this is a stable one, at the
+ *  same parameters. out must be empty. Errors: NOMEM. */
+JLT_CHECKED jlt_status jlt_manifold_reflect(jlt_manifold *out, const jlt_manifold *curve, const jlt_chart *chart);
+
 #endif

@@ -1,0 +1,230 @@
+#include "cli/motion.h"
+#include "cli/progress.h"
+#include "dynamics/lyapunov.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    jlt_motion_options motion;
+    const char *start, *grid;
+    size_t returns;
+} options;
+
+static const struct argp_option option_table[] = {
+    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "Start of the orbit; default eta=0.1,gamma3=-0.6", 1 },
+    { "grid", 'g', "COUNTxCOUNT", 0, "A chart instead: finite-time exponents of a grid of starts, or of NAME=LOW:HIGH:COUNT,...", 1 },
+    { "returns", 'n', "N", 0, "Returns; default 1000, or 10 for a chart", 1 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case 'a': o->start = value; return 0;
+    case 'g': o->grid = value; return 0;
+    case 'n':
+        if (jlt_grid_count(&o->returns, value, 1, 1000000000000, "--returns") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "[MODEL]",
+    "Lyapunov exponents of the section's map, per time, with the history of their convergence; or a chart of finite-time "
+    "exponents over the section. The exponents of the flow's direction and across the levels are zero and not shown."
+    "\vColumns: return, t, lambda1, lambda2, ..., divergence: the mean divergence along the orbit, which the sum of the "
+    "exponents tends to. Returns are shown at powers of two and at quarters between them. Chart: eta, gamma3, exponent, t; "
+    "orbits that end before N returns have an empty exponent.\n\n"
+    "  jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 20000 --plot history.svg\n"
+    "  jellett lyapunov --grid 200x150 --returns 5 --plot chart.png > chart.csv",
+    children, NULL, NULL,
+};
+
+typedef struct {
+    FILE *file, *points;
+    const options *o;
+    jlt_progress progress;
+    unsigned dim;
+    size_t next;
+} history;
+
+static void write_state(FILE *file, const jlt_lyapunov_state *state, unsigned dim)
+{
+    fprintf(file, "%zu,%.17g", state->returns, state->t);
+    for (unsigned k = 0; k < dim; k++) fprintf(file, ",%.17g", state->exponents[k]);
+    fprintf(file, ",%.17g\n", state->sum_check);
+}
+
+static int observe(void *context, const jlt_lyapunov_state *state)
+{
+    history *self = context;
+
+    jlt_progress_show(&self->progress, state->returns, self->o->returns);
+    if (state->returns >= self->next || state->returns == self->o->returns) {
+        write_state(self->file, state, self->dim);
+        if (self->points != NULL) {
+            fprintf(self->points, "%.9g", state->t);
+            for (unsigned k = 0; k < self->dim; k++) fprintf(self->points, " %.9g", state->exponents[k]);
+            fputc('\n', self->points);
+        }
+        /* 1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, ... */
+        size_t step = 1;
+        while (8 * step <= self->next) step *= 2;
+        self->next += step;
+    }
+    return jlt_motion_interrupted(&self->o->motion);
+}
+
+static jlt_exit draw_history(const options *o, const jlt_system *system, const char *points)
+{
+    char *script = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&script, &size);
+    jlt_exit code;
+
+    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    fprintf(stream, "set encoding utf8\n$HISTORY << END\n%sEND\nset title \"Lyapunov exponents from %s, ", points, o->start);
+    jlt_motion_caption(stream, system);
+    fputs("\" noenhanced\nset xlabel \"t\"\nset ylabel \"λ [1/time]\"\nset logscale x\nset key outside bottom horizontal\nplot ",
+          stream);
+    for (unsigned k = 0; k < system->flow.chart->dim; k++)
+        fprintf(stream, "%s$HISTORY using 1:%u with linespoints pt 7 ps 0.3 title 'λ_%u'", k == 0 ? "" : ", ", k + 2, k + 1);
+    fputc('\n', stream);
+    fclose(stream);
+    code = jlt_motion_draw(&o->motion, script);
+    free(script);
+    return code;
+}
+
+static jlt_exit run_history(jlt_stream *stream, char **points, jlt_map *map, options *o, const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+    history self = { .o = o, .dim = chart->dim, .next = 1, .file = stream->file };
+    jlt_lyapunov_state state;
+    double q[JLT_CHART_DIM_MAX];
+    size_t size;
+    jlt_status st;
+    jlt_exit code = jlt_motion_start(q, system, o->start);
+
+    if (code != JLT_EXIT_DONE) return code;
+    if (o->returns == 0) o->returns = 1000;
+    if (o->motion.plot != NULL) self.points = open_memstream(points, &size);
+    fputs("return,t", self.file);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(self.file, ",lambda%u", k + 1);
+    fputs(",divergence\n", self.file);
+    jlt_progress_start(&self.progress, "returns");
+    st = jlt_lyapunov_run(map, &state, q, o->returns, observe, &self);
+    jlt_progress_end(&self.progress);
+    if (self.points != NULL) fclose(self.points);
+    if (jlt_motion_interrupted(&o->motion)) {
+        fprintf(stderr, "jellett: interrupted after %zu returns; whole rows are saved in %s\n", state.returns, stream->path);
+        return JLT_EXIT_DONE;
+    }
+    if (st == JLT_ERR_DOMAIN && state.returns > 0) {
+        fprintf(stderr, "jellett: the orbit ends at a pole after %zu returns, t = %.10g: these are finite-time exponents\n",
+                state.returns, state.t);
+        return JLT_EXIT_DONE;
+    }
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, o->start);
+}
+
+static jlt_exit draw_chart(const options *o, const jlt_system *system, const char *points)
+{
+    char *script = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&script, &size);
+    jlt_exit code;
+
+    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    fprintf(stream, "set encoding utf8\n$CHART << END\n%sEND\nset title \"Finite-time exponent over %zu returns, ", points,
+            o->returns);
+    jlt_motion_caption(stream, system);
+    fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset cblabel \"exponent [1/time]\"\nunset key\n"
+          "plot $CHART using 1:2:3 with image\n", stream);
+    fclose(stream);
+    code = jlt_motion_draw(&o->motion, script);
+    free(script);
+    return code;
+}
+
+static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, options *o, const jlt_system *system)
+{
+    const jlt_chart *chart = system->flow.chart;
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    jlt_progress progress;
+    double q[JLT_CHART_DIM_MAX], exponent, t;
+    FILE *copy = NULL;
+    size_t all, size;
+    jlt_exit code = jlt_motion_axes(axes, system, o->grid);
+
+    if (code != JLT_EXIT_DONE) return code;
+    if (o->returns == 0) o->returns = 10;
+    all = jlt_motion_grid_size(axes, system);
+    if (o->motion.plot != NULL) copy = open_memstream(points, &size);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(stream->file, "%s,", chart->names[k]);
+    fputs("exponent,t\n", stream->file);
+    jlt_progress_start(&progress, "starts");
+    for (size_t i = 0; i < all && !jlt_motion_interrupted(&o->motion); i++) {
+        jlt_status st;
+        jlt_motion_grid_point(q, axes, system, i);
+        st = jlt_lyapunov_finite(map, &exponent, &t, q, o->returns);
+        for (unsigned k = 0; k < chart->dim; k++) fprintf(stream->file, "%.17g,", q[k]);
+        if (st == JLT_OK) fprintf(stream->file, "%.17g,%.17g\n", exponent, t);
+        else fputs(",\n", stream->file);
+        if (copy != NULL && chart->dim >= 2) fprintf(copy, "%.7g %.7g %.7g\n", q[0], q[1], st == JLT_OK ? exponent : NAN);
+        jlt_progress_show(&progress, i + 1, all);
+        if (st == JLT_ERR_NOMEM) code = jlt_motion_fail(st, system, "chart");
+    }
+    jlt_progress_end(&progress);
+    if (copy != NULL) fclose(copy);
+    if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream->path);
+    return code;
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { .start = "eta=0.1,gamma3=-0.6" };
+    jlt_stream stream = { 0 };
+    jlt_system *system = NULL;
+    jlt_map *map = NULL;
+    char *points = NULL;
+    jlt_exit code;
+    jlt_status st;
+
+    jlt_motion_begin(&o.motion, argc, argv);
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code != JLT_EXIT_DONE) goto done;
+    if (o.grid != NULL) system->flow.max_steps = 20000;
+    st = jlt_map_create(&map, &system->flow);
+    if (st != JLT_OK) {
+        code = jlt_motion_fail(st, system, "the map");
+        goto done;
+    }
+    jlt_motion_header(stream.file, &o.motion, system);
+    code = o.grid != NULL ? run_chart(&stream, &points, map, &o, system) : run_history(&stream, &points, map, &o, system);
+    if (code != JLT_EXIT_DONE) goto done;
+    code = jlt_stream_close(&stream);
+    if (code == JLT_EXIT_DONE && points != NULL)
+        code = o.grid != NULL ? draw_chart(&o, system, points) : draw_history(&o, system, points);
+done:
+    jlt_stream_discard(&stream);
+    jlt_map_destroy(map);
+    jlt_system_destroy(system);
+    jlt_motion_end(&o.motion);
+    free(points);
+    return code;
+}
+
+const jlt_command jlt_command_lyapunov = {
+    "lyapunov", "[MODEL] [OPTION...]", "Lyapunov exponents with their convergence, or a chart of finite-time exponents", run
+};

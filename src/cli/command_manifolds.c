@@ -1,0 +1,285 @@
+#include "cli/motion.h"
+#include "dynamics/homoclinic.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BRANCHES = 4 }; /* unstable +, unstable -, stable +, stable - */
+
+typedef struct {
+    jlt_motion_options motion;
+    const char *start, *points;
+    size_t period;
+    jlt_manifold_options growth;
+    double seed;
+    bool no_crossings;
+} options;
+
+enum { LENGTH = 2000, SPACING, TURN, SEED, CROSSINGS, NO_CROSSINGS, COUNT };
+
+static const struct argp_option option_table[] = {
+    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "Near the saddle; default eta=0,gamma3=-0.61", 1 },
+    { "period", 'n', "N", 0, "Returns of the saddle's orbit; default 1", 1 },
+    { "length", LENGTH, "VALUE", 0, "Arc length of every branch; default 1.6", 1 },
+    { "spacing", SPACING, "VALUE", 0, "Largest distance of neighbouring points; default 0.01", 1 },
+    { "turn", TURN, "VALUE", 0, "Largest angle between neighbouring pieces, in radians; default 0.2", 1 },
+    { "count", COUNT, "N", 0, "Points of a branch at most; default 4000", 1 },
+    { "seed", SEED, "VALUE", 0, "Distance from the saddle at which branches begin; default 1e-4", 1 },
+    { "crossings", CROSSINGS, "FILE", 0, "Write the homoclinic points there as CSV", 1 },
+    { "no-crossings", NO_CROSSINGS, NULL, 0, "Do not look for homoclinic points", 1 },
+    { 0 },
+};
+
+static void number_option(double *value, const char *text, const char *name)
+{
+    jlt_exit code = jlt_grid_number(value, text, strlen(text), name);
+
+    if (code == JLT_EXIT_DONE && !(*value > 0))
+        code = jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' is not positive", name, text);
+    if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+static void count_option(size_t *value, const char *text, size_t low, size_t high, const char *name)
+{
+    const jlt_exit code = jlt_grid_count(value, text, low, high, name);
+
+    if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case 'a': o->start = value; return 0;
+    case 'n': count_option(&o->period, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
+    case LENGTH: number_option(&o->growth.length_max, value, "--length"); return 0;
+    case SPACING: number_option(&o->growth.spacing, value, "--spacing"); return 0;
+    case TURN: number_option(&o->growth.turn, value, "--turn"); return 0;
+    case COUNT: count_option(&o->growth.points_max, value, 2, 10000000, "--count"); return 0;
+    case SEED: number_option(&o->seed, value, "--seed"); return 0;
+    case CROSSINGS: o->points = value; return 0;
+    case NO_CROSSINGS: o->no_crossings = true; return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "[MODEL]",
+    "Stable and unstable branches of a saddle of the map, both sides, grown with arc length and curvature under control, and "
+    "where they cross: homoclinic points with the angle of crossing and an error bar on it, and the areas of the lobes."
+    "\vColumns: branch (unstable or stable), side, sigma, length, eta, gamma3; sigma counts fundamental domains from the "
+    "saddle. Homoclinic points: eta, gamma3, sigma_unstable, sigma_stable, side_unstable, side_stable, angle, angle_error, "
+    "residual, lobe; the angle is from the unstable to the stable tangent in the plane (eta, gamma3), the lobe the signed "
+    "area up to the next crossing along the unstable branch.\n\n"
+    "  jellett manifolds --plot fig3b.svg > branches.csv",
+    children, NULL, NULL,
+};
+
+typedef struct {
+    jlt_branch branch[BRANCHES];
+    jlt_manifold curve[BRANCHES];
+    jlt_homoclinic *crossings[2][2]; /* side of the unstable, of the stable branch */
+    size_t count[2][2];
+} portrait;
+
+static void clear(portrait *p)
+{
+    for (int k = 0; k < BRANCHES; k++) jlt_manifold_clear(&p->curve[k]);
+    for (int u = 0; u < 2; u++)
+        for (int s = 0; s < 2; s++) free(p->crossings[u][s]);
+}
+
+/* The unstable branch whose mirror image stable branch k is: where the saddle lies on the reversor's line. BRANCHES: none. */
+static int mirror_of(const portrait *p, const jlt_chart *chart, int k)
+{
+    double q[2], v[2];
+
+    jlt_chart_mirror(chart, q, p->branch[0].q);
+    if (k < 2 || !chart->reversible || jlt_chart_distance(chart, q, p->branch[0].q) > 1e-9) return BRANCHES;
+    for (int i = 0; i < 2; i++) {
+        for (int c = 0; c < 2; c++) v[c] = chart->mirror[c] * p->branch[i].v[c];
+        if (hypot(v[0] - p->branch[k].v[0], v[1] - p->branch[k].v[1]) < 1e-6) return i;
+    }
+    return BRANCHES;
+}
+
+static jlt_status grow(portrait *p, jlt_map *map, const jlt_periodic *saddle, const options *o)
+{
+    const jlt_chart *chart = jlt_map_flow(map)->chart;
+    jlt_status st = JLT_OK;
+
+    for (int k = 0; k < BRANCHES; k++) {
+        int image;
+        JLT_TRY(jlt_branch_init(&p->branch[k], map, saddle, 0, k >= 2, k % 2 == 0 ? 1 : -1, o->seed));
+        image = mirror_of(p, chart, k);
+        if (image < BRANCHES) JLT_TRY(jlt_manifold_reflect(&p->curve[k], &p->curve[image], chart));
+        else JLT_TRY(jlt_manifold_grow(&p->curve[k], &p->branch[k], &o->growth));
+    }
+done:
+    return st;
+}
+
+static jlt_status cross(portrait *p, const jlt_system *system)
+{
+    jlt_flow coarse = system->flow;
+    jlt_map *map = NULL;
+    jlt_status st = JLT_OK;
+
+    coarse.tolerance *= 10;
+    JLT_TRY(jlt_map_create(&map, &coarse));
+    for (int u = 0; u < 2; u++)
+        for (int s = 0; s < 2; s++)
+            JLT_TRY(jlt_homoclinic_find(&p->crossings[u][s], &p->count[u][s], &p->curve[u], &p->branch[u], &p->curve[2 + s],
+                                        &p->branch[2 + s], map));
+done:
+    jlt_map_destroy(map);
+    return st;
+}
+
+static void write_crossings(FILE *file, const portrait *p, const char *prefix)
+{
+    fprintf(file, "%seta,gamma3,sigma_unstable,sigma_stable,side_unstable,side_stable,angle,angle_error,residual,lobe\n",
+            prefix);
+    for (int u = 0; u < 2; u++)
+        for (int s = 0; s < 2; s++)
+            for (size_t i = 0; i < p->count[u][s]; i++) {
+                const jlt_homoclinic *h = &p->crossings[u][s][i];
+                fprintf(file, "%s%.17g,%.17g,%.10g,%.10g,%d,%d,%.17g,%.3g,%.3g,", prefix, h->q[0], h->q[1],
+                        h->sigma_unstable, h->sigma_stable, u == 0 ? 1 : -1, s == 0 ? 1 : -1, h->angle, h->angle_error,
+                        h->residual);
+                if (!isnan(h->lobe)) fprintf(file, "%.10g", h->lobe);
+                fputc('\n', file);
+            }
+}
+
+static const char *branch_name(int k)
+{
+    return k < 2 ? "unstable" : "stable";
+}
+
+static void write_all(FILE *file, const portrait *p, const jlt_periodic *saddle)
+{
+    static const char *const ends[] = { "length reached", "number of points reached", "runs into orbits that end",
+                                        "interrupted" };
+
+    fprintf(file, "# saddle of period %zu: eta=%.17g gamma3=%.17g, multipliers %.15g, %.15g, residual %.2g\n",
+            saddle->period, saddle->points[0], saddle->points[1], saddle->re[0], saddle->re[1], saddle->residual);
+    for (int k = 0; k < BRANCHES; k++)
+        fprintf(file, "# %s branch, side %+d: %zu points, length %.6g, %s\n", branch_name(k), k % 2 == 0 ? 1 : -1,
+                p->curve[k].count, p->curve[k].length[p->curve[k].count - 1], ends[p->curve[k].end]);
+    fputs("# homoclinic points:\n", file);
+    write_crossings(file, p, "# ");
+    fputs("branch,side,sigma,length,eta,gamma3\n", file);
+    for (int k = 0; k < BRANCHES; k++)
+        for (size_t i = 0; i < p->curve[k].count; i++)
+            fprintf(file, "%s,%d,%.12g,%.12g,%.17g,%.17g\n", branch_name(k), k % 2 == 0 ? 1 : -1, p->curve[k].sigma[i],
+                    p->curve[k].length[i], p->curve[k].points[2 * i], p->curve[k].points[2 * i + 1]);
+}
+
+static jlt_exit draw(const options *o, const jlt_system *system, const portrait *p, const jlt_periodic *saddle)
+{
+    char *script = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&script, &size);
+    jlt_exit code;
+
+    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    fputs("set encoding utf8\n", stream);
+    for (int half = 0; half < 2; half++) {
+        fprintf(stream, "$%s << END\n", half == 0 ? "UNSTABLE" : "STABLE");
+        for (int k = 2 * half; k < 2 * half + 2; k++) {
+            for (size_t i = 0; i < p->curve[k].count; i++)
+                fprintf(stream, "%.9g %.9g\n", p->curve[k].points[2 * i], p->curve[k].points[2 * i + 1]);
+            fputc('\n', stream);
+        }
+        fputs("END\n", stream);
+    }
+    fputs("$CROSSINGS << END\n", stream);
+    for (int u = 0; u < 2; u++)
+        for (int s = 0; s < 2; s++)
+            for (size_t i = 0; i < p->count[u][s]; i++)
+                fprintf(stream, "%.9g %.9g\n", p->crossings[u][s][i].q[0], p->crossings[u][s][i].q[1]);
+    fprintf(stream, "%.9g %.9g\nEND\nset title \"Separatrices of the saddle, ", saddle->points[0], saddle->points[1]);
+    jlt_motion_caption(stream, system);
+    fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset key outside bottom horizontal\n"
+          "plot $UNSTABLE with lines lc rgb '#c02020' title 'unstable', "
+          "$STABLE with lines lc rgb '#2040c0' title 'stable', "
+          "$CROSSINGS with points pt 7 ps 0.4 lc rgb 'black' title 'saddle and homoclinic points'\n",
+          stream);
+    fclose(stream);
+    code = jlt_motion_draw(&o->motion, script);
+    free(script);
+    return code;
+}
+
+static jlt_exit save(const options *o, const jlt_system *system, const portrait *p, const jlt_periodic *saddle)
+{
+    jlt_stream stream = { 0 };
+    jlt_exit code = jlt_stream_open(&stream, o->motion.output);
+
+    if (code != JLT_EXIT_DONE) return code;
+    jlt_motion_header(stream.file, &o->motion, system);
+    write_all(stream.file, p, saddle);
+    code = jlt_stream_close(&stream);
+    if (code == JLT_EXIT_DONE && o->points != NULL) {
+        code = jlt_stream_open(&stream, o->points);
+        if (code != JLT_EXIT_DONE) return code;
+        jlt_motion_header(stream.file, &o->motion, system);
+        write_crossings(stream.file, p, "");
+        code = jlt_stream_close(&stream);
+    }
+    if (code == JLT_EXIT_DONE && o->motion.plot != NULL) code = draw(o, system, p, saddle);
+    return code;
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { .start = "eta=0,gamma3=-0.61", .period = 1, .seed = 1e-4 };
+    portrait p = { .count = { { 0 } } };
+    jlt_system *system = NULL;
+    jlt_map *map = NULL;
+    jlt_periodic saddle;
+    double q[JLT_CHART_DIM_MAX];
+    jlt_exit code;
+    jlt_status st = JLT_OK;
+
+    o.growth.length_max = 1.6;
+    o.growth.points_max = 4000;
+    jlt_motion_begin(&o.motion, argc, argv);
+    o.motion.flow.tolerance = 1e-13;
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_start(q, system, o.start);
+    if (code != JLT_EXIT_DONE) goto done;
+    if (system->flow.chart->dim != 2) {
+        code = jlt_command_fail(JLT_EXIT_INPUT, "manifolds need a section of two coordinates");
+        goto done;
+    }
+    st = jlt_map_create(&map, &system->flow);
+    if (st == JLT_OK) st = jlt_periodic_find(map, &saddle, q, o.period, NULL);
+    if (st == JLT_OK && saddle.type != JLT_ORBIT_SADDLE && saddle.type != JLT_ORBIT_FLIP_SADDLE) {
+        code = jlt_command_fail(JLT_EXIT_INPUT,
+                                "the orbit near %s (eta=%.10g, gamma3=%.10g) is no saddle but %s; 'jellett orbits' lists "
+                                "what there is",
+                                o.start, saddle.points[0], saddle.points[1], jlt_periodic_type_name(saddle.type));
+        goto done;
+    }
+    if (st == JLT_OK) st = grow(&p, map, &saddle, &o);
+    if (st == JLT_OK && !o.no_crossings && !jlt_motion_interrupted(&o.motion)) st = cross(&p, system);
+    code = st == JLT_OK ? save(&o, system, &p, &saddle) : jlt_motion_fail(st, system, o.start);
+done:
+    clear(&p);
+    jlt_map_destroy(map);
+    jlt_system_destroy(system);
+    jlt_motion_end(&o.motion);
+    return code;
+}
+
+const jlt_command jlt_command_manifolds = {
+    "manifolds", "[MODEL] [OPTION...]", "Separatrices of a saddle, homoclinic points, angles, lobes", run
+};
