@@ -29,6 +29,7 @@ extern const jlt_command jlt_command_measure;
 extern const jlt_command jlt_command_models;
 extern const jlt_command jlt_command_section;
 extern const jlt_command jlt_command_orbits;
+extern const jlt_command jlt_command_fates;
 extern const jlt_command jlt_command_manifolds;
 extern const jlt_command jlt_command_lyapunov;
 

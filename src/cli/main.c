@@ -13,6 +13,7 @@ static const jlt_command *const commands[] = {
     &jlt_command_models,
     &jlt_command_section,
     &jlt_command_orbits,
+    &jlt_command_fates,
     &jlt_command_manifolds,
     &jlt_command_lyapunov,
 };

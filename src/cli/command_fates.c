@@ -1,0 +1,297 @@
+#include "cli/motion.h"
+#include "cli/progress.h"
+#include "dynamics/fates.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    jlt_motion_options motion;
+    const char **starts;
+    size_t start_count;
+    const char *grid, *sweep;
+    size_t returns;
+} options;
+
+enum { SWEEP = 2000 };
+
+static const struct argp_option option_table[] = {
+    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "A start on the section; may be repeated", 1 },
+    { "grid", 'g', "COUNTxCOUNT", 0,
+      "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; default 60x40 when there is no --start", 1 },
+    { "returns", 'n', "N", 0, "Returns after which an orbit counts as alive; default 200", 1 },
+    { "sweep", SWEEP, "NAME=LOW:HIGH:COUNT", 0,
+      "Shares of the fates as a parameter or level runs, in place of a row for every start", 1 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case 'a': o->starts[o->start_count++] = value; return 0;
+    case 'g': o->grid = value; return 0;
+    case 'n':
+        if (jlt_grid_count(&o->returns, value, 1, 1000000000000, "--returns") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
+        return 0;
+    case SWEEP: o->sweep = value; return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "",
+    "Which pole orbits of the spherical top end at, when, or never, for starts on the section; and which share turns over."
+    "\vColumns: eta, gamma3, fate, t_end, v_nu_end, omega_tau_end, omega3_end; for orbits that are alive, the last return.\n\n"
+    "An orbit turns over when it starts with its centre of mass below the centre of the sphere (a3 gamma3 < 0) and ends at "
+    "the pole where it is above. With --sweep, columns: the value, starts, low_starts, pole+, pole-, lost_contact, alive, "
+    "budget, turned, turned_error, turned_in_contact: the share of the low starts that turns over, its binomial standard "
+    "error, and the share that does so with N > 0 all the way; starts are even in (eta, gamma3).\n\n"
+    "  jellett fates --grid 300x200 --plot fates.png > fates.csv\n"
+    "  jellett fates --grid eta=-pi:pi:60,gamma3=-0.9999:-0.99:10\n"
+    "  jellett fates --sweep E=0.6:4:18 --plot share.svg",
+    children, NULL, NULL,
+};
+
+/* Shares over a grid, and of the starts with a low centre of mass. */
+typedef struct {
+    jlt_fates_count all, low;
+    jlt_fate high_pole;
+    size_t empty;
+} shares;
+
+static void add(shares *sum, const jlt_system *system, const double *q, const jlt_fates_end *end)
+{
+    const double a3 = system->values.a3;
+
+    sum->high_pole = a3 < 0 ? JLT_FATE_POLE_MINUS : JLT_FATE_POLE_PLUS;
+    jlt_fates_add(&sum->all, end);
+    if ((a3 < 0 ? -1 : 1) * q[1] < 0) jlt_fates_add(&sum->low, end);
+}
+
+static void write_row(FILE *file, const options *o, const jlt_system *system, const double *q, const jlt_fates_end *end)
+{
+    double omega_n, omega3;
+
+    jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, end->x);
+    fprintf(file, "%.17g,%.17g,%s,%.17g,%.17g,%.17g,%.17g", q[0], q[1], jlt_section_fate_name(end->fate), end->t,
+            end->x[JLT_CHART_TOP_V_NU], end->x[JLT_CHART_TOP_OMEGA_TAU], omega3);
+    if (strcmp(o->motion.contact, "report") == 0) fprintf(file, ",%.17g", end->contact);
+    fputc('\n', file);
+}
+
+/* All starts of one system; file NULL: only count. */
+static jlt_exit follow_all(shares *sum, FILE *file, FILE *points, const options *o, const jlt_system *system,
+                           jlt_progress *progress, size_t before, size_t whole)
+{
+    const char *grid = o->grid != NULL ? o->grid : o->start_count > 0 ? NULL : "60x40";
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    jlt_section *section = NULL;
+    double q[JLT_CHART_DIM_MAX];
+    jlt_fates_end end;
+    size_t all, i;
+    jlt_exit code = jlt_motion_axes(axes, system, grid);
+    jlt_status st = code == JLT_EXIT_DONE ? jlt_section_create(&section, &system->flow) : JLT_OK;
+
+    if (st != JLT_OK) code = jlt_motion_fail(st, system, "section");
+    all = o->start_count + (grid != NULL && code == JLT_EXIT_DONE ? jlt_motion_grid_size(axes, system) : 0);
+    for (i = 0; code == JLT_EXIT_DONE && i < all; i++) {
+        if (i < o->start_count) code = jlt_motion_start(q, system, o->starts[i]);
+        else jlt_motion_grid_point(q, axes, system, i - o->start_count);
+        if (code != JLT_EXIT_DONE) break;
+        st = jlt_fates_follow(section, &end, q, o->returns);
+        if (i >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) {
+            sum->empty++;
+            continue;
+        }
+        if (st != JLT_OK) {
+            code = jlt_motion_fail(st, system, i < o->start_count ? o->starts[i] : "a start of the grid");
+            break;
+        }
+        if (end.interrupted) break;
+        add(sum, system, q, &end);
+        if (file != NULL) write_row(file, o, system, q, &end);
+        if (points != NULL) fprintf(points, "%.7g %.7g %d %.7g\n", q[0], q[1], (int)end.fate, end.t);
+        jlt_progress_show(progress, before + i + 1, whole > 0 ? whole * all : all);
+    }
+    jlt_section_destroy(section);
+    return code;
+}
+
+static void summary(FILE *stream, const shares *sum)
+{
+    double turned, error, kept, kept_error;
+
+    fprintf(stream, "%zu starts:", sum->all.starts);
+    for (int fate = JLT_FATE_ALIVE; fate <= (int)JLT_FATE_BUDGET; fate++)
+        fprintf(stream, "%s %zu %s", fate == 0 ? "" : ",", sum->all.by_fate[fate], jlt_section_fate_name((jlt_fate)fate));
+    jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
+    jlt_fates_share(&kept, &kept_error, &sum->low, sum->high_pole, true);
+    if (sum->low.starts > 0)
+        fprintf(stream, "; of %zu with a low centre of mass %.4g +- %.2g turn over, %.4g +- %.2g with N > 0 all the way",
+                sum->low.starts, turned, error, kept, kept_error);
+    fputc('\n', stream);
+}
+
+static jlt_exit draw_fates(const options *o, const jlt_system *system, const char *points)
+{
+    static const char *const colours[] = { "#303030", "#d04020", "#3060c0", "#e0b000", "#909090" };
+    char *script = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&script, &size);
+    jlt_exit code;
+
+    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    fprintf(stream, "set encoding utf8\n$POINTS << END\n%s-10 -10 0 0\nEND\nset title \"Fates of orbits by their start, ", points);
+    jlt_motion_caption(stream, system);
+    fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset xrange [-pi:pi]\nset yrange [-1:1]\n"
+          "set key outside bottom horizontal\nplot ", stream);
+    for (int fate = 0; fate <= (int)JLT_FATE_BUDGET; fate++)
+        fprintf(stream, "%s$POINTS using 1:($3==%d?$2:1/0) with points pt 5 ps 0.45 lc rgb '%s' title \"%s\" noenhanced",
+                fate == 0 ? "" : ", ", fate, colours[fate], jlt_section_fate_name((jlt_fate)fate));
+    fputc('\n', stream);
+    fclose(stream);
+    code = jlt_motion_draw(&o->motion, script);
+    free(script);
+    return code;
+}
+
+static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_system *system)
+{
+    shares sum = { .empty = 0 };
+    jlt_progress progress;
+    char *points = NULL;
+    size_t size;
+    FILE *copy = o->motion.plot != NULL ? open_memstream(&points, &size) : NULL;
+    jlt_exit code;
+
+    jlt_motion_header(stream->file, &o->motion, system);
+    fprintf(stream->file, "eta,gamma3,fate,t_end,v_nu_end,omega_tau_end,omega3_end%s\n",
+            strcmp(o->motion.contact, "report") == 0 ? ",contact_min" : "");
+    jlt_progress_start(&progress, "starts");
+    code = follow_all(&sum, stream->file, copy, o, system, &progress, 0, 0);
+    jlt_progress_end(&progress);
+    if (copy != NULL) fclose(copy);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_close(stream);
+    if (code == JLT_EXIT_DONE) {
+        if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream->path);
+        fputs("jellett: ", stderr);
+        summary(stderr, &sum);
+        if (points != NULL) code = draw_fates(o, system, points);
+    }
+    free(points);
+    return code;
+}
+
+static jlt_exit draw_sweep(const options *o, const jlt_system *system, const char *name, const char *points)
+{
+    char *script = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&script, &size);
+    jlt_exit code;
+
+    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    fprintf(stream, "set encoding utf8\n$SHARES << END\n%sEND\nset title \"Share of orbits that turn over as %s runs; otherwise ",
+            points, name);
+    jlt_motion_caption(stream, system);
+    fprintf(stream,
+            "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"share of starts with a low centre of mass\"\n"
+            "set yrange [0:1]\nset key outside bottom horizontal\n"
+            "plot $SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'turned over', "
+            "$SHARES using 1:4 with linespoints pt 6 ps 0.6 title 'turned over with N > 0 all the way'\n", name);
+    fclose(stream);
+    code = jlt_motion_draw(&o->motion, script);
+    free(script);
+    return code;
+}
+
+/* A row of the sweep, and its point of the picture when there is one. */
+static void write_shares(FILE *file, FILE *points, double value, const shares *sum)
+{
+    double turned, error, kept, kept_error;
+
+    jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
+    jlt_fates_share(&kept, &kept_error, &sum->low, sum->high_pole, true);
+    if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", value, turned, error, kept);
+    fprintf(file, "%.17g,%zu,%zu,%zu,%zu,%zu,%zu,%zu,", value, sum->all.starts, sum->low.starts,
+            sum->all.by_fate[JLT_FATE_POLE_PLUS], sum->all.by_fate[JLT_FATE_POLE_MINUS],
+            sum->all.by_fate[JLT_FATE_LOST_CONTACT], sum->all.by_fate[JLT_FATE_ALIVE], sum->all.by_fate[JLT_FATE_BUDGET]);
+    if (sum->low.starts > 0) fprintf(file, "%.9g,%.3g,%.9g\n", turned, error, kept);
+    else fputs(",,\n", file);
+}
+
+static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *base)
+{
+    jlt_top_values values = base->values;
+    jlt_grid_axis axis;
+    jlt_progress progress;
+    char *points = NULL;
+    size_t size, done = 0;
+    FILE *copy;
+    double *entry;
+    jlt_exit code = jlt_grid_axis_parse(&axis, o->sweep, strlen(o->sweep), "--sweep");
+
+    if (code != JLT_EXIT_DONE) return code;
+    entry = jlt_system_value(&values, axis.name);
+    if (entry == NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axis.name);
+    copy = o->motion.plot != NULL ? open_memstream(&points, &size) : NULL;
+    jlt_motion_header(stream->file, &o->motion, base);
+    fprintf(stream->file, "%s,starts,low_starts,pole+,pole-,lost_contact,alive,budget,turned,turned_error,turned_in_contact\n",
+            axis.name);
+    jlt_progress_start(&progress, "starts");
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < axis.count && !jlt_motion_interrupted(&o->motion); i++) {
+        shares sum = { .empty = 0 };
+        jlt_system *system = NULL;
+        jlt_status st;
+        *entry = jlt_grid_value(&axis, i, 0);
+        st = jlt_system_top(&system, &values, &o->motion.flow);
+        if (st == JLT_ERR_EMPTY) continue;
+        if (st != JLT_OK) code = jlt_motion_fail(st, NULL, o->sweep);
+        else code = follow_all(&sum, NULL, NULL, o, system, &progress, done, axis.count);
+        jlt_system_destroy(system);
+        if (code != JLT_EXIT_DONE || jlt_motion_interrupted(&o->motion)) break;
+        done += sum.all.starts + sum.empty;
+        write_shares(stream->file, copy, *entry, &sum);
+    }
+    jlt_progress_end(&progress);
+    if (copy != NULL) fclose(copy);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_close(stream);
+    if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
+        fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", stream->path);
+    if (code == JLT_EXIT_DONE && points != NULL) code = draw_sweep(o, base, axis.name, points);
+    free(points);
+    return code;
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { .returns = 200 };
+    jlt_stream stream = { 0 };
+    jlt_system *system = NULL;
+    jlt_exit code;
+
+    o.starts = calloc((size_t)argc, sizeof *o.starts);
+    if (o.starts == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    jlt_motion_begin(&o.motion, argc, argv);
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE && !system->is_top)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "fates are those of the spherical top, and %s has no poles", o.motion.model);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&stream, &o, system) : one_system(&stream, &o, system);
+    jlt_stream_discard(&stream);
+    jlt_system_destroy(system);
+    jlt_motion_end(&o.motion);
+    free(o.starts);
+    return code;
+}
+
+const jlt_command jlt_command_fates = {
+    "fates", "[OPTION...]", "Which pole orbits end at, when, or never; the share that turns over", run
+};
