@@ -32,6 +32,8 @@ extern const jlt_command jlt_command_orbits;
 extern const jlt_command jlt_command_fates;
 extern const jlt_command jlt_command_manifolds;
 extern const jlt_command jlt_command_lyapunov;
+extern const jlt_command jlt_command_continue;
+extern const jlt_command jlt_command_separation;
 
 /* "jellett: " message, on standard error; returns `code`. */
 #if defined(__GNUC__)

@@ -15,7 +15,9 @@ static const jlt_command *const commands[] = {
     &jlt_command_orbits,
     &jlt_command_fates,
     &jlt_command_manifolds,
+    &jlt_command_continue,
     &jlt_command_lyapunov,
+    &jlt_command_separation,
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
 

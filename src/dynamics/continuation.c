@@ -6,7 +6,7 @@
 #include "dynamics/linear.h"
 #include "ext/eigen.h"
 
-enum { U = JLT_CHART_DIM_MAX + 1, NEWTON = 8, LOCATE = 40 };
+enum { U = JLT_CHART_DIM_MAX + 1, NEWTON = 12, LOCATE = 40 };
 
 /* One run's constants. */
 typedef struct {
@@ -108,7 +108,8 @@ static jlt_status correct(const runner *self, double *u, equation *at, const dou
         JLT_TRY(evaluate(self, at, u));
         for (i = 0; i < d; i++) residual = fmax(residual, fabs(at->f[i]));
         if (iterations != NULL) *iterations = k;
-        if (residual < 1e-12 * at->scale || (k > 2 && residual < 1e-10 * at->scale && residual > last / 4)) return JLT_OK;
+        /* On to rounding: until the residual is that, or falls no more. */
+        if (residual < 1e-15 * at->scale || (residual < 1e-10 * at->scale && residual > last / 8)) return JLT_OK;
         last = residual;
         border(matrix, at, tangent, d);
         right[d] = 0;
@@ -297,7 +298,7 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
         }
         st = step_to(&self, &next, &here, step, &iterations);
         if (st == JLT_ERR_NOMEM) goto done;
-        if (st != JLT_OK || iterations > 5) {
+        if (st != JLT_OK || iterations > 7) {
             st = JLT_OK;
             step /= 2;
             if (step >= self.options.step_min) continue;
@@ -312,7 +313,7 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
         JLT_TRY(report(&self, &here, &next, step, sink, context));
         count++;
         here = next;
-        if (iterations < 4) step = fmin(1.4 * step, self.options.step_max);
+        if (iterations < 6) step = fmin(1.4 * step, self.options.step_max);
     }
 done:
     return st;

@@ -1,0 +1,257 @@
+#include "cli/motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    jlt_motion_options motion;
+    const char *start, *along;
+    size_t period, points;
+    double step;
+    int direction;
+    bool follow;
+} options;
+
+enum { ALONG = 2000, STEP, DOWN, FOLLOW };
+
+static const struct argp_option option_table[] = {
+    { "along", ALONG, "NAME=LOW:HIGH", 0, "The parameter or level that runs, and its range", 1 },
+    { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "Near the orbit; default eta=0,gamma3=-0.61", 1 },
+    { "period", 'n', "N", 0, "Returns of the orbit; default 1", 1 },
+    { "step", STEP, "VALUE", 0, "First arc length between points, in (eta, gamma3, value); at most 5 of them later; default 0.01", 1 },
+    { "count", 'c', "N", 0, "Points of a branch at most; default 500", 1 },
+    { "decreasing", DOWN, NULL, 0, "Start towards smaller values", 1 },
+    { "branches", FOLLOW, NULL, 0, "Follow both sides of the branches that begin at branch points and period doublings as well", 1 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case ALONG: o->along = value; return 0;
+    case 'a': o->start = value; return 0;
+    case 'n': code = jlt_grid_count(&o->period, value, 1, JLT_PERIODIC_MAX / 2, "--period"); break;
+    case 'c': code = jlt_grid_count(&o->points, value, 1, 10000000, "--count"); break;
+    case STEP:
+        code = jlt_grid_number(&o->step, value, strlen(value), "--step");
+        if (code == JLT_EXIT_DONE && !(o->step > 0))
+            code = jlt_command_fail(JLT_EXIT_INPUT, "--step: '%s' is not positive", value);
+        break;
+    case DOWN: o->direction = -1; return 0;
+    case FOLLOW: o->follow = true; return 0;
+    case ARGP_KEY_END:
+        if (o->along == NULL) argp_error(state, "say what runs: --along NAME=LOW:HIGH");
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+    if (code != JLT_EXIT_DONE) exit((int)code);
+    return 0;
+}
+
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "",
+    "Follow a periodic orbit of the spherical top as one parameter or level runs (pseudo-arclength), with its bifurcations: "
+    "folds, period doublings, branch points and tori."
+    "\vColumns: branch, the running value, arc, period, eta, gamma3, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, "
+    "residual, bifurcation. Branch 0 is the orbit itself; a located bifurcation has a row of its own.\n\n"
+    "  jellett continue --along E=2:2.4\n"
+    "  jellett continue --along a3=0.4:0.6 --branches --plot tree.svg > tree.csv",
+    children, NULL, NULL,
+};
+
+/* What a branch's points go to. */
+typedef struct {
+    FILE *file, *points;
+    const jlt_chart *chart;
+    size_t branch, rows, capacity, count;
+    jlt_continuation_point *origins; /* bifurcations with another branch, in the order found; kept while `keep` */
+    bool keep;
+} sink;
+
+static jlt_status keep_origin(sink *self, const jlt_continuation_point *point)
+{
+    if (self->count == self->capacity) {
+        const size_t capacity = self->capacity == 0 ? 8 : 2 * self->capacity;
+        jlt_continuation_point *grown = realloc(self->origins, capacity * sizeof *grown);
+        if (grown == NULL) return JLT_ERR_NOMEM;
+        self->origins = grown;
+        self->capacity = capacity;
+    }
+    self->origins[self->count++] = *point;
+    return JLT_OK;
+}
+
+static jlt_status take(void *context, const jlt_continuation_point *point)
+{
+    sink *self = context;
+    const jlt_periodic *orbit = &point->orbit;
+
+    fprintf(self->file, "%zu,%.17g,%.9g,%zu,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%s,%s,%.3g,%s\n",
+            self->branch, point->value, point->arc, orbit->period, orbit->points[0], orbit->points[1], orbit->T,
+            orbit->trace, orbit->determinant, orbit->re[0], orbit->im[0], orbit->re[1], orbit->im[1],
+            orbit->symmetric ? "yes" : "no", jlt_periodic_type_name(orbit->type), orbit->residual,
+            jlt_continuation_bifurcation_name(point->kind));
+    if (self->points != NULL)
+        fprintf(self->points, "%.9g %.9g %d %d\n", point->value, orbit->points[1], (int)point->kind,
+                (int)orbit->type);
+    self->rows++;
+    if (ferror(self->file)) return JLT_ERR_IO;
+    if (self->keep && (point->kind == JLT_BIFURCATION_BRANCH || point->kind == JLT_BIFURCATION_DOUBLING))
+        return keep_origin(self, point);
+    return JLT_OK;
+}
+
+static const char *const ends[] = { "the range ends", "the number of points is reached",
+                                    "no shorter step converges (a pole, an empty level, or the orbit touches the section)",
+                                    "interrupted" };
+
+/* Branches that begin at the kept bifurcations, both sides. */
+static jlt_status follow_branches(sink *to, const jlt_family *family, const jlt_continuation_options *run)
+{
+    const size_t count = to->count;
+    jlt_continuation_point first;
+    jlt_continuation_end end;
+    jlt_status st = JLT_OK;
+
+    to->keep = false;
+    for (size_t i = 0; i < count; i++)
+        for (int side = 1; side >= -1; side -= 2) {
+            if (2 * to->origins[i].orbit.period > JLT_PERIODIC_MAX) continue;
+            st = jlt_continuation_switch(&first, family, &to->origins[i], side, run->step, run);
+            if (st == JLT_ERR_NOMEM) return st;
+            if (st != JLT_OK) {
+                fprintf(stderr, "jellett: no other branch found at the %s at %.10g, side %+d\n",
+                        jlt_continuation_bifurcation_name(to->origins[i].kind), to->origins[i].value, side);
+                continue;
+            }
+            to->branch++;
+            if (to->points != NULL) fputs("\n", to->points);
+            st = jlt_continuation_run(&end, family, &first, 1, run, take, to);
+            if (st == JLT_ERR_NOMEM || st == JLT_ERR_IO) return st;
+            fprintf(stderr, "jellett: branch %zu, from the %s at %.10g: %s\n", to->branch,
+                    jlt_continuation_bifurcation_name(to->origins[i].kind), to->origins[i].value,
+                    st == JLT_OK ? ends[end] : jlt_status_text(st));
+            if (run->interrupt != NULL && *run->interrupt) return JLT_OK;
+        }
+    return JLT_OK;
+}
+
+static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const char *points)
+{
+    char *script = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&script, &size);
+    jlt_exit code;
+
+    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Periodic orbits as %s runs, from ", points, name);
+    jlt_motion_caption(stream, system);
+    fprintf(stream,
+            "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"γ_3 of the first point\"\n"
+            "set key outside bottom horizontal\nplot $POINTS using 1:2 with lines lc rgb '#2040c0' title 'orbits'", name);
+    for (int kind = 1; kind <= (int)JLT_BIFURCATION_TORUS; kind++)
+        fprintf(stream, ", $POINTS using 1:($3==%d?$2:1/0) with points pt %d lc %d title '%s'", kind, kind + 4, kind + 1,
+                jlt_continuation_bifurcation_name((jlt_bifurcation)kind));
+    fputc('\n', stream);
+    fclose(stream);
+    code = jlt_motion_draw(&o->motion, script);
+    free(script);
+    return code;
+}
+
+/* NAME=LOW:HIGH; a count may follow and says nothing. */
+static jlt_exit parse_range(jlt_grid_axis *axis, const char *text)
+{
+    char with_count[256];
+    const char *first = strchr(text, ':');
+
+    snprintf(with_count, sizeof with_count, "%s%s", text, first != NULL && strchr(first + 1, ':') == NULL ? ":1" : "");
+    return jlt_grid_axis_parse(axis, with_count, strlen(with_count), "--along");
+}
+
+static jlt_exit run_all(sink *to, jlt_system_family *family, const jlt_grid_axis *axis, const options *o,
+                        const jlt_system *system)
+{
+    const jlt_family maps = { jlt_system_map_at, family };
+    const jlt_continuation_options run = { .step = o->step, .step_max = 5 * o->step, .low = axis->low, .high = axis->high,
+                                           .points_max = o->points, .interrupt = o->motion.flow.interrupt };
+    jlt_continuation_point start = { .arc = 0 };
+    jlt_continuation_end end = JLT_CONTINUATION_RANGE;
+    double q[JLT_CHART_DIM_MAX];
+    jlt_map *map;
+    jlt_status st;
+    jlt_exit code = jlt_motion_start(q, system, o->start);
+
+    if (code != JLT_EXIT_DONE) return code;
+    start.value = *jlt_system_value(&family->values, axis->name);
+    if (!(start.value >= axis->low && start.value <= axis->high))
+        return jlt_command_fail(JLT_EXIT_INPUT, "--along: the run begins at %s=%.10g, outside of the range", axis->name,
+                                start.value);
+    st = jlt_system_map_at(family, &map, start.value);
+    if (st == JLT_OK) st = jlt_periodic_find(map, &start.orbit, q, o->period, NULL);
+    if (st != JLT_OK) return jlt_motion_fail(st, system, o->start);
+    to->keep = o->follow;
+    st = jlt_continuation_run(&end, &maps, &start, o->direction, &run, take, to);
+    if (st == JLT_OK) fprintf(stderr, "jellett: branch 0: %s\n", ends[end]);
+    if (st == JLT_OK && o->follow && end != JLT_CONTINUATION_INTERRUPT) st = follow_branches(to, &maps, &run);
+    return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { .start = "eta=0,gamma3=-0.61", .period = 1, .points = 500, .step = 0.01, .direction = 1 };
+    jlt_system_family family = { .name = NULL };
+    sink to = { .branch = 0 };
+    jlt_stream stream = { 0 };
+    jlt_system *system = NULL;
+    jlt_grid_axis axis = { .count = 1 };
+    char *points = NULL;
+    size_t size;
+    jlt_exit code;
+
+    jlt_motion_begin(&o.motion, argc, argv);
+    o.motion.flow.tolerance = 1e-13;
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE && !system->is_top)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "orbits of the spherical top can be continued, those of %s not",
+                                o.motion.model);
+    if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
+    if (code == JLT_EXIT_DONE && jlt_system_value(&system->values, axis.name) == NULL)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "--along: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axis.name);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code != JLT_EXIT_DONE) goto done;
+    family = (jlt_system_family){ .values = system->values, .name = axis.name, .options = o.motion.flow };
+    family.options.max_steps = 20000;
+    to.file = stream.file;
+    if (o.motion.plot != NULL) to.points = open_memstream(&points, &size);
+    jlt_motion_header(stream.file, &o.motion, system);
+    fprintf(stream.file, "branch,%s,arc,period,eta,gamma3,T,trace,det,mu1_re,mu1_im,mu2_re,mu2_im,symmetric,type,residual,"
+                         "bifurcation\n", axis.name);
+    code = run_all(&to, &family, &axis, &o, system);
+    if (to.points != NULL) fclose(to.points);
+    if (code != JLT_EXIT_DONE) goto done;
+    code = jlt_stream_close(&stream);
+    if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o.motion))
+        fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", to.rows, stream.path);
+    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, axis.name, points);
+done:
+    jlt_stream_discard(&stream);
+    jlt_system_family_clear(&family);
+    jlt_system_destroy(system);
+    jlt_motion_end(&o.motion);
+    free(to.origins);
+    free(points);
+    return code;
+}
+
+const jlt_command jlt_command_continue = {
+    "continue", "--along NAME=LOW:HIGH [OPTION...]", "Follow a periodic orbit in a parameter or level, with its bifurcations", run
+};

@@ -1,0 +1,142 @@
+#include "cli/motion.h"
+#include "dynamics/separation.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    jlt_motion_options motion;
+    const char *grid, *cells;
+    size_t returns, settle;
+} options;
+
+enum { CELLS = 2000, SETTLE };
+
+static const struct argp_option option_table[] = {
+    { "grid", 'g', "COUNTxCOUNT", 0, "Starts, over the whole section or NAME=LOW:HIGH:COUNT,...; default 24x16", 1 },
+    { "cells", CELLS, "COUNTxCOUNT", 0, "Cells, in the same ways; default 200x200", 1 },
+    { "returns", 'n', "N", 0, "Returns counted of every orbit; default 1024", 1 },
+    { "settle", SETTLE, "N", 0, "Returns left out before; default 200", 1 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
+    case 'g': o->grid = value; return 0;
+    case CELLS: o->cells = value; return 0;
+    case 'n':
+        if (jlt_grid_count(&o->returns, value, 1, (size_t)1 << 40, "--returns") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
+        return 0;
+    case SETTLE:
+        if (jlt_grid_count(&o->settle, value, 0, (size_t)1 << 40, "--settle") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "[MODEL]",
+    "Are attractor and repeller apart? Cells of the section that long orbits visit forwards and backwards in time, compared "
+    "as the orbits grow longer. The reversor maps one set onto the other."
+    "\vColumns: returns, alive_forward, alive_backward, cells_forward, cells_backward, cells_common, overlap, mirror_overlap. "
+    "overlap is common/union: 1 where the sets agree, as in conservative dynamics, 0 where they are apart; in between lies "
+    "mixed dynamics. mirror_overlap compares the mirror image of the forward set with the backward one: its distance from 1 "
+    "is the error of finite length.\n\n"
+    "  jellett separation --grid eta=-0.5:0.5:20,gamma3=-0.75:-0.5:20 --returns 4096",
+    children, NULL, NULL,
+};
+
+static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, const jlt_system *system)
+{
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX], cells[JLT_CHART_DIM_MAX];
+    jlt_separation_options wanted = { .settle = o->settle, .returns = o->returns };
+    double *starts = NULL;
+    size_t all;
+    jlt_status st = JLT_ERR_NOMEM;
+    jlt_exit code = jlt_motion_axes(axes, system, o->grid);
+
+    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(cells, system, o->cells);
+    if (code != JLT_EXIT_DONE) return code;
+    if (system->flow.chart->dim != 2 || !system->flow.chart->reversible)
+        return jlt_command_fail(JLT_EXIT_INPUT, "the comparison needs a section of two coordinates and a reversor");
+    for (int k = 0; k < 2; k++) {
+        wanted.low[k] = cells[k].low;
+        wanted.high[k] = cells[k].high;
+        wanted.cells[k] = cells[k].count;
+    }
+    all = jlt_motion_grid_size(axes, system);
+    starts = malloc(all * 2 * sizeof *starts);
+    if (starts != NULL) {
+        for (size_t i = 0; i < all; i++) jlt_motion_grid_point(starts + 2 * i, axes, system, i);
+        st = jlt_separation_measure(table, rows, &system->flow, starts, all, &wanted);
+    }
+    free(starts);
+    if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o->motion))
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved: the counts need all orbits");
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "separation");
+}
+
+static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separation *table, size_t rows)
+{
+    char *script = NULL;
+    size_t size;
+    FILE *stream = open_memstream(&script, &size);
+    jlt_exit code;
+
+    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    fputs("set encoding utf8\n$OVERLAP << END\n", stream);
+    for (size_t i = 0; i < rows; i++)
+        fprintf(stream, "%zu %.9g %.9g\n", table[i].returns, table[i].overlap, table[i].mirror_overlap);
+    fputs("END\nset title \"Cells visited forwards and backwards, ", stream);
+    jlt_motion_caption(stream, system);
+    fputs("\" noenhanced\nset logscale x 2\nset xlabel \"returns of every orbit\"\nset ylabel \"overlap\"\nset yrange [0:1.05]\n"
+          "set key outside bottom horizontal\n"
+          "plot $OVERLAP using 1:2 with linespoints pt 7 title 'forward and backward', "
+          "$OVERLAP using 1:3 with linespoints pt 6 title 'mirror image of forward, and backward'\n", stream);
+    fclose(stream);
+    code = jlt_motion_draw(&o->motion, script);
+    free(script);
+    return code;
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { .grid = "24x16", .cells = "200x200", .returns = 1024, .settle = 200 };
+    jlt_separation table[48];
+    jlt_stream stream = { 0 };
+    jlt_system *system = NULL;
+    size_t rows = 0;
+    jlt_exit code;
+
+    jlt_motion_begin(&o.motion, argc, argv);
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code == JLT_EXIT_DONE) code = measure(table, &rows, &o, system);
+    if (code != JLT_EXIT_DONE) goto done;
+    jlt_motion_header(stream.file, &o.motion, system);
+    fputs("returns,alive_forward,alive_backward,cells_forward,cells_backward,cells_common,overlap,mirror_overlap\n", stream.file);
+    for (size_t i = 0; i < rows; i++) {
+        const jlt_separation *row = &table[i];
+        fprintf(stream.file, "%zu,%zu,%zu,%zu,%zu,%zu,%.9g,%.9g\n", row->returns, row->alive_forward, row->alive_backward,
+                row->forward, row->backward, row->common, row->overlap, row->mirror_overlap);
+    }
+    code = jlt_stream_close(&stream);
+    if (code == JLT_EXIT_DONE && o.motion.plot != NULL) code = draw(&o, system, table, rows);
+done:
+    jlt_stream_discard(&stream);
+    jlt_system_destroy(system);
+    jlt_motion_end(&o.motion);
+    return code;
+}
+
+const jlt_command jlt_command_separation = {
+    "separation", "[MODEL] [OPTION...]", "Whether attractor and repeller are apart: cells visited forwards and backwards", run
+};
