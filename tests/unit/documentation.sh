@@ -1,27 +1,21 @@
 #!/usr/bin/env bash
-# The documentation keeps pace with the programs: every command that --help names is in the man page and in the README, every
-# option in the man page, and every program and file that the README names exists.
+# The documentation keeps pace with the programs: every command that --help names is in the man page with its
+# options, and in the README, and every program and file that the README names exists.
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 status=0
 fail() { echo "$*"; status=1; }
 
 for program in ttc jellett; do
-    help=$($program --help)
-    page=$(sed 's/\\-/-/g' "tools/man/$program.1")
     # A command stands first on its line, indented by two: alone, or followed by its arguments or its description.
-    commands=$(awk '/^  [a-z][a-z-]*( |$)/ { print $1 }' <<< "$help" | sort -u | grep -vx "$program" || true)
+    commands=$($program --help | awk -v name=$program '/^  [a-z][a-z-]*( |$)/ && $1 != name { print $1 }' | sort -u)
     [ -n "$commands" ] || fail "$program --help: no line '  COMMAND ...' found"
     for command in $commands; do
-        grep -qE "^\.It Cm $command( |$)" <<< "$page" || fail "$program.1: no '.It Cm $command'"
+        grep -qx "\.Ss $command" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: '$command' is missing"
         grep -qE "\b$program $command\b" README.md || fail "README.md: '$program $command' is not mentioned"
-    done
-    for command in $commands; do help+=$'\n'$($program "$command" --help); done
-    for option in $(grep -oE -- '--[a-z][a-z-]*' <<< "$help" | grep -vx -- --usage | sort -u); do
-        grep -qE "Fl -${option#--}( |$)" <<< "$page" || fail "$program.1: option $option is not mentioned"
-    done
-    for command in $(sed -n 's/^\.It Cm \([a-z-]*\).*/\1/p' <<< "$page"); do
-        grep -qw -- "$command" <<< "$commands" || fail "$program.1: '$command' is no command of $program"
+        for option in $($program "$command" --help | grep -oE -- '--[a-z][a-z-]*' | sort -u); do
+            grep -qF -- "${option//-/\\-}" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: $option is missing"
+        done
     done
 done
 

@@ -7,9 +7,9 @@ set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 status=0
 
-# OBJECT KIND SYMBOL, one a line. Sanitizers and coverage add symbols that begin with two underscores.
+# OBJECT KIND SYMBOL, one a line. Sanitizers add symbols that begin with two underscores, OpenMP with a dot.
 defined() {
-    nm -A --defined-only -g "$1" | awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^__/ {
+    nm -A --defined-only -g "$1" | awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^(__|\.)/ {
         object = $1; sub(/^[^:]*:/, "", object); sub(/:.*/, "", object); print object, $(NF-1), $NF }'
 }
 
@@ -51,7 +51,7 @@ for object in "$JLT_BINARY_DIR"/CMakeFiles/jellett.dir/src/cli/*.o; do
         [[ $symbol == main || $symbol == jlt_* ]] && continue
         echo "src/cli/$(basename "$object" .o): $symbol: public, but without the prefix jlt_"
         status=1
-    done < <(nm --defined-only -g "$object" | awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^__/ { print $NF }')
+    done < <(nm --defined-only -g "$object" | awk '$(NF-1) ~ /^[A-Z]$/ && $NF !~ /^(__|\.)/ { print $NF }')
 done
 [ $status -ne 0 ] || echo "$(defined "$JLT_BINARY_DIR/libjellett.a" | wc -l) + $(defined "$JLT_BINARY_DIR/libttc_core.a" | wc -l) public symbols carry their prefix"
 exit $status

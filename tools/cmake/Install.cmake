@@ -21,8 +21,18 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/ ${PROJECT_SOURCE_DIR}/generated/ DE
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/generated DESTINATION ${JLT_INSTALL_DATA})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/codegen/models DESTINATION ${JLT_INSTALL_DATA} OPTIONAL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/scenes DESTINATION ${JLT_INSTALL_DATA} OPTIONAL)
-install(FILES ${PROJECT_SOURCE_DIR}/tools/man/ttc.1 ${PROJECT_SOURCE_DIR}/tools/man/jellett.1
-        DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+# Man pages quote what the programs say of their commands, so that they cannot disagree.
+foreach(program ttc jellett)
+  set(page ${CMAKE_BINARY_DIR}/man/${program}.1)
+  set(template ${PROJECT_SOURCE_DIR}/tools/man/${program}.1.in)
+  add_custom_command(OUTPUT ${page} VERBATIM DEPENDS ${program} ${template} ${PROJECT_SOURCE_DIR}/tools/man/page
+    COMMAND bash ${PROJECT_SOURCE_DIR}/tools/man/page $<TARGET_FILE:${program}> ${template} > ${page})
+  list(APPEND JLT_MAN_PAGES ${page})
+endforeach()
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/man)
+add_custom_target(man ALL DEPENDS ${JLT_MAN_PAGES})
+install(FILES ${JLT_MAN_PAGES} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff
         DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
