@@ -1,0 +1,195 @@
+#include "scene/motion.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kernel/instance.h"
+#include "scene/rod.h"
+
+enum { INTEGRALS_MAX = 8 };
+
+struct jlt_motion {
+    const jlt_tier *tier; /* NULL: the model's own kernel */
+    jlt_tier_view view;
+    bool has_top;
+    unsigned states;
+    int direction; /* of time so far: 0, +1, -1 */
+    double t;
+
+    jlt_instance *watch; /* the asked model's kernel: integrals */
+    double first[INTEGRALS_MAX], drift[INTEGRALS_MAX];
+
+    jlt_instance *instance; /* the tier's kernel */
+    jlt_field field;
+    jlt_orbit *orbit;
+    jlt_rod rod;
+
+    double start[JLT_PLAN_STATES_MAX];
+    double x[JLT_PLAN_STATES_MAX];
+    double y[JLT_FIELD_DIM_MAX];
+};
+
+unsigned jlt_motion_integrals(const jlt_motion *self)
+{
+    const unsigned count = self->watch->descriptor->integral_count;
+    if (self->watch->descriptor->integral_values.call == NULL) return 0;
+    return count < INTEGRALS_MAX ? count : INTEGRALS_MAX;
+}
+
+const char *jlt_motion_integral(const jlt_motion *self, unsigned index)
+{
+    return self->watch->descriptor->integrals[index].name;
+}
+
+static void integrals(const jlt_motion *self, double *values, const double *x)
+{
+    double all[JLT_PLAN_STATES_MAX];
+
+    if (jlt_motion_integrals(self) == 0) return;
+    self->watch->descriptor->integral_values.call(x, self->watch->block, all);
+    memcpy(values, all, jlt_motion_integrals(self) * sizeof *values);
+}
+
+/* The tier's kernel bound to its parameters, and an orbit from the start. */
+static jlt_status open_orbit(jlt_motion *self, const jlt_candidate *chosen, const jlt_question *question,
+                             const jlt_motion_options *options)
+{
+    jlt_status st = JLT_OK;
+    double params[JLT_PLAN_PARAMS_MAX];
+    const jlt_options to_orbit = { .tolerance = options->tolerance, .max_steps = options->max_steps,
+                                   .interrupt = options->interrupt };
+
+    if (chosen->tier == NULL) {
+        JLT_TRY(jlt_instance_create(&self->instance, chosen->descriptor, question->params));
+        memcpy(self->y, question->start, self->states * sizeof *self->y);
+    } else {
+        JLT_TRY(jlt_tier_params(params, &self->view));
+        JLT_TRY(jlt_instance_create(&self->instance, chosen->descriptor, params));
+        chosen->tier->embed(&self->view, self->y, question->start);
+    }
+    JLT_TRY(jlt_field_of(&self->field, chosen->descriptor, self->instance->block));
+    JLT_TRY(jlt_orbit_create(&self->orbit, options->method != NULL ? options->method : jlt_method_find(NULL), &self->field,
+                             &to_orbit));
+done:
+    return st;
+}
+
+jlt_status jlt_motion_create(jlt_motion **out, const jlt_plan *plan, const jlt_question *question,
+                             const jlt_motion_options *options)
+{
+    jlt_status st = JLT_OK;
+    const jlt_candidate *chosen = &plan->candidates[plan->chosen];
+    const jlt_descriptor *model = question->model;
+    jlt_motion *self = NULL;
+
+    *out = NULL;
+    if (model->state_count > JLT_PLAN_STATES_MAX || plan->reduced->integral_count > JLT_PLAN_STATES_MAX)
+        return JLT_ERR_UNSUPPORTED;
+    self = calloc(1, sizeof *self);
+    if (self == NULL) return JLT_ERR_NOMEM;
+    self->states = model->state_count;
+    self->tier = chosen->tier;
+    memcpy(self->start, question->start, self->states * sizeof *self->start);
+    memcpy(self->x, question->start, self->states * sizeof *self->x);
+    JLT_TRY(jlt_instance_create(&self->watch, plan->reduced, question->params));
+    integrals(self, self->first, self->start);
+    if (jlt_plan_has_tiers(model)) {
+        jlt_top top;
+        JLT_TRY(jlt_top_read(&top, model, question->params));
+        self->has_top = true;
+        if (chosen->tier != NULL) {
+            jlt_tier_look(&self->view, chosen->tier, chosen->descriptor, &top, self->start);
+            if (chosen->tier->model == NULL) JLT_TRY(jlt_rod_open(&self->rod, &top, self->start));
+        } else {
+            self->view.top = top;
+        }
+    }
+    if (chosen->descriptor != NULL) JLT_TRY(open_orbit(self, chosen, question, options));
+    *out = self;
+    self = NULL;
+done:
+    jlt_motion_destroy(self);
+    return st;
+}
+
+void jlt_motion_destroy(jlt_motion *self)
+{
+    if (self == NULL) return;
+    jlt_orbit_destroy(self->orbit);
+    jlt_instance_destroy(self->instance);
+    jlt_instance_destroy(self->watch);
+    free(self);
+}
+
+/* Everything a row says of the states in self->x. */
+static void fill(jlt_motion *self, jlt_motion_row *row, jlt_end end, double t)
+{
+    double now[INTEGRALS_MAX];
+
+    *row = (jlt_motion_row){ .end = end, .t = t, .x = self->x, .drift = self->drift, .contact_force = NAN };
+    integrals(self, now, self->x);
+    for (unsigned i = 0; i < jlt_motion_integrals(self); i++)
+        self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
+    if (self->has_top) row->contact_force = jlt_top_contact_force(&self->view.top, self->x);
+    if (end == JLT_END_POLE) row->side = self->x[JLT_TOP_GAMMA3] > 0 ? 1 : -1;
+    if (self->tier != NULL && self->tier->orient != NULL) {
+        row->has_attitude = true;
+        self->tier->orient(&self->view, &row->attitude, self->y);
+    }
+}
+
+static void extract(jlt_motion *self)
+{
+    if (self->tier == NULL) memcpy(self->x, self->y, self->states * sizeof *self->x);
+    else if (self->tier->extract != NULL) self->tier->extract(&self->view, self->x, self->y);
+}
+
+static jlt_status along_orbit(jlt_motion *self, double t, jlt_motion_row *row)
+{
+    jlt_status st = JLT_OK;
+    const int mirror = self->tier != NULL ? self->view.mirror : 1;
+    jlt_outcome outcome = { 0 };
+
+    if (self->direction == 0) {
+        self->direction = t < 0 ? -1 : 1;
+        JLT_TRY(jlt_orbit_start(self->orbit, 0, self->y, self->direction * mirror));
+    }
+    st = jlt_orbit_next(self->orbit, mirror * t, NULL, 0, &outcome);
+    if (outcome.x != NULL) {
+        memcpy(self->y, outcome.x, self->field.dim * sizeof *self->y);
+        extract(self);
+        self->t = mirror * outcome.t;
+        fill(self, row, outcome.end, self->t);
+    }
+done:
+    return st;
+}
+
+jlt_status jlt_motion_to(jlt_motion *self, double t, jlt_motion_row *row)
+{
+    jlt_status st = JLT_OK;
+
+    if (self->direction != 0 && self->direction * (t - self->t) < 0) return JLT_ERR_ARG;
+    if (t == self->t) {
+        if (self->direction == 0) memcpy(self->x, self->start, self->states * sizeof *self->x);
+        fill(self, row, JLT_END_TIME, t);
+        return JLT_OK;
+    }
+    if (self->orbit != NULL) return along_orbit(self, t, row);
+    JLT_TRY(jlt_rod_at(&self->rod, self->x, t));
+    self->direction = t < 0 ? -1 : 1;
+    self->t = t;
+    fill(self, row, JLT_END_TIME, t);
+done:
+    return st;
+}
+
+void jlt_motion_cost(const jlt_motion *self, size_t *steps, size_t *evaluations)
+{
+    *steps = *evaluations = 0;
+    if (self->orbit == NULL) return;
+    const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);
+    *steps = stepper->steps;
+    *evaluations = stepper->evaluations;
+}

@@ -1,0 +1,44 @@
+/** The choice of the smallest model that can answer.
+ *
+ *  A question is about a model, its parameters, a start, and whether attitude and track are wanted. For the spherical top the
+ *  tiers are asked from the smallest up, and the first that serves is taken, with the most special kernel for the parameters.
+ *  For any other model its own kernel is taken, in a time in which roots are lifted when it has one. */
+#ifndef JLT_SCENE_PLAN_H
+#define JLT_SCENE_PLAN_H
+
+#include "scene/tier.h"
+
+enum { JLT_PLAN_CANDIDATES_MAX = 16, JLT_PLAN_PARAMS_MAX = 64, JLT_PLAN_STATES_MAX = 64 };
+
+typedef struct {
+    const jlt_descriptor *model; /* the general field that was asked about */
+    const double *params;        /* shape (model->param_count,), checked */
+    const double *start;         /* shape (model->state_count,), checked */
+    bool attitude;
+    const char *tier;            /* override by name; NULL: the planner's choice. "model": the asked model's own kernel */
+} jlt_question;
+
+typedef struct {
+    const jlt_tier *tier;             /* NULL: the model's own kernel */
+    const jlt_descriptor *descriptor; /* NULL: no kernel (quadratures), or not built in */
+    const char *refusal;              /* NULL when it serves */
+} jlt_candidate;
+
+typedef struct {
+    jlt_candidate candidates[JLT_PLAN_CANDIDATES_MAX]; /* in the order of the table */
+    unsigned count, chosen;
+    bool forced;                      /* by name */
+    const jlt_descriptor *reduced;    /* the asked model's most special kernel in t: its integrals are watched */
+} jlt_plan;
+
+/** True for models that tiers speak of: the spherical top's reduced system. */
+bool jlt_plan_has_tiers(const jlt_descriptor *model);
+
+/** Errors: ARG, no such tier; UNSUPPORTED, none serves, or the tier asked for does not (plan->chosen then is that tier, and
+ *  its refusal says why). */
+JLT_CHECKED jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question);
+
+/** Name of the chosen tier, "model" for a model's own kernel. */
+const char *jlt_plan_tier(const jlt_plan *plan);
+
+#endif

@@ -1,0 +1,52 @@
+/** Scene files: what a run asks for, in libconfig's syntax, checked to the last key.
+ *
+ *      title = "Poincare map of (5.1)";
+ *      model = "spherical_top";
+ *      parameters = { m = 1; R = 1; g = 1; a3 = 0.51; I1 = "1/3"; I3 = "1/3"; };
+ *      levels = { E = 2.15; G = -0.56; };
+ *      accuracy = { tolerance = 1e-12; };
+ *      compute = ( { what = "section"; returns = 300; grid = { eta = [-3, 3, 25]; gamma3 = [-0.9, 0.9, 19]; };
+ *                    output = "fig3a.csv"; plot = "fig3a.svg"; } );
+ *
+ *  Each entry of `compute` asks for one command with options; a key means the option of the same name. `parameters`,
+ *  `levels` and `accuracy` are shared by all entries that know them. Numbers are read exactly; those that decimal notation
+ *  cannot give exactly ("1/3") are written as strings. Whatever is unknown, missing, twice given or of the wrong kind is an
+ *  error with its line; nothing is ignored. */
+#ifndef JLT_SCENE_SCENE_H
+#define JLT_SCENE_SCENE_H
+
+#include "core/status.h"
+
+#include <stddef.h>
+
+enum { JLT_SCENE_MESSAGE_MAX = 512 };
+
+typedef struct {
+    char *name;     /* of the option, without dashes */
+    char *value;    /* as it is typed on a command line; NULL for a flag */
+    unsigned line;  /* where it stands in the file */
+} jlt_scene_option;
+
+typedef struct {
+    char *what;     /* the command */
+    char *model;    /* its operand; NULL when the scene names none */
+    jlt_scene_option *options;
+    size_t count;
+    unsigned line;
+} jlt_scene_job;
+
+typedef struct {
+    char *file, *title;
+    jlt_scene_job *jobs;
+    size_t count;
+} jlt_scene;
+
+/** Read and check. message, shape (JLT_SCENE_MESSAGE_MAX,): on failure "FILE:LINE: error: ...", a whole line without the
+ *  newline. Errors: IO (no such file), ARG (a bad scene), NOMEM. */
+JLT_CHECKED jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path);
+void jlt_scene_destroy(jlt_scene *scene); /* NULL is legal */
+
+/** Value of an option of a job; NULL when it is not given. */
+const char *jlt_scene_value(const jlt_scene_job *job, const char *name);
+
+#endif

@@ -1,0 +1,44 @@
+/** What a scene may say: the keys of every command it can ask for, and the kind of value each takes. */
+#ifndef JLT_SCENE_SCHEMA_H
+#define JLT_SCENE_SCHEMA_H
+
+#include <stdbool.h>
+
+typedef enum {
+    JLT_KEY_NUMBER,  /* 0.51, 2, "1/3" */
+    JLT_KEY_COUNT,   /* a whole number > 0 */
+    JLT_KEY_SEED,    /* a whole number >= 0 */
+    JLT_KEY_TEXT,
+    JLT_KEY_FLAG,    /* true or false */
+    JLT_KEY_NUMBERS, /* [0, 0.5, "1/3"] -> 0,0.5,1/3 */
+    JLT_KEY_GROUP,   /* { a = 1; b = 2; } -> a=1,b=2 */
+    JLT_KEY_RANGES   /* { a = 1; b = [-1, 1, 21]; } -> a=1,b=-1:1:21 (first, last, how many) */
+} jlt_key_kind;
+
+typedef struct {
+    const char *key;    /* in the scene */
+    const char *option; /* on the command line, without dashes */
+    jlt_key_kind kind;
+} jlt_key;
+
+typedef struct {
+    const char *what;
+    const jlt_key *keys;      /* of its own; ends with a NULL key */
+    bool parameters, levels;  /* whether the shared groups apply */
+    const char *accuracy[4];  /* which shared keys of `accuracy` apply; ends with NULL */
+    bool model;               /* takes the model as operand */
+} jlt_schema;
+
+/** NULL when no command of that name can be asked for. */
+const jlt_schema *jlt_schema_find(const char *what);
+
+const jlt_key *jlt_schema_key(const jlt_schema *schema, const char *name); /* NULL when unknown */
+
+/** The keys of `accuracy`: tolerance, method, tier. NULL when unknown. */
+const jlt_key *jlt_schema_accuracy(const char *name);
+
+/** Names separated by commas, for messages; out has `size` bytes. */
+void jlt_schema_names(char *out, unsigned long size);
+void jlt_schema_key_names(char *out, unsigned long size, const jlt_schema *schema);
+
+#endif

@@ -1,0 +1,258 @@
+#include "scene/tier.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SLIP_GRID = 64 };
+
+/* ---- whom a tier serves ---- */
+
+static const char *needs_rod(const jlt_top *top, const double *x)
+{
+    if (top->I3 != 0) return "I3 is not 0";
+    if (jlt_top_jellett(top, x) == 0) return "G = 0: the orbit runs through the poles";
+    return NULL;
+}
+
+static const char *needs_balance(const jlt_top *top, const double *x)
+{
+    (void)x;
+    return top->a3 != 0 ? "a3 is not 0" : NULL;
+}
+
+static const char *needs_halves(const jlt_top *top, const double *x)
+{
+    jlt_balanced_levels levels;
+    const double v_slip = x[JLT_TOP_V_NU] + top->R * x[JLT_TOP_OMEGA_TAU];
+
+    if (top->a3 != 0) return "a3 is not 0";
+    if (top->I1 == top->I3) return NULL; /* v_slip is constant */
+    jlt_balanced_levels_of(&levels, top, x);
+    if (!(jlt_balanced_least_slip2(top, &levels, SLIP_GRID) > 0.02 * v_slip * v_slip))
+        return "v_slip may vanish on this level: the halves of M^2 meet";
+    return NULL;
+}
+
+static const char *needs_spin(const jlt_top *top, const double *x)
+{
+    (void)x;
+    return top->I3 == 0 ? "I3 = 0: G does not contain omega3" : NULL;
+}
+
+/* ---- coordinates ---- */
+
+static void plane_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    double v_slip, psi;
+
+    jlt_balanced_from_state(&view->top, &y[0], &v_slip, &psi, x);
+    y[1] = view->mirror * psi;
+    y[2] = jlt_top_sine(y[0]);
+}
+
+static void plane_extract(const jlt_tier_view *view, double *x, const double *y)
+{
+    const double v_slip = jlt_balanced_slip(&view->top, &view->levels, y[0], y[2], y[1]);
+    jlt_balanced_to_state(&view->top, &view->levels, x, y[0], y[2], view->mirror * v_slip, view->mirror * y[1]);
+}
+
+static void balanced_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    jlt_balanced_from_state(&view->top, &y[0], &y[1], &y[2], x);
+    y[3] = jlt_top_sine(y[0]);
+}
+
+static void balanced_extract(const jlt_tier_view *view, double *x, const double *y)
+{
+    jlt_balanced_to_state(&view->top, &view->levels, x, y[0], y[3], y[1], y[2]);
+}
+
+static void level_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    jlt_chart_top_state(&view->chart, y, x[JLT_TOP_GAMMA3], x[JLT_TOP_V_NU], x[JLT_TOP_OMEGA_TAU], x[JLT_TOP_OMEGA_N],
+                        x[JLT_TOP_OMEGA3]);
+}
+
+static void level_extract(const jlt_tier_view *view, double *x, const double *y)
+{
+    x[JLT_TOP_GAMMA3] = y[JLT_CHART_TOP_GAMMA3];
+    x[JLT_TOP_V_NU] = y[JLT_CHART_TOP_V_NU];
+    x[JLT_TOP_OMEGA_TAU] = y[JLT_CHART_TOP_OMEGA_TAU];
+    jlt_chart_top_rotation(&view->chart, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], y);
+}
+
+/* The two single charts of a level of G, in t: gamma3, v_nu, omega_tau, and the rotation that is left. */
+static void without_omega_n_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    (void)view;
+    memcpy(y, x, 3 * sizeof *y);
+    y[3] = x[JLT_TOP_OMEGA3];
+}
+
+static void without_omega_n_extract(const jlt_tier_view *view, double *x, const double *y)
+{
+    const jlt_top *top = &view->top;
+    memcpy(x, y, 3 * sizeof *x);
+    x[JLT_TOP_OMEGA3] = y[3];
+    x[JLT_TOP_OMEGA_N] = (view->G + top->I3 * (top->a3 + top->R * y[0]) * y[3]) / (top->I1 * top->R * jlt_top_sine(y[0]));
+}
+
+static void without_omega3_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    (void)view;
+    memcpy(y, x, 4 * sizeof *y);
+}
+
+static void without_omega3_extract(const jlt_tier_view *view, double *x, const double *y)
+{
+    const jlt_top *top = &view->top;
+    memcpy(x, y, 4 * sizeof *x);
+    x[JLT_TOP_OMEGA3] = (top->I1 * top->R * jlt_top_sine(y[0]) * y[3] - view->G) / (top->I3 * (top->a3 + top->R * y[0]));
+}
+
+static void five_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    (void)view;
+    memcpy(y, x, JLT_TOP_STATES * sizeof *y);
+    y[JLT_TOP_STATES] = jlt_top_sine(x[JLT_TOP_GAMMA3]);
+}
+
+static void plain_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    (void)view;
+    memcpy(y, x, JLT_TOP_STATES * sizeof *y);
+}
+
+static void five_extract(const jlt_tier_view *view, double *x, const double *y)
+{
+    (void)view;
+    memcpy(x, y, JLT_TOP_STATES * sizeof *x);
+}
+
+/* chi, spin, x, y after the five; the contact point starts at the origin, nu along x. */
+static void track_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    memcpy(y, x, JLT_TOP_STATES * sizeof *y);
+    y[9] = jlt_top_sine(x[JLT_TOP_GAMMA3]);
+    y[5] = y[6] = y[8] = 0;
+    y[7] = view->top.a3 * y[9];
+}
+
+static void track_orient(const jlt_tier_view *view, jlt_attitude *out, const double *y)
+{
+    jlt_attitude_from_angles(out, &view->top, y[0], y[9], y[5], y[6], &y[7]);
+}
+
+/* gamma, v, omega, alpha, beta, x, y; the same start: tau = e1, n = e2. */
+enum { FULL_GAMMA = 0, FULL_V = 3, FULL_OMEGA = 6, FULL_ALPHA = 9, FULL_BETA = 12, FULL_CENTRE = 15 };
+
+static void full_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    const double gamma3 = x[JLT_TOP_GAMMA3], s = jlt_top_sine(gamma3);
+    const double v_nu = x[JLT_TOP_V_NU], v_tau = jlt_top_v_tau(&view->top, x);
+    const double v_gamma = view->top.a3 * s * x[JLT_TOP_OMEGA_TAU];
+    const double full[] = { 0, -s, gamma3,
+                            v_tau, gamma3 * v_nu - s * v_gamma, s * v_nu + gamma3 * v_gamma,
+                            x[JLT_TOP_OMEGA_TAU], x[JLT_TOP_OMEGA_N], x[JLT_TOP_OMEGA3],
+                            0, gamma3, s,
+                            -1, 0, 0,
+                            view->top.a3 * s, 0 };
+    memcpy(y, full, sizeof full);
+}
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void full_extract(const jlt_tier_view *view, double *x, const double *y)
+{
+    const double *gamma = y + FULL_GAMMA, *v = y + FULL_V, *omega = y + FULL_OMEGA;
+    const double s = hypot(gamma[0], gamma[1]);
+    const double tau[3] = { -gamma[1] / s, gamma[0] / s, 0 };
+    const double n[3] = { -gamma[0] / s, -gamma[1] / s, 0 };
+    const double nu[3] = { gamma[2] * n[0], gamma[2] * n[1], s };
+
+    (void)view;
+    x[JLT_TOP_GAMMA3] = gamma[2];
+    x[JLT_TOP_V_NU] = dot(v, nu);
+    x[JLT_TOP_OMEGA_TAU] = dot(omega, tau);
+    x[JLT_TOP_OMEGA_N] = dot(omega, n);
+    x[JLT_TOP_OMEGA3] = omega[2];
+}
+
+static void full_orient(const jlt_tier_view *view, jlt_attitude *out, const double *y)
+{
+    double axes[3][3];
+
+    memcpy(axes[0], y + FULL_ALPHA, sizeof axes[0]);
+    memcpy(axes[1], y + FULL_BETA, sizeof axes[1]);
+    memcpy(axes[2], y + FULL_GAMMA, sizeof axes[2]);
+    jlt_attitude_from_axes(out, &view->top, (const double (*)[3])axes, y + FULL_CENTRE);
+}
+
+/* ---- the table ---- */
+
+const jlt_tier jlt_tiers[] = {
+    { "quadrature", "I3 = 0: tilt, turn and time by quadratures, nothing is integrated in time", 0,
+      NULL, NULL, NULL, false, false, 0, needs_rod, NULL, NULL, NULL },
+    { "plane", "a3 = 0: the flow on a half of M^2, levels of E, G and F0 fixed", 2,
+      "spherical_top_plane", "regular", NULL, false, false, 3, needs_halves, plane_embed, plane_extract, NULL },
+    { "balanced", "a3 = 0: M^2 whole, in three states on levels of G and of the horizontal momentum", 3,
+      "spherical_top_balanced", "regular", NULL, false, false, 4, needs_balance, balanced_embed, balanced_extract, NULL },
+    { "level", "four states on a level of G, in coordinates that divide by nothing small", 4,
+      "spherical_top_level", "regular", NULL, false, false, 5, NULL, level_embed, level_extract, NULL },
+    { "level_plain", "the same in t: steps collapse at the poles", 4,
+      "spherical_top_level", NULL, NULL, true, false, 4, NULL, level_embed, level_extract, NULL },
+    { "level_omega_n", "a level of G with omega_n eliminated: loses digits near the poles", 4,
+      "spherical_top", NULL, "level_G", true, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL },
+    { "level_omega3", "a level of G with omega3 eliminated: loses digits near b = 0", 4,
+      "spherical_top", NULL, "level_G_omega3", true, false, 4, needs_spin, without_omega3_embed, without_omega3_extract,
+      NULL },
+    { "five", "the reduced system (3.2)", 5,
+      "spherical_top", "regular", NULL, false, false, 6, NULL, five_embed, five_extract, NULL },
+    { "five_plain", "the same in t: steps collapse at the poles", 5,
+      "spherical_top", NULL, NULL, true, false, 5, NULL, plain_embed, five_extract, NULL },
+    { "track", "the reduced system with attitude and track by quadratures", 9,
+      "spherical_top_track", "regular", NULL, false, true, 10, NULL, track_embed, five_extract, track_orient },
+    { "full", "the full system (2.7) with (2.1): every vector by its components", 17,
+      "spherical_top_full", NULL, NULL, false, true, 17, NULL, full_embed, full_extract, full_orient },
+    { NULL, NULL, 0, NULL, NULL, NULL, false, false, 0, NULL, NULL, NULL, NULL },
+};
+
+const jlt_tier *jlt_tier_find(const char *name)
+{
+    for (const jlt_tier *tier = jlt_tiers; tier->name != NULL; tier++)
+        if (strcmp(tier->name, name) == 0) return tier;
+    return NULL;
+}
+
+void jlt_tier_look(jlt_tier_view *out, const jlt_tier *tier, const jlt_descriptor *descriptor, const jlt_top *top,
+                   const double *x)
+{
+    const double v_slip = x[JLT_TOP_V_NU] + top->R * x[JLT_TOP_OMEGA_TAU];
+
+    *out = (jlt_tier_view){ .top = *top, .descriptor = descriptor, .G = jlt_top_jellett(top, x), .mirror = 1 };
+    memcpy(out->start, x, sizeof out->start);
+    jlt_chart_top_init(&out->chart, top->m, top->R, top->g, top->I1, top->I3, top->a3, jlt_top_energy(top, x), out->G);
+    jlt_balanced_levels_of(&out->levels, top, x);
+    if (tier->refuses == needs_halves && v_slip < 0) out->mirror = -1;
+}
+
+jlt_status jlt_tier_params(double *params, const jlt_tier_view *view)
+{
+    const struct {
+        const char *name;
+        double value;
+    } known[] = { { "m", view->top.m }, { "R", view->top.R }, { "g", view->top.g }, { "a3", view->top.a3 },
+                  { "I1", view->top.I1 }, { "I3", view->top.I3 }, { "G", view->G }, { "G_level", view->G },
+                  { "M", view->levels.M }, { "F0", view->levels.F0 } };
+
+    for (unsigned i = 0; i < view->descriptor->param_count; i++) {
+        size_t k = 0;
+        while (k < sizeof known / sizeof *known && strcmp(known[k].name, view->descriptor->params[i].name) != 0) k++;
+        if (k == sizeof known / sizeof *known) return JLT_ERR_UNSUPPORTED;
+        params[i] = known[k].value;
+    }
+    return JLT_OK;
+}

@@ -1,0 +1,53 @@
+/** Tiers: the same motion by models of different size.
+ *
+ *  The system as a whole is 17-dimensional. What is asked of it often needs less: the attitude and the track follow from
+ *  five states by quadratures, those five live on levels of integrals, and in special cases little or nothing is left to
+ *  integrate. A tier says which kernel does the work, whom it serves, and how its coordinates and the five reduced states
+ *  become each other. The table goes from the smallest to the largest; comparisons are taken by name only. */
+#ifndef JLT_SCENE_TIER_H
+#define JLT_SCENE_TIER_H
+
+#include <stdbool.h>
+
+#include "dynamics/chart_top.h"
+#include "scene/attitude.h"
+#include "scene/balanced.h"
+
+/** What a tier knows of an orbit besides its own coordinates: parameters and the levels of the start. */
+typedef struct {
+    jlt_top top;
+    const jlt_descriptor *descriptor; /* of the tier's kernel */
+    double start[JLT_TOP_STATES];
+    double G;
+    jlt_chart_top chart;              /* level of G */
+    jlt_balanced_levels levels;       /* a3 = 0 */
+    int mirror;                       /* -1: the reversor's image is integrated, in reversed time */
+} jlt_tier_view;
+
+typedef struct {
+    const char *name, *meaning;
+    unsigned dimension;                 /* of the flow that is integrated, without a lifted root; 0: none is */
+    const char *model, *time, *elimination; /* of its kernel; model NULL: none */
+    bool by_name;                       /* a comparison: never chosen by the planner */
+    bool attitude;                      /* gives attitude and track */
+    unsigned columns;                   /* of its kernel, with a lifted root */
+    const char *(*refuses)(const jlt_top *top, const double *x); /* why it does not serve, NULL when it does; may be NULL */
+    void (*embed)(const jlt_tier_view *view, double *y, const double *x);
+    void (*extract)(const jlt_tier_view *view, double *x, const double *y);
+    void (*orient)(const jlt_tier_view *view, jlt_attitude *out, const double *y); /* NULL without attitude */
+} jlt_tier;
+
+/** The table; ends with a NULL name. */
+extern const jlt_tier jlt_tiers[];
+
+const jlt_tier *jlt_tier_find(const char *name); /* NULL when there is none */
+
+/** Levels and reversal for an orbit from x, shape (JLT_TOP_STATES,). */
+void jlt_tier_look(jlt_tier_view *out, const jlt_tier *tier, const jlt_descriptor *descriptor, const jlt_top *top,
+                   const double *x);
+
+/** The kernel's parameters by name: the top's, the levels it asks for (G, G_level, M, F0).
+ *  params: shape (descriptor->param_count,). Errors: UNSUPPORTED, one that nobody knows. */
+JLT_CHECKED jlt_status jlt_tier_params(double *params, const jlt_tier_view *view);
+
+#endif
