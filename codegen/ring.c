@@ -71,6 +71,15 @@ static bool uses_generators(const ttc_ring *ring, const ttc_ratio *a)
     return false;
 }
 
+/* Whether a contains generator i, or one whose radicand does. */
+static bool depends(const ttc_ring *ring, const ttc_ratio *a, size_t i)
+{
+    if (ttc_ratio_uses(ring, a, ring->generators[i].variable)) return true;
+    for (size_t k = i + 1; k < ring->generator_count; k++)
+        if (ttc_ratio_uses(ring, &ring->generators[k].square, ring->generators[i].variable) && depends(ring, a, k)) return true;
+    return false;
+}
+
 /* A square in the whole field has a norm that is a square in Q(variables). */
 static bool norm_is_square(ttc_ring *ring, const ttc_ratio *a)
 {
@@ -85,7 +94,7 @@ static bool norm_is_square(ttc_ring *ring, const ttc_ratio *a)
     ttc_ratio_norm(ring, polynomial, &norm);
     bool square = fmpz_mpoly_is_square(polynomial, ring->context) != 0;
     for (size_t i = 0; i < ring->generator_count; i++)
-        if (!fmpz_mpoly_is_fmpz(ring->generators[i].square.denominator, ring->context)) square = true;
+        if (depends(ring, a, i) && !fmpz_mpoly_is_fmpz(ring->generators[i].square.denominator, ring->context)) square = true;
     fmpz_mpoly_clear(polynomial, ring->context);
     fmpz_mpoly_clear(product, ring->context);
     ttc_ratio_clear(ring, &norm);
