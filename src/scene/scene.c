@@ -121,6 +121,15 @@ done:
     return st;
 }
 
+/* An end of a range: a number, or pi. */
+static jlt_status append_end(const reader *r, const config_setting_t *at, value *v, const char *name)
+{
+    const char *string = config_setting_type(at) == CONFIG_TYPE_STRING ? config_setting_get_string(at) : "";
+
+    if (strcmp(string, "pi") == 0 || strcmp(string, "-pi") == 0) return append(r, at, v, string);
+    return append_number(r, at, v, name);
+}
+
 /* [first, last, how many] */
 static jlt_status append_range(const reader *r, const config_setting_t *at, value *v, const char *name)
 {
@@ -128,9 +137,9 @@ static jlt_status append_range(const reader *r, const config_setting_t *at, valu
 
     if (config_setting_length(at) != 3)
         return complain(r, line_of(at), "'%s' takes one number or [first, last, how many]", name);
-    JLT_TRY(append_number(r, config_setting_get_elem(at, 0), v, name));
+    JLT_TRY(append_end(r, config_setting_get_elem(at, 0), v, name));
     JLT_TRY(append(r, at, v, ":"));
-    JLT_TRY(append_number(r, config_setting_get_elem(at, 1), v, name));
+    JLT_TRY(append_end(r, config_setting_get_elem(at, 1), v, name));
     JLT_TRY(append(r, at, v, ":"));
     JLT_TRY(append_whole(r, config_setting_get_elem(at, 2), v, name, 1));
 done:
@@ -164,7 +173,9 @@ static jlt_status append_kind(const reader *r, const config_setting_t *at, value
     case JLT_KEY_SEED: return append_whole(r, at, v, key->key, 0);
     case JLT_KEY_NUMBERS: return append_list(r, at, v, key->key);
     case JLT_KEY_GROUP: return append_group(r, at, v, key->key, false);
-    case JLT_KEY_RANGES: return append_group(r, at, v, key->key, true);
+    case JLT_KEY_RANGES:
+        if (config_setting_type(at) == CONFIG_TYPE_STRING) return append(r, at, v, config_setting_get_string(at));
+        return append_group(r, at, v, key->key, true);
     case JLT_KEY_FLAG:
         if (config_setting_type(at) == CONFIG_TYPE_BOOL) return JLT_OK;
         return complain(r, line_of(at), "'%s' takes true or false", key->key);

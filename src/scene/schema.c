@@ -6,7 +6,7 @@
 
 /* Where results go; every command that computes rows knows these. */
 #define OUTPUT_KEYS                                                                              \
-    { "output", "output", JLT_KEY_TEXT }, { "plot", "plot", JLT_KEY_TEXT }, { "keep", "keep", JLT_KEY_FLAG }
+    { "output", "output", JLT_KEY_TEXT }, { "plot", "plot", JLT_KEY_TEXT }, { "keep", "keep", JLT_KEY_TEXT }
 
 static const jlt_key simulate_keys[] = {
     { "start", "start", JLT_KEY_GROUP },   { "times", "times", JLT_KEY_NUMBERS }, { "until", "until", JLT_KEY_NUMBER },

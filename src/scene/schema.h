@@ -10,9 +10,9 @@ typedef enum {
     JLT_KEY_SEED,    /* a whole number >= 0 */
     JLT_KEY_TEXT,
     JLT_KEY_FLAG,    /* true or false */
-    JLT_KEY_NUMBERS, /* [0, 0.5, "1/3"] -> 0,0.5,1/3 */
+    JLT_KEY_NUMBERS, /* (0, 0.5, "1/3") -> 0,0.5,1/3 */
     JLT_KEY_GROUP,   /* { a = 1; b = 2; } -> a=1,b=2 */
-    JLT_KEY_RANGES   /* { a = 1; b = [-1, 1, 21]; } -> a=1,b=-1:1:21 (first, last, how many) */
+    JLT_KEY_RANGES   /* { a = 1; b = [-1, 1, 21]; } -> a=1,b=-1:1:21 (first, last, how many); or a text such as "24x16" */
 } jlt_key_kind;
 
 typedef struct {

@@ -39,6 +39,12 @@ static const char *needs_spin(const jlt_top *top, const double *x)
     return top->I3 == 0 ? "I3 = 0: G does not contain omega3" : NULL;
 }
 
+static const char *needs_inertia(const jlt_top *top, const double *x)
+{
+    (void)x;
+    return top->I3 == 0 ? "I3 = 0: its table asks for I3 > 0" : NULL;
+}
+
 /* ---- coordinates ---- */
 
 static void plane_embed(const jlt_tier_view *view, double *y, const double *x)
@@ -79,6 +85,15 @@ static void level_extract(const jlt_tier_view *view, double *x, const double *y)
     x[JLT_TOP_V_NU] = y[JLT_CHART_TOP_V_NU];
     x[JLT_TOP_OMEGA_TAU] = y[JLT_CHART_TOP_OMEGA_TAU];
     jlt_chart_top_rotation(&view->chart, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], y);
+}
+
+static void level_plain_extract(const jlt_tier_view *view, double *x, const double *y)
+{
+    double lifted[JLT_CHART_TOP_S + 1];
+
+    memcpy(lifted, y, JLT_CHART_TOP_S * sizeof *lifted);
+    lifted[JLT_CHART_TOP_S] = jlt_top_sine(y[JLT_CHART_TOP_GAMMA3]);
+    level_extract(view, x, lifted);
 }
 
 /* The two single charts of a level of G, in t: gamma3, v_nu, omega_tau, and the rotation that is left. */
@@ -203,7 +218,7 @@ const jlt_tier jlt_tiers[] = {
     { "level", "four states on a level of G, in coordinates that divide by nothing small", 4,
       "spherical_top_level", "regular", NULL, false, false, 5, NULL, level_embed, level_extract, NULL },
     { "level_plain", "the same in t: steps collapse at the poles", 4,
-      "spherical_top_level", NULL, NULL, true, false, 4, NULL, level_embed, level_extract, NULL },
+      "spherical_top_level", NULL, NULL, true, false, 4, NULL, level_embed, level_plain_extract, NULL },
     { "level_omega_n", "a level of G with omega_n eliminated: loses digits near the poles", 4,
       "spherical_top", NULL, "level_G", true, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL },
     { "level_omega3", "a level of G with omega3 eliminated: loses digits near b = 0", 4,
@@ -216,7 +231,7 @@ const jlt_tier jlt_tiers[] = {
     { "track", "the reduced system with attitude and track by quadratures", 9,
       "spherical_top_track", "regular", NULL, false, true, 10, NULL, track_embed, five_extract, track_orient },
     { "full", "the full system (2.7) with (2.1): every vector by its components", 17,
-      "spherical_top_full", NULL, NULL, false, true, 17, NULL, full_embed, full_extract, full_orient },
+      "spherical_top_full", NULL, NULL, false, true, 17, needs_inertia, full_embed, full_extract, full_orient },
     { NULL, NULL, 0, NULL, NULL, NULL, false, false, 0, NULL, NULL, NULL, NULL },
 };
 

@@ -1,4 +1,4 @@
-#include "scene/motion.h"
+#include "scene/course.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 
 enum { INTEGRALS_MAX = 8 };
 
-struct jlt_motion {
+struct jlt_course {
     const jlt_tier *tier; /* NULL: the model's own kernel */
     jlt_tier_view view;
     bool has_top;
@@ -30,30 +30,30 @@ struct jlt_motion {
     double y[JLT_FIELD_DIM_MAX];
 };
 
-unsigned jlt_motion_integrals(const jlt_motion *self)
+unsigned jlt_course_integrals(const jlt_course *self)
 {
     const unsigned count = self->watch->descriptor->integral_count;
     if (self->watch->descriptor->integral_values.call == NULL) return 0;
     return count < INTEGRALS_MAX ? count : INTEGRALS_MAX;
 }
 
-const char *jlt_motion_integral(const jlt_motion *self, unsigned index)
+const char *jlt_course_integral(const jlt_course *self, unsigned index)
 {
     return self->watch->descriptor->integrals[index].name;
 }
 
-static void integrals(const jlt_motion *self, double *values, const double *x)
+static void integrals(const jlt_course *self, double *values, const double *x)
 {
     double all[JLT_PLAN_STATES_MAX];
 
-    if (jlt_motion_integrals(self) == 0) return;
+    if (jlt_course_integrals(self) == 0) return;
     self->watch->descriptor->integral_values.call(x, self->watch->block, all);
-    memcpy(values, all, jlt_motion_integrals(self) * sizeof *values);
+    memcpy(values, all, jlt_course_integrals(self) * sizeof *values);
 }
 
 /* The tier's kernel bound to its parameters, and an orbit from the start. */
-static jlt_status open_orbit(jlt_motion *self, const jlt_candidate *chosen, const jlt_question *question,
-                             const jlt_motion_options *options)
+static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, const jlt_question *question,
+                             const jlt_course_options *options)
 {
     jlt_status st = JLT_OK;
     double params[JLT_PLAN_PARAMS_MAX];
@@ -75,13 +75,13 @@ done:
     return st;
 }
 
-jlt_status jlt_motion_create(jlt_motion **out, const jlt_plan *plan, const jlt_question *question,
-                             const jlt_motion_options *options)
+jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
+                             const jlt_course_options *options)
 {
     jlt_status st = JLT_OK;
     const jlt_candidate *chosen = &plan->candidates[plan->chosen];
     const jlt_descriptor *model = question->model;
-    jlt_motion *self = NULL;
+    jlt_course *self = NULL;
 
     *out = NULL;
     if (model->state_count > JLT_PLAN_STATES_MAX || plan->reduced->integral_count > JLT_PLAN_STATES_MAX)
@@ -109,11 +109,11 @@ jlt_status jlt_motion_create(jlt_motion **out, const jlt_plan *plan, const jlt_q
     *out = self;
     self = NULL;
 done:
-    jlt_motion_destroy(self);
+    jlt_course_destroy(self);
     return st;
 }
 
-void jlt_motion_destroy(jlt_motion *self)
+void jlt_course_destroy(jlt_course *self)
 {
     if (self == NULL) return;
     jlt_orbit_destroy(self->orbit);
@@ -123,13 +123,13 @@ void jlt_motion_destroy(jlt_motion *self)
 }
 
 /* Everything a row says of the states in self->x. */
-static void fill(jlt_motion *self, jlt_motion_row *row, jlt_end end, double t)
+static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
 {
     double now[INTEGRALS_MAX];
 
-    *row = (jlt_motion_row){ .end = end, .t = t, .x = self->x, .drift = self->drift, .contact_force = NAN };
+    *row = (jlt_course_row){ .end = end, .t = t, .x = self->x, .drift = self->drift, .contact_force = NAN };
     integrals(self, now, self->x);
-    for (unsigned i = 0; i < jlt_motion_integrals(self); i++)
+    for (unsigned i = 0; i < jlt_course_integrals(self); i++)
         self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
     if (self->has_top) row->contact_force = jlt_top_contact_force(&self->view.top, self->x);
     if (end == JLT_END_POLE) row->side = self->x[JLT_TOP_GAMMA3] > 0 ? 1 : -1;
@@ -139,13 +139,13 @@ static void fill(jlt_motion *self, jlt_motion_row *row, jlt_end end, double t)
     }
 }
 
-static void extract(jlt_motion *self)
+static void extract(jlt_course *self)
 {
     if (self->tier == NULL) memcpy(self->x, self->y, self->states * sizeof *self->x);
     else if (self->tier->extract != NULL) self->tier->extract(&self->view, self->x, self->y);
 }
 
-static jlt_status along_orbit(jlt_motion *self, double t, jlt_motion_row *row)
+static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
 {
     jlt_status st = JLT_OK;
     const int mirror = self->tier != NULL ? self->view.mirror : 1;
@@ -166,7 +166,7 @@ done:
     return st;
 }
 
-jlt_status jlt_motion_to(jlt_motion *self, double t, jlt_motion_row *row)
+jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
 {
     jlt_status st = JLT_OK;
 
@@ -185,7 +185,7 @@ done:
     return st;
 }
 
-void jlt_motion_cost(const jlt_motion *self, size_t *steps, size_t *evaluations)
+void jlt_course_cost(const jlt_course *self, size_t *steps, size_t *evaluations)
 {
     *steps = *evaluations = 0;
     if (self->orbit == NULL) return;

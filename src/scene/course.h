@@ -1,11 +1,11 @@
 /** One motion in the tier of a plan: the asked model's states at times, with what is watched.
  *
- *      JLT_TRY(jlt_motion_create(&motion, &plan, &question, &options));
- *      for (...) JLT_TRY(jlt_motion_to(motion, t, &row));          // times in one direction, row.end == JLT_END_TIME
+ *      JLT_TRY(jlt_course_create(&course, &plan, &question, &options));
+ *      for (...) JLT_TRY(jlt_course_to(course, t, &row));          // times in one direction, row.end == JLT_END_TIME
  *
  *  Whatever the tier, rows hold the states of the model that was asked about, so that tiers can be compared. */
-#ifndef JLT_SCENE_MOTION_H
-#define JLT_SCENE_MOTION_H
+#ifndef JLT_SCENE_COURSE_H
+#define JLT_SCENE_COURSE_H
 
 #include "integrate/orbit.h"
 #include "scene/plan.h"
@@ -15,36 +15,36 @@ typedef struct {
     double tolerance;                       /* of the local error, relative to scale; 0: 1e-12 */
     size_t max_steps;                       /* of one call; 0: 10^7 */
     const volatile sig_atomic_t *interrupt; /* may be NULL */
-} jlt_motion_options;
+} jlt_course_options;
 
 typedef struct {
     jlt_end end;              /* TIME; POLE: the orbit ends here; INTERRUPT: t was not reached */
     double t;
-    const double *x;          /* shape (states of the asked model,), the motion's own, valid until the next call */
+    const double *x;          /* shape (states of the asked model,), the course's own, valid until the next call */
     const double *drift;      /* shape (integrals,): |F - F(start)|/max(1, |F(start)|) */
     double contact_force;     /* NaN when the model has no such notion */
     bool has_attitude;
     jlt_attitude attitude;
     int side;                 /* POLE: sign of gamma3 there */
-} jlt_motion_row;
+} jlt_course_row;
 
-typedef struct jlt_motion jlt_motion;
+typedef struct jlt_course jlt_course;
 
 /** question and plan are copied; what they point to must live on only for descriptors.
  *  Errors: UNSUPPORTED (no kernel), those of jlt_orbit_create and jlt_rod_open, NONFINITE, NOMEM. */
-JLT_CHECKED jlt_status jlt_motion_create(jlt_motion **out, const jlt_plan *plan, const jlt_question *question,
-                                         const jlt_motion_options *options);
-void jlt_motion_destroy(jlt_motion *self); /* NULL is legal */
+JLT_CHECKED jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
+                                         const jlt_course_options *options);
+void jlt_course_destroy(jlt_course *self); /* NULL is legal */
 
 /** Go to time t; the start is at 0, and t must not turn back. *row is filled in any case in which JLT_OK is returned.
  *  Errors: NONFINITE, NO_PROGRESS, BUDGET (the row then holds the last point reached), ARG (t turns back). */
-JLT_CHECKED jlt_status jlt_motion_to(jlt_motion *self, double t, jlt_motion_row *row);
+JLT_CHECKED jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row);
 
 /** Number and names of the integrals watched. */
-unsigned jlt_motion_integrals(const jlt_motion *self);
-const char *jlt_motion_integral(const jlt_motion *self, unsigned index);
+unsigned jlt_course_integrals(const jlt_course *self);
+const char *jlt_course_integral(const jlt_course *self, unsigned index);
 
 /** Steps and evaluations of the field so far; both 0 for quadratures. */
-void jlt_motion_cost(const jlt_motion *self, size_t *steps, size_t *evaluations);
+void jlt_course_cost(const jlt_course *self, size_t *steps, size_t *evaluations);
 
 #endif

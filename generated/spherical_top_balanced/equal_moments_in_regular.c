@@ -1,0 +1,412 @@
+/* Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum
+ *
+ *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
+ *  Variant:    equal_moments: I1 = I3
+ *  Time:       regular: dt = (s) dtau; states of their own: s
+ *  Table:      spherical_top_balanced, SHA-256 0ddd7fb625ad215ee6ba7dd03cd46bb3f8988e6221e25d76ceb82075cfb44a88
+ *  Command:    ttc generate --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
+ *
+ *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
+ *  rhs                 1    9    4    1    0    2      5    6   (41)
+ *  jacobian            1   22    6    1    0    2      7    9   (100)
+ *  rhs_jacobian        3   24    6    1    0    2      8   11   (123)
+ *  divergence          1    5    4    1    0    1      9    4   (26)
+ *  integral_values     0    2    0    0    0    0      2    2   (4)
+ *  integral_gradients  0    1    0    0    0    0      1    1   (4)
+ *  time_factor         0    0    0    0    0    0      0    0   (0)
+ *
+ *  Accuracy: divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are.
+ */
+#include "kernel_abi.h"
+#include "kernel_arithmetic.h"
+#include "kernel_jet.h"
+
+#include <math.h>
+
+extern const char jlt_table_spherical_top_balanced[];
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular;
+extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_equal_moments_in_regular_baseline;
+extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_equal_moments_in_regular_avx2;
+extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_equal_moments_in_regular_avx512;
+
+static void impose(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[3];
+    out[3] = params[3];
+    out[4] = params[4];
+    out[5] = params[5];
+}
+
+static void prepare(const double *restrict params, double *restrict out)
+{
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[2];
+    out[3] = params[3];
+    out[4] = params[4];
+    out[5] = params[5];
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = params[0]*t0; /* m*R*R */
+    const double t2 = params[3] + t1; /* J1 = I3 + m*R*R */
+    const double t3 = 1.0/t2; /* 1/J1 */
+    const double t4 = params[0]*params[1]; /* m*R */
+    const double t5 = params[3]*params[3]; /* I3*I3 */
+    const double t6 = params[3]*t1; /* I3*m*R*R */
+    const double t7 = t2*params[4]; /* J1*G */
+    const double t8 = t7/params[1]; /* J1*G/R */
+    const double t9 = params[3]*params[5]; /* I3*M */
+    const double t10 = t4/t2; /* m*R/J1 */
+    const double t11 = params[5]/t2; /* M/J1 */
+    const double t12 = 2.0/t2; /* 2/J1 */
+    const double t13 = params[0]*2.0; /* m*2 */
+    const double t14 = t0*t13; /* R*R*m*2 */
+    const double t15 = params[3]*t14; /* I3*R*R*m*2 */
+    const double t16 = -t9; /* -I3*M */
+    const double t17 = (-1.0)/t2; /* (-1)/J1 */
+    const double t18 = -t10; /* -m*R/J1 */
+    const double t19 = params[0]*t5; /* m*I3*I3 */
+    const double t20 = t5*t13; /* I3*I3*m*2 */
+    out[6] = t3;
+    out[7] = t4;
+    out[8] = t5;
+    out[9] = t6;
+    out[10] = t8;
+    out[11] = t9;
+    out[12] = t10;
+    out[13] = t11;
+    out[14] = t12;
+    out[15] = t15;
+    out[16] = t16;
+    out[17] = t17;
+    out[18] = t18;
+    out[19] = t19;
+    out[20] = t20;
+}
+
+static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = x[3]*x[3]; /* s*s */
+    const double t1 = p[7]*x[1]; /* m*R*v_slip */
+    const double t2 = sin(x[2]); /* S = sin(psi) */
+    const double t3 = JLT_FNMA(p[5], t2, t1); /* m*R*v_slip - M*S */
+    const double t4 = p[6]*t3; /* 1/J1*(m*R*v_slip - M*S) */
+    const double t5 = t0*t4; /* s*s*1/J1*(m*R*v_slip - M*S) */
+    const double t6 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t7 = JLT_FMA(p[9], t6, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t8 = 1.0/t7; /* 1/Theta */
+    const double t9 = x[3]*p[10]; /* s*G*J3/R */
+    const double t10 = cos(x[2]); /* C = cos(psi) */
+    const double t11 = x[0]*p[11]; /* gamma3*I3*M */
+    const double t12 = JLT_FMA(t10, t11, t9); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t13 = t8*t12; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t14 = x[3]*x[0]; /* s*gamma3 */
+    const double t15 = t4*t14; /* 1/J1*(m*R*v_slip - M*S)*s*gamma3 */
+    const double t16 = -t15; /* -1/J1*(m*R*v_slip - M*S)*s*gamma3 */
+    out[0] = t5;
+    out[1] = 0.0;
+    out[2] = t13;
+    out[3] = t16;
+}
+
+static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = x[3]*x[3]; /* s*s */
+    const double t1 = p[12]*t0; /* m*R/J1*s*s */
+    const double t2 = cos(x[2]); /* C = cos(psi) */
+    const double t3 = p[13]*t2; /* M/J1*C */
+    const double t4 = t0*t3; /* s*s*M/J1*C */
+    const double t5 = -t4; /* -s*s*M/J1*C */
+    const double t6 = p[7]*x[1]; /* m*R*v_slip */
+    const double t7 = sin(x[2]); /* S = sin(psi) */
+    const double t8 = JLT_FNMA(p[5], t7, t6); /* m*R*v_slip - M*S */
+    const double t9 = x[3]*t8; /* s*(m*R*v_slip - M*S) */
+    const double t10 = p[14]*t9; /* 2/J1*s*(m*R*v_slip - M*S) */
+    const double t11 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t12 = JLT_FMA(p[9], t11, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t13 = 1.0/t12; /* 1/Theta */
+    const double t14 = t2*p[11]; /* C*I3*M */
+    const double t15 = x[3]*p[10]; /* s*G*J3/R */
+    const double t16 = JLT_FMA(x[0], t14, t15); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t17 = p[15]*t16; /* 2*m*R^2*I3*(gamma3*C*I3*M + s*G*J3/R) */
+    const double t18 = x[0]*t13; /* gamma3*1/Theta */
+    const double t19 = JLT_FNMA(t17, t18, t14); /* C*I3*M - 2*m*R^2*I3*(gamma3*C*I3*M + s*G*J3/R)*gamma3*1/Theta */
+    const double t20 = t13*t19; /* 1/Theta*t19 */
+    const double t21 = t18*p[16]; /* gamma3*1/Theta*(-I3*M) */
+    const double t22 = t7*t21; /* S*gamma3*1/Theta*(-I3*M) */
+    const double t23 = x[3]*t13; /* s*1/Theta */
+    const double t24 = JLT_FNMA(t17, t23, p[10]); /* G*J3/R - 2*m*R^2*I3*(gamma3*C*I3*M + s*G*J3/R)*s*1/Theta */
+    const double t25 = t13*t24; /* 1/Theta*(G*J3/R - 2*m*R^2*I3*(gamma3*C*I3*M + s*G*J3/R)*s*1/Theta) */
+    const double t26 = t9*p[17]; /* s*(m*R*v_slip - M*S)*(-1/J1) */
+    const double t27 = x[3]*x[0]; /* s*gamma3 */
+    const double t28 = p[18]*t27; /* (-m*R/J1)*s*gamma3 */
+    const double t29 = t3*t27; /* M/J1*C*s*gamma3 */
+    const double t30 = x[0]*p[17]; /* gamma3*(-1/J1) */
+    const double t31 = t8*t30; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
+    out[0] = 0.0;
+    out[1] = t1;
+    out[2] = t5;
+    out[3] = t10;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[8] = t20;
+    out[9] = 0.0;
+    out[10] = t22;
+    out[11] = t25;
+    out[12] = t26;
+    out[13] = t28;
+    out[14] = t29;
+    out[15] = t31;
+}
+
+static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = p[7]*x[1]; /* m*R*v_slip */
+    const double t1 = sin(x[2]); /* S = sin(psi) */
+    const double t2 = JLT_FNMA(p[5], t1, t0); /* m*R*v_slip - M*S */
+    const double t3 = x[3]*t2; /* s*(m*R*v_slip - M*S) */
+    const double t4 = p[6]*t3; /* 1/J1*s*(m*R*v_slip - M*S) */
+    const double t5 = x[3]*t4; /* s*1/J1*s*(m*R*v_slip - M*S) */
+    const double t6 = x[3]*x[3]; /* s*s */
+    const double t7 = JLT_FMA(x[0], x[0], t6); /* gamma3*gamma3 + s*s */
+    const double t8 = JLT_FMA(p[9], t7, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t9 = 1.0/t8; /* 1/Theta */
+    const double t10 = x[3]*p[10]; /* s*G*J3/R */
+    const double t11 = cos(x[2]); /* C = cos(psi) */
+    const double t12 = p[11]*t11; /* I3*M*C */
+    const double t13 = JLT_FMA(x[0], t12, t10); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t14 = t9*t13; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t15 = t4*x[0]; /* 1/J1*s*(m*R*v_slip - M*S)*gamma3 */
+    const double t16 = -t15; /* -1/J1*s*(m*R*v_slip - M*S)*gamma3 */
+    const double t17 = t6*p[12]; /* s*s*m*R/J1 */
+    const double t18 = t11*p[13]; /* C*M/J1 */
+    const double t19 = t6*t18; /* s*s*C*M/J1 */
+    const double t20 = -t19; /* -s*s*C*M/J1 */
+    const double t21 = t3*p[14]; /* s*(m*R*v_slip - M*S)*2/J1 */
+    const double t22 = t9*t12; /* 1/Theta*I3*M*C */
+    const double t23 = x[0]*t9; /* gamma3*1/Theta */
+    const double t24 = t14*p[15]; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t25 = JLT_FNMA(t23, t24, t22); /* 1/Theta*I3*M*C - gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t26 = t23*p[16]; /* gamma3*1/Theta*(-I3*M) */
+    const double t27 = t1*t26; /* S*gamma3*1/Theta*(-I3*M) */
+    const double t28 = JLT_FNMA(x[3], t24, p[10]); /* G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t29 = t9*t28; /* 1/Theta*(G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3) */
+    const double t30 = -t4; /* -1/J1*s*(m*R*v_slip - M*S) */
+    const double t31 = x[3]*x[0]; /* s*gamma3 */
+    const double t32 = p[18]*t31; /* (-m*R/J1)*s*gamma3 */
+    const double t33 = t18*t31; /* C*M/J1*s*gamma3 */
+    const double t34 = x[0]*p[17]; /* gamma3*(-1/J1) */
+    const double t35 = t2*t34; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
+    out[0] = t5;
+    out[1] = 0.0;
+    out[2] = t14;
+    out[3] = t16;
+    out[4] = 0.0;
+    out[5] = t17;
+    out[6] = t20;
+    out[7] = t21;
+    out[8] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[11] = 0.0;
+    out[12] = t25;
+    out[13] = 0.0;
+    out[14] = t27;
+    out[15] = t29;
+    out[16] = t30;
+    out[17] = t32;
+    out[18] = t33;
+    out[19] = t35;
+}
+
+static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = sin(x[2]); /* S = sin(psi) */
+    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t2 = JLT_FMA(x[3], x[3], t1); /* s*s + gamma3*gamma3 */
+    const double t3 = JLT_FMA(p[9], t2, p[8]); /* Theta = m*R^2*I3*(s*s + gamma3*gamma3) + I3^2 */
+    const double t4 = 1.0/t3; /* 1/Theta */
+    const double t5 = p[11]*t4; /* I3*M*1/Theta */
+    const double t6 = t0*t5; /* S*I3*M*1/Theta */
+    const double t7 = p[7]*x[1]; /* m*R*v_slip */
+    const double t8 = JLT_FNMA(t0, p[5], t7); /* m*R*v_slip - S*M */
+    const double t9 = JLT_FMA(p[6], t8, t6); /* 1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta */
+    const double t10 = x[0]*t9; /* gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta) */
+    const double t11 = -t10; /* -gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta) */
+    out[0] = t11;
+}
+
+static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = p[19]*x[1]; /* m*I3^2*v_slip */
+    const double t1 = x[1]*t0; /* v_slip*m*I3^2*v_slip */
+    out[0] = t1;
+}
+
+static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = p[20]*x[1]; /* 2*m*I3^2*v_slip */
+    out[0] = 0.0;
+    out[1] = t0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+}
+
+static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)p;
+    out[0] = x[3];
+}
+
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double x3[JLT_JET_ORDER_MAX + 1];
+    double t1[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
+    double u8[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double u23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = x3[0] = x[3];
+    coefficients[4] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t1[k] = jlt_jet_product(x3, x3, k);
+        t5[k] = p[7]*x1[k];
+        t8[k] = jlt_jet_sine(x2, t8, u8, k);
+        t9[k] = t5[k] - p[5]*t8[k];
+        t10[k] = p[6]*t9[k];
+        t11[k] = jlt_jet_product(t1, t10, k);
+        t16[k] = jlt_jet_product(x0, x0, k) + t1[k];
+        t17[k] = p[9]*t16[k] + (k == 0 ? p[8] : 0);
+        t19[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t17, t19, k);
+        t21[k] = x3[k]*p[10];
+        t23[k] = jlt_jet_cosine(x2, t23, u23, k);
+        t24[k] = x0[k]*p[11];
+        t25[k] = jlt_jet_product(t23, t24, k) + t21[k];
+        t26[k] = jlt_jet_product(t19, t25, k);
+        t27[k] = jlt_jet_product(x3, x0, k);
+        t28[k] = jlt_jet_product(t10, t27, k);
+        t29[k] = -t28[k];
+        double *restrict next = coefficients + (k + 1)*5;
+        next[0] = x0[k + 1] = t11[k]/(k + 1);
+        next[1] = x1[k + 1] = (k == 0 ? 0.0 : 0)/(k + 1);
+        next[2] = x2[k + 1] = t26[k]/(k + 1);
+        next[3] = x3[k + 1] = t29[k]/(k + 1);
+        next[4] = x3[k]/(k + 1);
+    }
+}
+
+static void rhs_complex(const double complex *restrict x, const double *restrict params,
+                        double complex *restrict out)
+{
+    const double complex v_s = x[3];
+    const double v_I3 = params[3];
+    const double v_I1 = (v_I3);
+    const double v_m = params[0];
+    const double v_R = params[1];
+    const double complex v_J1 = (v_I1 + v_m*v_R*v_R);
+    const double complex v_v_slip = x[1];
+    const double v_M = params[5];
+    const double complex v_psi = x[2];
+    const double complex v_S = csin(v_psi);
+    const double complex v_omega_tau = ((v_m*v_R*v_v_slip - v_M*v_S)/v_J1);
+    out[0] = (v_s)*((v_s*v_omega_tau));
+    const double complex v_gamma3 = x[0];
+    const double complex v_Theta = (v_I1*v_I3 + v_m*v_R*v_R*(v_I1*v_s*v_s + v_I3*v_gamma3*v_gamma3));
+    const double v_G = params[4];
+    const double complex v_J3 = (v_I3 + v_m*v_R*v_R);
+    const double complex v_C = ccos(v_psi);
+    const double complex v_omega_n = ((v_G*v_s*v_J3/v_R + v_I3*v_M*v_gamma3*v_C)/v_Theta);
+    const double complex v_omega3 = ((v_I1*v_M*v_s*v_C - v_G*v_gamma3*v_J1/v_R)/v_Theta);
+    out[1] = (v_s)*((v_R*v_omega_n*v_omega3)
+        + (-v_R*v_I3*v_omega_n*v_omega3/v_I1));
+    out[2] = (v_s)*((v_omega_n/v_s));
+    out[3] = ((-2.0*v_gamma3)*out[0])/(2.0*v_s);
+}
+
+static const jlt_quantity states[] = {
+    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN },
+    { "v_slip", "m/s", "velocity of the contact point along nu", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "s", "", "", 0.0, INFINITY, JLT_ANY_SIGN, NAN },
+};
+
+static const jlt_quantity params[] = {
+    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0) },
+    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0) },
+    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0) },
+    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0 },
+};
+
+static const jlt_named integrals[] = {
+    { "F0", "" },
+};
+
+const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular = {
+    .model = "spherical_top_balanced",
+    .variant = "equal_moments",
+    .time = "regular",
+    .elimination = "",
+    .title = "Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum",
+    .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
+    .sha256 = "0ddd7fb625ad215ee6ba7dd03cd46bb3f8988e6221e25d76ceb82075cfb44a88",
+    .generator = "ttc 0.1.0",
+    .table = jlt_table_spherical_top_balanced,
+    .state_count = 4, .param_count = 6, .block_count = 21,
+    .states = states,
+    .params = params,
+    .impose = impose,
+    .prepare = prepare,
+    .rhs = { rhs, 4, { 1, 9, 4, 1, 0, 2, 5, 6 }, { 8, 27, 0, 4, 0, 2, 7, 7 },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+    .jacobian = { jacobian, 16, { 1, 22, 6, 1, 0, 2, 7, 9 }, { 16, 68, 0, 14, 0, 2, 10, 11 },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 3, 24, 6, 1, 0, 2, 8, 11 }, { 20, 83, 0, 18, 0, 2, 10, 11 },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+    .divergence = { divergence, 1, { 1, 5, 4, 1, 0, 1, 9, 4 }, { 6, 17, 0, 2, 0, 1, 8, 7 },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+    .integral_values = { integral_values, 1, { 0, 2, 0, 0, 0, 0, 2, 2 }, { 0, 4, 0, 0, 0, 0, 3, 3 },
+        "" },
+    .integral_gradients = { integral_gradients, 4, { 0, 1, 0, 0, 0, 0, 1, 1 }, { 0, 4, 0, 0, 0, 0, 3, 3 },
+        "" },
+    .measure_values = { .loses_digits = "" },
+    .measure_divergences = { .loses_digits = "" },
+    .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .eliminated = { .loses_digits = "" },
+    .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
+    .integrals = integrals,
+    .jet = jet,
+    .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_spherical_top_balanced_equal_moments_in_regular_baseline,
+        &jlt_batch_spherical_top_balanced_equal_moments_in_regular_avx2,
+        &jlt_batch_spherical_top_balanced_equal_moments_in_regular_avx512,
+    },
+};

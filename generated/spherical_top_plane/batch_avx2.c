@@ -1,0 +1,12 @@
+/* Batched kernels of spherical_top_plane for avx2. Written by ttc 0.1.0; do not edit. */
+#define JLT_LANES 4
+#define JLT_BATCH_ISA "avx2"
+#define JLT_BATCH_NAME(name) name##_avx2
+
+#include "kernel_abi.h"
+#include "lanes.h"
+
+#include "general_lanes.inc"
+#include "general_in_regular_lanes.inc"
+#include "equal_moments_lanes.inc"
+#include "equal_moments_in_regular_lanes.inc"

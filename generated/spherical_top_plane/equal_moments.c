@@ -1,0 +1,335 @@
+/* Balanced sphere with one nonholonomic constraint, on a level of all three integrals
+ *
+ *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
+ *  Variant:    equal_moments: I1 = I3
+ *  Table:      spherical_top_plane, SHA-256 8b5163a036bfb64f5f6a0a19b95842fd87b37806121cfeb9e5bb0f167dae30cd
+ *  Command:    ttc generate --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
+ *
+ *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
+ *  rhs                 2    9    4    1    1    2      9    6   (40)
+ *  jacobian            2   17    6    1    1    2     11    9   (65)
+ *  rhs_jacobian        3   17    6    1    1    2     11   10   (80)
+ *  divergence          3    8    4    1    1    1     10    6   (35)
+ *
+ *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
+ */
+#include "kernel_abi.h"
+#include "kernel_arithmetic.h"
+#include "kernel_jet.h"
+
+#include <math.h>
+
+extern const char jlt_table_spherical_top_plane[];
+extern const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments;
+extern const jlt_kernel_batch jlt_batch_spherical_top_plane_equal_moments_baseline;
+extern const jlt_kernel_batch jlt_batch_spherical_top_plane_equal_moments_avx2;
+extern const jlt_kernel_batch jlt_batch_spherical_top_plane_equal_moments_avx512;
+
+static void impose(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[3];
+    out[3] = params[3];
+    out[4] = params[4];
+    out[5] = params[5];
+    out[6] = params[6];
+}
+
+static void prepare(const double *restrict params, double *restrict out)
+{
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[2];
+    out[3] = params[3];
+    out[4] = params[4];
+    out[5] = params[5];
+    out[6] = params[6];
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = params[0]*t0; /* m*R*R */
+    const double t2 = params[3] + t1; /* J1 = I3 + m*R*R */
+    const double t3 = 1.0/t2; /* 1/J1 */
+    const double t4 = params[0]*params[1]; /* m*R */
+    const double t5 = params[3]*params[3]; /* I3*I3 */
+    const double t6 = params[0]*t5; /* m*I3*I3 */
+    const double t7 = params[6]/t6; /* F0/(m*I3*I3) */
+    const double t8 = sqrt(t7); /* v_slip = sqrt(F0/(m*I3*I3)) */
+    const double t9 = t4*t8; /* m*R*v_slip */
+    const double t10 = params[3]*t1; /* I3*m*R*R */
+    const double t11 = t2*params[4]; /* J1*G */
+    const double t12 = t11/params[1]; /* J1*G/R */
+    const double t13 = params[3]*params[5]; /* I3*M */
+    const double t14 = (-1.0)/t2; /* (-1)/J1 */
+    const double t15 = params[5]/t2; /* M/J1 */
+    const double t16 = -t15; /* -M/J1 */
+    const double t17 = -t13; /* -I3*M */
+    out[7] = t3;
+    out[8] = t9;
+    out[9] = t5;
+    out[10] = t10;
+    out[11] = t12;
+    out[12] = t13;
+    out[13] = t14;
+    out[14] = t16;
+    out[15] = t17;
+}
+
+static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = sin(x[1]); /* S = sin(psi) */
+    const double t5 = JLT_FNMA(p[5], t4, p[8]); /* m*R*v_slip - M*S */
+    const double t6 = p[7]*t3; /* 1/J1*s */
+    const double t7 = t5*t6; /* (m*R*v_slip - M*S)*1/J1*s */
+    const double t8 = JLT_FMA(x[0], x[0], t2); /* gamma3*gamma3 + (1 - gamma3)*(1 + gamma3) */
+    const double t9 = JLT_FMA(p[10], t8, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + (1 - gamma3)*(1 + gamma3)) + I3^2 */
+    const double t10 = t3*p[11]; /* s*G*J3/R */
+    const double t11 = cos(x[1]); /* C = cos(psi) */
+    const double t12 = x[0]*p[12]; /* gamma3*I3*M */
+    const double t13 = JLT_FMA(t11, t12, t10); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t14 = t3*t9; /* s*Theta */
+    const double t15 = 1.0/t14; /* 1/(s*Theta) */
+    const double t16 = t14*t15; /* s*Theta*1/(s*Theta) */
+    const double t17 = t15*t16; /* 1/(s*Theta)*s*Theta*1/(s*Theta) */
+    const double t18 = t13*t17; /* (C*gamma3*I3*M + s*G*J3/R)*1/(s*Theta)*s*Theta*1/(s*Theta) */
+    out[0] = t7;
+    out[1] = t18;
+}
+
+static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = sin(x[1]); /* S = sin(psi) */
+    const double t1 = JLT_FNMA(p[5], t0, p[8]); /* m*R*v_slip - M*S */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = JLT_FMA(x[0], x[0], t4); /* gamma3*gamma3 + (1 - gamma3)*(gamma3 + 1) */
+    const double t6 = JLT_FMA(p[10], t5, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + (1 - gamma3)*(gamma3 + 1)) + I3^2 */
+    const double t7 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t8 = t6*t7; /* Theta*s */
+    const double t9 = 1.0/t8; /* 1/(Theta*s) */
+    const double t10 = t6*t9; /* Theta*1/(Theta*s) */
+    const double t11 = x[0]*t10; /* gamma3*Theta*1/(Theta*s) */
+    const double t12 = p[13]*t11; /* (-1/J1)*gamma3*Theta*1/(Theta*s) */
+    const double t13 = t1*t12; /* (m*R*v_slip - M*S)*(-1/J1)*gamma3*Theta*1/(Theta*s) */
+    const double t14 = cos(x[1]); /* C = cos(psi) */
+    const double t15 = t7*p[14]; /* s*(-M/J1) */
+    const double t16 = t14*t15; /* C*s*(-M/J1) */
+    const double t17 = t7*p[11]; /* s*G*J3/R */
+    const double t18 = t14*p[12]; /* C*I3*M */
+    const double t19 = JLT_FMA(x[0], t18, t17); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t20 = t10*t11; /* Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s) */
+    const double t21 = JLT_FNMA(t11, p[11], t18); /* C*I3*M - gamma3*Theta*1/(Theta*s)*G*J3/R */
+    const double t22 = JLT_FMA(t19, t20, t21); /* (gamma3*C*I3*M + s*G*J3/R)*Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s) + C*I3*M - gamma3*Theta*1/(Theta*s)*G*J3/R */
+    const double t23 = t7*t9; /* s*1/(Theta*s) */
+    const double t24 = t10*t23; /* Theta*1/(Theta*s)*s*1/(Theta*s) */
+    const double t25 = t22*t24; /* t22*Theta*1/(Theta*s)*s*1/(Theta*s) */
+    const double t26 = t23*p[15]; /* s*1/(Theta*s)*(-I3*M) */
+    const double t27 = t11*t26; /* gamma3*Theta*1/(Theta*s)*s*1/(Theta*s)*(-I3*M) */
+    const double t28 = t0*t27; /* S*gamma3*Theta*1/(Theta*s)*s*1/(Theta*s)*(-I3*M) */
+    out[0] = t13;
+    out[1] = t16;
+    out[2] = t25;
+    out[3] = t28;
+}
+
+static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = sin(x[1]); /* S = sin(psi) */
+    const double t5 = JLT_FNMA(p[5], t4, p[8]); /* m*R*v_slip - M*S */
+    const double t6 = p[7]*t5; /* 1/J1*(m*R*v_slip - M*S) */
+    const double t7 = t3*t6; /* s*1/J1*(m*R*v_slip - M*S) */
+    const double t8 = t3*p[11]; /* s*G*J3/R */
+    const double t9 = cos(x[1]); /* C = cos(psi) */
+    const double t10 = p[12]*t9; /* I3*M*C */
+    const double t11 = JLT_FMA(x[0], t10, t8); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t12 = JLT_FMA(x[0], x[0], t2); /* gamma3*gamma3 + (1 - gamma3)*(1 + gamma3) */
+    const double t13 = JLT_FMA(p[10], t12, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + (1 - gamma3)*(1 + gamma3)) + I3^2 */
+    const double t14 = t3*t13; /* s*Theta */
+    const double t15 = 1.0/t14; /* 1/(s*Theta) */
+    const double t16 = t11*t15; /* (gamma3*I3*M*C + s*G*J3/R)*1/(s*Theta) */
+    const double t17 = t13*t15; /* Theta*1/(s*Theta) */
+    const double t18 = x[0]*t17; /* gamma3*Theta*1/(s*Theta) */
+    const double t19 = t6*t18; /* 1/J1*(m*R*v_slip - M*S)*gamma3*Theta*1/(s*Theta) */
+    const double t20 = -t19; /* -1/J1*(m*R*v_slip - M*S)*gamma3*Theta*1/(s*Theta) */
+    const double t21 = t3*p[14]; /* s*(-M/J1) */
+    const double t22 = t9*t21; /* C*s*(-M/J1) */
+    const double t23 = t17*t18; /* Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) */
+    const double t24 = JLT_FNMA(p[11], t18, t10); /* I3*M*C - G*J3/R*gamma3*Theta*1/(s*Theta) */
+    const double t25 = JLT_FMA(t11, t23, t24); /* (gamma3*I3*M*C + s*G*J3/R)*Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) + I3*M*C - G*J3/R*gamma3*Theta*1/(s*Theta) */
+    const double t26 = t15*t25; /* 1/(s*Theta)*t25 */
+    const double t27 = x[0]*p[15]; /* gamma3*(-I3*M) */
+    const double t28 = t15*t27; /* 1/(s*Theta)*gamma3*(-I3*M) */
+    const double t29 = t4*t28; /* S*1/(s*Theta)*gamma3*(-I3*M) */
+    out[0] = t7;
+    out[1] = t16;
+    out[2] = t20;
+    out[3] = t22;
+    out[4] = t26;
+    out[5] = t29;
+}
+
+static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = JLT_FMA(x[0], x[0], t2); /* gamma3*gamma3 + (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = JLT_FMA(p[10], t3, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + (1 - gamma3)*(gamma3 + 1)) + I3^2 */
+    const double t5 = sin(x[1]); /* S = sin(psi) */
+    const double t6 = JLT_FNMA(p[5], t5, p[8]); /* m*R*v_slip - M*S */
+    const double t7 = p[7]*t6; /* 1/J1*(m*R*v_slip - M*S) */
+    const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t9 = t4*t8; /* Theta*s */
+    const double t10 = 1.0/t9; /* 1/(Theta*s) */
+    const double t11 = p[12]*t8; /* I3*M*s */
+    const double t12 = t10*t11; /* 1/(Theta*s)*I3*M*s */
+    const double t13 = JLT_FMA(t5, t12, t7); /* S*1/(Theta*s)*I3*M*s + 1/J1*(m*R*v_slip - M*S) */
+    const double t14 = x[0]*t4; /* gamma3*Theta */
+    const double t15 = t10*t14; /* 1/(Theta*s)*gamma3*Theta */
+    const double t16 = t13*t15; /* (S*1/(Theta*s)*I3*M*s + 1/J1*(m*R*v_slip - M*S))*1/(Theta*s)*gamma3*Theta */
+    const double t17 = -t16; /* -t16 */
+    out[0] = t17;
+}
+
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double u10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double u21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    for (unsigned k = 0; k < order; k++) {
+        t3[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
+        t5[k] = jlt_jet_product(t3, t4, k);
+        t6[k] = jlt_jet_root(t5[k], t6, k);
+        t10[k] = jlt_jet_sine(x1, t10, u10, k);
+        t11[k] = (k == 0 ? p[8] : 0) - p[5]*t10[k];
+        t12[k] = p[7]*t6[k];
+        t13[k] = jlt_jet_product(t11, t12, k);
+        t16[k] = jlt_jet_product(x0, x0, k) + t5[k];
+        t17[k] = p[10]*t16[k] + (k == 0 ? p[9] : 0);
+        t19[k] = t6[k]*p[11];
+        t21[k] = jlt_jet_cosine(x1, t21, u21, k);
+        t22[k] = x0[k]*p[12];
+        t23[k] = jlt_jet_product(t21, t22, k) + t19[k];
+        t24[k] = jlt_jet_product(t6, t17, k);
+        t25[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t24, t25, k);
+        t26[k] = jlt_jet_product(t24, t25, k);
+        t27[k] = jlt_jet_product(t25, t26, k);
+        t28[k] = jlt_jet_product(t23, t27, k);
+        double *restrict next = coefficients + (k + 1)*2;
+        next[0] = x0[k + 1] = t13[k]/(k + 1);
+        next[1] = x1[k + 1] = t28[k]/(k + 1);
+    }
+}
+
+static void rhs_complex(const double complex *restrict x, const double *restrict params,
+                        double complex *restrict out)
+{
+    const double complex v_gamma3 = x[0];
+    const double complex v_s = csqrt(1.0 - v_gamma3*v_gamma3);
+    const double v_I3 = params[3];
+    const double v_I1 = (v_I3);
+    const double v_m = params[0];
+    const double v_R = params[1];
+    const double complex v_J1 = (v_I1 + v_m*v_R*v_R);
+    const double v_F0 = params[6];
+    const double complex v_Theta = (v_I1*v_I3 + v_m*v_R*v_R*(v_I1*v_s*v_s + v_I3*v_gamma3*v_gamma3));
+    const double v_M = params[5];
+    const double complex v_psi = x[1];
+    const double complex v_C = ccos(v_psi);
+    const double v_G = params[4];
+    const double complex v_omega3 = ((v_I1*v_M*v_s*v_C - v_G*v_gamma3*v_J1/v_R)/v_Theta);
+    const double complex v_v_slip = csqrt((v_F0 - v_Theta*v_omega3*v_omega3*(v_I1 - v_I3))/(v_m*v_I1*v_I1));
+    const double complex v_S = csin(v_psi);
+    const double complex v_omega_tau = ((v_m*v_R*v_v_slip - v_M*v_S)/v_J1);
+    out[0] = (v_s*v_omega_tau);
+    const double complex v_J3 = (v_I3 + v_m*v_R*v_R);
+    const double complex v_omega_n = ((v_G*v_s*v_J3/v_R + v_I3*v_M*v_gamma3*v_C)/v_Theta);
+    out[1] = (v_omega_n/v_s);
+}
+
+static const jlt_quantity states[] = {
+    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN },
+    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+};
+
+static const jlt_quantity params[] = {
+    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0) },
+    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0) },
+    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0) },
+    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0 },
+    { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0) },
+};
+
+const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
+    .model = "spherical_top_plane",
+    .variant = "equal_moments",
+    .time = "",
+    .elimination = "",
+    .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
+    .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
+    .sha256 = "8b5163a036bfb64f5f6a0a19b95842fd87b37806121cfeb9e5bb0f167dae30cd",
+    .generator = "ttc 0.1.0",
+    .table = jlt_table_spherical_top_plane,
+    .state_count = 2, .param_count = 7, .block_count = 16,
+    .states = states,
+    .params = params,
+    .impose = impose,
+    .prepare = prepare,
+    .rhs = { rhs, 2, { 2, 9, 4, 1, 1, 2, 9, 6 }, { 7, 25, 0, 4, 2, 2, 10, 6 },
+        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+    .jacobian = { jacobian, 4, { 2, 17, 6, 1, 1, 2, 11, 9 }, { 12, 41, 0, 8, 2, 2, 11, 10 },
+        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+    .rhs_jacobian = { rhs_jacobian, 6, { 3, 17, 6, 1, 1, 2, 11, 10 }, { 14, 51, 0, 11, 2, 2, 11, 11 },
+        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+    .divergence = { divergence, 1, { 3, 8, 4, 1, 1, 1, 10, 6 }, { 7, 22, 0, 3, 2, 1, 11, 8 },
+        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+    .integral_values = { .loses_digits = "" },
+    .integral_gradients = { .loses_digits = "" },
+    .measure_values = { .loses_digits = "" },
+    .measure_divergences = { .loses_digits = "" },
+    .time_factor = { .loses_digits = "" },
+    .eliminated = { .loses_digits = "" },
+    .integral_count = 0, .measure_count = 0, .equilibria_count = 0,
+    .jet = jet,
+    .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_spherical_top_plane_equal_moments_baseline,
+        &jlt_batch_spherical_top_plane_equal_moments_avx2,
+        &jlt_batch_spherical_top_plane_equal_moments_avx512,
+    },
+};

@@ -1,0 +1,357 @@
+/* Balanced sphere with one nonholonomic constraint, on a level of all three integrals
+ *
+ *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
+ *  Variant:    equal_moments: I1 = I3
+ *  Time:       regular: dt = (s) dtau; states of their own: s
+ *  Table:      spherical_top_plane, SHA-256 8b5163a036bfb64f5f6a0a19b95842fd87b37806121cfeb9e5bb0f167dae30cd
+ *  Command:    ttc generate --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
+ *
+ *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
+ *  rhs                 1    8    4    1    0    2      5    6   (45)
+ *  jacobian            0   20    6    1    0    2      8   10   (95)
+ *  rhs_jacobian        2   22    6    1    0    2      8   11   (118)
+ *  divergence          1    4    4    1    0    1      9    3   (30)
+ *  time_factor         0    0    0    0    0    0      0    0   (0)
+ *
+ *  Accuracy: divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are.
+ */
+#include "kernel_abi.h"
+#include "kernel_arithmetic.h"
+#include "kernel_jet.h"
+
+#include <math.h>
+
+extern const char jlt_table_spherical_top_plane[];
+extern const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular;
+extern const jlt_kernel_batch jlt_batch_spherical_top_plane_equal_moments_in_regular_baseline;
+extern const jlt_kernel_batch jlt_batch_spherical_top_plane_equal_moments_in_regular_avx2;
+extern const jlt_kernel_batch jlt_batch_spherical_top_plane_equal_moments_in_regular_avx512;
+
+static void impose(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    (void)x;
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[3];
+    out[3] = params[3];
+    out[4] = params[4];
+    out[5] = params[5];
+    out[6] = params[6];
+}
+
+static void prepare(const double *restrict params, double *restrict out)
+{
+    out[0] = params[0];
+    out[1] = params[1];
+    out[2] = params[2];
+    out[3] = params[3];
+    out[4] = params[4];
+    out[5] = params[5];
+    out[6] = params[6];
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = params[0]*t0; /* m*R*R */
+    const double t2 = params[3] + t1; /* J1 = I3 + m*R*R */
+    const double t3 = 1.0/t2; /* 1/J1 */
+    const double t4 = params[0]*params[1]; /* m*R */
+    const double t5 = params[3]*params[3]; /* I3*I3 */
+    const double t6 = params[0]*t5; /* m*I3*I3 */
+    const double t7 = params[6]/t6; /* F0/(m*I3*I3) */
+    const double t8 = sqrt(t7); /* v_slip = sqrt(F0/(m*I3*I3)) */
+    const double t9 = t4*t8; /* m*R*v_slip */
+    const double t10 = params[3]*t1; /* I3*m*R*R */
+    const double t11 = t2*params[4]; /* J1*G */
+    const double t12 = t11/params[1]; /* J1*G/R */
+    const double t13 = params[3]*params[5]; /* I3*M */
+    const double t14 = params[5]/t2; /* M/J1 */
+    const double t15 = -t14; /* -M/J1 */
+    const double t16 = 2.0/t2; /* 2/J1 */
+    const double t17 = params[0]*2.0; /* m*2 */
+    const double t18 = t0*t17; /* R*R*m*2 */
+    const double t19 = params[3]*t18; /* I3*R*R*m*2 */
+    const double t20 = -t13; /* -I3*M */
+    const double t21 = (-1.0)/t2; /* (-1)/J1 */
+    out[7] = t3;
+    out[8] = t9;
+    out[9] = t5;
+    out[10] = t10;
+    out[11] = t12;
+    out[12] = t13;
+    out[13] = t15;
+    out[14] = t16;
+    out[15] = t19;
+    out[16] = t20;
+    out[17] = t21;
+    out[18] = t14;
+}
+
+static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = x[2]*x[2]; /* s*s */
+    const double t1 = sin(x[1]); /* S = sin(psi) */
+    const double t2 = JLT_FNMA(p[5], t1, p[8]); /* m*R*v_slip - M*S */
+    const double t3 = p[7]*t2; /* 1/J1*(m*R*v_slip - M*S) */
+    const double t4 = t0*t3; /* s*s*1/J1*(m*R*v_slip - M*S) */
+    const double t5 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t6 = JLT_FMA(p[10], t5, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t7 = 1.0/t6; /* 1/Theta */
+    const double t8 = x[2]*p[11]; /* s*G*J3/R */
+    const double t9 = cos(x[1]); /* C = cos(psi) */
+    const double t10 = x[0]*p[12]; /* gamma3*I3*M */
+    const double t11 = JLT_FMA(t9, t10, t8); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t12 = t7*t11; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t13 = x[2]*x[0]; /* s*gamma3 */
+    const double t14 = t3*t13; /* 1/J1*(m*R*v_slip - M*S)*s*gamma3 */
+    const double t15 = -t14; /* -1/J1*(m*R*v_slip - M*S)*s*gamma3 */
+    out[0] = t4;
+    out[1] = t12;
+    out[2] = t15;
+}
+
+static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = cos(x[1]); /* C = cos(psi) */
+    const double t1 = x[2]*x[2]; /* s*s */
+    const double t2 = p[13]*t1; /* (-M/J1)*s*s */
+    const double t3 = t0*t2; /* C*(-M/J1)*s*s */
+    const double t4 = sin(x[1]); /* S = sin(psi) */
+    const double t5 = JLT_FNMA(p[5], t4, p[8]); /* m*R*v_slip - M*S */
+    const double t6 = x[2]*t5; /* s*(m*R*v_slip - M*S) */
+    const double t7 = p[14]*t6; /* 2/J1*s*(m*R*v_slip - M*S) */
+    const double t8 = JLT_FMA(x[0], x[0], t1); /* gamma3*gamma3 + s*s */
+    const double t9 = JLT_FMA(p[10], t8, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t10 = 1.0/t9; /* 1/Theta */
+    const double t11 = p[12]*t10; /* I3*M*1/Theta */
+    const double t12 = t0*t11; /* C*I3*M*1/Theta */
+    const double t13 = x[0]*t10; /* gamma3*1/Theta */
+    const double t14 = x[2]*p[11]; /* s*G*J3/R */
+    const double t15 = t0*x[0]; /* C*gamma3 */
+    const double t16 = JLT_FMA(p[12], t15, t14); /* I3*M*C*gamma3 + s*G*J3/R */
+    const double t17 = t10*p[15]; /* 1/Theta*2*m*R^2*I3 */
+    const double t18 = t16*t17; /* (I3*M*C*gamma3 + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
+    const double t19 = JLT_FNMA(t13, t18, t12); /* C*I3*M*1/Theta - gamma3*1/Theta*(I3*M*C*gamma3 + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
+    const double t20 = t13*p[16]; /* gamma3*1/Theta*(-I3*M) */
+    const double t21 = t4*t20; /* S*gamma3*1/Theta*(-I3*M) */
+    const double t22 = JLT_FNMA(x[2], t18, p[11]); /* G*J3/R - s*(I3*M*C*gamma3 + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
+    const double t23 = t10*t22; /* 1/Theta*(G*J3/R - s*(I3*M*C*gamma3 + s*G*J3/R)*1/Theta*2*m*R^2*I3) */
+    const double t24 = t6*p[17]; /* s*(m*R*v_slip - M*S)*(-1/J1) */
+    const double t25 = x[2]*p[18]; /* s*M/J1 */
+    const double t26 = t15*t25; /* C*gamma3*s*M/J1 */
+    const double t27 = x[0]*p[17]; /* gamma3*(-1/J1) */
+    const double t28 = t5*t27; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
+    out[0] = 0.0;
+    out[1] = t3;
+    out[2] = t7;
+    out[3] = t19;
+    out[4] = t21;
+    out[5] = t23;
+    out[6] = t24;
+    out[7] = t26;
+    out[8] = t28;
+}
+
+static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = sin(x[1]); /* S = sin(psi) */
+    const double t1 = JLT_FNMA(p[5], t0, p[8]); /* m*R*v_slip - M*S */
+    const double t2 = x[2]*t1; /* s*(m*R*v_slip - M*S) */
+    const double t3 = p[7]*t2; /* 1/J1*s*(m*R*v_slip - M*S) */
+    const double t4 = x[2]*t3; /* s*1/J1*s*(m*R*v_slip - M*S) */
+    const double t5 = x[2]*x[2]; /* s*s */
+    const double t6 = JLT_FMA(x[0], x[0], t5); /* gamma3*gamma3 + s*s */
+    const double t7 = JLT_FMA(p[10], t6, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t8 = 1.0/t7; /* 1/Theta */
+    const double t9 = x[2]*p[11]; /* s*G*J3/R */
+    const double t10 = cos(x[1]); /* C = cos(psi) */
+    const double t11 = x[0]*t10; /* gamma3*C */
+    const double t12 = JLT_FMA(p[12], t11, t9); /* I3*M*gamma3*C + s*G*J3/R */
+    const double t13 = t8*t12; /* 1/Theta*(I3*M*gamma3*C + s*G*J3/R) */
+    const double t14 = t3*x[0]; /* 1/J1*s*(m*R*v_slip - M*S)*gamma3 */
+    const double t15 = -t14; /* -1/J1*s*(m*R*v_slip - M*S)*gamma3 */
+    const double t16 = t5*p[13]; /* s*s*(-M/J1) */
+    const double t17 = t10*t16; /* C*s*s*(-M/J1) */
+    const double t18 = t2*p[14]; /* s*(m*R*v_slip - M*S)*2/J1 */
+    const double t19 = t8*p[12]; /* 1/Theta*I3*M */
+    const double t20 = t10*t19; /* C*1/Theta*I3*M */
+    const double t21 = x[0]*t8; /* gamma3*1/Theta */
+    const double t22 = t13*p[15]; /* 1/Theta*(I3*M*gamma3*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t23 = JLT_FNMA(t21, t22, t20); /* C*1/Theta*I3*M - gamma3*1/Theta*1/Theta*(I3*M*gamma3*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t24 = t21*p[16]; /* gamma3*1/Theta*(-I3*M) */
+    const double t25 = t0*t24; /* S*gamma3*1/Theta*(-I3*M) */
+    const double t26 = JLT_FNMA(x[2], t22, p[11]); /* G*J3/R - s*1/Theta*(I3*M*gamma3*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t27 = t8*t26; /* 1/Theta*(G*J3/R - s*1/Theta*(I3*M*gamma3*C + s*G*J3/R)*2*m*R^2*I3) */
+    const double t28 = -t3; /* -1/J1*s*(m*R*v_slip - M*S) */
+    const double t29 = x[2]*p[18]; /* s*M/J1 */
+    const double t30 = t11*t29; /* gamma3*C*s*M/J1 */
+    const double t31 = x[0]*p[17]; /* gamma3*(-1/J1) */
+    const double t32 = t1*t31; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
+    out[0] = t4;
+    out[1] = t13;
+    out[2] = t15;
+    out[3] = 0.0;
+    out[4] = t17;
+    out[5] = t18;
+    out[6] = t23;
+    out[7] = t25;
+    out[8] = t27;
+    out[9] = t28;
+    out[10] = t30;
+    out[11] = t32;
+}
+
+static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = sin(x[1]); /* S = sin(psi) */
+    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t2 = JLT_FMA(x[2], x[2], t1); /* s*s + gamma3*gamma3 */
+    const double t3 = JLT_FMA(p[10], t2, p[9]); /* Theta = m*R^2*I3*(s*s + gamma3*gamma3) + I3^2 */
+    const double t4 = 1.0/t3; /* 1/Theta */
+    const double t5 = p[12]*t4; /* I3*M*1/Theta */
+    const double t6 = t0*t5; /* S*I3*M*1/Theta */
+    const double t7 = JLT_FNMA(t0, p[5], p[8]); /* m*R*v_slip - S*M */
+    const double t8 = JLT_FMA(p[7], t7, t6); /* 1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta */
+    const double t9 = x[0]*t8; /* gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta) */
+    const double t10 = -t9; /* -gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta) */
+    out[0] = t10;
+}
+
+static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)p;
+    out[0] = x[2];
+}
+
+static void jet(const double *restrict x, const double *restrict p, unsigned order,
+                double *restrict coefficients)
+{
+    double x0[JLT_JET_ORDER_MAX + 1];
+    double x1[JLT_JET_ORDER_MAX + 1];
+    double x2[JLT_JET_ORDER_MAX + 1];
+    double t1[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double u6[JLT_JET_ORDER_MAX + 1];
+    double t7[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double u20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    coefficients[0] = x0[0] = x[0];
+    coefficients[1] = x1[0] = x[1];
+    coefficients[2] = x2[0] = x[2];
+    coefficients[3] = 0;
+    for (unsigned k = 0; k < order; k++) {
+        t1[k] = jlt_jet_product(x2, x2, k);
+        t6[k] = jlt_jet_sine(x1, t6, u6, k);
+        t7[k] = (k == 0 ? p[8] : 0) - p[5]*t6[k];
+        t8[k] = p[7]*t7[k];
+        t9[k] = jlt_jet_product(t1, t8, k);
+        t13[k] = jlt_jet_product(x0, x0, k) + t1[k];
+        t14[k] = p[10]*t13[k] + (k == 0 ? p[9] : 0);
+        t16[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t14, t16, k);
+        t18[k] = x2[k]*p[11];
+        t20[k] = jlt_jet_cosine(x1, t20, u20, k);
+        t21[k] = x0[k]*p[12];
+        t22[k] = jlt_jet_product(t20, t21, k) + t18[k];
+        t23[k] = jlt_jet_product(t16, t22, k);
+        t24[k] = jlt_jet_product(x2, x0, k);
+        t25[k] = jlt_jet_product(t8, t24, k);
+        t26[k] = -t25[k];
+        double *restrict next = coefficients + (k + 1)*4;
+        next[0] = x0[k + 1] = t9[k]/(k + 1);
+        next[1] = x1[k + 1] = t23[k]/(k + 1);
+        next[2] = x2[k + 1] = t26[k]/(k + 1);
+        next[3] = x2[k]/(k + 1);
+    }
+}
+
+static void rhs_complex(const double complex *restrict x, const double *restrict params,
+                        double complex *restrict out)
+{
+    const double complex v_s = x[2];
+    const double v_I3 = params[3];
+    const double v_I1 = (v_I3);
+    const double v_m = params[0];
+    const double v_R = params[1];
+    const double complex v_J1 = (v_I1 + v_m*v_R*v_R);
+    const double v_F0 = params[6];
+    const double complex v_gamma3 = x[0];
+    const double complex v_Theta = (v_I1*v_I3 + v_m*v_R*v_R*(v_I1*v_s*v_s + v_I3*v_gamma3*v_gamma3));
+    const double v_M = params[5];
+    const double complex v_psi = x[1];
+    const double complex v_C = ccos(v_psi);
+    const double v_G = params[4];
+    const double complex v_omega3 = ((v_I1*v_M*v_s*v_C - v_G*v_gamma3*v_J1/v_R)/v_Theta);
+    const double complex v_v_slip = csqrt((v_F0 - v_Theta*v_omega3*v_omega3*(v_I1 - v_I3))/(v_m*v_I1*v_I1));
+    const double complex v_S = csin(v_psi);
+    const double complex v_omega_tau = ((v_m*v_R*v_v_slip - v_M*v_S)/v_J1);
+    out[0] = (v_s)*((v_s*v_omega_tau));
+    const double complex v_J3 = (v_I3 + v_m*v_R*v_R);
+    const double complex v_omega_n = ((v_G*v_s*v_J3/v_R + v_I3*v_M*v_gamma3*v_C)/v_Theta);
+    out[1] = (v_s)*((v_omega_n/v_s));
+    out[2] = ((-2.0*v_gamma3)*out[0])/(2.0*v_s);
+}
+
+static const jlt_quantity states[] = {
+    { "gamma3", "", "cosine of the tilt of the symmetry axis", (-1.0), 1.0, JLT_ANY_SIGN, NAN },
+    { "psi", "rad", "angle of the horizontal momentum", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+    { "s", "", "", 0.0, INFINITY, JLT_ANY_SIGN, NAN },
+};
+
+static const jlt_quantity params[] = {
+    { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "I1", "kg*m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (2.0 / 5.0) },
+    { "I3", "kg*m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 4.0) },
+    { "G", "kg*m^3/s", "value of Jellett's integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (-3.0 / 10.0) },
+    { "M", "kg*m^2/s", "horizontal angular momentum about the contact point", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0 },
+    { "F0", "kg^3*m^6/s^2", "value of the third integral", -INFINITY, INFINITY, JLT_ANY_SIGN, (1.0 / 2.0) },
+};
+
+const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = {
+    .model = "spherical_top_plane",
+    .variant = "equal_moments",
+    .time = "regular",
+    .elimination = "",
+    .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
+    .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
+    .sha256 = "8b5163a036bfb64f5f6a0a19b95842fd87b37806121cfeb9e5bb0f167dae30cd",
+    .generator = "ttc 0.1.0",
+    .table = jlt_table_spherical_top_plane,
+    .state_count = 3, .param_count = 7, .block_count = 19,
+    .states = states,
+    .params = params,
+    .impose = impose,
+    .prepare = prepare,
+    .rhs = { rhs, 3, { 1, 8, 4, 1, 0, 2, 5, 6 }, { 8, 29, 0, 5, 1, 2, 9, 8 },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+    .jacobian = { jacobian, 9, { 0, 20, 6, 1, 0, 2, 8, 10 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+    .rhs_jacobian = { rhs_jacobian, 12, { 2, 22, 6, 1, 0, 2, 8, 11 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+    .divergence = { divergence, 1, { 1, 4, 4, 1, 0, 1, 9, 3 }, { 6, 19, 0, 3, 1, 1, 9, 7 },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+    .integral_values = { .loses_digits = "" },
+    .integral_gradients = { .loses_digits = "" },
+    .measure_values = { .loses_digits = "" },
+    .measure_divergences = { .loses_digits = "" },
+    .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
+        "" },
+    .eliminated = { .loses_digits = "" },
+    .integral_count = 0, .measure_count = 0, .equilibria_count = 0,
+    .jet = jet,
+    .rhs_complex = rhs_complex,
+    .batches = {
+        &jlt_batch_spherical_top_plane_equal_moments_in_regular_baseline,
+        &jlt_batch_spherical_top_plane_equal_moments_in_regular_avx2,
+        &jlt_batch_spherical_top_plane_equal_moments_in_regular_avx512,
+    },
+};

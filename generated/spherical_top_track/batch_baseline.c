@@ -1,0 +1,14 @@
+/* Batched kernels of spherical_top_track for baseline. Written by ttc 0.1.0; do not edit. */
+#define JLT_LANES 2
+#define JLT_BATCH_ISA "baseline"
+#define JLT_BATCH_NAME(name) name##_baseline
+
+#include "kernel_abi.h"
+#include "lanes.h"
+
+#include "general_lanes.inc"
+#include "general_in_regular_lanes.inc"
+#include "balanced_lanes.inc"
+#include "balanced_in_regular_lanes.inc"
+#include "rod_lanes.inc"
+#include "rod_in_regular_lanes.inc"

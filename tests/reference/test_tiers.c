@@ -1,0 +1,259 @@
+/* Every tier gives the same motion as the tiers above it, and all of them the quadruple-precision reference. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "kernel/descriptor.h"
+#include "scene/course.h"
+
+enum { ROWS_MAX = 16, STATES = JLT_TOP_STATES };
+
+/* m, R, g, a3, I1, I3: the order of the table */
+typedef struct {
+    double params[6], start[STATES];
+    double times[ROWS_MAX];
+    size_t count;
+} orbit;
+
+static const orbit generic = { { 1.3, 0.7, 9.81, -0.12, 0.29, 0.21 }, { 0.25, 0.8, -0.6, 1.1, -2.3 }, { 0.5, 1, 1.5 }, 3 };
+static const orbit rod = { { 1, 1, 1, 0.3, 0.7, 0 }, { 0.2, 0.6, 0.4, 1.3, -0.8 }, { 1, 3, 10 }, 3 };
+static const orbit balanced = { { 1, 1, 1, 0, 0.4, 0.25 }, { 0.3, 0.5, 0.2, 0.3, 0.9 }, { 1, 5, 20 }, 3 };
+static const orbit flat = { { 1, 1, 1, 0, 0.25, 0.4 }, { 0.3, -1.5, 0.2, 0.3, 0.2 }, { 1, 5, 20 }, 3 };
+static const orbit equal_moments = { { 1, 1, 1, 0, 0.4, 0.4 }, { 0.3, 0.5, 0.2, 0.3, 0.9 }, { 1, 5, 20 }, 3 };
+
+/* States at the times, shape (count, STATES); attitudes when wanted. */
+static void follow(double *states, jlt_attitude *attitudes, const orbit *o, const char *tier, double tolerance)
+{
+    const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
+    const jlt_question question = { model, o->params, o->start, attitudes != NULL, tier };
+    jlt_plan plan;
+    jlt_course *course = NULL;
+    jlt_course_row row;
+
+    assert_int_equal(jlt_plan_make(&plan, &question), JLT_OK);
+    assert_int_equal(jlt_course_create(&course, &plan, &question, &(jlt_course_options){ .tolerance = tolerance }), JLT_OK);
+    for (size_t i = 0; i < o->count; i++) {
+        assert_int_equal(jlt_course_to(course, o->times[i], &row), JLT_OK);
+        assert_int_equal(row.end, JLT_END_TIME);
+        memcpy(states + i * STATES, row.x, STATES * sizeof *states);
+        if (attitudes != NULL) attitudes[i] = row.attitude;
+    }
+    jlt_course_destroy(course);
+}
+
+static double distance(const double *a, const double *b, size_t count)
+{
+    double worst = 0;
+
+    for (size_t i = 0; i < count; i++) worst = fmax(worst, fabs(a[i] - b[i]));
+    return worst;
+}
+
+static void compare(const orbit *o, const char *tier, const char *above, double bound)
+{
+    double a[ROWS_MAX * STATES], b[ROWS_MAX * STATES];
+
+    follow(a, NULL, o, tier, 1e-13);
+    follow(b, NULL, o, above, 1e-13);
+    if (!(distance(a, b, o->count * STATES) <= bound))
+        fail_msg("%s differs from %s by %.3g", tier, above, distance(a, b, o->count * STATES));
+}
+
+/* Bound: 200 steps of local error 1e-13, amplified by less than ten over these orbits (seen by moving the start). */
+static const double bound = 2e-11;
+
+static void each_tier_agrees_with_the_tier_above_it(void **unused)
+{
+    (void)unused;
+    compare(&rod, "quadrature", "level", bound);
+    compare(&balanced, "plane", "balanced", bound);
+    compare(&balanced, "balanced", "level", bound);
+    compare(&flat, "plane", "balanced", bound);
+    compare(&flat, "balanced", "level", bound);
+    compare(&equal_moments, "plane", "balanced", bound);
+    compare(&equal_moments, "balanced", "level", bound);
+    compare(&generic, "level", "five", bound);
+    compare(&rod, "level", "five", bound);
+    compare(&generic, "level_plain", "level", bound);
+    compare(&generic, "five_plain", "five", bound);
+    compare(&generic, "five", "track", bound);
+    compare(&generic, "track", "full", bound);
+    compare(&balanced, "track", "full", bound);
+}
+
+/* Reads rows t, five states; returns their number. */
+static size_t read_reference(double (*rows)[1 + STATES], const char *name)
+{
+    char path[512], line[1024];
+    size_t count = 0;
+    FILE *file;
+
+    snprintf(path, sizeof path, "%s/tests/reference/data/%s", JLT_SOURCE_DIR, name);
+    file = fopen(path, "r");
+    assert_non_null(file);
+    assert_non_null(fgets(line, sizeof line, file));
+    while (count < ROWS_MAX && fgets(line, sizeof line, file) != NULL) {
+        char *at = line;
+        for (size_t k = 0; k < 1 + STATES; k++) {
+            rows[count][k] = strtod(at, &at);
+            if (*at == ',') at++;
+        }
+        count++;
+    }
+    fclose(file);
+    return count;
+}
+
+/* Error against the reference over rows 1 .. last. */
+static double reference_error(const orbit *o, double (*rows)[1 + STATES], size_t last, const char *tier, double tolerance)
+{
+    orbit here = *o;
+    double states[ROWS_MAX * STATES], worst = 0;
+
+    memcpy(here.start, rows[0] + 1, sizeof here.start);
+    here.count = last;
+    for (size_t i = 0; i < last; i++) here.times[i] = rows[1 + i][0];
+    follow(states, NULL, &here, tier, tolerance);
+    for (size_t i = 0; i < last; i++) worst = fmax(worst, distance(states + i * STATES, rows[1 + i] + 1, STATES));
+    return worst;
+}
+
+/* The generic orbit reaches the pole gamma3 = 1 at t = 1.74782627825..., where the model ends: its rows up to there. */
+static void reference_orbits_are_met_within_1e11_and_errors_fall_with_the_tolerance(void **unused)
+{
+    static const char *const tiers[] = { "level", "five", "track" };
+    double rows[ROWS_MAX][1 + STATES];
+
+    (void)unused;
+    assert_true(read_reference(rows, "flow_generic.csv") >= 3);
+    for (size_t i = 0; i < sizeof tiers / sizeof *tiers; i++) {
+        assert_true(reference_error(&generic, rows, 2, tiers[i], 1e-13) <= 1e-11);
+        assert_true(reference_error(&generic, rows, 2, tiers[i], 1e-10)
+                    < 0.1 * reference_error(&generic, rows, 2, tiers[i], 1e-7));
+    }
+    assert_true(reference_error(&generic, rows, 2, "full", 1e-13) <= 1e-11);
+    assert_int_equal(read_reference(rows, "flow_rod.csv"), 4);
+    for (size_t i = 0; i < sizeof tiers / sizeof *tiers; i++)
+        assert_true(reference_error(&rod, rows, 3, tiers[i], 1e-13) <= 1e-11);
+    assert_true(reference_error(&rod, rows, 3, "quadrature", 1e-13) <= 1e-13);
+}
+
+static void the_planner_takes_the_smallest_tier_that_serves(void **unused)
+{
+    static const struct {
+        const orbit *orbit;
+        bool attitude;
+        const char *tier;
+    } cases[] = { { &rod, false, "quadrature" }, { &balanced, false, "plane" }, { &flat, false, "plane" },
+                  { &equal_moments, false, "plane" }, { &generic, false, "level" }, { &generic, true, "track" } };
+    const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
+    jlt_plan plan;
+
+    (void)unused;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const jlt_question question = { model, cases[i].orbit->params, cases[i].orbit->start, cases[i].attitude, NULL };
+        assert_int_equal(jlt_plan_make(&plan, &question), JLT_OK);
+        assert_string_equal(jlt_plan_tier(&plan), cases[i].tier);
+    }
+    const jlt_question forced = { model, generic.params, generic.start, false, "plane" };
+    assert_int_equal(jlt_plan_make(&plan, &forced), JLT_ERR_UNSUPPORTED);
+    const jlt_question unknown = { model, generic.params, generic.start, false, "six" };
+    assert_int_equal(jlt_plan_make(&plan, &unknown), JLT_ERR_ARG);
+}
+
+/* Time reversed, the plane's other half: v_slip < 0 is integrated as the reversor's image of v_slip > 0. */
+static void an_orbit_run_backwards_returns_to_its_start(void **unused)
+{
+    (void)unused;
+    const orbit *all[] = { &generic, &balanced, &flat, &rod };
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        orbit there = *all[i], back = *all[i];
+        double end[STATES], start[STATES];
+        there.count = back.count = 1;
+        there.times[0] = 1;
+        back.times[0] = -1;
+        follow(end, NULL, &there, NULL, 1e-13);
+        memcpy(back.start, end, sizeof back.start);
+        follow(start, NULL, &back, NULL, 1e-13);
+        assert_true(distance(start, there.start, STATES) <= bound);
+    }
+}
+
+static void attitude_and_track_by_quadratures_are_those_of_the_full_system(void **unused)
+{
+    double states[ROWS_MAX * STATES];
+    jlt_attitude by_angles[ROWS_MAX], by_axes[ROWS_MAX];
+
+    (void)unused;
+    follow(states, by_angles, &generic, "track", 1e-13);
+    follow(states, by_axes, &generic, "full", 1e-13);
+    for (size_t i = 0; i < generic.count; i++) {
+        assert_true(distance(&by_angles[i].axes[0][0], &by_axes[i].axes[0][0], 9) <= bound);
+        assert_true(distance(by_angles[i].centre, by_axes[i].centre, 2) <= bound);
+        assert_true(distance(by_angles[i].contact, by_axes[i].contact, 2) <= bound);
+        assert_true(by_angles[i].orthonormality <= bound);
+        assert_true(by_axes[i].orthonormality <= bound);
+    }
+}
+
+/* (2.1): the contact point of a balanced sphere moves with its centre, and the horizontal momentum is constant in space, so
+ * without slip along nu the track would be straight; here its direction is checked against the velocity by differences. */
+static void the_centre_moves_with_the_velocity_of_the_reduced_state(void **unused)
+{
+    const double h = 1e-4;
+    orbit o = generic;
+    double states[ROWS_MAX * STATES];
+    jlt_attitude at[ROWS_MAX];
+
+    (void)unused;
+    o.count = 3;
+    o.times[0] = 0.5 - h;
+    o.times[1] = 0.5;
+    o.times[2] = 0.5 + h;
+    follow(states, at, &o, "track", 1e-13);
+    const double *x = states + STATES;
+    const jlt_top top = { 1.3, 0.7, 9.81, -0.12, 0.29, 0.21 };
+    const double horizontal = hypot(x[JLT_TOP_V_NU], jlt_top_v_tau(&top, x));
+    const double dx = (at[2].centre[0] - at[0].centre[0]) / (2 * h), dy = (at[2].centre[1] - at[0].centre[1]) / (2 * h);
+    /* central differences: third derivative of the track (below 100 here) times h^2/6 */
+    assert_true(fabs(hypot(dx, dy) - horizontal) <= 2e-7);
+}
+
+/* The normal reaction from its formula is the one that lifts the centre of mass: z = R + a3 gamma3, m z'' = N - m g. */
+static void contact_force_is_the_acceleration_of_the_centre(void **unused)
+{
+    const double h = 1e-3;
+    orbit o = generic;
+    double x[ROWS_MAX * STATES], z[5];
+    const jlt_top top = { 1.3, 0.7, 9.81, -0.12, 0.29, 0.21 };
+
+    (void)unused;
+    o.count = 5;
+    for (size_t i = 0; i < 5; i++) o.times[i] = 0.3 + h * (double)i;
+    follow(x, NULL, &o, "five", 1e-14);
+    for (size_t i = 0; i < 5; i++) z[i] = top.R + top.a3 * x[i * STATES];
+    const double acceleration = (-z[0] + 16 * z[1] - 30 * z[2] + 16 * z[3] - z[4]) / (12 * h * h);
+    /* rounding 1e-15/h^2 = 1e-9, truncation h^4 z^(6)/90 < 1e-9 */
+    assert_true(fabs(top.m * (acceleration + top.g) - jlt_top_contact_force(&top, x + 2 * STATES)) <= 2e-8);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_tier_agrees_with_the_tier_above_it),
+        cmocka_unit_test(reference_orbits_are_met_within_1e11_and_errors_fall_with_the_tolerance),
+        cmocka_unit_test(the_planner_takes_the_smallest_tier_that_serves),
+        cmocka_unit_test(an_orbit_run_backwards_returns_to_its_start),
+        cmocka_unit_test(attitude_and_track_by_quadratures_are_those_of_the_full_system),
+        cmocka_unit_test(the_centre_moves_with_the_velocity_of_the_reduced_state),
+        cmocka_unit_test(contact_force_is_the_acceleration_of_the_centre),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

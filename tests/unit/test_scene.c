@@ -1,0 +1,121 @@
+/* Scene files: what they become, and that every mistake is named with its line. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "scene/scene.h"
+
+static jlt_status read_text(jlt_scene **scene, char *message, const char *text)
+{
+    char path[] = "/tmp/jellett_scene_XXXXXX";
+    const int descriptor = mkstemp(path);
+    jlt_status st;
+
+    assert_true(descriptor >= 0);
+    assert_int_equal(write(descriptor, text, strlen(text)), (ssize_t)strlen(text));
+    close(descriptor);
+    st = jlt_scene_read(scene, message, path);
+    unlink(path);
+    /* the path in front is random: drop it */
+    if (strncmp(message, path, strlen(path)) == 0) memmove(message, message + strlen(path), strlen(message + strlen(path)) + 1);
+    return st;
+}
+
+static void a_scene_becomes_options_of_commands_with_exact_numbers(void **unused)
+{
+    char message[JLT_SCENE_MESSAGE_MAX];
+    jlt_scene *scene = NULL;
+
+    (void)unused;
+    assert_int_equal(read_text(&scene, message,
+                               "title = \"two\"; model = \"spherical_top\";\n"
+                               "parameters = { m = 1; a3 = 0.51; I1 = \"1/3\"; };\n"
+                               "levels = { E = 2.15; G = -0.56; };\n"
+                               "accuracy = { tolerance = 1e-13; tier = \"five\"; };\n"
+                               "compute = (\n"
+                               "  { what = \"simulate\"; start = { gamma3 = 0.1; }; times = ( 0, \"1/3\", 2 ); track = true; },\n"
+                               "  { what = \"section\"; grid = { eta = (\"-pi\", 3, 8); gamma3 = 0.5; }; returns = 10; },\n"
+                               "  { what = \"fates\"; grid = \"24x16\"; } );\n"),
+                     JLT_OK);
+    assert_string_equal(scene->title, "two");
+    assert_int_equal(scene->count, 3);
+    assert_string_equal(scene->jobs[0].what, "simulate");
+    assert_string_equal(scene->jobs[0].model, "spherical_top");
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "set"), "m=1,a3=0.51,I1=1/3");
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "times"), "0,1/3,2");
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "start"), "gamma3=0.1");
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "tol"), "1e-13");
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "tier"), "five");
+    assert_null(jlt_scene_value(&scene->jobs[0], "level")); /* simulate knows no levels */
+    assert_null(jlt_scene_value(&scene->jobs[1], "tier"));
+    assert_string_equal(jlt_scene_value(&scene->jobs[1], "level"), "E=2.15,G=-0.56");
+    assert_string_equal(jlt_scene_value(&scene->jobs[1], "grid"), "eta=-pi:3:8,gamma3=0.5");
+    assert_string_equal(jlt_scene_value(&scene->jobs[2], "grid"), "24x16");
+    jlt_scene_destroy(scene);
+}
+
+static void every_mistake_is_named_with_its_line(void **unused)
+{
+    static const struct {
+        const char *text, *message;
+    } cases[] = {
+        { "compute = ( { what = \"section\"; }\n", ":2: error: syntax error" },
+        { "compute = ();", ":1: error: 'compute' is empty" },
+        { "title = \"x\";", ": error: nothing to do: no 'compute'" },
+        { "compute = { what = \"section\"; };", ":1: error: 'compute' takes a list in parentheses" },
+        { "paramters = { m = 1; };\ncompute = ( { what = \"section\"; } );", ":1: error: unknown key 'paramters'" },
+        { "compute = (\n { what = \"sections\"; } );", ":2: error: unknown command \"sections\" (expected one of simulate" },
+        { "compute = ( { returns = 3; } );", ":1: error: an entry of 'compute' needs what" },
+        { "compute = ( { what = \"section\";\n retruns = 3; } );", ":2: error: unknown key 'retruns' for section (it knows what" },
+        { "compute = ( { what = \"section\";\n returns = 0; } );", ":2: error: 'returns' must be at least 1" },
+        { "compute = ( { what = \"section\";\n returns = 1.5; } );", ":2: error: 'returns' takes a whole number" },
+        { "compute = ( { what = \"simulate\";\n\n times = 3; } );", ":3: error: 'times' takes numbers in brackets" },
+        { "compute = ( { what = \"simulate\"; until = \"1/0\"; } );", ":1: error: 'until' is no number: \"1/0\"" },
+        { "compute = ( { what = \"simulate\"; track = 1; } );", ":1: error: 'track' takes true or false" },
+        { "parameters = { m = \"nan\"; };\ncompute = ( { what = \"section\"; } );", ":1: error: 'm' is no number: \"nan\"" },
+        { "parameters = { m = \"1e999\"; };\ncompute = ( { what = \"section\"; } );", ":1: error: 'm' is beyond the range" },
+        { "accuracy = { tolerence = 1e-3; };\ncompute = ( { what = \"section\"; } );",
+          ":1: error: unknown key 'tolerence' in 'accuracy'" },
+        { "compute = ( { what = \"section\";\n grid = { eta = [1, 2]; }; } );", ":2: error: 'eta' takes one number or [first" },
+        { "title = 3;\ncompute = ( { what = \"section\"; } );", ":1: error: 'title' takes a text" },
+        { "title = \"a\";\ntitle = \"b\";\n", ":2: error: duplicate setting name" },
+    };
+
+    (void)unused;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char message[JLT_SCENE_MESSAGE_MAX];
+        jlt_scene *scene = NULL;
+        assert_int_equal(read_text(&scene, message, cases[i].text), JLT_ERR_ARG);
+        assert_null(scene);
+        if (strncmp(message, cases[i].message, strlen(cases[i].message)) != 0)
+            fail_msg("expected '%s...', got '%s'", cases[i].message, message);
+    }
+}
+
+static void a_missing_file_is_an_input_error_of_its_own(void **unused)
+{
+    char message[JLT_SCENE_MESSAGE_MAX];
+    jlt_scene *scene = NULL;
+
+    (void)unused;
+    assert_int_equal(jlt_scene_read(&scene, message, "/nonexistent/x.scene"), JLT_ERR_IO);
+    assert_null(scene);
+    assert_string_equal(message, "/nonexistent/x.scene: error: No such file or directory");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_scene_becomes_options_of_commands_with_exact_numbers),
+        cmocka_unit_test(every_mistake_is_named_with_its_line),
+        cmocka_unit_test(a_missing_file_is_an_input_error_of_its_own),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
