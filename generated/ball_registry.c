@@ -10,9 +10,15 @@ extern const jlt_ball_table jlt_balls_spherical_top_general_on_level_G_omega3;
 extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular;
 extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G;
 extern const jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G_omega3;
+extern const jlt_ball_table jlt_balls_spherical_top_balanced_general;
+extern const jlt_ball_table jlt_balls_spherical_top_balanced_general_in_regular;
 extern const jlt_ball_table jlt_balls_spherical_top_full_general;
 extern const jlt_ball_table jlt_balls_spherical_top_level_general;
 extern const jlt_ball_table jlt_balls_spherical_top_level_general_in_regular;
+extern const jlt_ball_table jlt_balls_spherical_top_plane_general;
+extern const jlt_ball_table jlt_balls_spherical_top_plane_general_in_regular;
+extern const jlt_ball_table jlt_balls_spherical_top_track_general;
+extern const jlt_ball_table jlt_balls_spherical_top_track_general_in_regular;
 
 const jlt_ball_table *const jlt_ball_registry[] = {
     &jlt_balls_chaplygin_sleigh_general,
@@ -24,12 +30,18 @@ const jlt_ball_table *const jlt_ball_registry[] = {
     &jlt_balls_spherical_top_general_in_regular,
     &jlt_balls_spherical_top_general_in_regular_on_level_G,
     &jlt_balls_spherical_top_general_in_regular_on_level_G_omega3,
+    &jlt_balls_spherical_top_balanced_general,
+    &jlt_balls_spherical_top_balanced_general_in_regular,
     &jlt_balls_spherical_top_full_general,
     &jlt_balls_spherical_top_level_general,
     &jlt_balls_spherical_top_level_general_in_regular,
+    &jlt_balls_spherical_top_plane_general,
+    &jlt_balls_spherical_top_plane_general_in_regular,
+    &jlt_balls_spherical_top_track_general,
+    &jlt_balls_spherical_top_track_general_in_regular,
 };
 
-const unsigned jlt_ball_registry_count = 12;
+const unsigned jlt_ball_registry_count = 18;
 
 void jlt_ball_rational(arb_t out, const char *digits, slong prec)
 {

@@ -29,6 +29,10 @@ extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G;
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_general;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular;
 extern const jlt_descriptor jlt_kernels_spherical_top_full_general;
 extern const jlt_descriptor jlt_kernels_spherical_top_level_general;
 extern const jlt_descriptor jlt_kernels_spherical_top_level_general_in_regular;
@@ -36,6 +40,16 @@ extern const jlt_descriptor jlt_kernels_spherical_top_level_balanced;
 extern const jlt_descriptor jlt_kernels_spherical_top_level_balanced_in_regular;
 extern const jlt_descriptor jlt_kernels_spherical_top_level_rod;
 extern const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_plane_general;
+extern const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments;
+extern const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_general;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_general_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_balanced;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_rod;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular;
 
 const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_chaplygin_sleigh_general,
@@ -66,6 +80,10 @@ const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_spherical_top_balanced_equal_in_regular,
     &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G,
     &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_general,
+    &jlt_kernels_spherical_top_balanced_general_in_regular,
+    &jlt_kernels_spherical_top_balanced_equal_moments,
+    &jlt_kernels_spherical_top_balanced_equal_moments_in_regular,
     &jlt_kernels_spherical_top_full_general,
     &jlt_kernels_spherical_top_level_general,
     &jlt_kernels_spherical_top_level_general_in_regular,
@@ -73,6 +91,16 @@ const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_spherical_top_level_balanced_in_regular,
     &jlt_kernels_spherical_top_level_rod,
     &jlt_kernels_spherical_top_level_rod_in_regular,
+    &jlt_kernels_spherical_top_plane_general,
+    &jlt_kernels_spherical_top_plane_general_in_regular,
+    &jlt_kernels_spherical_top_plane_equal_moments,
+    &jlt_kernels_spherical_top_plane_equal_moments_in_regular,
+    &jlt_kernels_spherical_top_track_general,
+    &jlt_kernels_spherical_top_track_general_in_regular,
+    &jlt_kernels_spherical_top_track_balanced,
+    &jlt_kernels_spherical_top_track_balanced_in_regular,
+    &jlt_kernels_spherical_top_track_rod,
+    &jlt_kernels_spherical_top_track_rod_in_regular,
 };
 
-const unsigned jlt_registry_count = 35;
+const unsigned jlt_registry_count = 49;
