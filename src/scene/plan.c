@@ -62,7 +62,7 @@ jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question)
         return JLT_OK;
     }
     if (jlt_top_read(&top, question->model, question->params) != JLT_OK) return JLT_ERR_UNSUPPORTED;
-    for (const jlt_tier *tier = jlt_tiers; tier->name != NULL; tier++) {
+    for (const jlt_tier *tier = jlt_tier_at(0); tier != NULL; tier = jlt_tier_at(plan.count)) {
         const jlt_candidate candidate = judge(tier, question, &top);
         const bool wanted = plan.forced ? strcmp(tier->name, question->tier) == 0 : !tier->by_name;
         if (wanted && !found && (candidate.refusal == NULL || plan.forced)) {

@@ -208,7 +208,7 @@ static void full_orient(const jlt_tier_view *view, jlt_attitude *out, const doub
 
 /* ---- the table ---- */
 
-const jlt_tier jlt_tiers[] = {
+static const jlt_tier tiers[] = {
     { "quadrature", "I3 = 0: tilt, turn and time by quadratures, nothing is integrated in time", 0,
       NULL, NULL, NULL, false, false, 0, needs_rod, NULL, NULL, NULL },
     { "plane", "a3 = 0: the flow on a half of M^2, levels of E, G and F0 fixed", 2,
@@ -232,13 +232,17 @@ const jlt_tier jlt_tiers[] = {
       "spherical_top_track", "regular", NULL, false, true, 10, NULL, track_embed, five_extract, track_orient },
     { "full", "the full system (2.7) with (2.1): every vector by its components", 17,
       "spherical_top_full", NULL, NULL, false, true, 17, needs_inertia, full_embed, full_extract, full_orient },
-    { NULL, NULL, 0, NULL, NULL, NULL, false, false, 0, NULL, NULL, NULL, NULL },
 };
+
+const jlt_tier *jlt_tier_at(size_t index)
+{
+    return index < sizeof tiers / sizeof *tiers ? &tiers[index] : NULL;
+}
 
 const jlt_tier *jlt_tier_find(const char *name)
 {
-    for (const jlt_tier *tier = jlt_tiers; tier->name != NULL; tier++)
-        if (strcmp(tier->name, name) == 0) return tier;
+    for (size_t i = 0; i < sizeof tiers / sizeof *tiers; i++)
+        if (strcmp(tiers[i].name, name) == 0) return &tiers[i];
     return NULL;
 }
 

@@ -37,8 +37,8 @@ typedef struct {
     void (*orient)(const jlt_tier_view *view, jlt_attitude *out, const double *y); /* NULL without attitude */
 } jlt_tier;
 
-/** The table; ends with a NULL name. */
-extern const jlt_tier jlt_tiers[];
+/* The table, from the smallest; NULL past the end. */
+const jlt_tier *jlt_tier_at(size_t index);
 
 const jlt_tier *jlt_tier_find(const char *name); /* NULL when there is none */
 

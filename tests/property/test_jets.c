@@ -1,6 +1,7 @@
 /* Generated Taylor recurrences of every field, against its right-hand side and its Jacobian. */
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,6 +28,17 @@ static double largest(const double *a, unsigned n)
     double size = 0;
     for (unsigned i = 0; i < n; i++) size = fmax(size, fabs(a[i]));
     return size;
+}
+
+/* A radicand may be negative at a point taken at random. */
+static bool in_domain(const jlt_descriptor *d, const double *x, const double *p)
+{
+    double f[STATES_MAX];
+
+    d->rhs.call(x, p, f);
+    for (unsigned i = 0; i < d->state_count; i++)
+        if (!isfinite(f[i])) return false;
+    return true;
 }
 
 /* c_1 = f, c_2 = J f/2 on the model's states; row and column of t left out. Rounding: some hundred operations, and no
@@ -94,6 +106,7 @@ static void jets_solve_their_equations(void **unused)
                 double high = isfinite(d->states[i].high) ? d->states[i].high : 1;
                 x[i] = low + (high - low) * (0.05 + 0.9 * uniform(&state));
             }
+            if (!in_domain(d, x, p)) continue;
             d->jet(x, p, ORDER, jet);
             check_low_orders(d, x, p, jet, columns);
             check_high_orders(d, p, jet, columns);
