@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIRST_PRECISION = 256, LAST_PRECISION = 8192, DOUBLE_PRECISION = 53, KEEP_BITS = 100 };
+enum { FIRST_PRECISION = 256, LAST_PRECISION = 2048, DOUBLE_PRECISION = 53, KEEP_BITS = 100 };
 
 /* In balls of full precision, or in 53-bit balls with roots taken in full or as written. */
 typedef enum { FULL, ROUNDED, PLAIN, MODES } evaluation;

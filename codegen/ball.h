@@ -32,7 +32,7 @@ bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction
  * rounded on the way. A symbol that stands for itself has no value. */
 void ttc_ball_bind(ttc_ball *ball, uint32_t symbol, ttc_id id);
 
-/** Enclose an expression. Starts with 256 bits and doubles them, up to 8192, until the radius is below 2^-100 of the value
+/** Enclose an expression. Starts with 256 bits and doubles them, up to 2048, until the radius is below 2^-100 of the value
  *  or the value is zero. False when a symbol has no value, or no finite enclosure exists (a pole, the root of a negative
  *  number); out is then untouched. Values beyond the doubles give infinities. Cost: one visit a node, remembered until a
  *  value changes. */

@@ -129,8 +129,28 @@ static bool choose(choice *best, const problem *p)
     return found;
 }
 
+/* At a relative equilibrium gradients are dependent, and what elimination leaves of one is rounding. A true left null
+ * vector stays one; rounding does not: r A, r = `row` times the columns' scales, must stay below a thousandth of its terms'
+ * sizes in every column. */
+static bool annihilates(const double *row, const double *columns, const problem *p)
+{
+    const size_t n = p->n;
+    double largest = 0.0;
+
+    for (size_t i = 0; i < n; i++) largest = fmax(largest, fabs(row[i]));
+    for (size_t j = 0; j < n; j++) {
+        double sum = 0.0, size = 0.0;
+        for (size_t i = 0; i < n; i++) {
+            sum += row[i] * columns[i] * p->a[i * n + j];
+            size += largest * columns[i] * fabs(p->a[i * n + j]);
+        }
+        if (fabs(sum) > 1e-3 * size) return false;
+    }
+    return true;
+}
+
 /* Keep gradients that are independent of those before them: rows and columns are scaled near one, and a row whose
- * remainder after elimination falls below 1e-10 is left out. */
+ * remainder after elimination falls below 1e-10, or is rounding, is left out. */
 static void independent(problem *p, const double *gradients, size_t count)
 {
     const size_t n = p->n;
@@ -160,7 +180,7 @@ static void independent(problem *p, const double *gradients, size_t count)
                 left = fabs(row[j]);
                 lead[p->rank] = j;
             }
-        if (left > 1e-10 * largest && largest > 0.0) p->row[p->rank++] = (int)r;
+        if (left > 1e-10 * largest && largest > 0.0 && annihilates(row, columns, p)) p->row[p->rank++] = (int)r;
     }
 }
 

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 static const jlt_command *const commands[] = {
+    &jlt_command_verify,
     &jlt_command_eigen,
     &jlt_command_models,
     &jlt_command_section,

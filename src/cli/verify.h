@@ -1,0 +1,93 @@
+/** The command `jellett verify`, shared by its files. Each section gathers its findings as plain data, then writes them as
+ *  text or JSON; nothing in them depends on time, place or addresses, so the same seed gives the same bytes. */
+#ifndef JLT_CLI_VERIFY_H
+#define JLT_CLI_VERIFY_H
+
+#include "cli/oracle.h"
+#include "core/random.h"
+#include "prove.h"
+
+#include <jansson.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Section (b): one comparison over all samples of a family. An error counts in units of 2^-53 of the value's own size (ulp), and
+ * as a part of the bound that was derived for it at that sample; the comparison holds when no part exceeds one. */
+typedef struct {
+    const char *name, *bound; /* what is compared; where the bound comes from */
+    size_t compared;          /* numbers compared */
+    double worst_ulp, worst_part;
+} jlt_verify_check;
+
+enum { JLT_VERIFY_CHECKS_MAX = 16 };
+
+typedef struct {
+    const jlt_equilibria *family;
+    size_t samples, refused; /* refused: an overflow or underflow on the way, reported as an error by the kernels */
+    jlt_verify_check checks[JLT_VERIFY_CHECKS_MAX];
+    size_t check_count;
+    double gsl_worst, arpack_worst; /* largest difference to other eigenvalue routes, relative to the matrix: measured only */
+    size_t arpack_used;
+} jlt_verify_family;
+
+/* Section (b), certificate at one rational point. */
+typedef struct {
+    const jlt_equilibria *family;
+    char *point;       /* "m = 1, gamma3 = 3/5, ..." */
+    bool exact;        /* every component of f is exactly zero, in rational arithmetic */
+    bool excludes_zero;
+    char *trace, *enclosure; /* exact fraction (NULL when irrational); 256-bit ball */
+} jlt_verify_certificate;
+
+/* Section (c): the attempt at a density on one kernel. */
+typedef struct {
+    const jlt_descriptor *descriptor;
+    double *params;          /* owned */
+    size_t along;            /* the state with the least defect */
+    double defect;
+    bool found;              /* the defect is rounding: a density of that state alone */
+    const char *closed_form; /* name of the table's density that it was compared with, or NULL */
+    double difference;       /* largest relative difference to it, after normalization */
+    double difference_bound; /* quadrature's estimate and rounding */
+    double residual;         /* worst |div(rho f)| / |rho div f| of the table's densities */
+    jlt_status status;
+} jlt_verify_density;
+
+typedef struct {
+    const char *model;
+    bool json;
+    uint64_t seed;
+    size_t samples;
+    const jlt_descriptor *descriptor; /* general field */
+    jlt_oracle *oracle;
+    jlt_random random;
+    ttc_proof_report *proofs;
+    jlt_verify_family *families;
+    size_t family_count;
+    jlt_verify_certificate *certificates;
+    size_t certificate_count;
+    jlt_verify_density *densities;
+    size_t density_count;
+    size_t held, failed; /* totals over all sections */
+} jlt_verify_run;
+
+/* Each fills its part of the run and counts what held and what failed. */
+JLT_CHECKED jlt_status jlt_verify_prove(jlt_verify_run *run);
+JLT_CHECKED jlt_status jlt_verify_families(jlt_verify_run *run);
+JLT_CHECKED jlt_status jlt_verify_certify(jlt_verify_run *run);
+JLT_CHECKED jlt_status jlt_verify_densities(jlt_verify_run *run);
+
+/* The claim of the table that a family comes from. */
+const ttc_claim *jlt_verify_claim(const jlt_verify_run *run, const jlt_equilibria *family);
+
+/* Put the oracle on a family: conditions and dependent states stand for their expressions, the rest has these values. */
+void jlt_verify_place(jlt_verify_run *run, const ttc_claim *claim, const double *params, const double *x);
+
+/* Random parameters that satisfy the table's conditions: moderate, extreme, or the defaults. Shape (params,). */
+void jlt_verify_draw_params(double *params, const jlt_descriptor *descriptor, jlt_random *random, unsigned kind);
+
+void jlt_verify_write_text(FILE *stream, const jlt_verify_run *run);
+JLT_CHECKED jlt_status jlt_verify_write_json(FILE *stream, const jlt_verify_run *run);
+void jlt_verify_clear(jlt_verify_run *run);
+
+#endif

@@ -1,0 +1,394 @@
+#include "cli/verify.h"
+
+#include "analysis/charpoly.h"
+#include "analysis/deflation.h"
+#include "analysis/density.h"
+#include "kernel/descriptor.h"
+#include "kernel/instance.h"
+#include "kernel/kernel.h"
+
+#include <complex.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = JLT_DEFLATION_SIZE_MAX, PARAMS_MAX = 256, REDRAWS = 1000 };
+
+static const double roundoff = DBL_EPSILON / 2;
+
+/* Factors by which arithmetic other than the expression as written may exceed its running error bound: the optimizer
+ * reassociates and shares, which costs a few operations more; complex arithmetic costs up to four times the operations. */
+static const double rearranged = 4.0, in_complex = 16.0;
+
+/* One sample: where it is, and everything that is compared there. */
+typedef struct {
+    double params[PARAMS_MAX], x[SIZE];
+    ttc_enclosure jacobian[SIZE * SIZE], trace, field[SIZE];
+    ttc_enclosure gradient[SIZE * SIZE];
+    double majorant[SIZE * SIZE]; /* size of each entry, cancellation undone: rounding / 2^-53, at least |entry| */
+} sample;
+
+/* Expressions of a family that are enclosed at every sample. */
+typedef struct {
+    const jlt_equilibria *family;
+    const ttc_claim *claim;
+    ttc_id *gradients; /* shape (left_null_count, n) */
+} subject;
+
+const ttc_claim *jlt_verify_claim(const jlt_verify_run *run, const jlt_equilibria *family)
+{
+    const ttc_model *model = run->oracle->model;
+
+    for (size_t i = 0; i < model->claim_count; i++)
+        if (model->claims[i].kind == TTC_CLAIM_EQUILIBRIA && strcmp(model->claims[i].name, family->name) == 0)
+            return &model->claims[i];
+    return NULL;
+}
+
+void jlt_verify_place(jlt_verify_run *run, const ttc_claim *claim, const double *params, const double *x)
+{
+    ttc_ball *ball = run->oracle->ball;
+
+    jlt_oracle_set_params(run->oracle, params, NULL);
+    jlt_oracle_set_states(run->oracle, x, NULL);
+    for (size_t i = 0; i < claim->when.count; i++)
+        ttc_ball_bind(ball, claim->when.items[i].symbol, claim->when.items[i].expression);
+    for (size_t i = 0; i < claim->bindings.count; i++)
+        ttc_ball_bind(ball, claim->bindings.items[i].symbol, claim->bindings.items[i].expression);
+}
+
+void jlt_verify_draw_params(double *params, const jlt_descriptor *descriptor, jlt_random *random, unsigned kind)
+{
+    for (unsigned i = 0; i < descriptor->param_count; i++) {
+        const jlt_quantity *q = &descriptor->params[i];
+        const double magnitude = kind == 2 ? jlt_random_magnitude(random, -8, 8) : jlt_random_magnitude(random, -1, 1);
+        const uint64_t die = jlt_random_below(random, 16);
+        if (kind == 0 && !isnan(q->value)) params[i] = q->value;
+        else if (q->sign == JLT_POSITIVE) params[i] = magnitude;
+        else if (q->sign == JLT_NONNEGATIVE) params[i] = die == 0 ? 0.0 : magnitude;
+        else if (q->sign == JLT_NONZERO || die != 0) params[i] = die < 8 ? -magnitude : magnitude;
+        else params[i] = 0.0;
+    }
+    /* Some coincidences that matter: two parameters equal, or one ulp apart. */
+    if (kind != 0 && descriptor->param_count > 1 && jlt_random_below(random, 8) == 0) {
+        const size_t from = (size_t)jlt_random_below(random, descriptor->param_count);
+        const size_t to = (size_t)jlt_random_below(random, descriptor->param_count);
+        const double value = jlt_random_below(random, 2) == 0 ? params[from] : nextafter(params[from], 2 * params[from]);
+        if (value != 0.0 && (value > 0.0 || descriptor->params[to].sign == JLT_ANY_SIGN ||
+                             descriptor->params[to].sign == JLT_NONZERO))
+            params[to] = value;
+    }
+}
+
+/* States: moderate, extreme in size, within 1e-12 of an end of their interval, or some of them zero. */
+static void draw_states(double *x, const jlt_descriptor *d, jlt_random *random, unsigned kind)
+{
+    jlt_density_draw_state(x, d, random);
+    for (unsigned i = 0; i < d->state_count; i++) {
+        const jlt_quantity *q = &d->states[i];
+        const bool limited = isfinite(q->low) && isfinite(q->high);
+        if (kind == 2 && !limited) x[i] = copysign(jlt_random_magnitude(random, -8, 8), x[i]);
+        if (kind == 3 && limited) {
+            const double end = jlt_random_below(random, 2) == 0 ? q->low : q->high;
+            x[i] = end - copysign(jlt_random_magnitude(random, -12, -2), end - (q->low / 2 + q->high / 2));
+        }
+        if (kind != 0 && !limited && jlt_random_below(random, 12) == 0) x[i] = 0.0;
+    }
+}
+
+/* A point of the family inside the domain; false when none comes up. */
+static bool draw(sample *s, jlt_verify_run *run, const subject *sub, size_t number)
+{
+    const jlt_descriptor *d = run->descriptor;
+    const unsigned kind = (unsigned)(number % 4);
+
+    for (int attempt = 0; attempt < REDRAWS; attempt++) {
+        double params[PARAMS_MAX], x[SIZE];
+        size_t index;
+        jlt_verify_draw_params(params, d, &run->random, kind);
+        draw_states(x, d, &run->random, kind);
+        if (jlt_descriptor_check_state(d, x, &index) != JLT_OK) continue;
+        if (jlt_kernel_eval_function(s->params, sub->family->impose, d->param_count, x, d->state_count, params,
+                                     d->param_count) != JLT_OK ||
+            jlt_kernel_eval_function(s->x, sub->family->point, d->state_count, x, d->state_count, s->params,
+                                     d->param_count) != JLT_OK)
+            continue;
+        if (jlt_descriptor_check_params(d, s->params, &index) == JLT_OK &&
+            jlt_descriptor_check_state(d, s->x, &index) == JLT_OK)
+            return true;
+    }
+    return false;
+}
+
+static jlt_status enclose(sample *s, jlt_verify_run *run, const subject *sub)
+{
+    const size_t n = run->descriptor->state_count;
+    jlt_oracle *o = run->oracle;
+    jlt_status st;
+
+    jlt_verify_place(run, sub->claim, s->params, s->x);
+    JLT_TRY(jlt_oracle_enclose(o, s->jacobian, o->jacobian, n * n));
+    JLT_TRY(jlt_oracle_enclose(o, &s->trace, &o->trace, 1));
+    JLT_TRY(jlt_oracle_enclose(o, s->gradient, sub->gradients, sub->family->left_null_count * n));
+    JLT_TRY(jlt_oracle_enclose(o, s->field, o->field, n));
+    for (size_t i = 0; i < n * n; i++)
+        s->majorant[i] = fmax(fabs(s->jacobian[i].value), s->jacobian[i].rounding / roundoff);
+done:
+    return st;
+}
+
+static jlt_verify_check *check_named(jlt_verify_family *f, const char *name, const char *bound)
+{
+    for (size_t i = 0; i < f->check_count; i++)
+        if (f->checks[i].name == name) return &f->checks[i];
+    if (f->check_count == JLT_VERIFY_CHECKS_MAX) return &f->checks[JLT_VERIFY_CHECKS_MAX - 1];
+    f->checks[f->check_count] = (jlt_verify_check){ .name = name, .bound = bound };
+    return &f->checks[f->check_count++];
+}
+
+static void record(jlt_verify_check *check, double error, double size, double bound)
+{
+    /* Results below the normal range were refused already; what is left of rounding there is one subnormal. */
+    const double part = error == 0.0 ? 0.0 : error / (bound + 0x1p-1074);
+
+    check->compared++;
+    if (size > 0.0) check->worst_ulp = fmax(check->worst_ulp, error / (size * roundoff));
+    if (!(part <= check->worst_part)) check->worst_part = part;
+}
+
+static const char running_error[] = "4 times the running error of the expression as written (53-bit balls)";
+static const char complex_error[] = "16 times the running error of the expression as written (53-bit balls)";
+static const char charpoly_error[] = "k(n+3) roundings of the coefficient without cancellation, and the formula's";
+static const char root_error[] = "the reported error of each eigenvalue, to first order, and the polynomial's";
+static const char null_error[] = "running errors of gradient and matrix, and n+4 roundings, without cancellation";
+
+static void against_enclosures(jlt_verify_check *check, const double *computed, const ttc_enclosure *exact, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        record(check, jlt_oracle_error(computed[i], &exact[i]), fabs(exact[i].value),
+               rearranged * exact[i].rounding + exact[i].radius);
+}
+
+static jlt_status compare_matrix(jlt_verify_family *f, const sample *s, const jlt_descriptor *d, const double *jacobian)
+{
+    static const char name[] = "generated Jacobian against the table's matrix";
+    const size_t n = d->state_count;
+    double formula[SIZE * SIZE];
+    jlt_status st;
+
+    if (f->family->matrix == NULL) return JLT_OK;
+    st = jlt_kernel_eval_function(formula, f->family->matrix, n * n, s->x, n, s->params, d->param_count);
+    if (st != JLT_OK) return st;
+    against_enclosures(check_named(f, "table's matrix in ball enclosures of 256 bits", running_error), formula, s->jacobian,
+                       n * n);
+    for (size_t i = 0; i < n * n; i++)
+        record(check_named(f, name, running_error), fabs(formula[i] - jacobian[i]), fabs(s->jacobian[i].value),
+               2 * rearranged * s->jacobian[i].rounding);
+    return JLT_OK;
+}
+
+/* Columns by Im f(x + i h e_j) / h: no subtraction, so h may be as small as 2^-100 of x_j. */
+static void compare_complex_step(jlt_verify_family *f, const sample *s, const jlt_descriptor *d, const double *jacobian)
+{
+    jlt_verify_check *check = check_named(f, "generated Jacobian against complex-step differentiation", complex_error);
+    const size_t n = d->state_count;
+    double complex x[SIZE], out[SIZE];
+
+    if (d->rhs_complex == NULL) return;
+    for (size_t j = 0; j < n; j++) {
+        const double step = s->x[j] == 0.0 ? 0x1p-100 : ldexp(fabs(s->x[j]), -100);
+        for (size_t i = 0; i < n; i++) x[i] = s->x[i] + (i == j ? step * I : 0.0);
+        d->rhs_complex(x, s->params, out);
+        for (size_t i = 0; i < n; i++) {
+            const ttc_enclosure *exact = &s->jacobian[i * n + j];
+            record(check, fabs(cimag(out[i]) / step - jacobian[i * n + j]), fabs(exact->value),
+                   in_complex * exact->plain_rounding);
+        }
+    }
+}
+
+static jlt_status compare_charpoly(jlt_verify_family *f, const sample *s, const jlt_descriptor *d, const double *jacobian,
+                                   const jlt_deflation *eigen)
+{
+    const size_t n = d->state_count;
+    double computed[SIZE + 1], scale[SIZE + 1], formula[SIZE + 1], re[SIZE], im[SIZE], roots[SIZE + 1], sizes[SIZE + 1];
+    double errors = 0.0;
+    jlt_status st = jlt_charpoly_faddeev_leverrier(computed, scale, jacobian, s->majorant, n);
+
+    if (st != JLT_OK) return st;
+    if (f->family->charpoly != NULL) {
+        st = jlt_kernel_eval_function(formula, f->family->charpoly, n + 1, s->x, n, s->params, d->param_count);
+        if (st != JLT_OK) return st;
+        for (size_t k = 1; k <= n; k++)
+            record(check_named(f, "characteristic polynomial, Faddeev-LeVerrier against the table's", charpoly_error),
+                   fabs(computed[k] - formula[k] / formula[0]), fabs(formula[k] / formula[0]),
+                   rearranged * (double)(k * (n + 3)) * roundoff * scale[k]);
+    }
+    for (size_t i = 0; i < n; i++) {
+        re[i] = eigen->values[i].re;
+        im[i] = eigen->values[i].im;
+        errors += eigen->values[i].error;
+    }
+    st = jlt_charpoly_from_roots(roots, sizes, re, im, n);
+    if (st != JLT_OK) return st;
+    for (size_t k = 1; k <= n; k++)
+        record(check_named(f, "eigenvalues against the characteristic polynomial", root_error),
+               fabs(roots[k] - computed[k]), fabs(computed[k]),
+               errors * sizes[k - 1] * (double)k + rearranged * (double)(k * (n + 3)) * roundoff * (scale[k] + sizes[k]));
+    return JLT_OK;
+}
+
+static jlt_status compare_left_null(jlt_verify_family *f, const sample *s, const jlt_descriptor *d, const double *jacobian)
+{
+    jlt_verify_check *check;
+    const size_t n = d->state_count, count = f->family->left_null_count;
+    double w[SIZE * SIZE];
+    jlt_status st;
+
+    if (count == 0 || f->family->left_null_gradients == NULL) return JLT_OK;
+    st = jlt_kernel_eval_function(w, f->family->left_null_gradients, count * n, s->x, n, s->params, d->param_count);
+    if (st != JLT_OK) return st;
+    against_enclosures(check_named(f, "integrals' gradients in ball enclosures of 256 bits", running_error), w, s->gradient,
+                       count * n);
+    check = check_named(f, "integrals' gradients as left null vectors", null_error);
+    for (size_t k = 0; k < count; k++)
+        for (size_t j = 0; j < n; j++) {
+            double sum = 0.0, size = 0.0, bound = 0.0;
+            for (size_t i = 0; i < n; i++) {
+                const ttc_enclosure *gradient = &s->gradient[k * n + i], *entry = &s->jacobian[i * n + j];
+                sum += w[k * n + i] * jacobian[i * n + j];
+                size += fabs(w[k * n + i] * jacobian[i * n + j]);
+                bound += rearranged * (gradient->rounding * s->majorant[i * n + j] +
+                                       fmax(fabs(gradient->value), gradient->rounding / roundoff) * entry->rounding);
+            }
+            record(check, fabs(sum), size, bound + (double)(n + 4) * roundoff * size);
+        }
+    return JLT_OK;
+}
+
+static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, const sample *s, const jlt_instance *special,
+                                const double *jacobian)
+{
+    const jlt_descriptor *d = special->descriptor;
+    const size_t n = d->state_count;
+    double gradients[SIZE * SIZE], errors[SIZE * SIZE];
+    size_t count = 0;
+    jlt_status st;
+
+    if (d->integral_gradients.call != NULL && d->integral_count <= SIZE) {
+        count = d->integral_count;
+        st = jlt_instance_gradients(special, gradients, s->x);
+        if (st != JLT_OK) return st;
+    }
+    for (size_t i = 0; i < n * n; i++) errors[i] = jlt_oracle_error(jacobian[i], &s->jacobian[i]);
+    st = jlt_deflation_compute(eigen, jacobian, errors, n, gradients, count);
+    if (st != JLT_OK) return st;
+    f->gsl_worst = fmax(f->gsl_worst, eigen->plain_difference);
+    if (!isnan(eigen->arpack_difference)) {
+        f->arpack_worst = fmax(f->arpack_worst, eigen->arpack_difference);
+        f->arpack_used++;
+    }
+    return JLT_OK;
+}
+
+/* Everything for the kernels of one descriptor at one sample. */
+static jlt_status compare(jlt_verify_family *f, const sample *s, const jlt_descriptor *kernels, const jlt_descriptor *general)
+{
+    const size_t n = general->state_count;
+    double field[SIZE], jacobian[SIZE * SIZE], both[SIZE + SIZE * SIZE], divergence, trace;
+    jlt_instance *instance = NULL;
+    jlt_deflation *eigen = malloc(sizeof *eigen);
+    jlt_status st = eigen == NULL ? JLT_ERR_NOMEM : JLT_OK;
+
+    if (st == JLT_OK) st = jlt_instance_create(&instance, kernels, s->params);
+    if (st != JLT_OK) goto done;
+    JLT_TRY(jlt_instance_rhs(instance, field, s->x));
+    JLT_TRY(jlt_instance_jacobian(instance, jacobian, s->x));
+    JLT_TRY(jlt_kernel_eval(both, &kernels->rhs_jacobian, s->x, n, instance->block));
+    JLT_TRY(jlt_instance_divergence(instance, &divergence, s->x));
+    for (size_t i = 0; i < n; i++)
+        record(check_named(f, "field on the family, which is zero", running_error), fabs(field[i]),
+               s->field[i].rounding / roundoff, rearranged * s->field[i].rounding);
+    against_enclosures(check_named(f, "generated Jacobian in ball enclosures of 256 bits", running_error), jacobian,
+                       s->jacobian, n * n);
+    against_enclosures(check_named(f, "fused field and Jacobian in ball enclosures of 256 bits", running_error), both + n,
+                       s->jacobian, n * n);
+    against_enclosures(check_named(f, "generated divergence in ball enclosures of 256 bits", running_error), &divergence,
+                       &s->trace, 1);
+    if (f->family->trace != NULL) {
+        JLT_TRY(jlt_kernel_eval_function(&trace, f->family->trace, 1, s->x, n, s->params, general->param_count));
+        against_enclosures(check_named(f, "table's trace in ball enclosures of 256 bits", running_error), &trace, &s->trace,
+                           1);
+        record(check_named(f, "generated divergence against the table's trace", running_error), fabs(divergence - trace),
+               fabs(s->trace.value), 2 * rearranged * s->trace.rounding);
+    }
+    JLT_TRY(compare_matrix(f, s, general, jacobian));
+    compare_complex_step(f, s, general, jacobian);
+    JLT_TRY(compare_left_null(f, s, general, jacobian));
+    JLT_TRY(compare_eigen(f, eigen, s, instance, jacobian));
+    JLT_TRY(compare_charpoly(f, s, general, jacobian, eigen));
+done:
+    jlt_instance_destroy(instance);
+    free(eigen);
+    return st;
+}
+
+static jlt_status gradients_of(subject *sub, const jlt_verify_run *run)
+{
+    const ttc_model *model = run->oracle->model;
+    const size_t n = model->state_count;
+
+    sub->gradients = calloc(sub->family->left_null_count * n + 1, sizeof *sub->gradients);
+    if (sub->gradients == NULL) return JLT_ERR_NOMEM;
+    for (size_t k = 0; k < sub->family->left_null_count; k++) {
+        uint32_t claim = 0;
+        if (!ttc_model_find_claim(model, sub->family->left_null[k].name, &claim)) return JLT_ERR_UNSUPPORTED;
+        for (size_t j = 0; j < n; j++)
+            sub->gradients[k * n + j] = ttc_model_partial(model, model->claims[claim].expression, model->states[j]);
+    }
+    return JLT_OK;
+}
+
+static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
+{
+    const jlt_descriptor *general = run->descriptor;
+    subject sub = { f->family, jlt_verify_claim(run, f->family), NULL };
+    sample *s = malloc(sizeof *s);
+    jlt_status st = s == NULL ? JLT_ERR_NOMEM : JLT_OK;
+
+    if (st == JLT_OK) st = sub.claim == NULL ? JLT_ERR_UNSUPPORTED : gradients_of(&sub, run);
+    for (size_t k = 0; st == JLT_OK && k < run->samples; k++) {
+        const jlt_descriptor *special;
+        jlt_status refused;
+        if (!draw(s, run, &sub, k)) break;
+        f->samples++;
+        refused = enclose(s, run, &sub);
+        if (refused == JLT_OK) refused = compare(f, s, general, general);
+        special = jlt_descriptor_choose(general->model, NULL, NULL, s->params);
+        if (refused == JLT_OK && special != NULL && special != general) refused = compare(f, s, special, general);
+        if (refused == JLT_ERR_NOMEM) st = refused;
+        if (refused != JLT_OK) f->refused++;
+    }
+    for (size_t i = 0; i < f->check_count; i++) *(f->checks[i].worst_part <= 1.0 ? &run->held : &run->failed) += 1;
+    /* Nothing compared is nothing verified. */
+    if (f->samples == f->refused) run->failed++;
+    free(sub.gradients);
+    free(s);
+    return st;
+}
+
+jlt_status jlt_verify_families(jlt_verify_run *run)
+{
+    const jlt_descriptor *d = run->descriptor;
+    jlt_status st = JLT_OK;
+
+    if (d->state_count > SIZE || d->param_count > PARAMS_MAX) return JLT_ERR_UNSUPPORTED;
+    run->families = calloc(d->equilibria_count + 1, sizeof *run->families);
+    if (run->families == NULL) return JLT_ERR_NOMEM;
+    for (; st == JLT_OK && run->family_count < d->equilibria_count; run->family_count++) {
+        run->families[run->family_count].family = &d->equilibria[run->family_count];
+        st = verify_family(run, &run->families[run->family_count]);
+    }
+    return st;
+}

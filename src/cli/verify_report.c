@@ -1,0 +1,186 @@
+#include "cli/verify.h"
+
+#include "analysis/density.h"
+#include "report/json.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const char *variant_name(const jlt_descriptor *d)
+{
+    return d->variant[0] == '\0' ? "general field" : d->variant;
+}
+
+static const char *verdict(bool holds)
+{
+    return holds ? "holds" : "FAILS";
+}
+
+static void write_proofs(FILE *stream, const ttc_proof_report *r)
+{
+    fprintf(stream, "(a) Exact proofs over Q(parameters)(states, roots)\n\n");
+    for (size_t i = 0; i < r->proof_count; i++) {
+        const ttc_proof *p = &r->proofs[i];
+        fprintf(stream, "  %-8s %-11s %s\n", ttc_proof_status_name(p->status), p->kind, p->name);
+        if (p->remainder != NULL)
+            fprintf(stream, "           %s:%u: %s%s\n", r->file, (unsigned)p->place.line,
+                    p->status == TTC_PROVED ? "witness " : "", p->remainder);
+    }
+    fprintf(stream, "\n  %zu of %zu proved\n", r->proved, r->proof_count);
+}
+
+static void write_family(FILE *stream, const jlt_verify_family *f)
+{
+    fprintf(stream, "\n  family %s%s%s: %zu points", f->family->name, f->family->condition[0] == '\0' ? "" : ", when ",
+            f->family->condition, f->samples);
+    if (f->refused > 0) fprintf(stream, ", %zu refused for overflow or underflow", f->refused);
+    fprintf(stream, "\n\n    %-66s %9s %10s %9s\n", "", "numbers", "worst/ulp", "of bound");
+    for (size_t i = 0; i < f->check_count; i++) {
+        const jlt_verify_check *c = &f->checks[i];
+        fprintf(stream, "    %-66s %9zu %10.3g %9.2g  %s\n", c->name, c->compared, c->worst_ulp, c->worst_part,
+                verdict(c->worst_part <= 1.0));
+    }
+    if (f->samples == f->refused) fprintf(stream, "    nothing could be compared: FAILS\n");
+    fprintf(stream,
+            "    eigenvalues by other routes, largest difference relative to the matrix (measured, not judged: they lose half\n"
+            "    the digits where zero is defective): GSL without deflation %.2g, ARPACK %.2g at %zu kernels\n",
+            f->gsl_worst, f->arpack_worst, f->arpack_used);
+}
+
+static void write_certificate(FILE *stream, const jlt_verify_certificate *c)
+{
+    if (c->point == NULL) {
+        fprintf(stream, "    %s: no rational point was found where every root is rational: FAILS\n", c->family->name);
+        return;
+    }
+    fprintf(stream, "    %s at %s\n      f = 0 exactly; trace = %s\n      in %s, zero %s: %s\n", c->family->name, c->point,
+            c->trace == NULL ? "irrational" : c->trace, c->enclosure == NULL ? "?" : c->enclosure,
+            c->excludes_zero ? "excluded" : "not excluded", verdict(c->exact && c->excludes_zero));
+}
+
+static void write_density(FILE *stream, const jlt_verify_density *d)
+{
+    const jlt_descriptor *k = d->descriptor;
+
+    fprintf(stream, "    %s at", variant_name(k));
+    for (unsigned i = 0; i < k->param_count; i++) fprintf(stream, " %s=%.6g", k->params[i].name, d->params[i]);
+    fputc('\n', stream);
+    if (d->status != JLT_OK) {
+        fprintf(stream, "      not computed: %s: FAILS\n", jlt_status_text(d->status));
+        return;
+    }
+    if (!d->found) {
+        fprintf(stream,
+                "      no density of one state alone: -div f/f_q varies with the other states by %.3g of its size at fixed "
+                "q = %s, the best\n",
+                d->defect, k->states[d->along].name);
+    } else {
+        fprintf(stream, "      density of %s alone: -div f/f_q is a function of it (defect %.2g)\n", k->states[d->along].name,
+                d->defect);
+        if (d->closed_form != NULL)
+            fprintf(stream, "      by quadrature, against the closed form %s: difference %.2g, bound %.2g: %s\n",
+                    d->closed_form, d->difference, d->difference_bound, verdict(d->difference <= d->difference_bound));
+    }
+    if (k->measure_count > 0)
+        fprintf(stream, "      div(rho f) of the table's density: %.2g of rho div f, bound %.0e: %s\n", d->residual,
+                JLT_DENSITY_TOLERANCE, verdict(d->residual <= JLT_DENSITY_TOLERANCE));
+}
+
+void jlt_verify_write_text(FILE *stream, const jlt_verify_run *run)
+{
+    const jlt_descriptor *d = run->descriptor;
+
+    fprintf(stream, "%s: %s\ntable %s, %s; seed %llu, %zu samples\n\n", d->model, d->title, d->sha256, d->generator,
+            (unsigned long long)run->seed, run->samples);
+    write_proofs(stream, run->proofs);
+    fprintf(stream, "\n(b) Equilibria through the compiled kernels\n");
+    if (run->family_count == 0) fprintf(stream, "\n  the table has no family of equilibria\n");
+    for (size_t i = 0; i < run->family_count; i++) write_family(stream, &run->families[i]);
+    if (run->family_count > 0)
+        fprintf(stream,
+                "\n  ulp: 2^-53 of the number's own size (of its terms where it is zero). Bounds are derived at each point: running\n"
+                "  errors by 53-bit balls, times 4 for rearranged and 16 for complex arithmetic.\n");
+    if (run->certificate_count > 0) fprintf(stream, "\n  certificates that no invariant measure has a smooth positive density\n\n");
+    else fprintf(stream, "\n  no family is claimed to exclude an invariant measure, and no certificate is sought\n");
+    for (size_t i = 0; i < run->certificate_count; i++) write_certificate(stream, &run->certificates[i]);
+    fprintf(stream, "\n(c) Invariant density from the generated divergence\n\n");
+    for (size_t i = 0; i < run->density_count; i++) write_density(stream, &run->densities[i]);
+    fprintf(stream, "\n(d) %s: %zu checks hold, %zu fail\n", d->model, run->held, run->failed);
+}
+
+static json_t *text_or_null(const char *text)
+{
+    return text == NULL ? json_null() : json_string(text);
+}
+
+static json_t *proofs_json(const ttc_proof_report *r)
+{
+    json_t *array = json_array();
+
+    for (size_t i = 0; i < r->proof_count; i++) {
+        const ttc_proof *p = &r->proofs[i];
+        json_array_append_new(array, json_pack("{s:s,s:s,s:i,s:s,s:o}", "name", p->name, "kind", p->kind, "line",
+                                               (int)p->place.line, "status", ttc_proof_status_name(p->status),
+                                               p->status == TTC_PROVED ? "witness" : "remainder",
+                                               text_or_null(p->remainder)));
+    }
+    return array;
+}
+
+static json_t *family_json(const jlt_verify_family *f)
+{
+    json_t *checks = json_array();
+
+    for (size_t i = 0; i < f->check_count; i++) {
+        const jlt_verify_check *c = &f->checks[i];
+        json_array_append_new(checks, json_pack("{s:s,s:s,s:I,s:o,s:o,s:b}", "name", c->name, "bound", c->bound, "numbers",
+                                                (json_int_t)c->compared, "worst_ulp", jlt_json_number(c->worst_ulp),
+                                                "worst_part_of_bound", jlt_json_number(c->worst_part), "holds",
+                                                c->worst_part <= 1.0));
+    }
+    return json_pack("{s:s,s:s,s:I,s:I,s:o,s:o,s:o}", "family", f->family->name, "when", f->family->condition, "samples",
+                     (json_int_t)f->samples, "refused", (json_int_t)f->refused, "checks", checks,
+                     "gsl_undeflated_difference", jlt_json_number(f->gsl_worst), "arpack_difference",
+                     jlt_json_number(f->arpack_used > 0 ? f->arpack_worst : NAN));
+}
+
+static json_t *certificate_json(const jlt_verify_certificate *c)
+{
+    return json_pack("{s:s,s:o,s:b,s:o,s:o,s:b}", "family", c->family->name, "point", text_or_null(c->point),
+                     "field_is_exactly_zero", c->exact, "trace", text_or_null(c->trace), "trace_enclosure",
+                     text_or_null(c->enclosure), "excludes_zero", c->excludes_zero);
+}
+
+static json_t *density_json(const jlt_verify_density *d)
+{
+    const jlt_descriptor *k = d->descriptor;
+    const bool compared = d->closed_form != NULL;
+
+    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:b,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
+                     jlt_json_named(k->params, d->params, k->param_count), "status", jlt_status_text(d->status), "along",
+                     k->states[d->along].name, "defect", jlt_json_number(d->defect), "found", d->found, "closed_form",
+                     text_or_null(d->closed_form), "difference", jlt_json_number(compared ? d->difference : NAN),
+                     "difference_bound", jlt_json_number(compared ? d->difference_bound : NAN), "residual",
+                     jlt_json_number(k->measure_count > 0 ? d->residual : NAN));
+}
+
+jlt_status jlt_verify_write_json(FILE *stream, const jlt_verify_run *run)
+{
+    const jlt_descriptor *d = run->descriptor;
+    json_t *families = json_array(), *certificates = json_array(), *densities = json_array();
+    char *text;
+    jlt_status st;
+
+    for (size_t i = 0; i < run->family_count; i++) json_array_append_new(families, family_json(&run->families[i]));
+    for (size_t i = 0; i < run->certificate_count; i++)
+        json_array_append_new(certificates, certificate_json(&run->certificates[i]));
+    for (size_t i = 0; i < run->density_count; i++) json_array_append_new(densities, density_json(&run->densities[i]));
+    st = jlt_json_text(&text, json_pack("{s:s,s:s,s:I,s:I,s:o,s:o,s:o,s:o,s:{s:I,s:I}}", "model", d->model, "sha256",
+                                        d->sha256, "seed", (json_int_t)run->seed, "samples", (json_int_t)run->samples,
+                                        "proofs", proofs_json(run->proofs), "families", families, "certificates",
+                                        certificates, "densities", densities, "totals", "held", (json_int_t)run->held,
+                                        "failed", (json_int_t)run->failed));
+    if (st == JLT_OK) fputs(text, stream);
+    free(text);
+    return st;
+}
