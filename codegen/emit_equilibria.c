@@ -25,7 +25,7 @@ static const ttc_binding *binding_of(const ttc_bindings *bindings, uint32_t symb
 static bool emit_program(family_emitter *e, const char *name, const ttc_id *ids, size_t count, bool with_condition)
 {
     ttc_text function = { 0 };
-    ttc_lowering options = { .share = true, .bindings = &e->family->bindings,
+    ttc_lowering options = { .share = true, .factor_roots = true, .bindings = &e->family->bindings,
                              .when = with_condition ? &e->family->when : NULL };
     ttc_program *program = ttc_lower(e->kernels->field, ids, count, options);
     bool ok = program != NULL;

@@ -36,6 +36,44 @@ static ttc_value lower_bound(lowering *l, uint32_t symbol, const ttc_binding *bi
     return value;
 }
 
+/* root = sqrt(value) when both are squares of rationals. */
+static bool rational_root(fmpq_t root, const fmpq_t value)
+{
+    if (fmpq_sgn(value) <= 0 || !fmpz_is_square(fmpq_numref(value)) || !fmpz_is_square(fmpq_denref(value))) return false;
+    fmpz_sqrt(fmpq_numref(root), fmpq_numref(value));
+    fmpz_sqrt(fmpq_denref(root), fmpq_denref(value));
+    return true;
+}
+
+/* (p - q x)(p + q x) for a sum p^2 - q^2 x^2; TTC_NO_VALUE, with nothing failed, for any other radicand. */
+static ttc_value lower_difference_of_squares(lowering *l, ttc_id id)
+{
+    const ttc_graph *graph = l->field->graph;
+    if (ttc_kind_of(graph, id) != TTC_SUM || ttc_part_count(graph, id) != 1) return TTC_NO_VALUE;
+    ttc_part term = ttc_part_at(graph, id, 0);
+    if (ttc_kind_of(graph, term.id) != TTC_PRODUCT || ttc_part_count(graph, term.id) != 1) return TTC_NO_VALUE;
+    ttc_part square = ttc_part_at(graph, term.id, 0);
+    if (square.exponent != 2) return TTC_NO_VALUE;
+
+    ttc_value product = TTC_NO_VALUE;
+    fmpq_t p, q;
+    fmpq_init(p);
+    fmpq_init(q);
+    fmpq_neg(q, term.coefficient);
+    if (rational_root(p, ttc_coefficient(graph, id)) && rational_root(q, q)) {
+        ttc_value base = lower(l, square.id);
+        if (base != TTC_NO_VALUE) {
+            ttc_value constant = ttc_program_constant(l->program, p);
+            ttc_value scaled = ttc_program_multiply(l->program, ttc_program_constant(l->program, q), base);
+            product = ttc_program_multiply(l->program, ttc_program_subtract(l->program, constant, scaled),
+                                           ttc_program_add(l->program, constant, scaled));
+        }
+    }
+    fmpq_clear(q);
+    fmpq_clear(p);
+    return product;
+}
+
 static ttc_value lower_symbol(lowering *l, uint32_t symbol)
 {
     if (l->symbols[symbol] != TTC_NO_VALUE) return l->symbols[symbol];
@@ -57,7 +95,8 @@ static ttc_value lower_symbol(lowering *l, uint32_t symbol)
             value = lower(l, s->definition);
             break;
         case TTC_ROLE_ROOT:
-            value = lower(l, s->definition);
+            if (l->options.factor_roots) value = lower_difference_of_squares(l, s->definition);
+            if (value == TTC_NO_VALUE) value = lower(l, s->definition);
             if (value != TTC_NO_VALUE) value = ttc_program_root(l->program, value);
             break;
         case TTC_ROLE_COSINE:

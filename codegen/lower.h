@@ -10,6 +10,7 @@ typedef struct {
     bool share;                   /* equal subexpressions once; otherwise only units, roots and angles are */
     const ttc_bindings *bindings; /* STATE = expression or PARAM = expression of the model, put in first; may be NULL */
     const ttc_bindings *when;     /* further ones; may be NULL */
+    bool factor_roots;            /* the radicand p^2 - (q x)^2 as (p - q x)(p + q x), which keeps its digits near zero */
     ttc_block *block;             /* where expressions in parameters alone go; NULL: everything is computed here */
 } ttc_lowering;
 

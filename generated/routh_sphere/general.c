@@ -737,33 +737,34 @@ static const unsigned char family0_is_free[] = { 1, 0, 1, 1 };
 static void family0_impose(const double *restrict x, const double *restrict params, double *restrict out)
 {
     const double t0 = params[0]*params[3]; /* m*a3 */
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = 1.0 - t1; /* 1 - gamma3*gamma3 */
-    const double t3 = sqrt(t2); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t4 = t3*t3; /* s*s */
-    const double t5 = t0*t4; /* m*a3*s*s */
-    const double t6 = x[0]*params[4]; /* gamma3*I1 */
-    const double t7 = x[2]*t6; /* omega_n*gamma3*I1 */
-    const double t8 = params[5]*x[3]; /* I3*omega3 */
-    const double t9 = t3*t8; /* s*I3*omega3 */
-    const double t10 = t7 + t9; /* omega_n*gamma3*I1 + s*I3*omega3 */
-    const double t11 = params[3]*x[0]; /* a3*gamma3 */
-    const double t12 = params[1] + t11; /* e = R + a3*gamma3 */
-    const double t13 = params[0]*t12; /* m*e */
-    const double t14 = params[1]*x[0]; /* R*gamma3 */
-    const double t15 = params[3] + t14; /* b = a3 + R*gamma3 */
-    const double t16 = x[2]*t15; /* omega_n*b */
-    const double t17 = params[1]*x[3]; /* R*omega3 */
-    const double t18 = t3*t17; /* s*R*omega3 */
-    const double t19 = t16 + t18; /* v_tau = omega_n*b + s*R*omega3 */
-    const double t20 = t13*t19; /* m*e*v_tau */
-    const double t21 = t10 + t20; /* omega_n*gamma3*I1 + s*I3*omega3 + m*e*v_tau */
-    const double t22 = x[2]*t21; /* omega_n*(omega_n*gamma3*I1 + s*I3*omega3 + m*e*v_tau) */
-    const double t23 = t22/t5; /* omega_n*(omega_n*gamma3*I1 + s*I3*omega3 + m*e*v_tau)/(m*a3*s*s) */
-    const double t24 = -t23; /* g = -t23 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = t1*t2; /* (1 + gamma3)*(1 - gamma3) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t5 = t4*t4; /* s*s */
+    const double t6 = t0*t5; /* m*a3*s*s */
+    const double t7 = x[0]*params[4]; /* gamma3*I1 */
+    const double t8 = x[2]*t7; /* omega_n*gamma3*I1 */
+    const double t9 = params[5]*x[3]; /* I3*omega3 */
+    const double t10 = t4*t9; /* s*I3*omega3 */
+    const double t11 = t8 + t10; /* omega_n*gamma3*I1 + s*I3*omega3 */
+    const double t12 = params[3]*x[0]; /* a3*gamma3 */
+    const double t13 = params[1] + t12; /* e = R + a3*gamma3 */
+    const double t14 = params[0]*t13; /* m*e */
+    const double t15 = params[1]*x[0]; /* R*gamma3 */
+    const double t16 = params[3] + t15; /* b = a3 + R*gamma3 */
+    const double t17 = x[2]*t16; /* omega_n*b */
+    const double t18 = params[1]*x[3]; /* R*omega3 */
+    const double t19 = t4*t18; /* s*R*omega3 */
+    const double t20 = t17 + t19; /* v_tau = omega_n*b + s*R*omega3 */
+    const double t21 = t14*t20; /* m*e*v_tau */
+    const double t22 = t11 + t21; /* omega_n*gamma3*I1 + s*I3*omega3 + m*e*v_tau */
+    const double t23 = x[2]*t22; /* omega_n*(omega_n*gamma3*I1 + s*I3*omega3 + m*e*v_tau) */
+    const double t24 = t23/t6; /* omega_n*(omega_n*gamma3*I1 + s*I3*omega3 + m*e*v_tau)/(m*a3*s*s) */
+    const double t25 = -t24; /* g = -t24 */
     out[0] = params[0];
     out[1] = params[1];
-    out[2] = t24;
+    out[2] = t25;
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
@@ -793,71 +794,72 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t3 = params[3] + t2; /* b = a3 + R*gamma3 */
     const double t4 = x[2]*t3; /* omega_n*b */
     const double t5 = params[1]*x[3]; /* R*omega3 */
-    const double t6 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t7 = 1.0 - t6; /* 1 - gamma3*gamma3 */
-    const double t8 = sqrt(t7); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t9 = t5*t8; /* R*omega3*s */
-    const double t10 = t4 + t9; /* v_tau = omega_n*b + R*omega3*s */
-    const double t11 = params[1]*x[2]; /* R*omega_n */
-    const double t12 = t2*x[3]; /* R*gamma3*omega3 */
-    const double t13 = t12/t8; /* R*gamma3*omega3/s */
-    const double t14 = t11 - t13; /* d(v_tau)/d(gamma3) = R*omega_n - R*gamma3*omega3/s */
-    const double t15 = t10*t14; /* v_tau*d(v_tau)/d(gamma3) */
-    const double t16 = params[0]*t15; /* m*v_tau*d(v_tau)/d(gamma3) */
-    const double t17 = t1 + t16; /* m*g*a3 + m*v_tau*d(v_tau)/d(gamma3) */
-    const double t18 = t8*t8; /* s*s */
-    const double t19 = params[0]*t3; /* m*b */
-    const double t20 = t10*t19; /* v_tau*m*b */
-    const double t21 = x[2]*params[4]; /* omega_n*I1 */
-    const double t22 = t20 + t21; /* v_tau*m*b + omega_n*I1 */
-    const double t23 = params[0]*params[1]; /* m*R */
-    const double t24 = t8*t23; /* s*m*R */
-    const double t25 = t10*t24; /* v_tau*s*m*R */
-    const double t26 = x[3]*params[5]; /* omega3*I3 */
-    const double t27 = t25 + t26; /* v_tau*s*m*R + omega3*I3 */
-    const double t28 = params[1]*params[4]; /* R*I1 */
-    const double t29 = x[0]*t28; /* gamma3*R*I1 */
-    const double t30 = x[2]*t29; /* omega_n*gamma3*R*I1 */
-    const double t31 = t30/t8; /* omega_n*gamma3*R*I1/s */
-    const double t32 = -t31; /* -omega_n*gamma3*R*I1/s */
-    const double t33 = params[1]*params[5]; /* R*I3 */
-    const double t34 = x[3]*t33; /* omega3*R*I3 */
-    const double t35 = t32 - t34; /* -omega_n*gamma3*R*I1/s - omega3*R*I3 */
-    const double t36 = t8*t28; /* s*R*I1 */
-    const double t37 = t3*params[5]; /* b*I3 */
-    const double t38 = -t37; /* -b*I3 */
-    const double t39 = params[4]*params[5]; /* I1*I3 */
-    const double t40 = params[1]*params[1]; /* R*R */
-    const double t41 = params[0]*t40; /* m*R*R */
-    const double t42 = params[4]*t41; /* I1*m*R*R */
-    const double t43 = t18*t42; /* s*s*I1*m*R*R */
-    const double t44 = t39 + t43; /* I1*I3 + s*s*I1*m*R*R */
-    const double t45 = params[0]*params[5]; /* m*I3 */
-    const double t46 = t3*t3; /* b*b */
-    const double t47 = t45*t46; /* m*I3*b*b */
-    const double t48 = t44 + t47; /* Theta = I1*I3 + s*s*I1*m*R*R + m*I3*b*b */
-    const double t49 = sqrt(t48); /* h = sqrt(Theta) */
-    const double t50 = 2.0*t49; /* 2*h */
-    const double t51 = x[0]*t42; /* gamma3*I1*m*R*R */
-    const double t52 = 2.0*t51; /* 2*gamma3*I1*m*R*R */
-    const double t53 = t23*params[5]; /* m*R*I3 */
-    const double t54 = t3*t53; /* b*m*R*I3 */
-    const double t55 = 2.0*t54; /* 2*b*m*R*I3 */
-    const double t56 = t55 - t52; /* d(Theta)/d(gamma3) = 2*b*m*R*I3 - 2*gamma3*I1*m*R*R */
-    const double t57 = x[3]*t56; /* omega3*d(Theta)/d(gamma3) */
-    const double t58 = t57/t50; /* omega3*d(Theta)/d(gamma3)/(2*h) */
-    out[0] = t17;
+    const double t6 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t7 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t8 = t6*t7; /* (1 + gamma3)*(1 - gamma3) */
+    const double t9 = sqrt(t8); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t10 = t5*t9; /* R*omega3*s */
+    const double t11 = t4 + t10; /* v_tau = omega_n*b + R*omega3*s */
+    const double t12 = params[1]*x[2]; /* R*omega_n */
+    const double t13 = t2*x[3]; /* R*gamma3*omega3 */
+    const double t14 = t13/t9; /* R*gamma3*omega3/s */
+    const double t15 = t12 - t14; /* d(v_tau)/d(gamma3) = R*omega_n - R*gamma3*omega3/s */
+    const double t16 = t11*t15; /* v_tau*d(v_tau)/d(gamma3) */
+    const double t17 = params[0]*t16; /* m*v_tau*d(v_tau)/d(gamma3) */
+    const double t18 = t1 + t17; /* m*g*a3 + m*v_tau*d(v_tau)/d(gamma3) */
+    const double t19 = t9*t9; /* s*s */
+    const double t20 = params[0]*t3; /* m*b */
+    const double t21 = t11*t20; /* v_tau*m*b */
+    const double t22 = x[2]*params[4]; /* omega_n*I1 */
+    const double t23 = t21 + t22; /* v_tau*m*b + omega_n*I1 */
+    const double t24 = params[0]*params[1]; /* m*R */
+    const double t25 = t9*t24; /* s*m*R */
+    const double t26 = t11*t25; /* v_tau*s*m*R */
+    const double t27 = x[3]*params[5]; /* omega3*I3 */
+    const double t28 = t26 + t27; /* v_tau*s*m*R + omega3*I3 */
+    const double t29 = params[1]*params[4]; /* R*I1 */
+    const double t30 = x[0]*t29; /* gamma3*R*I1 */
+    const double t31 = x[2]*t30; /* omega_n*gamma3*R*I1 */
+    const double t32 = t31/t9; /* omega_n*gamma3*R*I1/s */
+    const double t33 = -t32; /* -omega_n*gamma3*R*I1/s */
+    const double t34 = params[1]*params[5]; /* R*I3 */
+    const double t35 = x[3]*t34; /* omega3*R*I3 */
+    const double t36 = t33 - t35; /* -omega_n*gamma3*R*I1/s - omega3*R*I3 */
+    const double t37 = t9*t29; /* s*R*I1 */
+    const double t38 = t3*params[5]; /* b*I3 */
+    const double t39 = -t38; /* -b*I3 */
+    const double t40 = params[4]*params[5]; /* I1*I3 */
+    const double t41 = params[1]*params[1]; /* R*R */
+    const double t42 = params[0]*t41; /* m*R*R */
+    const double t43 = params[4]*t42; /* I1*m*R*R */
+    const double t44 = t19*t43; /* s*s*I1*m*R*R */
+    const double t45 = t40 + t44; /* I1*I3 + s*s*I1*m*R*R */
+    const double t46 = params[0]*params[5]; /* m*I3 */
+    const double t47 = t3*t3; /* b*b */
+    const double t48 = t46*t47; /* m*I3*b*b */
+    const double t49 = t45 + t48; /* Theta = I1*I3 + s*s*I1*m*R*R + m*I3*b*b */
+    const double t50 = sqrt(t49); /* h = sqrt(Theta) */
+    const double t51 = 2.0*t50; /* 2*h */
+    const double t52 = x[0]*t43; /* gamma3*I1*m*R*R */
+    const double t53 = 2.0*t52; /* 2*gamma3*I1*m*R*R */
+    const double t54 = t24*params[5]; /* m*R*I3 */
+    const double t55 = t3*t54; /* b*m*R*I3 */
+    const double t56 = 2.0*t55; /* 2*b*m*R*I3 */
+    const double t57 = t56 - t53; /* d(Theta)/d(gamma3) = 2*b*m*R*I3 - 2*gamma3*I1*m*R*R */
+    const double t58 = x[3]*t57; /* omega3*d(Theta)/d(gamma3) */
+    const double t59 = t58/t51; /* omega3*d(Theta)/d(gamma3)/(2*h) */
+    out[0] = t18;
     out[1] = 0.0;
-    out[2] = t22;
-    out[3] = t27;
-    out[4] = t35;
+    out[2] = t23;
+    out[3] = t28;
+    out[4] = t36;
     out[5] = 0.0;
-    out[6] = t36;
-    out[7] = t38;
-    out[8] = t58;
+    out[6] = t37;
+    out[7] = t39;
+    out[8] = t59;
     out[9] = 0.0;
     out[10] = 0.0;
-    out[11] = t49;
+    out[11] = t50;
 }
 
 static const jlt_named family0_left_null[] = {

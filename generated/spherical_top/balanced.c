@@ -625,56 +625,60 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[5]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t5 = 1.0 - t4; /* 1 - gamma3*gamma3 */
-    const double t6 = sqrt(t5); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t7 = params[5]*params[4]; /* I3*I1 */
-    const double t8 = params[1]*params[1]; /* R*R */
-    const double t9 = params[0]*t8; /* m*R*R */
-    const double t10 = params[4]*t9; /* I1*m*R*R */
-    const double t11 = t6*t6; /* s*s */
-    const double t12 = t10*t11; /* I1*m*R*R*s*s */
-    const double t13 = t7 + t12; /* I3*I1 + I1*m*R*R*s*s */
-    const double t14 = params[5]*t9; /* I3*m*R*R */
-    const double t15 = t4*t14; /* gamma3*gamma3*I3*m*R*R */
-    const double t16 = t13 + t15; /* Theta = I3*I1 + I1*m*R*R*s*s + gamma3*gamma3*I3*m*R*R */
-    const double t17 = t6*t16; /* s*Theta */
-    const double t18 = t3/t17; /* m*R*I3*gamma3*v_nu/(s*Theta) */
-    const double t19 = -t18; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
-    out[0] = t19;
+    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t8 = params[5]*params[4]; /* I3*I1 */
+    const double t9 = params[1]*params[1]; /* R*R */
+    const double t10 = params[0]*t9; /* m*R*R */
+    const double t11 = params[4]*t10; /* I1*m*R*R */
+    const double t12 = t7*t7; /* s*s */
+    const double t13 = t11*t12; /* I1*m*R*R*s*s */
+    const double t14 = t8 + t13; /* I3*I1 + I1*m*R*R*s*s */
+    const double t15 = params[5]*t10; /* I3*m*R*R */
+    const double t16 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t17 = t15*t16; /* I3*m*R*R*gamma3*gamma3 */
+    const double t18 = t14 + t17; /* Theta = I3*I1 + I1*m*R*R*s*s + I3*m*R*R*gamma3*gamma3 */
+    const double t19 = t7*t18; /* s*Theta */
+    const double t20 = t3/t19; /* m*R*I3*gamma3*v_nu/(s*Theta) */
+    const double t21 = -t20; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
+    out[0] = t21;
 }
 
 static void family0_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = params[4]*t2; /* I1*s */
-    const double t4 = params[4]*params[5]; /* I1*I3 */
-    const double t5 = params[1]*params[1]; /* R*R */
-    const double t6 = params[0]*t5; /* m*R*R */
-    const double t7 = params[4]*t6; /* I1*m*R*R */
-    const double t8 = t2*t2; /* s*s */
-    const double t9 = t7*t8; /* I1*m*R*R*s*s */
-    const double t10 = t4 + t9; /* I1*I3 + I1*m*R*R*s*s */
-    const double t11 = params[5]*t6; /* I3*m*R*R */
-    const double t12 = t0*t11; /* gamma3*gamma3*I3*m*R*R */
-    const double t13 = t10 + t12; /* Theta = I1*I3 + I1*m*R*R*s*s + gamma3*gamma3*I3*m*R*R */
-    const double t14 = t3*t13; /* I1*s*Theta */
-    const double t15 = params[0]*params[1]; /* m*R */
-    const double t16 = params[4]*t15; /* I1*m*R */
-    const double t17 = params[5]*t16; /* I3*I1*m*R */
-    const double t18 = x[0]*t17; /* gamma3*I3*I1*m*R */
-    const double t19 = t18*x[1]; /* gamma3*I3*I1*m*R*v_nu */
-    const double t20 = params[5]*params[5]; /* I3*I3 */
-    const double t21 = x[4]*x[4]; /* omega3*omega3 */
-    const double t22 = t20*t21; /* I3*I3*omega3*omega3 */
-    const double t23 = t2*t22; /* s*I3*I3*omega3*omega3 */
-    const double t24 = params[5] + t6; /* I3 + m*R*R */
-    const double t25 = t23*t24; /* s*I3*I3*omega3*omega3*(I3 + m*R*R) */
-    out[0] = t14;
-    out[1] = t19;
-    out[2] = t25;
+    const double t0 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = t0*t1; /* (1 + gamma3)*(1 - gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t4 = params[4]*t3; /* I1*s */
+    const double t5 = params[4]*params[5]; /* I1*I3 */
+    const double t6 = params[1]*params[1]; /* R*R */
+    const double t7 = params[0]*t6; /* m*R*R */
+    const double t8 = params[4]*t7; /* I1*m*R*R */
+    const double t9 = t3*t3; /* s*s */
+    const double t10 = t8*t9; /* I1*m*R*R*s*s */
+    const double t11 = t5 + t10; /* I1*I3 + I1*m*R*R*s*s */
+    const double t12 = params[5]*t7; /* I3*m*R*R */
+    const double t13 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t14 = t12*t13; /* I3*m*R*R*gamma3*gamma3 */
+    const double t15 = t11 + t14; /* Theta = I1*I3 + I1*m*R*R*s*s + I3*m*R*R*gamma3*gamma3 */
+    const double t16 = t4*t15; /* I1*s*Theta */
+    const double t17 = params[0]*params[1]; /* m*R */
+    const double t18 = params[4]*t17; /* I1*m*R */
+    const double t19 = params[5]*t18; /* I3*I1*m*R */
+    const double t20 = x[0]*t19; /* gamma3*I3*I1*m*R */
+    const double t21 = t20*x[1]; /* gamma3*I3*I1*m*R*v_nu */
+    const double t22 = params[5]*params[5]; /* I3*I3 */
+    const double t23 = x[4]*x[4]; /* omega3*omega3 */
+    const double t24 = t22*t23; /* I3*I3*omega3*omega3 */
+    const double t25 = t3*t24; /* s*I3*I3*omega3*omega3 */
+    const double t26 = params[5] + t7; /* I3 + m*R*R */
+    const double t27 = t25*t26; /* s*I3*I3*omega3*omega3*(I3 + m*R*R) */
+    out[0] = t16;
+    out[1] = t21;
+    out[2] = t27;
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
@@ -682,142 +686,146 @@ static void family0_charpoly(const double *restrict x, const double *restrict pa
 
 static void family0_matrix(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = params[1]*x[4]; /* R*omega3 */
-    const double t4 = x[4]*params[5]; /* omega3*I3 */
-    const double t5 = t4/params[4]; /* omega3*I3/I1 */
-    const double t6 = -t5; /* -omega3*I3/I1 */
-    const double t7 = params[4]*params[5]; /* I1*I3 */
-    const double t8 = params[1]*params[1]; /* R*R */
-    const double t9 = params[0]*t8; /* m*R*R */
-    const double t10 = params[4]*t9; /* I1*m*R*R */
-    const double t11 = t2*t2; /* s*s */
-    const double t12 = t10*t11; /* I1*m*R*R*s*s */
-    const double t13 = t7 + t12; /* I1*I3 + I1*m*R*R*s*s */
-    const double t14 = params[5]*t9; /* I3*m*R*R */
-    const double t15 = t0*t14; /* gamma3*gamma3*I3*m*R*R */
-    const double t16 = t13 + t15; /* Theta = I1*I3 + I1*m*R*R*s*s + gamma3*gamma3*I3*m*R*R */
-    const double t17 = params[5] + t9; /* I3 + m*R*R */
-    const double t18 = t4*t17; /* omega3*I3*(I3 + m*R*R) */
-    const double t19 = t18/t16; /* omega3*I3*(I3 + m*R*R)/Theta */
-    const double t20 = params[1]*params[0]; /* R*m */
-    const double t21 = params[5]*t20; /* I3*R*m */
-    const double t22 = x[0]*t21; /* gamma3*I3*R*m */
-    const double t23 = t22*x[1]; /* gamma3*I3*R*m*v_nu */
-    const double t24 = t2*t16; /* s*Theta */
-    const double t25 = t23/t24; /* gamma3*I3*R*m*v_nu/(s*Theta) */
-    const double t26 = -t25; /* -gamma3*I3*R*m*v_nu/(s*Theta) */
-    const double t27 = x[0]*t9; /* gamma3*m*R*R */
-    const double t28 = x[4]*t27; /* omega3*gamma3*m*R*R */
-    const double t29 = t2*t28; /* s*omega3*gamma3*m*R*R */
-    const double t30 = params[4] - params[5]; /* I1 - I3 */
-    const double t31 = t29*t30; /* s*omega3*gamma3*m*R*R*(I1 - I3) */
-    const double t32 = t31/t16; /* s*omega3*gamma3*m*R*R*(I1 - I3)/Theta */
-    const double t33 = params[4]*t20; /* I1*R*m */
-    const double t34 = x[1]*t33; /* v_nu*I1*R*m */
-    const double t35 = t34/t16; /* v_nu*I1*R*m/Theta */
-    const double t36 = -t35; /* -v_nu*I1*R*m/Theta */
+    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t4 = params[1]*x[4]; /* R*omega3 */
+    const double t5 = x[4]*params[5]; /* omega3*I3 */
+    const double t6 = t5/params[4]; /* omega3*I3/I1 */
+    const double t7 = -t6; /* -omega3*I3/I1 */
+    const double t8 = params[4]*params[5]; /* I1*I3 */
+    const double t9 = params[1]*params[1]; /* R*R */
+    const double t10 = params[0]*t9; /* m*R*R */
+    const double t11 = params[4]*t10; /* I1*m*R*R */
+    const double t12 = t3*t3; /* s*s */
+    const double t13 = t11*t12; /* I1*m*R*R*s*s */
+    const double t14 = t8 + t13; /* I1*I3 + I1*m*R*R*s*s */
+    const double t15 = params[5]*t10; /* I3*m*R*R */
+    const double t16 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t17 = t15*t16; /* I3*m*R*R*gamma3*gamma3 */
+    const double t18 = t14 + t17; /* Theta = I1*I3 + I1*m*R*R*s*s + I3*m*R*R*gamma3*gamma3 */
+    const double t19 = params[5] + t10; /* I3 + m*R*R */
+    const double t20 = t5*t19; /* omega3*I3*(I3 + m*R*R) */
+    const double t21 = t20/t18; /* omega3*I3*(I3 + m*R*R)/Theta */
+    const double t22 = params[1]*params[0]; /* R*m */
+    const double t23 = params[5]*t22; /* I3*R*m */
+    const double t24 = x[0]*t23; /* gamma3*I3*R*m */
+    const double t25 = t24*x[1]; /* gamma3*I3*R*m*v_nu */
+    const double t26 = t3*t18; /* s*Theta */
+    const double t27 = t25/t26; /* gamma3*I3*R*m*v_nu/(s*Theta) */
+    const double t28 = -t27; /* -gamma3*I3*R*m*v_nu/(s*Theta) */
+    const double t29 = x[0]*t10; /* gamma3*m*R*R */
+    const double t30 = x[4]*t29; /* omega3*gamma3*m*R*R */
+    const double t31 = t3*t30; /* s*omega3*gamma3*m*R*R */
+    const double t32 = params[4] - params[5]; /* I1 - I3 */
+    const double t33 = t31*t32; /* s*omega3*gamma3*m*R*R*(I1 - I3) */
+    const double t34 = t33/t18; /* s*omega3*gamma3*m*R*R*(I1 - I3)/Theta */
+    const double t35 = params[4]*t22; /* I1*R*m */
+    const double t36 = x[1]*t35; /* v_nu*I1*R*m */
+    const double t37 = t36/t18; /* v_nu*I1*R*m/Theta */
+    const double t38 = -t37; /* -v_nu*I1*R*m/Theta */
     out[0] = 0.0;
     out[1] = 0.0;
-    out[2] = t2;
+    out[2] = t3;
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t3;
+    out[8] = t4;
     out[9] = 0.0;
     out[10] = 0.0;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t6;
+    out[13] = t7;
     out[14] = 0.0;
     out[15] = 0.0;
     out[16] = 0.0;
-    out[17] = t19;
-    out[18] = t26;
+    out[17] = t21;
+    out[18] = t28;
     out[19] = 0.0;
     out[20] = 0.0;
     out[21] = 0.0;
-    out[22] = t32;
-    out[23] = t36;
+    out[22] = t34;
+    out[23] = t38;
     out[24] = 0.0;
 }
 
 static void family0_left_null_gradients(const double *restrict x, const double *restrict params, double *restrict out)
 {
     const double t0 = params[1]*x[4]; /* R*omega3 */
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = 1.0 - t1; /* 1 - gamma3*gamma3 */
-    const double t3 = sqrt(t2); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t4 = t0*t3; /* v_tau = R*omega3*s */
-    const double t5 = params[1]*x[0]; /* R*gamma3 */
-    const double t6 = params[0]*t4; /* m*v_tau */
-    const double t7 = x[4]*t5; /* omega3*R*gamma3 */
-    const double t8 = t7/t3; /* omega3*R*gamma3/s */
-    const double t9 = t6*t8; /* m*v_tau*omega3*R*gamma3/s */
-    const double t10 = -t9; /* -m*v_tau*omega3*R*gamma3/s */
-    const double t11 = params[0]*x[1]; /* m*v_nu */
-    const double t12 = params[0]*params[1]; /* m*R */
-    const double t13 = x[0]*t12; /* gamma3*m*R */
-    const double t14 = t4*t13; /* d(energy)/d(omega_n) = v_tau*gamma3*m*R */
-    const double t15 = x[4]*params[5]; /* omega3*I3 */
-    const double t16 = t3*t12; /* s*m*R */
-    const double t17 = t4*t16; /* v_tau*s*m*R */
-    const double t18 = t15 + t17; /* d(energy)/d(omega3) = omega3*I3 + v_tau*s*m*R */
-    const double t19 = params[1]*params[4]; /* R*I1 */
-    const double t20 = params[1]*params[5]; /* R*I3 */
-    const double t21 = x[4]*t20; /* omega3*R*I3 */
-    const double t22 = -t21; /* -omega3*R*I3 */
-    const double t23 = t3*t19; /* s*R*I1 */
-    const double t24 = x[0]*t20; /* gamma3*R*I3 */
-    const double t25 = -t24; /* -gamma3*R*I3 */
-    const double t26 = x[4]*x[4]; /* omega3*omega3 */
-    const double t27 = params[4] - params[5]; /* I1 - I3 */
-    const double t28 = t26*t27; /* omega3*omega3*(I1 - I3) */
-    const double t29 = params[1]*params[1]; /* R*R */
-    const double t30 = params[0]*t29; /* m*R*R */
-    const double t31 = params[4]*t30; /* I1*m*R*R */
-    const double t32 = x[0]*t31; /* gamma3*I1*m*R*R */
-    const double t33 = t32*2.0; /* gamma3*I1*m*R*R*2 */
-    const double t34 = params[5]*t30; /* I3*m*R*R */
-    const double t35 = x[0]*t34; /* gamma3*I3*m*R*R */
-    const double t36 = 2.0*t35; /* 2*gamma3*I3*m*R*R */
-    const double t37 = t36 - t33; /* d(Theta)/d(gamma3) = 2*gamma3*I3*m*R*R - gamma3*I1*m*R*R*2 */
-    const double t38 = t28*t37; /* omega3*omega3*(I1 - I3)*d(Theta)/d(gamma3) */
-    const double t39 = params[0]*2.0; /* m*2 */
-    const double t40 = params[4]*params[4]; /* I1*I1 */
-    const double t41 = t39*t40; /* m*2*I1*I1 */
-    const double t42 = x[1]*t41; /* v_nu*m*2*I1*I1 */
-    const double t43 = params[1]*t39; /* R*m*2 */
-    const double t44 = t40*t43; /* I1*I1*R*m*2 */
-    const double t45 = x[1]*t44; /* v_nu*I1*I1*R*m*2 */
-    const double t46 = x[4]*2.0; /* omega3*2 */
-    const double t47 = params[4]*params[5]; /* I1*I3 */
-    const double t48 = t3*t3; /* s*s */
-    const double t49 = t31*t48; /* I1*m*R*R*s*s */
-    const double t50 = t47 + t49; /* I1*I3 + I1*m*R*R*s*s */
-    const double t51 = t1*t34; /* gamma3*gamma3*I3*m*R*R */
-    const double t52 = t50 + t51; /* Theta = I1*I3 + I1*m*R*R*s*s + gamma3*gamma3*I3*m*R*R */
-    const double t53 = t46*t52; /* omega3*2*Theta */
-    const double t54 = t27*t53; /* (I1 - I3)*omega3*2*Theta */
-    out[0] = t10;
-    out[1] = t11;
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = t1*t2; /* (1 + gamma3)*(1 - gamma3) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t5 = t0*t4; /* v_tau = R*omega3*s */
+    const double t6 = params[1]*x[0]; /* R*gamma3 */
+    const double t7 = params[0]*t5; /* m*v_tau */
+    const double t8 = x[4]*t6; /* omega3*R*gamma3 */
+    const double t9 = t8/t4; /* omega3*R*gamma3/s */
+    const double t10 = t7*t9; /* m*v_tau*omega3*R*gamma3/s */
+    const double t11 = -t10; /* -m*v_tau*omega3*R*gamma3/s */
+    const double t12 = params[0]*x[1]; /* m*v_nu */
+    const double t13 = params[0]*params[1]; /* m*R */
+    const double t14 = x[0]*t13; /* gamma3*m*R */
+    const double t15 = t5*t14; /* d(energy)/d(omega_n) = v_tau*gamma3*m*R */
+    const double t16 = x[4]*params[5]; /* omega3*I3 */
+    const double t17 = t4*t13; /* s*m*R */
+    const double t18 = t5*t17; /* v_tau*s*m*R */
+    const double t19 = t16 + t18; /* d(energy)/d(omega3) = omega3*I3 + v_tau*s*m*R */
+    const double t20 = params[1]*params[4]; /* R*I1 */
+    const double t21 = params[1]*params[5]; /* R*I3 */
+    const double t22 = x[4]*t21; /* omega3*R*I3 */
+    const double t23 = -t22; /* -omega3*R*I3 */
+    const double t24 = t4*t20; /* s*R*I1 */
+    const double t25 = x[0]*t21; /* gamma3*R*I3 */
+    const double t26 = -t25; /* -gamma3*R*I3 */
+    const double t27 = x[4]*x[4]; /* omega3*omega3 */
+    const double t28 = params[4] - params[5]; /* I1 - I3 */
+    const double t29 = t27*t28; /* omega3*omega3*(I1 - I3) */
+    const double t30 = params[1]*params[1]; /* R*R */
+    const double t31 = params[0]*t30; /* m*R*R */
+    const double t32 = params[4]*t31; /* I1*m*R*R */
+    const double t33 = x[0]*t32; /* gamma3*I1*m*R*R */
+    const double t34 = t33*2.0; /* gamma3*I1*m*R*R*2 */
+    const double t35 = params[5]*t31; /* I3*m*R*R */
+    const double t36 = x[0]*t35; /* gamma3*I3*m*R*R */
+    const double t37 = 2.0*t36; /* 2*gamma3*I3*m*R*R */
+    const double t38 = t37 - t34; /* d(Theta)/d(gamma3) = 2*gamma3*I3*m*R*R - gamma3*I1*m*R*R*2 */
+    const double t39 = t29*t38; /* omega3*omega3*(I1 - I3)*d(Theta)/d(gamma3) */
+    const double t40 = params[0]*2.0; /* m*2 */
+    const double t41 = params[4]*params[4]; /* I1*I1 */
+    const double t42 = t40*t41; /* m*2*I1*I1 */
+    const double t43 = x[1]*t42; /* v_nu*m*2*I1*I1 */
+    const double t44 = params[1]*t40; /* R*m*2 */
+    const double t45 = t41*t44; /* I1*I1*R*m*2 */
+    const double t46 = x[1]*t45; /* v_nu*I1*I1*R*m*2 */
+    const double t47 = x[4]*2.0; /* omega3*2 */
+    const double t48 = params[4]*params[5]; /* I1*I3 */
+    const double t49 = t4*t4; /* s*s */
+    const double t50 = t32*t49; /* I1*m*R*R*s*s */
+    const double t51 = t48 + t50; /* I1*I3 + I1*m*R*R*s*s */
+    const double t52 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t53 = t35*t52; /* I3*m*R*R*gamma3*gamma3 */
+    const double t54 = t51 + t53; /* Theta = I1*I3 + I1*m*R*R*s*s + I3*m*R*R*gamma3*gamma3 */
+    const double t55 = t47*t54; /* omega3*2*Theta */
+    const double t56 = t28*t55; /* (I1 - I3)*omega3*2*Theta */
+    out[0] = t11;
+    out[1] = t12;
     out[2] = 0.0;
-    out[3] = t14;
-    out[4] = t18;
-    out[5] = t22;
+    out[3] = t15;
+    out[4] = t19;
+    out[5] = t23;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t23;
-    out[9] = t25;
-    out[10] = t38;
-    out[11] = t42;
-    out[12] = t45;
+    out[8] = t24;
+    out[9] = t26;
+    out[10] = t39;
+    out[11] = t43;
+    out[12] = t46;
     out[13] = 0.0;
-    out[14] = t54;
+    out[14] = t56;
 }
 
 static const jlt_named family0_left_null[] = {

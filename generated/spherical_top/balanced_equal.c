@@ -514,52 +514,56 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[5]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t5 = 1.0 - t4; /* 1 - gamma3*gamma3 */
-    const double t6 = sqrt(t5); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t7 = params[5]*params[5]; /* I3*I3 */
-    const double t8 = params[1]*params[1]; /* R*R */
-    const double t9 = params[0]*t8; /* m*R*R */
-    const double t10 = params[5]*t9; /* I3*m*R*R */
-    const double t11 = t4*t10; /* gamma3*gamma3*I3*m*R*R */
-    const double t12 = t7 + t11; /* I3*I3 + gamma3*gamma3*I3*m*R*R */
-    const double t13 = t6*t6; /* s*s */
-    const double t14 = t10*t13; /* I3*m*R*R*s*s */
-    const double t15 = t12 + t14; /* Theta = I3*I3 + gamma3*gamma3*I3*m*R*R + I3*m*R*R*s*s */
-    const double t16 = t6*t15; /* s*Theta */
-    const double t17 = t3/t16; /* m*R*I3*gamma3*v_nu/(s*Theta) */
-    const double t18 = -t17; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
-    out[0] = t18;
+    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t8 = params[5]*params[5]; /* I3*I3 */
+    const double t9 = params[1]*params[1]; /* R*R */
+    const double t10 = params[0]*t9; /* m*R*R */
+    const double t11 = params[5]*t10; /* I3*m*R*R */
+    const double t12 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t13 = t11*t12; /* I3*m*R*R*gamma3*gamma3 */
+    const double t14 = t8 + t13; /* I3*I3 + I3*m*R*R*gamma3*gamma3 */
+    const double t15 = t7*t7; /* s*s */
+    const double t16 = t11*t15; /* I3*m*R*R*s*s */
+    const double t17 = t14 + t16; /* Theta = I3*I3 + I3*m*R*R*gamma3*gamma3 + I3*m*R*R*s*s */
+    const double t18 = t7*t17; /* s*Theta */
+    const double t19 = t3/t18; /* m*R*I3*gamma3*v_nu/(s*Theta) */
+    const double t20 = -t19; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
+    out[0] = t20;
 }
 
 static void family0_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = params[5]*t2; /* I3*s */
-    const double t4 = params[5]*params[5]; /* I3*I3 */
-    const double t5 = params[1]*params[1]; /* R*R */
-    const double t6 = params[0]*t5; /* m*R*R */
-    const double t7 = params[5]*t6; /* I3*m*R*R */
-    const double t8 = t0*t7; /* gamma3*gamma3*I3*m*R*R */
-    const double t9 = t4 + t8; /* I3*I3 + gamma3*gamma3*I3*m*R*R */
-    const double t10 = t2*t2; /* s*s */
-    const double t11 = t7*t10; /* I3*m*R*R*s*s */
-    const double t12 = t9 + t11; /* Theta = I3*I3 + gamma3*gamma3*I3*m*R*R + I3*m*R*R*s*s */
-    const double t13 = t3*t12; /* I3*s*Theta */
-    const double t14 = params[0]*params[1]; /* m*R */
-    const double t15 = t4*t14; /* I3*I3*m*R */
-    const double t16 = x[0]*t15; /* gamma3*I3*I3*m*R */
-    const double t17 = t16*x[1]; /* gamma3*I3*I3*m*R*v_nu */
-    const double t18 = x[4]*x[4]; /* omega3*omega3 */
-    const double t19 = t4*t18; /* I3*I3*omega3*omega3 */
-    const double t20 = t2*t19; /* s*I3*I3*omega3*omega3 */
-    const double t21 = params[5] + t6; /* I3 + m*R*R */
-    const double t22 = t20*t21; /* s*I3*I3*omega3*omega3*(I3 + m*R*R) */
-    out[0] = t13;
-    out[1] = t17;
-    out[2] = t22;
+    const double t0 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = t0*t1; /* (1 + gamma3)*(1 - gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t4 = params[5]*t3; /* I3*s */
+    const double t5 = params[5]*params[5]; /* I3*I3 */
+    const double t6 = params[1]*params[1]; /* R*R */
+    const double t7 = params[0]*t6; /* m*R*R */
+    const double t8 = params[5]*t7; /* I3*m*R*R */
+    const double t9 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t10 = t8*t9; /* I3*m*R*R*gamma3*gamma3 */
+    const double t11 = t5 + t10; /* I3*I3 + I3*m*R*R*gamma3*gamma3 */
+    const double t12 = t3*t3; /* s*s */
+    const double t13 = t8*t12; /* I3*m*R*R*s*s */
+    const double t14 = t11 + t13; /* Theta = I3*I3 + I3*m*R*R*gamma3*gamma3 + I3*m*R*R*s*s */
+    const double t15 = t4*t14; /* I3*s*Theta */
+    const double t16 = params[0]*params[1]; /* m*R */
+    const double t17 = t5*t16; /* I3*I3*m*R */
+    const double t18 = x[0]*t17; /* gamma3*I3*I3*m*R */
+    const double t19 = t18*x[1]; /* gamma3*I3*I3*m*R*v_nu */
+    const double t20 = x[4]*x[4]; /* omega3*omega3 */
+    const double t21 = t5*t20; /* I3*I3*omega3*omega3 */
+    const double t22 = t3*t21; /* s*I3*I3*omega3*omega3 */
+    const double t23 = params[5] + t7; /* I3 + m*R*R */
+    const double t24 = t22*t23; /* s*I3*I3*omega3*omega3*(I3 + m*R*R) */
+    out[0] = t15;
+    out[1] = t19;
+    out[2] = t24;
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
@@ -567,108 +571,111 @@ static void family0_charpoly(const double *restrict x, const double *restrict pa
 
 static void family0_matrix(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = params[1]*x[4]; /* R*omega3 */
-    const double t4 = -x[4]; /* -omega3 */
-    const double t5 = x[4]*params[5]; /* omega3*I3 */
-    const double t6 = params[5]*params[5]; /* I3*I3 */
-    const double t7 = params[1]*params[1]; /* R*R */
-    const double t8 = params[0]*t7; /* m*R*R */
-    const double t9 = params[5]*t8; /* I3*m*R*R */
-    const double t10 = t0*t9; /* gamma3*gamma3*I3*m*R*R */
-    const double t11 = t6 + t10; /* I3*I3 + gamma3*gamma3*I3*m*R*R */
-    const double t12 = t2*t2; /* s*s */
-    const double t13 = t9*t12; /* I3*m*R*R*s*s */
-    const double t14 = t11 + t13; /* Theta = I3*I3 + gamma3*gamma3*I3*m*R*R + I3*m*R*R*s*s */
-    const double t15 = params[5] + t8; /* I3 + m*R*R */
-    const double t16 = t5*t15; /* omega3*I3*(I3 + m*R*R) */
-    const double t17 = t16/t14; /* omega3*I3*(I3 + m*R*R)/Theta */
-    const double t18 = params[1]*params[0]; /* R*m */
-    const double t19 = params[5]*t18; /* I3*R*m */
-    const double t20 = x[0]*t19; /* gamma3*I3*R*m */
-    const double t21 = t20*x[1]; /* gamma3*I3*R*m*v_nu */
-    const double t22 = t2*t14; /* s*Theta */
-    const double t23 = t21/t22; /* gamma3*I3*R*m*v_nu/(s*Theta) */
-    const double t24 = -t23; /* -gamma3*I3*R*m*v_nu/(s*Theta) */
-    const double t25 = t19*x[1]; /* I3*R*m*v_nu */
-    const double t26 = t25/t14; /* I3*R*m*v_nu/Theta */
-    const double t27 = -t26; /* -I3*R*m*v_nu/Theta */
+    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t4 = params[1]*x[4]; /* R*omega3 */
+    const double t5 = -x[4]; /* -omega3 */
+    const double t6 = x[4]*params[5]; /* omega3*I3 */
+    const double t7 = params[5]*params[5]; /* I3*I3 */
+    const double t8 = params[1]*params[1]; /* R*R */
+    const double t9 = params[0]*t8; /* m*R*R */
+    const double t10 = params[5]*t9; /* I3*m*R*R */
+    const double t11 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t12 = t10*t11; /* I3*m*R*R*gamma3*gamma3 */
+    const double t13 = t7 + t12; /* I3*I3 + I3*m*R*R*gamma3*gamma3 */
+    const double t14 = t3*t3; /* s*s */
+    const double t15 = t10*t14; /* I3*m*R*R*s*s */
+    const double t16 = t13 + t15; /* Theta = I3*I3 + I3*m*R*R*gamma3*gamma3 + I3*m*R*R*s*s */
+    const double t17 = params[5] + t9; /* I3 + m*R*R */
+    const double t18 = t6*t17; /* omega3*I3*(I3 + m*R*R) */
+    const double t19 = t18/t16; /* omega3*I3*(I3 + m*R*R)/Theta */
+    const double t20 = params[1]*params[0]; /* R*m */
+    const double t21 = params[5]*t20; /* I3*R*m */
+    const double t22 = x[0]*t21; /* gamma3*I3*R*m */
+    const double t23 = t22*x[1]; /* gamma3*I3*R*m*v_nu */
+    const double t24 = t3*t16; /* s*Theta */
+    const double t25 = t23/t24; /* gamma3*I3*R*m*v_nu/(s*Theta) */
+    const double t26 = -t25; /* -gamma3*I3*R*m*v_nu/(s*Theta) */
+    const double t27 = t21*x[1]; /* I3*R*m*v_nu */
+    const double t28 = t27/t16; /* I3*R*m*v_nu/Theta */
+    const double t29 = -t28; /* -I3*R*m*v_nu/Theta */
     out[0] = 0.0;
     out[1] = 0.0;
-    out[2] = t2;
+    out[2] = t3;
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t3;
+    out[8] = t4;
     out[9] = 0.0;
     out[10] = 0.0;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t4;
+    out[13] = t5;
     out[14] = 0.0;
     out[15] = 0.0;
     out[16] = 0.0;
-    out[17] = t17;
-    out[18] = t24;
+    out[17] = t19;
+    out[18] = t26;
     out[19] = 0.0;
     out[20] = 0.0;
     out[21] = 0.0;
     out[22] = 0.0;
-    out[23] = t27;
+    out[23] = t29;
     out[24] = 0.0;
 }
 
 static void family0_left_null_gradients(const double *restrict x, const double *restrict params, double *restrict out)
 {
     const double t0 = params[1]*x[4]; /* R*omega3 */
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = 1.0 - t1; /* 1 - gamma3*gamma3 */
-    const double t3 = sqrt(t2); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t4 = t0*t3; /* v_tau = R*omega3*s */
-    const double t5 = params[1]*x[0]; /* R*gamma3 */
-    const double t6 = params[0]*t4; /* m*v_tau */
-    const double t7 = x[4]*t5; /* omega3*R*gamma3 */
-    const double t8 = t7/t3; /* omega3*R*gamma3/s */
-    const double t9 = t6*t8; /* m*v_tau*omega3*R*gamma3/s */
-    const double t10 = -t9; /* -m*v_tau*omega3*R*gamma3/s */
-    const double t11 = params[0]*x[1]; /* m*v_nu */
-    const double t12 = params[0]*params[1]; /* m*R */
-    const double t13 = x[0]*t12; /* gamma3*m*R */
-    const double t14 = t4*t13; /* d(energy)/d(omega_n) = v_tau*gamma3*m*R */
-    const double t15 = x[4]*params[5]; /* omega3*I3 */
-    const double t16 = t3*t12; /* s*m*R */
-    const double t17 = t4*t16; /* v_tau*s*m*R */
-    const double t18 = t15 + t17; /* d(energy)/d(omega3) = omega3*I3 + v_tau*s*m*R */
-    const double t19 = params[1]*params[5]; /* R*I3 */
-    const double t20 = x[4]*t19; /* omega3*R*I3 */
-    const double t21 = -t20; /* -omega3*R*I3 */
-    const double t22 = x[0]*t19; /* gamma3*R*I3 */
-    const double t23 = t3*t19; /* s*R*I3 */
-    const double t24 = -t22; /* -gamma3*R*I3 */
-    const double t25 = params[0]*2.0; /* m*2 */
-    const double t26 = params[5]*params[5]; /* I3*I3 */
-    const double t27 = t25*t26; /* m*2*I3*I3 */
-    const double t28 = x[1]*t27; /* v_nu*m*2*I3*I3 */
-    const double t29 = params[1]*t25; /* R*m*2 */
-    const double t30 = t26*t29; /* I3*I3*R*m*2 */
-    const double t31 = x[1]*t30; /* v_nu*I3*I3*R*m*2 */
-    out[0] = t10;
-    out[1] = t11;
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = t1*t2; /* (1 + gamma3)*(1 - gamma3) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t5 = t0*t4; /* v_tau = R*omega3*s */
+    const double t6 = params[1]*x[0]; /* R*gamma3 */
+    const double t7 = params[0]*t5; /* m*v_tau */
+    const double t8 = x[4]*t6; /* omega3*R*gamma3 */
+    const double t9 = t8/t4; /* omega3*R*gamma3/s */
+    const double t10 = t7*t9; /* m*v_tau*omega3*R*gamma3/s */
+    const double t11 = -t10; /* -m*v_tau*omega3*R*gamma3/s */
+    const double t12 = params[0]*x[1]; /* m*v_nu */
+    const double t13 = params[0]*params[1]; /* m*R */
+    const double t14 = x[0]*t13; /* gamma3*m*R */
+    const double t15 = t5*t14; /* d(energy)/d(omega_n) = v_tau*gamma3*m*R */
+    const double t16 = x[4]*params[5]; /* omega3*I3 */
+    const double t17 = t4*t13; /* s*m*R */
+    const double t18 = t5*t17; /* v_tau*s*m*R */
+    const double t19 = t16 + t18; /* d(energy)/d(omega3) = omega3*I3 + v_tau*s*m*R */
+    const double t20 = params[1]*params[5]; /* R*I3 */
+    const double t21 = x[4]*t20; /* omega3*R*I3 */
+    const double t22 = -t21; /* -omega3*R*I3 */
+    const double t23 = x[0]*t20; /* gamma3*R*I3 */
+    const double t24 = t4*t20; /* s*R*I3 */
+    const double t25 = -t23; /* -gamma3*R*I3 */
+    const double t26 = params[0]*2.0; /* m*2 */
+    const double t27 = params[5]*params[5]; /* I3*I3 */
+    const double t28 = t26*t27; /* m*2*I3*I3 */
+    const double t29 = x[1]*t28; /* v_nu*m*2*I3*I3 */
+    const double t30 = params[1]*t26; /* R*m*2 */
+    const double t31 = t27*t30; /* I3*I3*R*m*2 */
+    const double t32 = x[1]*t31; /* v_nu*I3*I3*R*m*2 */
+    out[0] = t11;
+    out[1] = t12;
     out[2] = 0.0;
-    out[3] = t14;
-    out[4] = t18;
-    out[5] = t21;
+    out[3] = t15;
+    out[4] = t19;
+    out[5] = t22;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t23;
-    out[9] = t24;
+    out[8] = t24;
+    out[9] = t25;
     out[10] = 0.0;
-    out[11] = t28;
-    out[12] = t31;
+    out[11] = t29;
+    out[12] = t32;
     out[13] = 0.0;
     out[14] = 0.0;
 }

@@ -739,62 +739,64 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[5]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t5 = 1.0 - t4; /* 1 - gamma3*gamma3 */
-    const double t6 = sqrt(t5); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t7 = params[5]*params[4]; /* I3*I1 */
-    const double t8 = params[1]*params[1]; /* R*R */
-    const double t9 = params[0]*t8; /* m*R*R */
-    const double t10 = params[4]*t9; /* I1*m*R*R */
-    const double t11 = t6*t6; /* s*s */
-    const double t12 = t10*t11; /* I1*m*R*R*s*s */
-    const double t13 = t7 + t12; /* I3*I1 + I1*m*R*R*s*s */
-    const double t14 = params[0]*params[5]; /* m*I3 */
-    const double t15 = params[1]*x[0]; /* R*gamma3 */
-    const double t16 = params[3] + t15; /* b = a3 + R*gamma3 */
-    const double t17 = t16*t16; /* b*b */
-    const double t18 = t14*t17; /* m*I3*b*b */
-    const double t19 = t13 + t18; /* Theta = I3*I1 + I1*m*R*R*s*s + m*I3*b*b */
-    const double t20 = t6*t19; /* s*Theta */
-    const double t21 = t3/t20; /* m*R*I3*gamma3*v_nu/(s*Theta) */
-    const double t22 = -t21; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
-    out[0] = t22;
+    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t8 = params[5]*params[4]; /* I3*I1 */
+    const double t9 = params[1]*params[1]; /* R*R */
+    const double t10 = params[0]*t9; /* m*R*R */
+    const double t11 = params[4]*t10; /* I1*m*R*R */
+    const double t12 = t7*t7; /* s*s */
+    const double t13 = t11*t12; /* I1*m*R*R*s*s */
+    const double t14 = t8 + t13; /* I3*I1 + I1*m*R*R*s*s */
+    const double t15 = params[0]*params[5]; /* m*I3 */
+    const double t16 = params[1]*x[0]; /* R*gamma3 */
+    const double t17 = params[3] + t16; /* b = a3 + R*gamma3 */
+    const double t18 = t17*t17; /* b*b */
+    const double t19 = t15*t18; /* m*I3*b*b */
+    const double t20 = t14 + t19; /* Theta = I3*I1 + I1*m*R*R*s*s + m*I3*b*b */
+    const double t21 = t7*t20; /* s*Theta */
+    const double t22 = t3/t21; /* m*R*I3*gamma3*v_nu/(s*Theta) */
+    const double t23 = -t22; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
+    out[0] = t23;
 }
 
 static void family0_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = params[4]*t2; /* I1*s */
-    const double t4 = params[4]*params[5]; /* I1*I3 */
-    const double t5 = params[1]*params[1]; /* R*R */
-    const double t6 = params[0]*t5; /* m*R*R */
-    const double t7 = params[4]*t6; /* I1*m*R*R */
-    const double t8 = t2*t2; /* s*s */
-    const double t9 = t7*t8; /* I1*m*R*R*s*s */
-    const double t10 = t4 + t9; /* I1*I3 + I1*m*R*R*s*s */
-    const double t11 = params[5]*params[0]; /* I3*m */
-    const double t12 = x[0]*params[1]; /* gamma3*R */
-    const double t13 = params[3] + t12; /* b = a3 + gamma3*R */
-    const double t14 = t13*t13; /* b*b */
-    const double t15 = t11*t14; /* I3*m*b*b */
-    const double t16 = t10 + t15; /* Theta = I1*I3 + I1*m*R*R*s*s + I3*m*b*b */
-    const double t17 = t3*t16; /* I1*s*Theta */
-    const double t18 = params[0]*params[1]; /* m*R */
-    const double t19 = params[4]*t18; /* I1*m*R */
-    const double t20 = params[5]*t19; /* I3*I1*m*R */
-    const double t21 = x[0]*t20; /* gamma3*I3*I1*m*R */
-    const double t22 = t21*x[1]; /* gamma3*I3*I1*m*R*v_nu */
-    const double t23 = params[5]*params[5]; /* I3*I3 */
-    const double t24 = x[4]*x[4]; /* omega3*omega3 */
-    const double t25 = t23*t24; /* I3*I3*omega3*omega3 */
-    const double t26 = t2*t25; /* s*I3*I3*omega3*omega3 */
-    const double t27 = params[5] + t6; /* I3 + m*R*R */
-    const double t28 = t26*t27; /* s*I3*I3*omega3*omega3*(I3 + m*R*R) */
-    out[0] = t17;
-    out[1] = t22;
-    out[2] = t28;
+    const double t0 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = t0*t1; /* (1 + gamma3)*(1 - gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t4 = params[4]*t3; /* I1*s */
+    const double t5 = params[4]*params[5]; /* I1*I3 */
+    const double t6 = params[1]*params[1]; /* R*R */
+    const double t7 = params[0]*t6; /* m*R*R */
+    const double t8 = params[4]*t7; /* I1*m*R*R */
+    const double t9 = t3*t3; /* s*s */
+    const double t10 = t8*t9; /* I1*m*R*R*s*s */
+    const double t11 = t5 + t10; /* I1*I3 + I1*m*R*R*s*s */
+    const double t12 = params[5]*params[0]; /* I3*m */
+    const double t13 = x[0]*params[1]; /* gamma3*R */
+    const double t14 = params[3] + t13; /* b = a3 + gamma3*R */
+    const double t15 = t14*t14; /* b*b */
+    const double t16 = t12*t15; /* I3*m*b*b */
+    const double t17 = t11 + t16; /* Theta = I1*I3 + I1*m*R*R*s*s + I3*m*b*b */
+    const double t18 = t4*t17; /* I1*s*Theta */
+    const double t19 = params[0]*params[1]; /* m*R */
+    const double t20 = params[4]*t19; /* I1*m*R */
+    const double t21 = params[5]*t20; /* I3*I1*m*R */
+    const double t22 = x[0]*t21; /* gamma3*I3*I1*m*R */
+    const double t23 = t22*x[1]; /* gamma3*I3*I1*m*R*v_nu */
+    const double t24 = params[5]*params[5]; /* I3*I3 */
+    const double t25 = x[4]*x[4]; /* omega3*omega3 */
+    const double t26 = t24*t25; /* I3*I3*omega3*omega3 */
+    const double t27 = t3*t26; /* s*I3*I3*omega3*omega3 */
+    const double t28 = params[5] + t7; /* I3 + m*R*R */
+    const double t29 = t27*t28; /* s*I3*I3*omega3*omega3*(I3 + m*R*R) */
+    out[0] = t18;
+    out[1] = t23;
+    out[2] = t29;
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
@@ -802,70 +804,71 @@ static void family0_charpoly(const double *restrict x, const double *restrict pa
 
 static void family0_matrix(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = params[1]*x[4]; /* R*omega3 */
-    const double t4 = x[4]*params[5]; /* omega3*I3 */
-    const double t5 = t4/params[4]; /* omega3*I3/I1 */
-    const double t6 = -t5; /* -omega3*I3/I1 */
-    const double t7 = params[4]*params[5]; /* I1*I3 */
-    const double t8 = params[1]*params[1]; /* R*R */
-    const double t9 = params[0]*t8; /* m*R*R */
-    const double t10 = params[4]*t9; /* I1*m*R*R */
-    const double t11 = t2*t2; /* s*s */
-    const double t12 = t10*t11; /* I1*m*R*R*s*s */
-    const double t13 = t7 + t12; /* I1*I3 + I1*m*R*R*s*s */
-    const double t14 = params[5]*params[0]; /* I3*m */
-    const double t15 = x[0]*params[1]; /* gamma3*R */
-    const double t16 = params[3] + t15; /* b = a3 + gamma3*R */
-    const double t17 = t16*t16; /* b*b */
-    const double t18 = t14*t17; /* I3*m*b*b */
-    const double t19 = t13 + t18; /* Theta = I1*I3 + I1*m*R*R*s*s + I3*m*b*b */
-    const double t20 = params[5] + t9; /* I3 + m*R*R */
-    const double t21 = t4*t20; /* omega3*I3*(I3 + m*R*R) */
-    const double t22 = t21/t19; /* omega3*I3*(I3 + m*R*R)/Theta */
-    const double t23 = params[1]*params[0]; /* R*m */
-    const double t24 = params[5]*t23; /* I3*R*m */
-    const double t25 = x[0]*t24; /* gamma3*I3*R*m */
-    const double t26 = t25*x[1]; /* gamma3*I3*R*m*v_nu */
-    const double t27 = t2*t19; /* s*Theta */
-    const double t28 = t26/t27; /* gamma3*I3*R*m*v_nu/(s*Theta) */
-    const double t29 = -t28; /* -gamma3*I3*R*m*v_nu/(s*Theta) */
-    const double t30 = x[0]*t9; /* gamma3*m*R*R */
-    const double t31 = x[4]*t30; /* omega3*gamma3*m*R*R */
-    const double t32 = t2*t31; /* s*omega3*gamma3*m*R*R */
-    const double t33 = params[4] - params[5]; /* I1 - I3 */
-    const double t34 = t32*t33; /* s*omega3*gamma3*m*R*R*(I1 - I3) */
-    const double t35 = t34/t19; /* s*omega3*gamma3*m*R*R*(I1 - I3)/Theta */
-    const double t36 = params[4]*t23; /* I1*R*m */
-    const double t37 = x[1]*t36; /* v_nu*I1*R*m */
-    const double t38 = t37/t19; /* v_nu*I1*R*m/Theta */
-    const double t39 = -t38; /* -v_nu*I1*R*m/Theta */
+    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t4 = params[1]*x[4]; /* R*omega3 */
+    const double t5 = x[4]*params[5]; /* omega3*I3 */
+    const double t6 = t5/params[4]; /* omega3*I3/I1 */
+    const double t7 = -t6; /* -omega3*I3/I1 */
+    const double t8 = params[4]*params[5]; /* I1*I3 */
+    const double t9 = params[1]*params[1]; /* R*R */
+    const double t10 = params[0]*t9; /* m*R*R */
+    const double t11 = params[4]*t10; /* I1*m*R*R */
+    const double t12 = t3*t3; /* s*s */
+    const double t13 = t11*t12; /* I1*m*R*R*s*s */
+    const double t14 = t8 + t13; /* I1*I3 + I1*m*R*R*s*s */
+    const double t15 = params[5]*params[0]; /* I3*m */
+    const double t16 = x[0]*params[1]; /* gamma3*R */
+    const double t17 = params[3] + t16; /* b = a3 + gamma3*R */
+    const double t18 = t17*t17; /* b*b */
+    const double t19 = t15*t18; /* I3*m*b*b */
+    const double t20 = t14 + t19; /* Theta = I1*I3 + I1*m*R*R*s*s + I3*m*b*b */
+    const double t21 = params[5] + t10; /* I3 + m*R*R */
+    const double t22 = t5*t21; /* omega3*I3*(I3 + m*R*R) */
+    const double t23 = t22/t20; /* omega3*I3*(I3 + m*R*R)/Theta */
+    const double t24 = params[1]*params[0]; /* R*m */
+    const double t25 = params[5]*t24; /* I3*R*m */
+    const double t26 = x[0]*t25; /* gamma3*I3*R*m */
+    const double t27 = t26*x[1]; /* gamma3*I3*R*m*v_nu */
+    const double t28 = t3*t20; /* s*Theta */
+    const double t29 = t27/t28; /* gamma3*I3*R*m*v_nu/(s*Theta) */
+    const double t30 = -t29; /* -gamma3*I3*R*m*v_nu/(s*Theta) */
+    const double t31 = x[0]*t10; /* gamma3*m*R*R */
+    const double t32 = x[4]*t31; /* omega3*gamma3*m*R*R */
+    const double t33 = t3*t32; /* s*omega3*gamma3*m*R*R */
+    const double t34 = params[4] - params[5]; /* I1 - I3 */
+    const double t35 = t33*t34; /* s*omega3*gamma3*m*R*R*(I1 - I3) */
+    const double t36 = t35/t20; /* s*omega3*gamma3*m*R*R*(I1 - I3)/Theta */
+    const double t37 = params[4]*t24; /* I1*R*m */
+    const double t38 = x[1]*t37; /* v_nu*I1*R*m */
+    const double t39 = t38/t20; /* v_nu*I1*R*m/Theta */
+    const double t40 = -t39; /* -v_nu*I1*R*m/Theta */
     out[0] = 0.0;
     out[1] = 0.0;
-    out[2] = t2;
+    out[2] = t3;
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t3;
+    out[8] = t4;
     out[9] = 0.0;
     out[10] = 0.0;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t6;
+    out[13] = t7;
     out[14] = 0.0;
     out[15] = 0.0;
     out[16] = 0.0;
-    out[17] = t22;
-    out[18] = t29;
+    out[17] = t23;
+    out[18] = t30;
     out[19] = 0.0;
     out[20] = 0.0;
     out[21] = 0.0;
-    out[22] = t35;
-    out[23] = t39;
+    out[22] = t36;
+    out[23] = t40;
     out[24] = 0.0;
 }
 
@@ -876,76 +879,77 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t2 = x[0]*params[1]; /* gamma3*R */
     const double t3 = params[3] + t2; /* b = a3 + gamma3*R */
     const double t4 = params[1]*x[4]; /* R*omega3 */
-    const double t5 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t6 = 1.0 - t5; /* 1 - gamma3*gamma3 */
-    const double t7 = sqrt(t6); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t8 = t4*t7; /* v_tau = R*omega3*s */
-    const double t9 = params[0]*t8; /* m*v_tau */
-    const double t10 = t2*x[4]; /* gamma3*R*omega3 */
-    const double t11 = t10/t7; /* gamma3*R*omega3/s */
-    const double t12 = t9*t11; /* m*v_tau*gamma3*R*omega3/s */
-    const double t13 = t1 - t12; /* d(energy)/d(gamma3) = m*g*a3 - m*v_tau*gamma3*R*omega3/s */
-    const double t14 = params[0]*x[1]; /* m*v_nu */
-    const double t15 = t7*t7; /* s*s */
-    const double t16 = params[0]*t3; /* m*b */
-    const double t17 = t8*t16; /* d(energy)/d(omega_n) = v_tau*m*b */
-    const double t18 = x[4]*params[5]; /* omega3*I3 */
-    const double t19 = params[0]*params[1]; /* m*R */
-    const double t20 = t7*t19; /* s*m*R */
-    const double t21 = t8*t20; /* v_tau*s*m*R */
-    const double t22 = t18 + t21; /* d(energy)/d(omega3) = omega3*I3 + v_tau*s*m*R */
-    const double t23 = params[1]*params[4]; /* R*I1 */
-    const double t24 = params[1]*params[5]; /* R*I3 */
-    const double t25 = x[4]*t24; /* omega3*R*I3 */
-    const double t26 = -t25; /* -omega3*R*I3 */
-    const double t27 = t7*t23; /* s*R*I1 */
-    const double t28 = t3*params[5]; /* b*I3 */
-    const double t29 = -t28; /* -b*I3 */
-    const double t30 = x[4]*x[4]; /* omega3*omega3 */
-    const double t31 = params[4] - params[5]; /* I1 - I3 */
-    const double t32 = t30*t31; /* omega3*omega3*(I1 - I3) */
-    const double t33 = params[1]*params[1]; /* R*R */
-    const double t34 = params[0]*t33; /* m*R*R */
-    const double t35 = params[4]*t34; /* I1*m*R*R */
-    const double t36 = x[0]*t35; /* gamma3*I1*m*R*R */
-    const double t37 = t36*2.0; /* gamma3*I1*m*R*R*2 */
-    const double t38 = params[5]*t19; /* I3*m*R */
-    const double t39 = t3*t38; /* b*I3*m*R */
-    const double t40 = 2.0*t39; /* 2*b*I3*m*R */
-    const double t41 = t40 - t37; /* d(Theta)/d(gamma3) = 2*b*I3*m*R - gamma3*I1*m*R*R*2 */
-    const double t42 = t32*t41; /* omega3*omega3*(I1 - I3)*d(Theta)/d(gamma3) */
-    const double t43 = params[0]*2.0; /* m*2 */
-    const double t44 = params[4]*params[4]; /* I1*I1 */
-    const double t45 = t43*t44; /* m*2*I1*I1 */
-    const double t46 = x[1]*t45; /* v_nu*m*2*I1*I1 */
-    const double t47 = params[1]*t43; /* R*m*2 */
-    const double t48 = t44*t47; /* I1*I1*R*m*2 */
-    const double t49 = x[1]*t48; /* v_nu*I1*I1*R*m*2 */
-    const double t50 = x[4]*2.0; /* omega3*2 */
-    const double t51 = params[4]*params[5]; /* I1*I3 */
-    const double t52 = t15*t35; /* s*s*I1*m*R*R */
-    const double t53 = t51 + t52; /* I1*I3 + s*s*I1*m*R*R */
-    const double t54 = params[0]*params[5]; /* m*I3 */
-    const double t55 = t3*t3; /* b*b */
-    const double t56 = t54*t55; /* m*I3*b*b */
-    const double t57 = t53 + t56; /* Theta = I1*I3 + s*s*I1*m*R*R + m*I3*b*b */
-    const double t58 = t50*t57; /* omega3*2*Theta */
-    const double t59 = t31*t58; /* (I1 - I3)*omega3*2*Theta */
-    out[0] = t13;
-    out[1] = t14;
+    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t7 = t5*t6; /* (1 + gamma3)*(1 - gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t9 = t4*t8; /* v_tau = R*omega3*s */
+    const double t10 = params[0]*t9; /* m*v_tau */
+    const double t11 = t2*x[4]; /* gamma3*R*omega3 */
+    const double t12 = t11/t8; /* gamma3*R*omega3/s */
+    const double t13 = t10*t12; /* m*v_tau*gamma3*R*omega3/s */
+    const double t14 = t1 - t13; /* d(energy)/d(gamma3) = m*g*a3 - m*v_tau*gamma3*R*omega3/s */
+    const double t15 = params[0]*x[1]; /* m*v_nu */
+    const double t16 = t8*t8; /* s*s */
+    const double t17 = params[0]*t3; /* m*b */
+    const double t18 = t9*t17; /* d(energy)/d(omega_n) = v_tau*m*b */
+    const double t19 = x[4]*params[5]; /* omega3*I3 */
+    const double t20 = params[0]*params[1]; /* m*R */
+    const double t21 = t8*t20; /* s*m*R */
+    const double t22 = t9*t21; /* v_tau*s*m*R */
+    const double t23 = t19 + t22; /* d(energy)/d(omega3) = omega3*I3 + v_tau*s*m*R */
+    const double t24 = params[1]*params[4]; /* R*I1 */
+    const double t25 = params[1]*params[5]; /* R*I3 */
+    const double t26 = x[4]*t25; /* omega3*R*I3 */
+    const double t27 = -t26; /* -omega3*R*I3 */
+    const double t28 = t8*t24; /* s*R*I1 */
+    const double t29 = t3*params[5]; /* b*I3 */
+    const double t30 = -t29; /* -b*I3 */
+    const double t31 = x[4]*x[4]; /* omega3*omega3 */
+    const double t32 = params[4] - params[5]; /* I1 - I3 */
+    const double t33 = t31*t32; /* omega3*omega3*(I1 - I3) */
+    const double t34 = params[1]*params[1]; /* R*R */
+    const double t35 = params[0]*t34; /* m*R*R */
+    const double t36 = params[4]*t35; /* I1*m*R*R */
+    const double t37 = x[0]*t36; /* gamma3*I1*m*R*R */
+    const double t38 = t37*2.0; /* gamma3*I1*m*R*R*2 */
+    const double t39 = params[5]*t20; /* I3*m*R */
+    const double t40 = t3*t39; /* b*I3*m*R */
+    const double t41 = 2.0*t40; /* 2*b*I3*m*R */
+    const double t42 = t41 - t38; /* d(Theta)/d(gamma3) = 2*b*I3*m*R - gamma3*I1*m*R*R*2 */
+    const double t43 = t33*t42; /* omega3*omega3*(I1 - I3)*d(Theta)/d(gamma3) */
+    const double t44 = params[0]*2.0; /* m*2 */
+    const double t45 = params[4]*params[4]; /* I1*I1 */
+    const double t46 = t44*t45; /* m*2*I1*I1 */
+    const double t47 = x[1]*t46; /* v_nu*m*2*I1*I1 */
+    const double t48 = params[1]*t44; /* R*m*2 */
+    const double t49 = t45*t48; /* I1*I1*R*m*2 */
+    const double t50 = x[1]*t49; /* v_nu*I1*I1*R*m*2 */
+    const double t51 = x[4]*2.0; /* omega3*2 */
+    const double t52 = params[4]*params[5]; /* I1*I3 */
+    const double t53 = t16*t36; /* s*s*I1*m*R*R */
+    const double t54 = t52 + t53; /* I1*I3 + s*s*I1*m*R*R */
+    const double t55 = params[0]*params[5]; /* m*I3 */
+    const double t56 = t3*t3; /* b*b */
+    const double t57 = t55*t56; /* m*I3*b*b */
+    const double t58 = t54 + t57; /* Theta = I1*I3 + s*s*I1*m*R*R + m*I3*b*b */
+    const double t59 = t51*t58; /* omega3*2*Theta */
+    const double t60 = t32*t59; /* (I1 - I3)*omega3*2*Theta */
+    out[0] = t14;
+    out[1] = t15;
     out[2] = 0.0;
-    out[3] = t17;
-    out[4] = t22;
-    out[5] = t26;
+    out[3] = t18;
+    out[4] = t23;
+    out[5] = t27;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t27;
-    out[9] = t29;
-    out[10] = t42;
-    out[11] = t46;
-    out[12] = t49;
+    out[8] = t28;
+    out[9] = t30;
+    out[10] = t43;
+    out[11] = t47;
+    out[12] = t50;
     out[13] = 0.0;
-    out[14] = t59;
+    out[14] = t60;
 }
 
 static const jlt_named family0_left_null[] = {
@@ -981,26 +985,27 @@ static void family1_trace(const double *restrict x, const double *restrict param
 {
     const double t0 = params[0]*params[5]; /* m*I3 */
     const double t1 = t0*x[1]; /* m*I3*v_nu */
-    const double t2 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t3 = 1.0 - t2; /* 1 - gamma3*gamma3 */
-    const double t4 = sqrt(t3); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t5 = x[0]*params[1]; /* gamma3*R */
-    const double t6 = params[3] + t5; /* b = a3 + gamma3*R */
-    const double t7 = t1*t6; /* m*I3*v_nu*b */
-    const double t8 = params[5]*params[4]; /* I3*I1 */
-    const double t9 = params[1]*params[1]; /* R*R */
-    const double t10 = params[0]*t9; /* m*R*R */
-    const double t11 = params[4]*t10; /* I1*m*R*R */
-    const double t12 = t4*t4; /* s*s */
-    const double t13 = t11*t12; /* I1*m*R*R*s*s */
-    const double t14 = t8 + t13; /* I3*I1 + I1*m*R*R*s*s */
-    const double t15 = t6*t6; /* b*b */
-    const double t16 = t0*t15; /* m*I3*b*b */
-    const double t17 = t14 + t16; /* Theta = I3*I1 + I1*m*R*R*s*s + m*I3*b*b */
-    const double t18 = t4*t17; /* s*Theta */
-    const double t19 = t7/t18; /* m*I3*v_nu*b/(s*Theta) */
-    const double t20 = -t19; /* -m*I3*v_nu*b/(s*Theta) */
-    out[0] = t20;
+    const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t4 = t2*t3; /* (1 + gamma3)*(1 - gamma3) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t6 = x[0]*params[1]; /* gamma3*R */
+    const double t7 = params[3] + t6; /* b = a3 + gamma3*R */
+    const double t8 = t1*t7; /* m*I3*v_nu*b */
+    const double t9 = params[5]*params[4]; /* I3*I1 */
+    const double t10 = params[1]*params[1]; /* R*R */
+    const double t11 = params[0]*t10; /* m*R*R */
+    const double t12 = params[4]*t11; /* I1*m*R*R */
+    const double t13 = t5*t5; /* s*s */
+    const double t14 = t12*t13; /* I1*m*R*R*s*s */
+    const double t15 = t9 + t14; /* I3*I1 + I1*m*R*R*s*s */
+    const double t16 = t7*t7; /* b*b */
+    const double t17 = t0*t16; /* m*I3*b*b */
+    const double t18 = t15 + t17; /* Theta = I3*I1 + I1*m*R*R*s*s + m*I3*b*b */
+    const double t19 = t5*t18; /* s*Theta */
+    const double t20 = t8/t19; /* m*I3*v_nu*b/(s*Theta) */
+    const double t21 = -t20; /* -m*I3*v_nu*b/(s*Theta) */
+    out[0] = t21;
 }
 
 static void family1_left_null_gradients(const double *restrict x, const double *restrict params, double *restrict out)
@@ -1010,40 +1015,41 @@ static void family1_left_null_gradients(const double *restrict x, const double *
     const double t2 = x[0]*params[1]; /* gamma3*R */
     const double t3 = params[3] + t2; /* b = a3 + gamma3*R */
     const double t4 = params[1]*x[4]; /* R*omega3 */
-    const double t5 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t6 = 1.0 - t5; /* 1 - gamma3*gamma3 */
-    const double t7 = sqrt(t6); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t8 = t4*t7; /* v_tau = R*omega3*s */
-    const double t9 = params[0]*t8; /* m*v_tau */
-    const double t10 = t2*x[4]; /* gamma3*R*omega3 */
-    const double t11 = t10/t7; /* gamma3*R*omega3/s */
-    const double t12 = t9*t11; /* m*v_tau*gamma3*R*omega3/s */
-    const double t13 = t1 - t12; /* d(energy)/d(gamma3) = m*g*a3 - m*v_tau*gamma3*R*omega3/s */
-    const double t14 = params[0]*x[1]; /* m*v_nu */
-    const double t15 = params[0]*t3; /* m*b */
-    const double t16 = t8*t15; /* d(energy)/d(omega_n) = v_tau*m*b */
-    const double t17 = x[4]*params[5]; /* omega3*I3 */
-    const double t18 = params[0]*params[1]; /* m*R */
-    const double t19 = t7*t18; /* s*m*R */
-    const double t20 = t8*t19; /* v_tau*s*m*R */
-    const double t21 = t17 + t20; /* d(energy)/d(omega3) = omega3*I3 + v_tau*s*m*R */
-    const double t22 = params[1]*params[4]; /* R*I1 */
-    const double t23 = params[1]*params[5]; /* R*I3 */
-    const double t24 = x[4]*t23; /* omega3*R*I3 */
-    const double t25 = -t24; /* -omega3*R*I3 */
-    const double t26 = t7*t22; /* s*R*I1 */
-    const double t27 = t3*params[5]; /* b*I3 */
-    const double t28 = -t27; /* -b*I3 */
-    out[0] = t13;
-    out[1] = t14;
+    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t7 = t5*t6; /* (1 + gamma3)*(1 - gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t9 = t4*t8; /* v_tau = R*omega3*s */
+    const double t10 = params[0]*t9; /* m*v_tau */
+    const double t11 = t2*x[4]; /* gamma3*R*omega3 */
+    const double t12 = t11/t8; /* gamma3*R*omega3/s */
+    const double t13 = t10*t12; /* m*v_tau*gamma3*R*omega3/s */
+    const double t14 = t1 - t13; /* d(energy)/d(gamma3) = m*g*a3 - m*v_tau*gamma3*R*omega3/s */
+    const double t15 = params[0]*x[1]; /* m*v_nu */
+    const double t16 = params[0]*t3; /* m*b */
+    const double t17 = t9*t16; /* d(energy)/d(omega_n) = v_tau*m*b */
+    const double t18 = x[4]*params[5]; /* omega3*I3 */
+    const double t19 = params[0]*params[1]; /* m*R */
+    const double t20 = t8*t19; /* s*m*R */
+    const double t21 = t9*t20; /* v_tau*s*m*R */
+    const double t22 = t18 + t21; /* d(energy)/d(omega3) = omega3*I3 + v_tau*s*m*R */
+    const double t23 = params[1]*params[4]; /* R*I1 */
+    const double t24 = params[1]*params[5]; /* R*I3 */
+    const double t25 = x[4]*t24; /* omega3*R*I3 */
+    const double t26 = -t25; /* -omega3*R*I3 */
+    const double t27 = t8*t23; /* s*R*I1 */
+    const double t28 = t3*params[5]; /* b*I3 */
+    const double t29 = -t28; /* -b*I3 */
+    out[0] = t14;
+    out[1] = t15;
     out[2] = 0.0;
-    out[3] = t16;
-    out[4] = t21;
-    out[5] = t25;
+    out[3] = t17;
+    out[4] = t22;
+    out[5] = t26;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t26;
-    out[9] = t28;
+    out[8] = t27;
+    out[9] = t29;
 }
 
 static const jlt_named family1_left_null[] = {
@@ -1058,22 +1064,23 @@ static void family2_impose(const double *restrict x, const double *restrict para
     const double t0 = params[0]*params[1]; /* m*R */
     const double t1 = t0*params[3]; /* m*R*a3 */
     const double t2 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t3 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t4 = 1.0 - t3; /* 1 - gamma3*gamma3 */
-    const double t5 = sqrt(t4); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t6 = t5*t5; /* s*s */
-    const double t7 = t1*t6; /* m*R*a3*s*s */
-    const double t8 = params[1]*x[0]; /* R*gamma3 */
-    const double t9 = params[3] + t8; /* b = a3 + R*gamma3 */
-    const double t10 = params[5]*t9; /* I3*b */
-    const double t11 = params[1]*params[4]; /* R*I1 */
-    const double t12 = x[0]*t11; /* gamma3*R*I1 */
-    const double t13 = t10 - t12; /* I3*b - gamma3*R*I1 */
-    const double t14 = t2*t13; /* omega_n*omega_n*(I3*b - gamma3*R*I1) */
-    const double t15 = t14/t7; /* g = omega_n*omega_n*(I3*b - gamma3*R*I1)/(m*R*a3*s*s) */
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t5 = t3*t4; /* (1 + gamma3)*(1 - gamma3) */
+    const double t6 = sqrt(t5); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t7 = t6*t6; /* s*s */
+    const double t8 = t1*t7; /* m*R*a3*s*s */
+    const double t9 = params[1]*x[0]; /* R*gamma3 */
+    const double t10 = params[3] + t9; /* b = a3 + R*gamma3 */
+    const double t11 = params[5]*t10; /* I3*b */
+    const double t12 = params[1]*params[4]; /* R*I1 */
+    const double t13 = x[0]*t12; /* gamma3*R*I1 */
+    const double t14 = t11 - t13; /* I3*b - gamma3*R*I1 */
+    const double t15 = t2*t14; /* omega_n*omega_n*(I3*b - gamma3*R*I1) */
+    const double t16 = t15/t8; /* g = omega_n*omega_n*(I3*b - gamma3*R*I1)/(m*R*a3*s*s) */
     out[0] = params[0];
     out[1] = params[1];
-    out[2] = t15;
+    out[2] = t16;
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
@@ -1081,20 +1088,21 @@ static void family2_impose(const double *restrict x, const double *restrict para
 
 static void family2_point(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = 1.0 - t0; /* 1 - gamma3*gamma3 */
-    const double t2 = sqrt(t1); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t3 = params[1]*t2; /* R*s */
-    const double t4 = x[0]*params[1]; /* gamma3*R */
-    const double t5 = params[3] + t4; /* b = a3 + gamma3*R */
-    const double t6 = x[3]*t5; /* omega_n*b */
-    const double t7 = t6/t3; /* omega_n*b/(R*s) */
-    const double t8 = -t7; /* omega3 = -omega_n*b/(R*s) */
+    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t4 = params[1]*t3; /* R*s */
+    const double t5 = x[0]*params[1]; /* gamma3*R */
+    const double t6 = params[3] + t5; /* b = a3 + gamma3*R */
+    const double t7 = x[3]*t6; /* omega_n*b */
+    const double t8 = t7/t4; /* omega_n*b/(R*s) */
+    const double t9 = -t8; /* omega3 = -omega_n*b/(R*s) */
     out[0] = x[0];
     out[1] = 0.0;
     out[2] = 0.0;
     out[3] = x[3];
-    out[4] = t8;
+    out[4] = t9;
 }
 
 static void family2_trace(const double *restrict x, const double *restrict params, double *restrict out)
@@ -1111,50 +1119,51 @@ static void family2_left_null_gradients(const double *restrict x, const double *
     const double t2 = x[0]*params[1]; /* gamma3*R */
     const double t3 = params[3] + t2; /* b = a3 + gamma3*R */
     const double t4 = x[3]*t3; /* omega_n*b */
-    const double t5 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t6 = 1.0 - t5; /* 1 - gamma3*gamma3 */
-    const double t7 = sqrt(t6); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t8 = params[1]*t7; /* R*s */
-    const double t9 = t4/t8; /* omega_n*b/(R*s) */
-    const double t10 = params[1]*t9; /* R*omega_n*b/(R*s) */
-    const double t11 = t7*t10; /* s*R*omega_n*b/(R*s) */
-    const double t12 = t4 - t11; /* v_tau = omega_n*b - s*R*omega_n*b/(R*s) */
-    const double t13 = params[0]*t12; /* m*v_tau */
-    const double t14 = x[3]*params[1]; /* omega_n*R */
-    const double t15 = t2*t9; /* gamma3*R*omega_n*b/(R*s) */
-    const double t16 = t15/t7; /* gamma3*R*omega_n*b/(R*s)/s */
-    const double t17 = t14 + t16; /* d(v_tau)/d(gamma3) = omega_n*R + gamma3*R*omega_n*b/(R*s)/s */
-    const double t18 = t13*t17; /* m*v_tau*d(v_tau)/d(gamma3) */
-    const double t19 = t1 + t18; /* d(energy)/d(gamma3) = m*g*a3 + m*v_tau*d(v_tau)/d(gamma3) */
-    const double t20 = x[3]*params[4]; /* omega_n*I1 */
-    const double t21 = params[0]*t3; /* m*b */
-    const double t22 = t12*t21; /* v_tau*m*b */
-    const double t23 = t20 + t22; /* d(energy)/d(omega_n) = omega_n*I1 + v_tau*m*b */
-    const double t24 = t9*params[5]; /* omega_n*b/(R*s)*I3 */
-    const double t25 = params[0]*params[1]; /* m*R */
-    const double t26 = t7*t25; /* s*m*R */
-    const double t27 = t12*t26; /* v_tau*s*m*R */
-    const double t28 = t27 - t24; /* d(energy)/d(omega3) = v_tau*s*m*R - omega_n*b/(R*s)*I3 */
-    const double t29 = params[1]*params[4]; /* R*I1 */
-    const double t30 = x[0]*t29; /* gamma3*R*I1 */
-    const double t31 = x[3]*t30; /* omega_n*gamma3*R*I1 */
-    const double t32 = t31/t7; /* omega_n*gamma3*R*I1/s */
-    const double t33 = params[1]*params[5]; /* R*I3 */
-    const double t34 = t9*t33; /* omega_n*b/(R*s)*R*I3 */
-    const double t35 = t34 - t32; /* omega_n*b/(R*s)*R*I3 - omega_n*gamma3*R*I1/s */
-    const double t36 = t7*t29; /* s*R*I1 */
-    const double t37 = t3*params[5]; /* b*I3 */
-    const double t38 = -t37; /* -b*I3 */
-    out[0] = t19;
+    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t7 = t5*t6; /* (1 + gamma3)*(1 - gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t9 = params[1]*t8; /* R*s */
+    const double t10 = t4/t9; /* omega_n*b/(R*s) */
+    const double t11 = params[1]*t10; /* R*omega_n*b/(R*s) */
+    const double t12 = t8*t11; /* s*R*omega_n*b/(R*s) */
+    const double t13 = t4 - t12; /* v_tau = omega_n*b - s*R*omega_n*b/(R*s) */
+    const double t14 = params[0]*t13; /* m*v_tau */
+    const double t15 = x[3]*params[1]; /* omega_n*R */
+    const double t16 = t2*t10; /* gamma3*R*omega_n*b/(R*s) */
+    const double t17 = t16/t8; /* gamma3*R*omega_n*b/(R*s)/s */
+    const double t18 = t15 + t17; /* d(v_tau)/d(gamma3) = omega_n*R + gamma3*R*omega_n*b/(R*s)/s */
+    const double t19 = t14*t18; /* m*v_tau*d(v_tau)/d(gamma3) */
+    const double t20 = t1 + t19; /* d(energy)/d(gamma3) = m*g*a3 + m*v_tau*d(v_tau)/d(gamma3) */
+    const double t21 = x[3]*params[4]; /* omega_n*I1 */
+    const double t22 = params[0]*t3; /* m*b */
+    const double t23 = t13*t22; /* v_tau*m*b */
+    const double t24 = t21 + t23; /* d(energy)/d(omega_n) = omega_n*I1 + v_tau*m*b */
+    const double t25 = t10*params[5]; /* omega_n*b/(R*s)*I3 */
+    const double t26 = params[0]*params[1]; /* m*R */
+    const double t27 = t8*t26; /* s*m*R */
+    const double t28 = t13*t27; /* v_tau*s*m*R */
+    const double t29 = t28 - t25; /* d(energy)/d(omega3) = v_tau*s*m*R - omega_n*b/(R*s)*I3 */
+    const double t30 = params[1]*params[4]; /* R*I1 */
+    const double t31 = x[0]*t30; /* gamma3*R*I1 */
+    const double t32 = x[3]*t31; /* omega_n*gamma3*R*I1 */
+    const double t33 = t32/t8; /* omega_n*gamma3*R*I1/s */
+    const double t34 = params[1]*params[5]; /* R*I3 */
+    const double t35 = t10*t34; /* omega_n*b/(R*s)*R*I3 */
+    const double t36 = t35 - t33; /* omega_n*b/(R*s)*R*I3 - omega_n*gamma3*R*I1/s */
+    const double t37 = t8*t30; /* s*R*I1 */
+    const double t38 = t3*params[5]; /* b*I3 */
+    const double t39 = -t38; /* -b*I3 */
+    out[0] = t20;
     out[1] = 0.0;
     out[2] = 0.0;
-    out[3] = t23;
-    out[4] = t28;
-    out[5] = t35;
+    out[3] = t24;
+    out[4] = t29;
+    out[5] = t36;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t36;
-    out[9] = t38;
+    out[8] = t37;
+    out[9] = t39;
 }
 
 static const jlt_named family2_left_null[] = {

@@ -672,16 +672,17 @@ static void family0_impose(const double *restrict x, const double *restrict para
 static void family0_point(const double *restrict x, const double *restrict params, double *restrict out)
 {
     const double t0 = x[0]*params[4]; /* gamma3*I3 */
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = 1.0 - t1; /* 1 - gamma3*gamma3 */
-    const double t3 = sqrt(t2); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t4 = params[6]*t3; /* G*s */
-    const double t5 = t4/t0; /* G*s/(gamma3*I3) */
-    const double t6 = -t5; /* v_tau = -G*s/(gamma3*I3) */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = t1*t2; /* (gamma3 + 1)*(1 - gamma3) */
+    const double t4 = sqrt(t3); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t5 = params[6]*t4; /* G*s */
+    const double t6 = t5/t0; /* G*s/(gamma3*I3) */
+    const double t7 = -t6; /* v_tau = -G*s/(gamma3*I3) */
     out[0] = x[0];
     out[1] = x[1];
     out[2] = 0.0;
-    out[3] = t6;
+    out[3] = t7;
 }
 
 static void family0_trace(const double *restrict x, const double *restrict params, double *restrict out)
@@ -690,119 +691,123 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[4]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t5 = 1.0 - t4; /* 1 - gamma3*gamma3 */
-    const double t6 = sqrt(t5); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t7 = params[1]*params[1]; /* R*R */
-    const double t8 = t7*params[3]; /* R*R*I1 */
-    const double t9 = t6*t6; /* s*s */
-    const double t10 = t8*t9; /* R*R*I1*s*s */
-    const double t11 = params[4]*t7; /* I3*R*R */
-    const double t12 = t4*t11; /* gamma3*gamma3*I3*R*R */
-    const double t13 = t10 + t12; /* K = R*R*I1*s*s + gamma3*gamma3*I3*R*R */
-    const double t14 = params[0]*t13; /* m*K */
-    const double t15 = params[4]*params[3]; /* I3*I1 */
-    const double t16 = t14 + t15; /* Theta = m*K + I3*I1 */
-    const double t17 = t6*t16; /* s*Theta */
-    const double t18 = t3/t17; /* m*R*I3*gamma3*v_nu/(s*Theta) */
-    const double t19 = -t18; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
-    out[0] = t19;
+    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t8 = params[1]*params[1]; /* R*R */
+    const double t9 = t8*params[3]; /* R*R*I1 */
+    const double t10 = t7*t7; /* s*s */
+    const double t11 = t9*t10; /* R*R*I1*s*s */
+    const double t12 = params[4]*t8; /* I3*R*R */
+    const double t13 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t14 = t12*t13; /* I3*R*R*gamma3*gamma3 */
+    const double t15 = t11 + t14; /* K = R*R*I1*s*s + I3*R*R*gamma3*gamma3 */
+    const double t16 = params[0]*t15; /* m*K */
+    const double t17 = params[4]*params[3]; /* I3*I1 */
+    const double t18 = t16 + t17; /* Theta = m*K + I3*I1 */
+    const double t19 = t7*t18; /* s*Theta */
+    const double t20 = t3/t19; /* m*R*I3*gamma3*v_nu/(s*Theta) */
+    const double t21 = -t20; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
+    out[0] = t21;
 }
 
 static void family0_left_null_gradients(const double *restrict x, const double *restrict params, double *restrict out)
 {
     const double t0 = params[4]*x[0]; /* I3*gamma3 */
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = 1.0 - t1; /* 1 - gamma3*gamma3 */
-    const double t3 = sqrt(t2); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t4 = params[6]*t3; /* G*s */
-    const double t5 = t4/t0; /* G*s/(I3*gamma3) */
-    const double t6 = t5*t5; /* G*s/(I3*gamma3)*G*s/(I3*gamma3) */
-    const double t7 = params[1]*params[1]; /* R*R */
-    const double t8 = t7*params[3]; /* R*R*I1 */
-    const double t9 = t3*t3; /* s*s */
-    const double t10 = t8*t9; /* R*R*I1*s*s */
-    const double t11 = params[4]*t7; /* I3*R*R */
-    const double t12 = t1*t11; /* gamma3*gamma3*I3*R*R */
-    const double t13 = t10 + t12; /* K = R*R*I1*s*s + gamma3*gamma3*I3*R*R */
-    const double t14 = t13*t13; /* K*K */
-    const double t15 = t13*params[0]; /* K*m */
-    const double t16 = params[4]*params[3]; /* I3*I1 */
-    const double t17 = t15 + t16; /* Theta = K*m + I3*I1 */
-    const double t18 = t6*t17; /* G*s/(I3*gamma3)*G*s/(I3*gamma3)*Theta */
-    const double t19 = x[0]*t8; /* gamma3*R*R*I1 */
-    const double t20 = t19*2.0; /* gamma3*R*R*I1*2 */
-    const double t21 = x[0]*t11; /* gamma3*I3*R*R */
-    const double t22 = 2.0*t21; /* 2*gamma3*I3*R*R */
-    const double t23 = t22 - t20; /* d(K)/d(gamma3) = 2*gamma3*I3*R*R - gamma3*R*R*I1*2 */
-    const double t24 = t18*t23; /* G*s/(I3*gamma3)*G*s/(I3*gamma3)*Theta*d(K)/d(gamma3) */
-    const double t25 = t24/t14; /* G*s/(I3*gamma3)*G*s/(I3*gamma3)*Theta*d(K)/d(gamma3)/(K*K) */
-    const double t26 = t25*(1.0 / 2.0); /* G*s/(I3*gamma3)*G*s/(I3*gamma3)*Theta*d(K)/d(gamma3)/(K*K)*1/2 */
-    const double t27 = t6*params[0]; /* G*s/(I3*gamma3)*G*s/(I3*gamma3)*m */
-    const double t28 = t23*t27; /* d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m */
-    const double t29 = t28/t13; /* d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m/K */
-    const double t30 = (1.0 / 2.0)*t29; /* 1/2*d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m/K */
-    const double t31 = t30 - t26; /* 1/2*d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m/K - t26 */
-    const double t32 = params[6]*params[6]; /* G*G */
-    const double t33 = t23*t32; /* d(K)/d(gamma3)*G*G */
-    const double t34 = t33/t14; /* d(K)/d(gamma3)*G*G/(K*K) */
-    const double t35 = (1.0 / 2.0)*t34; /* 1/2*d(K)/d(gamma3)*G*G/(K*K) */
-    const double t36 = t31 - t35; /* 1/2*d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m/K - t26 - 1/2*d(K)/d(gamma3)*G*G/(K*K) */
-    const double t37 = params[0]*x[1]; /* m*v_nu */
-    const double t38 = t5*t17; /* G*s/(I3*gamma3)*Theta */
-    const double t39 = t38/t13; /* G*s/(I3*gamma3)*Theta/K */
-    const double t40 = -t39; /* -G*s/(I3*gamma3)*Theta/K */
-    const double t41 = t13*t14; /* K*K*K */
-    const double t42 = params[3] - params[4]; /* I1 - I3 */
-    const double t43 = t17*t42; /* Theta*(I1 - I3) */
-    const double t44 = t23*t43; /* d(K)/d(gamma3)*Theta*(I1 - I3) */
-    const double t45 = params[1]*params[3]; /* R*I1 */
-    const double t46 = t5*t45; /* G*s/(I3*gamma3)*R*I1 */
-    const double t47 = t3*t46; /* s*G*s/(I3*gamma3)*R*I1 */
-    const double t48 = -t47; /* -s*G*s/(I3*gamma3)*R*I1 */
-    const double t49 = params[6]*params[1]; /* G*R */
-    const double t50 = x[0]*t49; /* gamma3*G*R */
-    const double t51 = t48 - t50; /* -s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R */
-    const double t52 = t51*t51; /* (-s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R)*(-s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R) */
-    const double t53 = t44*t52; /* d(K)/d(gamma3)*Theta*(I1 - I3)*t52 */
-    const double t54 = t53/t41; /* d(K)/d(gamma3)*Theta*(I1 - I3)*t52/(K*K*K) */
-    const double t55 = 2.0*t54; /* 2*d(K)/d(gamma3)*Theta*(I1 - I3)*t52/(K*K*K) */
-    const double t56 = params[0]*t42; /* m*(I1 - I3) */
-    const double t57 = t23*t56; /* d(K)/d(gamma3)*m*(I1 - I3) */
-    const double t58 = t52*t57; /* t52*d(K)/d(gamma3)*m*(I1 - I3) */
-    const double t59 = t58/t14; /* t52*d(K)/d(gamma3)*m*(I1 - I3)/(K*K) */
-    const double t60 = t59 - t55; /* t52*d(K)/d(gamma3)*m*(I1 - I3)/(K*K) - 2*d(K)/d(gamma3)*Theta*(I1 - I3)*t52/(K*K*K) */
-    const double t61 = x[0]*t45; /* gamma3*R*I1 */
-    const double t62 = t5*t61; /* G*s/(I3*gamma3)*gamma3*R*I1 */
-    const double t63 = t62/t3; /* G*s/(I3*gamma3)*gamma3*R*I1/s */
-    const double t64 = t49 - t63; /* G*R - G*s/(I3*gamma3)*gamma3*R*I1/s */
-    const double t65 = t43*t64; /* Theta*(I1 - I3)*(G*R - G*s/(I3*gamma3)*gamma3*R*I1/s) */
-    const double t66 = t51*t65; /* (-s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R)*Theta*(I1 - I3)*(G*R - G*s/(I3*gamma3)*gamma3*R*I1/s) */
-    const double t67 = t66/t14; /* t66/(K*K) */
-    const double t68 = 2.0*t67; /* 2*t66/(K*K) */
-    const double t69 = t60 - t68; /* t60 - 2*t66/(K*K) */
-    const double t70 = params[0]*2.0; /* m*2 */
-    const double t71 = params[3]*params[3]; /* I1*I1 */
-    const double t72 = t70*t71; /* m*2*I1*I1 */
-    const double t73 = x[1]*t72; /* v_nu*m*2*I1*I1 */
-    const double t74 = params[1]*t70; /* R*m*2 */
-    const double t75 = t71*t74; /* I1*I1*R*m*2 */
-    const double t76 = x[1]*t75; /* v_nu*I1*I1*R*m*2 */
-    const double t77 = params[1]*2.0; /* R*2 */
-    const double t78 = params[3]*t77; /* I1*R*2 */
-    const double t79 = t3*t78; /* s*I1*R*2 */
-    const double t80 = t17*t79; /* Theta*s*I1*R*2 */
-    const double t81 = t42*t80; /* (I1 - I3)*Theta*s*I1*R*2 */
-    const double t82 = t51*t81; /* (-s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R)*(I1 - I3)*Theta*s*I1*R*2 */
-    const double t83 = t82/t14; /* t82/(K*K) */
-    out[0] = t36;
-    out[1] = t37;
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = t1*t2; /* (1 + gamma3)*(1 - gamma3) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t5 = params[6]*t4; /* G*s */
+    const double t6 = t5/t0; /* G*s/(I3*gamma3) */
+    const double t7 = t6*t6; /* G*s/(I3*gamma3)*G*s/(I3*gamma3) */
+    const double t8 = params[1]*params[1]; /* R*R */
+    const double t9 = t8*params[3]; /* R*R*I1 */
+    const double t10 = t4*t4; /* s*s */
+    const double t11 = t9*t10; /* R*R*I1*s*s */
+    const double t12 = params[4]*t8; /* I3*R*R */
+    const double t13 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t14 = t12*t13; /* I3*R*R*gamma3*gamma3 */
+    const double t15 = t11 + t14; /* K = R*R*I1*s*s + I3*R*R*gamma3*gamma3 */
+    const double t16 = t15*t15; /* K*K */
+    const double t17 = t15*params[0]; /* K*m */
+    const double t18 = params[4]*params[3]; /* I3*I1 */
+    const double t19 = t17 + t18; /* Theta = K*m + I3*I1 */
+    const double t20 = t7*t19; /* G*s/(I3*gamma3)*G*s/(I3*gamma3)*Theta */
+    const double t21 = x[0]*t9; /* gamma3*R*R*I1 */
+    const double t22 = t21*2.0; /* gamma3*R*R*I1*2 */
+    const double t23 = x[0]*t12; /* gamma3*I3*R*R */
+    const double t24 = 2.0*t23; /* 2*gamma3*I3*R*R */
+    const double t25 = t24 - t22; /* d(K)/d(gamma3) = 2*gamma3*I3*R*R - gamma3*R*R*I1*2 */
+    const double t26 = t20*t25; /* G*s/(I3*gamma3)*G*s/(I3*gamma3)*Theta*d(K)/d(gamma3) */
+    const double t27 = t26/t16; /* G*s/(I3*gamma3)*G*s/(I3*gamma3)*Theta*d(K)/d(gamma3)/(K*K) */
+    const double t28 = t27*(1.0 / 2.0); /* G*s/(I3*gamma3)*G*s/(I3*gamma3)*Theta*d(K)/d(gamma3)/(K*K)*1/2 */
+    const double t29 = t7*params[0]; /* G*s/(I3*gamma3)*G*s/(I3*gamma3)*m */
+    const double t30 = t25*t29; /* d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m */
+    const double t31 = t30/t15; /* d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m/K */
+    const double t32 = (1.0 / 2.0)*t31; /* 1/2*d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m/K */
+    const double t33 = t32 - t28; /* 1/2*d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m/K - t28 */
+    const double t34 = params[6]*params[6]; /* G*G */
+    const double t35 = t25*t34; /* d(K)/d(gamma3)*G*G */
+    const double t36 = t35/t16; /* d(K)/d(gamma3)*G*G/(K*K) */
+    const double t37 = (1.0 / 2.0)*t36; /* 1/2*d(K)/d(gamma3)*G*G/(K*K) */
+    const double t38 = t33 - t37; /* 1/2*d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m/K - t28 - 1/2*d(K)/d(gamma3)*G*G/(K*K) */
+    const double t39 = params[0]*x[1]; /* m*v_nu */
+    const double t40 = t6*t19; /* G*s/(I3*gamma3)*Theta */
+    const double t41 = t40/t15; /* G*s/(I3*gamma3)*Theta/K */
+    const double t42 = -t41; /* -G*s/(I3*gamma3)*Theta/K */
+    const double t43 = t15*t16; /* K*K*K */
+    const double t44 = params[3] - params[4]; /* I1 - I3 */
+    const double t45 = t19*t44; /* Theta*(I1 - I3) */
+    const double t46 = t25*t45; /* d(K)/d(gamma3)*Theta*(I1 - I3) */
+    const double t47 = params[1]*params[3]; /* R*I1 */
+    const double t48 = t6*t47; /* G*s/(I3*gamma3)*R*I1 */
+    const double t49 = t4*t48; /* s*G*s/(I3*gamma3)*R*I1 */
+    const double t50 = -t49; /* -s*G*s/(I3*gamma3)*R*I1 */
+    const double t51 = params[6]*params[1]; /* G*R */
+    const double t52 = x[0]*t51; /* gamma3*G*R */
+    const double t53 = t50 - t52; /* -s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R */
+    const double t54 = t53*t53; /* (-s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R)*(-s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R) */
+    const double t55 = t46*t54; /* d(K)/d(gamma3)*Theta*(I1 - I3)*t54 */
+    const double t56 = t55/t43; /* d(K)/d(gamma3)*Theta*(I1 - I3)*t54/(K*K*K) */
+    const double t57 = 2.0*t56; /* 2*d(K)/d(gamma3)*Theta*(I1 - I3)*t54/(K*K*K) */
+    const double t58 = params[0]*t44; /* m*(I1 - I3) */
+    const double t59 = t25*t58; /* d(K)/d(gamma3)*m*(I1 - I3) */
+    const double t60 = t54*t59; /* t54*d(K)/d(gamma3)*m*(I1 - I3) */
+    const double t61 = t60/t16; /* t54*d(K)/d(gamma3)*m*(I1 - I3)/(K*K) */
+    const double t62 = t61 - t57; /* t54*d(K)/d(gamma3)*m*(I1 - I3)/(K*K) - 2*d(K)/d(gamma3)*Theta*(I1 - I3)*t54/(K*K*K) */
+    const double t63 = x[0]*t47; /* gamma3*R*I1 */
+    const double t64 = t6*t63; /* G*s/(I3*gamma3)*gamma3*R*I1 */
+    const double t65 = t64/t4; /* G*s/(I3*gamma3)*gamma3*R*I1/s */
+    const double t66 = t51 - t65; /* G*R - G*s/(I3*gamma3)*gamma3*R*I1/s */
+    const double t67 = t45*t66; /* Theta*(I1 - I3)*(G*R - G*s/(I3*gamma3)*gamma3*R*I1/s) */
+    const double t68 = t53*t67; /* (-s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R)*Theta*(I1 - I3)*(G*R - G*s/(I3*gamma3)*gamma3*R*I1/s) */
+    const double t69 = t68/t16; /* t68/(K*K) */
+    const double t70 = 2.0*t69; /* 2*t68/(K*K) */
+    const double t71 = t62 - t70; /* t62 - 2*t68/(K*K) */
+    const double t72 = params[0]*2.0; /* m*2 */
+    const double t73 = params[3]*params[3]; /* I1*I1 */
+    const double t74 = t72*t73; /* m*2*I1*I1 */
+    const double t75 = x[1]*t74; /* v_nu*m*2*I1*I1 */
+    const double t76 = params[1]*t72; /* R*m*2 */
+    const double t77 = t73*t76; /* I1*I1*R*m*2 */
+    const double t78 = x[1]*t77; /* v_nu*I1*I1*R*m*2 */
+    const double t79 = params[1]*2.0; /* R*2 */
+    const double t80 = params[3]*t79; /* I1*R*2 */
+    const double t81 = t4*t80; /* s*I1*R*2 */
+    const double t82 = t19*t81; /* Theta*s*I1*R*2 */
+    const double t83 = t44*t82; /* (I1 - I3)*Theta*s*I1*R*2 */
+    const double t84 = t53*t83; /* (-s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R)*(I1 - I3)*Theta*s*I1*R*2 */
+    const double t85 = t84/t16; /* t84/(K*K) */
+    out[0] = t38;
+    out[1] = t39;
     out[2] = 0.0;
-    out[3] = t40;
-    out[4] = t69;
-    out[5] = t73;
-    out[6] = t76;
-    out[7] = t83;
+    out[3] = t42;
+    out[4] = t71;
+    out[5] = t75;
+    out[6] = t78;
+    out[7] = t85;
 }
 
 static const jlt_named family0_left_null[] = {

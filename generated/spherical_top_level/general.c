@@ -717,19 +717,20 @@ static void family0_impose(const double *restrict x, const double *restrict para
 static void family0_point(const double *restrict x, const double *restrict params, double *restrict out)
 {
     const double t0 = params[1]*params[6]; /* R*G */
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = 1.0 - t1; /* 1 - gamma3*gamma3 */
-    const double t3 = sqrt(t2); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t4 = t0*t3; /* R*G*s */
-    const double t5 = x[0]*params[1]; /* gamma3*R */
-    const double t6 = params[5] + t5; /* b = a3 + gamma3*R */
-    const double t7 = params[4]*t6; /* I3*b */
-    const double t8 = t4/t7; /* R*G*s/(I3*b) */
-    const double t9 = -t8; /* v_tau = -R*G*s/(I3*b) */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = t1*t2; /* (gamma3 + 1)*(1 - gamma3) */
+    const double t4 = sqrt(t3); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t5 = t0*t4; /* R*G*s */
+    const double t6 = x[0]*params[1]; /* gamma3*R */
+    const double t7 = params[5] + t6; /* b = a3 + gamma3*R */
+    const double t8 = params[4]*t7; /* I3*b */
+    const double t9 = t5/t8; /* R*G*s/(I3*b) */
+    const double t10 = -t9; /* v_tau = -R*G*s/(I3*b) */
     out[0] = x[0];
     out[1] = x[1];
     out[2] = 0.0;
-    out[3] = t9;
+    out[3] = t10;
 }
 
 static void family0_trace(const double *restrict x, const double *restrict params, double *restrict out)
@@ -738,25 +739,26 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[4]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t5 = 1.0 - t4; /* 1 - gamma3*gamma3 */
-    const double t6 = sqrt(t5); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t7 = params[1]*params[1]; /* R*R */
-    const double t8 = t7*params[3]; /* R*R*I1 */
-    const double t9 = t6*t6; /* s*s */
-    const double t10 = t8*t9; /* R*R*I1*s*s */
-    const double t11 = params[1]*x[0]; /* R*gamma3 */
-    const double t12 = params[5] + t11; /* b = a3 + R*gamma3 */
-    const double t13 = t12*t12; /* b*b */
-    const double t14 = params[4]*t13; /* I3*b*b */
-    const double t15 = t10 + t14; /* K = R*R*I1*s*s + I3*b*b */
-    const double t16 = params[0]*t15; /* m*K */
-    const double t17 = params[4]*params[3]; /* I3*I1 */
-    const double t18 = t16 + t17; /* Theta = m*K + I3*I1 */
-    const double t19 = t6*t18; /* s*Theta */
-    const double t20 = t3/t19; /* m*R*I3*gamma3*v_nu/(s*Theta) */
-    const double t21 = -t20; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
-    out[0] = t21;
+    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t8 = params[1]*params[1]; /* R*R */
+    const double t9 = t8*params[3]; /* R*R*I1 */
+    const double t10 = t7*t7; /* s*s */
+    const double t11 = t9*t10; /* R*R*I1*s*s */
+    const double t12 = params[1]*x[0]; /* R*gamma3 */
+    const double t13 = params[5] + t12; /* b = a3 + R*gamma3 */
+    const double t14 = t13*t13; /* b*b */
+    const double t15 = params[4]*t14; /* I3*b*b */
+    const double t16 = t11 + t15; /* K = R*R*I1*s*s + I3*b*b */
+    const double t17 = params[0]*t16; /* m*K */
+    const double t18 = params[4]*params[3]; /* I3*I1 */
+    const double t19 = t17 + t18; /* Theta = m*K + I3*I1 */
+    const double t20 = t7*t19; /* s*Theta */
+    const double t21 = t3/t20; /* m*R*I3*gamma3*v_nu/(s*Theta) */
+    const double t22 = -t21; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
+    out[0] = t22;
 }
 
 static void family0_left_null_gradients(const double *restrict x, const double *restrict params, double *restrict out)
@@ -764,102 +766,103 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t0 = params[0]*params[2]; /* m*g */
     const double t1 = t0*params[5]; /* m*g*a3 */
     const double t2 = params[1]*params[6]; /* R*G */
-    const double t3 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t4 = 1.0 - t3; /* 1 - gamma3*gamma3 */
-    const double t5 = sqrt(t4); /* s = sqrt(1 - gamma3*gamma3) */
-    const double t6 = t2*t5; /* R*G*s */
-    const double t7 = x[0]*params[1]; /* gamma3*R */
-    const double t8 = params[5] + t7; /* b = a3 + gamma3*R */
-    const double t9 = params[4]*t8; /* I3*b */
-    const double t10 = t6/t9; /* R*G*s/(I3*b) */
-    const double t11 = t10*t10; /* R*G*s/(I3*b)*R*G*s/(I3*b) */
-    const double t12 = params[1]*params[1]; /* R*R */
-    const double t13 = t12*params[3]; /* R*R*I1 */
-    const double t14 = t5*t5; /* s*s */
-    const double t15 = t13*t14; /* R*R*I1*s*s */
-    const double t16 = t8*t8; /* b*b */
-    const double t17 = params[4]*t16; /* I3*b*b */
-    const double t18 = t15 + t17; /* K = R*R*I1*s*s + I3*b*b */
-    const double t19 = t18*t18; /* K*K */
-    const double t20 = params[0]*t18; /* m*K */
-    const double t21 = params[4]*params[3]; /* I3*I1 */
-    const double t22 = t20 + t21; /* Theta = m*K + I3*I1 */
-    const double t23 = t11*t22; /* R*G*s/(I3*b)*R*G*s/(I3*b)*Theta */
-    const double t24 = x[0]*t13; /* gamma3*R*R*I1 */
-    const double t25 = t24*2.0; /* gamma3*R*R*I1*2 */
-    const double t26 = params[1]*params[4]; /* R*I3 */
-    const double t27 = t8*t26; /* b*R*I3 */
-    const double t28 = 2.0*t27; /* 2*b*R*I3 */
-    const double t29 = t28 - t25; /* d(K)/d(gamma3) = 2*b*R*I3 - gamma3*R*R*I1*2 */
-    const double t30 = t23*t29; /* R*G*s/(I3*b)*R*G*s/(I3*b)*Theta*d(K)/d(gamma3) */
-    const double t31 = t30/t19; /* R*G*s/(I3*b)*R*G*s/(I3*b)*Theta*d(K)/d(gamma3)/(K*K) */
-    const double t32 = t31*(1.0 / 2.0); /* R*G*s/(I3*b)*R*G*s/(I3*b)*Theta*d(K)/d(gamma3)/(K*K)*1/2 */
-    const double t33 = t1 - t32; /* m*g*a3 - R*G*s/(I3*b)*R*G*s/(I3*b)*Theta*d(K)/d(gamma3)/(K*K)*1/2 */
-    const double t34 = params[0]*t11; /* m*R*G*s/(I3*b)*R*G*s/(I3*b) */
-    const double t35 = t29*t34; /* d(K)/d(gamma3)*m*R*G*s/(I3*b)*R*G*s/(I3*b) */
-    const double t36 = t35/t18; /* d(K)/d(gamma3)*m*R*G*s/(I3*b)*R*G*s/(I3*b)/K */
-    const double t37 = (1.0 / 2.0)*t36; /* 1/2*d(K)/d(gamma3)*m*R*G*s/(I3*b)*R*G*s/(I3*b)/K */
-    const double t38 = t33 + t37; /* t33 + 1/2*d(K)/d(gamma3)*m*R*G*s/(I3*b)*R*G*s/(I3*b)/K */
-    const double t39 = params[6]*params[6]; /* G*G */
-    const double t40 = t29*t39; /* d(K)/d(gamma3)*G*G */
-    const double t41 = t40/t19; /* d(K)/d(gamma3)*G*G/(K*K) */
-    const double t42 = (1.0 / 2.0)*t41; /* 1/2*d(K)/d(gamma3)*G*G/(K*K) */
-    const double t43 = t38 - t42; /* t33 + 1/2*d(K)/d(gamma3)*m*R*G*s/(I3*b)*R*G*s/(I3*b)/K - 1/2*d(K)/d(gamma3)*G*G/(K*K) */
-    const double t44 = params[0]*x[1]; /* m*v_nu */
-    const double t45 = t10*t22; /* R*G*s/(I3*b)*Theta */
-    const double t46 = t45/t18; /* R*G*s/(I3*b)*Theta/K */
-    const double t47 = -t46; /* -R*G*s/(I3*b)*Theta/K */
-    const double t48 = t18*t19; /* K*K*K */
-    const double t49 = params[1]*params[3]; /* R*I1 */
-    const double t50 = t10*t49; /* R*G*s/(I3*b)*R*I1 */
-    const double t51 = t5*t50; /* s*R*G*s/(I3*b)*R*I1 */
-    const double t52 = -t51; /* -s*R*G*s/(I3*b)*R*I1 */
-    const double t53 = params[6]*t8; /* G*b */
-    const double t54 = t52 - t53; /* -s*R*G*s/(I3*b)*R*I1 - G*b */
-    const double t55 = t54*t54; /* (-s*R*G*s/(I3*b)*R*I1 - G*b)*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
-    const double t56 = t22*t55; /* Theta*(-s*R*G*s/(I3*b)*R*I1 - G*b)*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
-    const double t57 = params[3] - params[4]; /* I1 - I3 */
-    const double t58 = t56*t57; /* t56*(I1 - I3) */
-    const double t59 = t29*t58; /* d(K)/d(gamma3)*t56*(I1 - I3) */
-    const double t60 = t59/t48; /* d(K)/d(gamma3)*t56*(I1 - I3)/(K*K*K) */
-    const double t61 = 2.0*t60; /* 2*d(K)/d(gamma3)*t56*(I1 - I3)/(K*K*K) */
-    const double t62 = params[0]*t55; /* m*(-s*R*G*s/(I3*b)*R*I1 - G*b)*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
-    const double t63 = t57*t62; /* (I1 - I3)*m*(-s*R*G*s/(I3*b)*R*I1 - G*b)*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
-    const double t64 = t29*t63; /* d(K)/d(gamma3)*t63 */
-    const double t65 = t64/t19; /* d(K)/d(gamma3)*t63/(K*K) */
-    const double t66 = t65 - t61; /* d(K)/d(gamma3)*t63/(K*K) - 2*d(K)/d(gamma3)*t56*(I1 - I3)/(K*K*K) */
-    const double t67 = t22*t54; /* Theta*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
-    const double t68 = t57*t67; /* (I1 - I3)*Theta*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
-    const double t69 = x[0]*t49; /* gamma3*R*I1 */
-    const double t70 = t10*t69; /* R*G*s/(I3*b)*gamma3*R*I1 */
-    const double t71 = t70/t5; /* R*G*s/(I3*b)*gamma3*R*I1/s */
-    const double t72 = t2 - t71; /* R*G - R*G*s/(I3*b)*gamma3*R*I1/s */
-    const double t73 = t68*t72; /* (I1 - I3)*Theta*(-s*R*G*s/(I3*b)*R*I1 - G*b)*(R*G - R*G*s/(I3*b)*gamma3*R*I1/s) */
-    const double t74 = t73/t19; /* t73/(K*K) */
-    const double t75 = 2.0*t74; /* 2*t73/(K*K) */
-    const double t76 = t66 - t75; /* t66 - 2*t73/(K*K) */
-    const double t77 = params[0]*2.0; /* m*2 */
-    const double t78 = params[3]*params[3]; /* I1*I1 */
-    const double t79 = t77*t78; /* m*2*I1*I1 */
-    const double t80 = x[1]*t79; /* v_nu*m*2*I1*I1 */
-    const double t81 = params[1]*t77; /* R*m*2 */
-    const double t82 = t78*t81; /* I1*I1*R*m*2 */
-    const double t83 = x[1]*t82; /* v_nu*I1*I1*R*m*2 */
-    const double t84 = params[1]*2.0; /* R*2 */
-    const double t85 = params[3]*t84; /* I1*R*2 */
-    const double t86 = t5*t85; /* s*I1*R*2 */
-    const double t87 = t22*t86; /* Theta*s*I1*R*2 */
-    const double t88 = t54*t87; /* (-s*R*G*s/(I3*b)*R*I1 - G*b)*Theta*s*I1*R*2 */
-    const double t89 = t57*t88; /* (I1 - I3)*(-s*R*G*s/(I3*b)*R*I1 - G*b)*Theta*s*I1*R*2 */
-    const double t90 = t89/t19; /* (I1 - I3)*(-s*R*G*s/(I3*b)*R*I1 - G*b)*Theta*s*I1*R*2/(K*K) */
-    out[0] = t43;
-    out[1] = t44;
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t5 = t3*t4; /* (1 + gamma3)*(1 - gamma3) */
+    const double t6 = sqrt(t5); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t7 = t2*t6; /* R*G*s */
+    const double t8 = x[0]*params[1]; /* gamma3*R */
+    const double t9 = params[5] + t8; /* b = a3 + gamma3*R */
+    const double t10 = params[4]*t9; /* I3*b */
+    const double t11 = t7/t10; /* R*G*s/(I3*b) */
+    const double t12 = t11*t11; /* R*G*s/(I3*b)*R*G*s/(I3*b) */
+    const double t13 = params[1]*params[1]; /* R*R */
+    const double t14 = t13*params[3]; /* R*R*I1 */
+    const double t15 = t6*t6; /* s*s */
+    const double t16 = t14*t15; /* R*R*I1*s*s */
+    const double t17 = t9*t9; /* b*b */
+    const double t18 = params[4]*t17; /* I3*b*b */
+    const double t19 = t16 + t18; /* K = R*R*I1*s*s + I3*b*b */
+    const double t20 = t19*t19; /* K*K */
+    const double t21 = params[0]*t19; /* m*K */
+    const double t22 = params[4]*params[3]; /* I3*I1 */
+    const double t23 = t21 + t22; /* Theta = m*K + I3*I1 */
+    const double t24 = t12*t23; /* R*G*s/(I3*b)*R*G*s/(I3*b)*Theta */
+    const double t25 = x[0]*t14; /* gamma3*R*R*I1 */
+    const double t26 = t25*2.0; /* gamma3*R*R*I1*2 */
+    const double t27 = params[1]*params[4]; /* R*I3 */
+    const double t28 = t9*t27; /* b*R*I3 */
+    const double t29 = 2.0*t28; /* 2*b*R*I3 */
+    const double t30 = t29 - t26; /* d(K)/d(gamma3) = 2*b*R*I3 - gamma3*R*R*I1*2 */
+    const double t31 = t24*t30; /* R*G*s/(I3*b)*R*G*s/(I3*b)*Theta*d(K)/d(gamma3) */
+    const double t32 = t31/t20; /* R*G*s/(I3*b)*R*G*s/(I3*b)*Theta*d(K)/d(gamma3)/(K*K) */
+    const double t33 = t32*(1.0 / 2.0); /* R*G*s/(I3*b)*R*G*s/(I3*b)*Theta*d(K)/d(gamma3)/(K*K)*1/2 */
+    const double t34 = t1 - t33; /* m*g*a3 - R*G*s/(I3*b)*R*G*s/(I3*b)*Theta*d(K)/d(gamma3)/(K*K)*1/2 */
+    const double t35 = params[0]*t12; /* m*R*G*s/(I3*b)*R*G*s/(I3*b) */
+    const double t36 = t30*t35; /* d(K)/d(gamma3)*m*R*G*s/(I3*b)*R*G*s/(I3*b) */
+    const double t37 = t36/t19; /* d(K)/d(gamma3)*m*R*G*s/(I3*b)*R*G*s/(I3*b)/K */
+    const double t38 = (1.0 / 2.0)*t37; /* 1/2*d(K)/d(gamma3)*m*R*G*s/(I3*b)*R*G*s/(I3*b)/K */
+    const double t39 = t34 + t38; /* t34 + 1/2*d(K)/d(gamma3)*m*R*G*s/(I3*b)*R*G*s/(I3*b)/K */
+    const double t40 = params[6]*params[6]; /* G*G */
+    const double t41 = t30*t40; /* d(K)/d(gamma3)*G*G */
+    const double t42 = t41/t20; /* d(K)/d(gamma3)*G*G/(K*K) */
+    const double t43 = (1.0 / 2.0)*t42; /* 1/2*d(K)/d(gamma3)*G*G/(K*K) */
+    const double t44 = t39 - t43; /* t34 + 1/2*d(K)/d(gamma3)*m*R*G*s/(I3*b)*R*G*s/(I3*b)/K - 1/2*d(K)/d(gamma3)*G*G/(K*K) */
+    const double t45 = params[0]*x[1]; /* m*v_nu */
+    const double t46 = t11*t23; /* R*G*s/(I3*b)*Theta */
+    const double t47 = t46/t19; /* R*G*s/(I3*b)*Theta/K */
+    const double t48 = -t47; /* -R*G*s/(I3*b)*Theta/K */
+    const double t49 = t19*t20; /* K*K*K */
+    const double t50 = params[1]*params[3]; /* R*I1 */
+    const double t51 = t11*t50; /* R*G*s/(I3*b)*R*I1 */
+    const double t52 = t6*t51; /* s*R*G*s/(I3*b)*R*I1 */
+    const double t53 = -t52; /* -s*R*G*s/(I3*b)*R*I1 */
+    const double t54 = params[6]*t9; /* G*b */
+    const double t55 = t53 - t54; /* -s*R*G*s/(I3*b)*R*I1 - G*b */
+    const double t56 = t55*t55; /* (-s*R*G*s/(I3*b)*R*I1 - G*b)*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
+    const double t57 = t23*t56; /* Theta*(-s*R*G*s/(I3*b)*R*I1 - G*b)*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
+    const double t58 = params[3] - params[4]; /* I1 - I3 */
+    const double t59 = t57*t58; /* t57*(I1 - I3) */
+    const double t60 = t30*t59; /* d(K)/d(gamma3)*t57*(I1 - I3) */
+    const double t61 = t60/t49; /* d(K)/d(gamma3)*t57*(I1 - I3)/(K*K*K) */
+    const double t62 = 2.0*t61; /* 2*d(K)/d(gamma3)*t57*(I1 - I3)/(K*K*K) */
+    const double t63 = params[0]*t56; /* m*(-s*R*G*s/(I3*b)*R*I1 - G*b)*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
+    const double t64 = t58*t63; /* (I1 - I3)*m*(-s*R*G*s/(I3*b)*R*I1 - G*b)*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
+    const double t65 = t30*t64; /* d(K)/d(gamma3)*t64 */
+    const double t66 = t65/t20; /* d(K)/d(gamma3)*t64/(K*K) */
+    const double t67 = t66 - t62; /* d(K)/d(gamma3)*t64/(K*K) - 2*d(K)/d(gamma3)*t57*(I1 - I3)/(K*K*K) */
+    const double t68 = t23*t55; /* Theta*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
+    const double t69 = t58*t68; /* (I1 - I3)*Theta*(-s*R*G*s/(I3*b)*R*I1 - G*b) */
+    const double t70 = x[0]*t50; /* gamma3*R*I1 */
+    const double t71 = t11*t70; /* R*G*s/(I3*b)*gamma3*R*I1 */
+    const double t72 = t71/t6; /* R*G*s/(I3*b)*gamma3*R*I1/s */
+    const double t73 = t2 - t72; /* R*G - R*G*s/(I3*b)*gamma3*R*I1/s */
+    const double t74 = t69*t73; /* (I1 - I3)*Theta*(-s*R*G*s/(I3*b)*R*I1 - G*b)*(R*G - R*G*s/(I3*b)*gamma3*R*I1/s) */
+    const double t75 = t74/t20; /* t74/(K*K) */
+    const double t76 = 2.0*t75; /* 2*t74/(K*K) */
+    const double t77 = t67 - t76; /* t67 - 2*t74/(K*K) */
+    const double t78 = params[0]*2.0; /* m*2 */
+    const double t79 = params[3]*params[3]; /* I1*I1 */
+    const double t80 = t78*t79; /* m*2*I1*I1 */
+    const double t81 = x[1]*t80; /* v_nu*m*2*I1*I1 */
+    const double t82 = params[1]*t78; /* R*m*2 */
+    const double t83 = t79*t82; /* I1*I1*R*m*2 */
+    const double t84 = x[1]*t83; /* v_nu*I1*I1*R*m*2 */
+    const double t85 = params[1]*2.0; /* R*2 */
+    const double t86 = params[3]*t85; /* I1*R*2 */
+    const double t87 = t6*t86; /* s*I1*R*2 */
+    const double t88 = t23*t87; /* Theta*s*I1*R*2 */
+    const double t89 = t55*t88; /* (-s*R*G*s/(I3*b)*R*I1 - G*b)*Theta*s*I1*R*2 */
+    const double t90 = t58*t89; /* (I1 - I3)*(-s*R*G*s/(I3*b)*R*I1 - G*b)*Theta*s*I1*R*2 */
+    const double t91 = t90/t20; /* (I1 - I3)*(-s*R*G*s/(I3*b)*R*I1 - G*b)*Theta*s*I1*R*2/(K*K) */
+    out[0] = t44;
+    out[1] = t45;
     out[2] = 0.0;
-    out[3] = t47;
-    out[4] = t76;
-    out[5] = t80;
-    out[6] = t83;
-    out[7] = t90;
+    out[3] = t48;
+    out[4] = t77;
+    out[5] = t81;
+    out[6] = t84;
+    out[7] = t91;
 }
 
 static const jlt_named family0_left_null[] = {

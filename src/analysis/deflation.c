@@ -20,70 +20,99 @@ typedef struct {
     size_t n, rank;
     double a[SIZE * SIZE], error[SIZE * SIZE];
     double w[SIZE * SIZE]; /* independent gradients, rows scaled near one, shape (rank, n) */
+    double w_error[SIZE * SIZE];
     int row[SIZE];         /* which gradient each is */
     int exponent;
 } problem;
 
 typedef struct {
     size_t pivots[SIZE], others[SIZE];
-    double follow[SIZE * SIZE]; /* W_p^(-1) W_f, shape (rank, n - rank) */
+    double follow[SIZE * SIZE], follow_error[SIZE * SIZE]; /* W_p^(-1) W_f, shape (rank, n - rank) */
+    double inverse[SIZE * SIZE];                           /* |W_p^(-1)|, shape (rank, rank) */
     double block[SIZE * SIZE], error[SIZE * SIZE];
     double merit;               /* largest error that the elimination adds to B, relative to its largest entry */
 } choice;
 
-/* Solve (rank x rank) W_p X = W_f by elimination with row pivoting; false when singular. */
+/* [W_p W_f E] by elimination with row pivoting to [E X W_p^(-1)]; false when W_p is singular. The error of X is bounded by
+ * |W_p^(-1)| (|error of W_f| + |error of W_p| |X|), roundings of the elimination counted with those of W. */
 static bool eliminate(choice *c, const problem *p)
 {
-    const size_t k = p->rank, rest = p->n - k;
-    double m[SIZE * SIZE];
+    const size_t k = p->rank, rest = p->n - k, width = p->n + k;
+    double m[SIZE * 2 * SIZE] = { 0 };
 
     for (size_t i = 0; i < k; i++) {
-        for (size_t j = 0; j < k; j++) m[i * p->n + j] = p->w[i * p->n + c->pivots[j]];
-        for (size_t j = 0; j < rest; j++) m[i * p->n + k + j] = p->w[i * p->n + c->others[j]];
+        for (size_t j = 0; j < k; j++) m[i * width + j] = p->w[i * p->n + c->pivots[j]];
+        for (size_t j = 0; j < rest; j++) m[i * width + k + j] = p->w[i * p->n + c->others[j]];
+        m[i * width + p->n + i] = 1.0;
     }
     for (size_t j = 0; j < k; j++) {
         size_t best = j;
         for (size_t i = j + 1; i < k; i++)
-            if (fabs(m[i * p->n + j]) > fabs(m[best * p->n + j])) best = i;
-        if (m[best * p->n + j] == 0.0) return false;
-        for (size_t l = 0; l < p->n; l++) {
-            const double held = m[j * p->n + l];
-            m[j * p->n + l] = m[best * p->n + l];
-            m[best * p->n + l] = held;
+            if (fabs(m[i * width + j]) > fabs(m[best * width + j])) best = i;
+        if (m[best * width + j] == 0.0) return false;
+        for (size_t l = 0; l < width; l++) {
+            const double held = m[j * width + l];
+            m[j * width + l] = m[best * width + l];
+            m[best * width + l] = held;
         }
         for (size_t i = 0; i < k; i++) {
-            const double factor = m[i * p->n + j] / m[j * p->n + j];
+            const double factor = m[i * width + j] / m[j * width + j];
             if (i == j || factor == 0.0) continue;
-            for (size_t l = j; l < p->n; l++) m[i * p->n + l] -= factor * m[j * p->n + l];
+            for (size_t l = j; l < width; l++) m[i * width + l] -= factor * m[j * width + l];
         }
     }
-    for (size_t i = 0; i < k; i++)
-        for (size_t j = 0; j < rest; j++) {
-            c->follow[i * rest + j] = m[i * p->n + k + j] / m[i * p->n + i];
-            if (!isfinite(c->follow[i * rest + j])) return false;
-        }
+    for (size_t i = 0; i < k; i++) {
+        for (size_t j = 0; j < rest; j++) c->follow[i * rest + j] = m[i * width + k + j] / m[i * width + i];
+        for (size_t j = 0; j < k; j++) c->inverse[i * k + j] = fabs(m[i * width + p->n + j] / m[i * width + i]);
+    }
+    for (size_t i = 0; i < k * rest; i++)
+        if (!isfinite(c->follow[i])) return false;
     return true;
+}
+
+static void bound_follow(choice *c, const problem *p)
+{
+    const size_t n = p->n, k = p->rank, rest = n - k;
+    const double elimination = (double)(k + 2) * roundoff;
+
+    for (size_t j = 0; j < rest; j++) {
+        double side[SIZE];
+        for (size_t q = 0; q < k; q++) {
+            const size_t f = q * n + c->others[j];
+            side[q] = p->w_error[f] + elimination * fabs(p->w[f]);
+            for (size_t l = 0; l < k; l++) {
+                const size_t at = q * n + c->pivots[l];
+                side[q] += (p->w_error[at] + elimination * fabs(p->w[at])) * fabs(c->follow[l * rest + j]);
+            }
+        }
+        for (size_t i = 0; i < k; i++) {
+            double sum = 0.0;
+            for (size_t q = 0; q < k; q++)
+                if (side[q] != 0.0) sum += c->inverse[i * k + q] * side[q];
+            c->follow_error[i * rest + j] = sum;
+        }
+    }
 }
 
 /* B and its error bound for one choice of pivots. */
 static bool reduce(choice *c, const problem *p)
 {
     const size_t n = p->n, k = p->rank, rest = n - k;
-    double largest = 0.0, worst = 0.0, amplification = 1.0;
+    double largest = 0.0, worst = 0.0;
 
     if (!eliminate(c, p)) return false;
-    for (size_t i = 0; i < k * rest; i++) amplification = fmax(amplification, fabs(c->follow[i]));
+    bound_follow(c, p);
     for (size_t i = 0; i < rest; i++)
         for (size_t j = 0; j < rest; j++) {
             const size_t row = c->others[i] * n;
             double sum = 0.0, added = 0.0;
             for (size_t l = 0; l < k; l++) {
                 const double x = c->follow[l * rest + j], before = p->a[row + c->pivots[l]];
+                const double x_error = c->follow_error[l * rest + j], before_error = p->error[row + c->pivots[l]];
+                if (before == 0.0 && before_error == 0.0) continue; /* whatever x is */
                 sum += before * x;
-                if (x == 0.0) continue; /* exact: gradients share their zeros, and elimination keeps them */
-                /* The gradients carry a few roundings, which the elimination amplifies by about its largest entry. */
-                added += p->error[row + c->pivots[l]] * fabs(x) +
-                         fabs(before) * (double)(k + 8) * roundoff * (fabs(x) + amplification);
+                added += before_error * (fabs(x) + x_error) +
+                         fabs(before) * (x_error + (double)(k + 1) * roundoff * fabs(x));
             }
             c->block[i * rest + j] = p->a[row + c->others[j]] - sum;
             if (sum != 0.0) added += roundoff * fabs(c->block[i * rest + j]);
@@ -149,12 +178,12 @@ static bool annihilates(const double *row, const double *columns, const problem 
     return true;
 }
 
-/* Keep gradients that are independent of those before them: rows and columns are scaled near one, and a row whose
- * remainder after elimination falls below 1e-10, or is rounding, is left out. */
-static void independent(problem *p, const double *gradients, size_t count)
+/* Keep gradients that are independent of those before them: rows and columns are scaled near one, and a row is left out
+ * whose remainder after elimination falls below 1e-10, below its own error, or is rounding by what it does to A. */
+static void independent(problem *p, const double *gradients, const double *errors, size_t count)
 {
     const size_t n = p->n;
-    double m[SIZE * SIZE], columns[SIZE] = { 0 };
+    double m[SIZE * SIZE], e[SIZE * SIZE], columns[SIZE] = { 0 };
     size_t lead[SIZE];
 
     p->rank = 0;
@@ -163,24 +192,31 @@ static void independent(problem *p, const double *gradients, size_t count)
         for (size_t j = 0; j < n; j++) columns[j] = fmax(columns[j], fabs(ldexp(gradients[r * n + j], -exponent)));
     }
     for (size_t r = 0; r < count && p->rank < n; r++) {
-        double *row = m + p->rank * n, largest = 0.0, left = 0.0;
+        double *row = m + p->rank * n, *error = e + p->rank * n, *w = p->w + p->rank * n, *w_error = p->w_error + p->rank * n;
         const int exponent = jlt_charpoly_exponent(gradients + r * n, n);
+        double largest = 0.0, left = 0.0;
         for (size_t j = 0; j < n; j++) {
-            p->w[p->rank * n + j] = ldexp(gradients[r * n + j], -exponent);
-            row[j] = columns[j] > 0.0 ? p->w[p->rank * n + j] / columns[j] : 0.0;
+            w[j] = ldexp(gradients[r * n + j], -exponent);
+            w_error[j] = errors == NULL ? 8 * roundoff * fabs(w[j]) : ldexp(errors[r * n + j], -exponent);
+            row[j] = columns[j] > 0.0 ? w[j] / columns[j] : 0.0;
+            error[j] = columns[j] > 0.0 ? w_error[j] / columns[j] : 0.0;
             largest = fmax(largest, fabs(row[j]));
         }
         for (size_t i = 0; i < p->rank; i++) {
             const double factor = row[lead[i]] / m[i * n + lead[i]];
-            for (size_t j = 0; j < n; j++) row[j] -= factor * m[i * n + j];
+            const double slack = (error[lead[i]] + fabs(factor) * e[i * n + lead[i]]) / fabs(m[i * n + lead[i]]);
+            for (size_t j = 0; j < n; j++) {
+                error[j] += fabs(factor) * e[i * n + j] + slack * fabs(m[i * n + j]) + 2 * roundoff * fabs(row[j]);
+                row[j] -= factor * m[i * n + j];
+            }
             row[lead[i]] = 0.0;
         }
         for (size_t j = 0; j < n; j++)
-            if (fabs(row[j]) > left) {
+            if (fabs(row[j]) > fmax(left, 4 * error[j])) {
                 left = fabs(row[j]);
                 lead[p->rank] = j;
             }
-        if (left > 1e-10 * largest && largest > 0.0 && annihilates(row, columns, p)) p->row[p->rank++] = (int)r;
+        if (left > 1e-10 * largest && annihilates(row, columns, p)) p->row[p->rank++] = (int)r;
     }
 }
 
@@ -429,7 +465,8 @@ static jlt_status cross_check(jlt_deflation *result, const problem *p, const cho
     return JLT_OK;
 }
 
-static jlt_status set_up(problem *p, const double *a, const double *error, size_t n, const double *gradients, size_t count)
+static jlt_status set_up(problem *p, const double *a, const double *error, size_t n, const double *gradients,
+                         const double *gradient_error, size_t count)
 {
     p->n = n;
     p->exponent = jlt_charpoly_exponent(a, n * n);
@@ -440,8 +477,8 @@ static jlt_status set_up(problem *p, const double *a, const double *error, size_
         p->error[i] = error == NULL ? 4 * roundoff * fabs(p->a[i]) : ldexp(error[i], -p->exponent);
     }
     for (size_t i = 0; i < count * n; i++)
-        if (!isfinite(gradients[i])) return JLT_ERR_NONFINITE;
-    independent(p, gradients, count);
+        if (!isfinite(gradients[i]) || (gradient_error != NULL && !isfinite(gradient_error[i]))) return JLT_ERR_NONFINITE;
+    independent(p, gradients, gradient_error, count);
     for (size_t i = 0; i < p->rank; i++)
         for (size_t j = 0; j < n; j++)
             if (gradients[(size_t)p->row[i] * n + j] != 0.0 && !isnormal(p->w[i * n + j])) return JLT_ERR_NONFINITE;
@@ -449,7 +486,7 @@ static jlt_status set_up(problem *p, const double *a, const double *error, size_
 }
 
 jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
-                                 const double *gradients, size_t count)
+                                 const double *gradients, const double *gradient_error, size_t count)
 {
     problem p = { 0 };
     choice best = { 0 };
@@ -459,7 +496,7 @@ jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const d
     jlt_status st;
 
     if (n == 0 || n > SIZE || count > SIZE) return JLT_ERR_ARG;
-    JLT_TRY(set_up(&p, a, error, n, gradients, count));
+    JLT_TRY(set_up(&p, a, error, n, gradients, gradient_error, count));
     if (!choose(&best, &p)) return JLT_ERR_NONFINITE;
     rest = n - p.rank;
     JLT_TRY(solve_block(re, im, errors, &p, &best));

@@ -46,6 +46,6 @@ typedef struct {
  *  by GSL.
  *  Cost: choose(n, k) eliminations of k rows. Not reentrant: it calls ARPACK. */
 JLT_CHECKED jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
-                                             const double *gradients, size_t count);
+                                             const double *gradients, const double *gradient_error, size_t count);
 
 #endif

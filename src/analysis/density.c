@@ -132,6 +132,7 @@ jlt_status jlt_density_residual(double *residual, const jlt_instance *instance, 
     size_t used = 0;
 
     if (d->measure_count > SIZE || d->state_count > SIZE) return JLT_ERR_UNSUPPORTED;
+    if (d->measure_count == 0) return JLT_OK;
     for (size_t k = 0; k < samples; k++) {
         jlt_density_draw_state(x, d, random);
         if (jlt_instance_divergence(instance, &div_f, x) != JLT_OK ||

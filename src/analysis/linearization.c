@@ -96,6 +96,11 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
     JLT_TRY(jlt_instance_rhs(instance, r->f, x));
     JLT_TRY(jlt_instance_jacobian(instance, r->jacobian, x));
     for (size_t i = 0; i < n * n; i++) r->jacobian[i] += 0.0; /* -0 becomes 0 */
+    r->integrals = 0;
+    if (r->descriptor->integral_gradients.call != NULL && r->descriptor->integral_count <= SIZE) {
+        r->integrals = r->descriptor->integral_count;
+        JLT_TRY(jlt_instance_gradients(instance, r->gradients, x));
+    }
     r->residual = r->residual_ratio = 0.0;
     for (size_t i = 0; i < n; i++) {
         double size = 0.0;
@@ -188,10 +193,8 @@ static void judge(jlt_linearization *r, const double *error)
 }
 
 jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params,
-                                     const double *x, const double *jacobian_error)
+                                     const double *x, const double *jacobian_error, const double *gradient_error)
 {
-    double gradients[SIZE * SIZE];
-    size_t integrals = 0;
     jlt_instance *instance;
     jlt_status st;
 
@@ -202,13 +205,10 @@ jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descri
         st = JLT_ERR_EMPTY;
         goto done;
     }
-    if (instance->descriptor->integral_gradients.call != NULL && instance->descriptor->integral_count <= SIZE) {
-        integrals = instance->descriptor->integral_count;
-        JLT_TRY(jlt_instance_gradients(instance, gradients, x));
-        for (size_t i = 0; i < integrals; i++) result->sources[i] = instance->descriptor->integrals[i].name;
-    }
+    for (size_t i = 0; i < result->integrals; i++) result->sources[i] = instance->descriptor->integrals[i].name;
     JLT_TRY(jlt_instance_divergence(instance, &result->trace, x));
-    JLT_TRY(jlt_deflation_compute(&result->eigen, result->jacobian, jacobian_error, result->n, gradients, integrals));
+    JLT_TRY(jlt_deflation_compute(&result->eigen, result->jacobian, jacobian_error, result->n, result->gradients,
+                                  gradient_error, result->integrals));
     JLT_TRY(polynomial(result, jacobian_error));
     JLT_TRY(formulas(result, descriptor, params, x));
     judge(result, jacobian_error);

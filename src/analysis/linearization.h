@@ -27,6 +27,8 @@ typedef struct {
     double residual;                  /* largest |f_i| */
     double residual_ratio;            /* largest |f_i| / sum_j |df_i/dx_j x_j|; 0 where f_i is exactly 0 */
     double jacobian[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* row-major, shape (n, n) */
+    size_t integrals;                 /* of the variant */
+    double gradients[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* of the integrals, shape (integrals, n) */
     double charpoly[JLT_LINEARIZATION_SIZE_MAX + 1]; /* monic, highest power first, Faddeev-LeVerrier; coefficients beyond
                                                         n - zeros are exactly zero by the integrals and set so */
     double charpoly_error[JLT_LINEARIZATION_SIZE_MAX + 1];
@@ -47,7 +49,8 @@ const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstab
 void jlt_linearization_complete(double *x, const unsigned char *given, const jlt_descriptor *descriptor,
                                 const double *params);
 
-/** Residual alone, and the variant that computed it. Out: f, residual, residual_ratio, jacobian, descriptor, n of *result.
+/** Residual alone, and the variant that computed it. Out: f, residual, residual_ratio, jacobian, gradients,
+ *  integrals, descriptor, n of *result.
  *  Errors: as jlt_linearization_compute, but a large residual is none. */
 JLT_CHECKED jlt_status jlt_linearization_residual(jlt_linearization *result, const jlt_descriptor *descriptor,
                                                   const double *params, const double *x);
@@ -55,12 +58,14 @@ JLT_CHECKED jlt_status jlt_linearization_residual(jlt_linearization *result, con
 /** The whole report.
  *  Out: *result; on failure only what jlt_linearization_residual fills is meaningful, and only for EMPTY.
  *  In:  descriptor, the general field of a model; params, shape (params,); x, shape (states,); jacobian_error, shape (n, n),
- *       bound on the absolute error of the Jacobian's entries with respect to exact inputs, or NULL: four units roundoff.
+ *       bound on the absolute error of the Jacobian's entries with respect to exact inputs, or NULL: four units roundoff;
+ *       gradient_error, shape (integrals, n), the same for the gradients, or NULL: eight.
  *  Errors: EMPTY (no equilibrium: residual_ratio > JLT_LINEARIZATION_TOLERANCE), DOMAIN, NONFINITE (overflow or lost
  *          underflow anywhere), UNSUPPORTED (more than JLT_LINEARIZATION_SIZE_MAX states), NO_CONVERGENCE, NOMEM.
  *  Not reentrant: it calls ARPACK. Source: Kilin, Ivanova 2023, (4.4)-(4.6), Proposition 1. */
 JLT_CHECKED jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor,
-                                                 const double *params, const double *x, const double *jacobian_error);
+                                                 const double *params, const double *x, const double *jacobian_error,
+                                                 const double *gradient_error);
 
 /** Newton's method (shortest steps in the least-squares sense, since equilibria come in families) from x to a nearby
  *  equilibrium. States marked as given are held as far as possible: first all, then all but the last, and so on.

@@ -71,8 +71,9 @@ static void explain(jlt_eigen_row *row, const char *text)
     snprintf(row->reason, sizeof row->reason, "%s", text);
 }
 
-/* The bound on each entry's error against the exact values typed; four units roundoff where there is no enclosure. */
-static jlt_status entry_errors(double *errors, jlt_eigen_row *row, const double *params, const double *x)
+/* Bounds on the errors of the Jacobian and of the integrals' gradients against the exact values typed. */
+static jlt_status entry_errors(double *errors, double *gradient_errors, jlt_eigen_row *row, const double *params,
+                               const double *x)
 {
     const jlt_eigen_request *q = row->request;
     const size_t n = q->descriptor->state_count;
@@ -91,7 +92,9 @@ static jlt_status entry_errors(double *errors, jlt_eigen_row *row, const double 
         if (!isfinite(errors[i])) st = JLT_ERR_NONFINITE;
     }
     free(exact);
-    return st;
+    if (st != JLT_OK) return st;
+    return jlt_oracle_gradient_errors(q->oracle, gradient_errors, row->result.gradients, row->result.descriptor->integrals,
+                                      row->result.integrals);
 }
 
 void jlt_eigen_compute(jlt_eigen_row *row, const jlt_eigen_request *request, double *params, double *x,
@@ -99,6 +102,7 @@ void jlt_eigen_compute(jlt_eigen_row *row, const jlt_eigen_request *request, dou
 {
     const jlt_descriptor *d = request->descriptor;
     double errors[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX];
+    double gradient_errors[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX];
     size_t index = 0;
 
     row->request = request;
@@ -123,8 +127,9 @@ void jlt_eigen_compute(jlt_eigen_row *row, const jlt_eigen_request *request, dou
         explain(row, "Newton's method finds no equilibrium from here (try another guess with --at)");
         return;
     }
-    row->status = entry_errors(errors, row, params, x);
-    if (row->status == JLT_OK) row->status = jlt_linearization_compute(&row->result, d, params, x, errors);
+    row->status = entry_errors(errors, gradient_errors, row, params, x);
+    if (row->status == JLT_OK)
+        row->status = jlt_linearization_compute(&row->result, d, params, x, errors, gradient_errors);
     if (row->status == JLT_ERR_EMPTY)
         snprintf(row->reason, sizeof row->reason,
                  "this state is no equilibrium: residual %.6g, relative %.3g (--find looks for one nearby)",

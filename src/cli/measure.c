@@ -105,6 +105,13 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
         st = jlt_density_tabulate(attempt->points, count, instance, attempt->along, low, high, x);
         if (st == JLT_OK || st == JLT_ERR_NOMEM) break;
     }
+    /* The slope has a pole in between, whatever the other states are. */
+    attempt->singular = st != JLT_OK && st != JLT_ERR_NOMEM;
+    if (attempt->singular) {
+        free(attempt->points);
+        attempt->points = NULL;
+        return JLT_OK;
+    }
     for (unsigned i = 0; st == JLT_OK && attempt->closed_form == NULL && i < d->measure_count; i++)
         if (depends_on_one(instance, i, x, attempt->along, random)) st = compare(attempt, instance, i, x);
     return st;

@@ -12,6 +12,7 @@ typedef struct {
     size_t along;             /* the state with the least defect */
     double defect;
     bool found;               /* the defect is rounding */
+    bool singular;            /* found, but it has a pole or a zero where f_q vanishes: not smooth and positive */
     jlt_density_point *points; /* shape (count,), owned; NULL when none was found or it cannot be tabulated */
     size_t count;
     double *closed;           /* shape (count,), owned: the closed form, normalized alike; NULL when there is none */

@@ -104,6 +104,26 @@ jlt_status jlt_oracle_enclose(jlt_oracle *oracle, ttc_enclosure *out, const ttc_
     return JLT_OK;
 }
 
+jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const double *gradients,
+                                      const jlt_named *integrals, size_t count)
+{
+    const ttc_model *model = oracle->model;
+    const size_t n = model->state_count;
+
+    for (size_t k = 0; k < count; k++) {
+        uint32_t claim = 0;
+        if (!ttc_model_find_claim(model, integrals[k].name, &claim)) return JLT_ERR_UNSUPPORTED;
+        for (size_t j = 0; j < n; j++) {
+            const ttc_id partial = ttc_model_partial(model, model->claims[claim].expression, model->states[j]);
+            ttc_enclosure exact;
+            if (!ttc_ball_enclose(&exact, oracle->ball, partial)) return JLT_ERR_DOMAIN;
+            errors[k * n + j] = jlt_oracle_error(gradients[k * n + j], &exact);
+            if (!isfinite(errors[k * n + j])) return JLT_ERR_NONFINITE;
+        }
+    }
+    return JLT_OK;
+}
+
 double jlt_oracle_error(double computed, const ttc_enclosure *enclosure)
 {
     const double error = fabs((computed - enclosure->value) - enclosure->rest) + enclosure->radius;

@@ -28,6 +28,12 @@ void jlt_oracle_set_states(jlt_oracle *oracle, const double *x, const jlt_assign
 /** Enclose `count` expressions. Errors: DOMAIN when one has no finite enclosure. Out: shape (count,). */
 JLT_CHECKED jlt_status jlt_oracle_enclose(jlt_oracle *oracle, ttc_enclosure *out, const ttc_id *ids, size_t count);
 
+/** Bounds on the errors of integrals' gradients against the exact ones, at the values set.
+ *  Out: errors, shape (count, n). In: gradients, shape (count, n), as computed; integrals, their names. Errors: DOMAIN,
+ *  UNSUPPORTED (a name that is no claim), NONFINITE. */
+JLT_CHECKED jlt_status jlt_oracle_gradient_errors(jlt_oracle *oracle, double *errors, const double *gradients,
+                                                  const jlt_named *integrals, size_t count);
+
 /* |computed - enclosed|, rounded up a little: the distance to the farthest point of the enclosure. */
 double jlt_oracle_error(double computed, const ttc_enclosure *enclosure);
 

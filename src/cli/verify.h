@@ -46,6 +46,7 @@ typedef struct {
     size_t along;            /* the state with the least defect */
     double defect;
     bool found;              /* the defect is rounding: a density of that state alone */
+    bool singular;           /* found, but with a pole or a zero in the domain */
     const char *closed_form; /* name of the table's density that it was compared with, or NULL */
     double difference;       /* largest relative difference to it, after normalization */
     double difference_bound; /* quadrature's estimate and rounding */

@@ -24,6 +24,7 @@ static jlt_status attempt(jlt_verify_run *run, jlt_verify_density *d)
     d->along = a.along;
     d->defect = a.defect;
     d->found = a.found;
+    d->singular = a.singular;
     d->closed_form = a.closed_form;
     d->difference = a.difference;
     d->difference_bound = a.difference_bound;
@@ -45,7 +46,7 @@ static bool holds(const jlt_verify_run *run, const jlt_verify_density *d)
         obstructed = obstructed || run->descriptor->equilibria[i].obstructs;
     if (d->descriptor->measure_count > 0)
         return d->residual <= JLT_DENSITY_TOLERANCE && (d->closed_form == NULL || d->difference <= d->difference_bound);
-    return !d->found || !obstructed || d->descriptor->impose != NULL;
+    return !d->found || d->singular || !obstructed || d->descriptor->impose != NULL;
 }
 
 static jlt_status add(jlt_verify_run *run, const jlt_descriptor *descriptor, unsigned kind)

@@ -23,8 +23,7 @@ static void write_proofs(FILE *stream, const ttc_proof_report *r)
         const ttc_proof *p = &r->proofs[i];
         fprintf(stream, "  %-8s %-11s %s\n", ttc_proof_status_name(p->status), p->kind, p->name);
         if (p->remainder != NULL)
-            fprintf(stream, "           %s:%u: %s%s\n", r->file, (unsigned)p->place.line,
-                    p->status == TTC_PROVED ? "witness " : "", p->remainder);
+            fprintf(stream, "           %s:%u: %s\n", r->file, (unsigned)p->place.line, p->remainder);
     }
     fprintf(stream, "\n  %zu of %zu proved\n", r->proved, r->proof_count);
 }
@@ -77,6 +76,8 @@ static void write_density(FILE *stream, const jlt_verify_density *d)
     } else {
         fprintf(stream, "      density of %s alone: -div f/f_q is a function of it (defect %.2g)\n", k->states[d->along].name,
                 d->defect);
+        if (d->singular)
+            fprintf(stream, "      it is singular where %s' = 0: no smooth positive density\n", k->states[d->along].name);
         if (d->closed_form != NULL)
             fprintf(stream, "      by quadrature, against the closed form %s: difference %.2g, bound %.2g: %s\n",
                     d->closed_form, d->difference, d->difference_bound, verdict(d->difference <= d->difference_bound));
@@ -156,9 +157,9 @@ static json_t *density_json(const jlt_verify_density *d)
     const jlt_descriptor *k = d->descriptor;
     const bool compared = d->closed_form != NULL;
 
-    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:b,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
+    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:b,s:b,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
                      jlt_json_named(k->params, d->params, k->param_count), "status", jlt_status_text(d->status), "along",
-                     k->states[d->along].name, "defect", jlt_json_number(d->defect), "found", d->found, "closed_form",
+                     k->states[d->along].name, "defect", jlt_json_number(d->defect), "found", d->found, "singular", d->singular, "closed_form",
                      text_or_null(d->closed_form), "difference", jlt_json_number(compared ? d->difference : NAN),
                      "difference_bound", jlt_json_number(compared ? d->difference_bound : NAN), "residual",
                      jlt_json_number(k->measure_count > 0 ? d->residual : NAN));
