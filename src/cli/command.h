@@ -34,6 +34,7 @@ extern const jlt_command jlt_command_manifolds;
 extern const jlt_command jlt_command_lyapunov;
 extern const jlt_command jlt_command_continue;
 extern const jlt_command jlt_command_separation;
+extern const jlt_command jlt_command_bench;
 
 /* "jellett: " message, on standard error; returns `code`. */
 #if defined(__GNUC__)
