@@ -21,33 +21,26 @@ static jlt_status run(const jlt_batch_job *job)
 jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,
                              jlt_batch_row row, jlt_batch_end end, void *context, jlt_batch_work *work)
 {
-    jlt_status st = JLT_OK;
-    jlt_batch_work total = { 0 };
     size_t next = 0;
     int stop = 0;
 
     if (map->dim == 0 || map->dim > 16 || map->column >= map->dim || !(map->tolerance > 0) || map->kernels == NULL)
         return JLT_ERR_ARG;
     const int threads = map->threads > 1 ? (int)map->threads : 1;
+    size_t steps = 0, rejected = 0, stages = 0;
+    int failure = JLT_OK;
 #if defined(_OPENMP)
-#pragma omp parallel num_threads(threads)
+#pragma omp parallel num_threads(threads) reduction(+ : steps, rejected, stages) reduction(max : failure)
 #else
     (void)threads;
 #endif
     {
         jlt_batch_work mine = { 0 };
-        const jlt_batch_job job = { map, starts, count, returns, row, end, context, &mine, &next, &stop };
-        const jlt_status outcome = run(&job);
-#if defined(_OPENMP)
-#pragma omp critical(jlt_batch)
-#endif
-        {
-            if (outcome != JLT_OK) st = outcome;
-            total.steps += mine.steps;
-            total.rejected += mine.rejected;
-            total.stages += mine.stages;
-        }
+        failure = (int)run(&(jlt_batch_job){ map, starts, count, returns, row, end, context, &mine, &next, &stop });
+        steps = mine.steps;
+        rejected = mine.rejected;
+        stages = mine.stages;
     }
-    if (work != NULL) *work = total;
-    return st;
+    if (work != NULL) *work = (jlt_batch_work){ steps, rejected, stages };
+    return (jlt_status)failure;
 }
