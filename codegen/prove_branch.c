@@ -321,23 +321,21 @@ static void follow(search *s, const branch *b, size_t goal, const fmpz_mpoly_t f
     if (!s->counting || s->reached) descend_apart(s, &next, goal + 1);
 }
 
-static void follow_factors(search *s, const branch *b, size_t goal, const fmpz_mpoly_t polynomial, bool whole)
+/* Each factor of `norm` that can vanish is a branch; or, when the relation holds generators, the relation is one as it
+ * stands (whole != NULL), unless nothing of its norm can vanish. */
+static void follow_factors(search *s, const branch *b, size_t goal, const fmpz_mpoly_t norm, const fmpz_mpoly_struct *whole)
 {
     ttc_task *task = s->task;
     fmpz_mpoly_factor_t factors;
-    if (whole) {
-        follow(s, b, goal, polynomial);
-        return;
-    }
     fmpz_mpoly_factor_init(factors, task->ring->context);
-    if (!fmpz_mpoly_factor(factors, polynomial, task->ring->context)) {
+    if (!fmpz_mpoly_factor(factors, norm, task->ring->context)) {
         if (s->counting) s->reached = false;
         else ttc_task_reject(task, "the zero level could not be factored");
-    } else {
-        for (slong i = 0; i < factors->num && task->status == TTC_PROVED; i++) {
-            if (never_zero(task, factors->poly + i)) continue;
-            follow(s, b, goal, factors->poly + i);
-        }
+    }
+    for (slong i = 0; i < factors->num && task->status == TTC_PROVED; i++) {
+        if (never_zero(task, factors->poly + i)) continue;
+        follow(s, b, goal, whole != NULL ? whole : factors->poly + i);
+        if (whole != NULL) break;
     }
     fmpz_mpoly_factor_clear(factors, task->ring->context);
 }
@@ -365,8 +363,7 @@ static void meet(search *s, const branch *b, size_t goal)
         else ttc_task_reject(task, "one of the zero levels it is restricted to follows from those before it");
     } else {
         /* A norm vanishes wherever its factor does: enough for counting, too much for a proof. */
-        bool whole = !rational && !s->counting;
-        follow_factors(s, b, goal, whole ? value.numerator : norm, whole);
+        follow_factors(s, b, goal, norm, rational || s->counting ? NULL : value.numerator);
     }
     fmpz_mpoly_clear(norm, task->ring->context);
     ttc_ratio_clear(task->ring, &value);

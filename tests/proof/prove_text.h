@@ -1,0 +1,50 @@
+/** For tests of the prover: tables as text in, verdicts out. */
+#ifndef TEST_PROVE_TEXT_H
+#define TEST_PROVE_TEXT_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "prove.h"
+
+static inline ttc_model *parse_text(const char *text)
+{
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = ttc_model_parse(text, strlen(text), JLT_SOURCE_DIR "/codegen/models/test.tt", diagnostics);
+    if (model == NULL) ttc_diagnostics_print(diagnostics, stderr);
+    ttc_diagnostics_destroy(diagnostics);
+    assert_non_null(model);
+    return model;
+}
+
+/* The verdict on the claim of that kind and name in a table. reason: a phrase that the remainder must contain, or NULL. */
+static inline void expect(const char *text, const char *kind, const char *name, ttc_proof_status status, const char *reason)
+{
+    ttc_proof_report *report = NULL;
+    bool found = false;
+    ttc_model *model = parse_text(text);
+    assert_true(ttc_prove(model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report));
+    for (size_t i = 0; i < report->proof_count; i++) {
+        const ttc_proof *proof = &report->proofs[i];
+        if (strcmp(proof->kind, kind) != 0 || strcmp(proof->name, name) != 0) continue;
+        found = true;
+        bool explained = reason == NULL || (proof->remainder != NULL && strstr(proof->remainder, reason) != NULL);
+        if (proof->status != status || !explained)
+            print_error("%s %s: %s (expected %s): %s\n", kind, name, ttc_proof_status_name(proof->status),
+                        ttc_proof_status_name(status), proof->remainder != NULL ? proof->remainder : "");
+        assert_int_equal(proof->status, status);
+        assert_true(explained);
+    }
+    assert_true(found);
+    ttc_proof_report_destroy(report);
+    ttc_model_destroy(model);
+}
+
+#endif

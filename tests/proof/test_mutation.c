@@ -1,0 +1,81 @@
+/* Every term of every shipped table matters to some claim: with its sign flipped, or dropped, a claim is refuted. A mutant
+ * that the reader refuses is no table, and counts neither way. */
+#include "prove_text.h"
+
+#include "mutate.h"
+
+#include <dirent.h>
+
+static void every_mutant_of_the_shipped_tables_is_refuted(void **state)
+{
+    (void)state;
+    size_t survived = 0, tables = 0;
+    char path[4096];
+    DIR *directory = opendir(JLT_SOURCE_DIR "/codegen/models");
+    assert_non_null(directory);
+    for (struct dirent *entry = readdir(directory); entry != NULL; entry = readdir(directory)) {
+        const char *dot = strrchr(entry->d_name, '.');
+        if (dot == NULL || strcmp(dot, ".tt") != 0) continue;
+        snprintf(path, sizeof path, "%s/codegen/models/%s", JLT_SOURCE_DIR, entry->d_name);
+        ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+        ttc_model *model = ttc_model_read(path, diagnostics);
+        assert_non_null(model);
+        ttc_mutation_report *report = NULL;
+        assert_true(ttc_mutate(model, ttc_resolve_beside, NULL, &report));
+        for (size_t i = 0; i < report->count; i++)
+            if (report->mutants[i].fate == TTC_MUTANT_SURVIVED)
+                print_error("%s:%u:%u: survived: '%.*s' %s\n", path, (unsigned)report->mutants[i].place.line,
+                            (unsigned)report->mutants[i].place.column, (int)report->mutants[i].term_length,
+                            report->mutants[i].term, report->mutants[i].dropped ? "dropped" : "flipped");
+        size_t readable = report->count - report->unreadable;
+        print_message("%s: %zu of %zu mutants refuted, %zu refused by the reader\n", model->name, report->refuted, readable,
+                      report->unreadable);
+        assert_true(report->count >= 2 * model->state_count);
+        survived += report->survived;
+        tables++;
+        ttc_mutation_report_destroy(report);
+        ttc_model_destroy(model);
+        ttc_diagnostics_destroy(diagnostics);
+    }
+    closedir(directory);
+    assert_true(tables >= 4);
+    assert_int_equal(survived, 0);
+}
+
+/* x' = y, y' = -x + c x with no claim that sees c. */
+static void a_term_that_no_claim_sees_survives(void **state)
+{
+    (void)state;
+    ttc_mutation_report *report = NULL;
+    ttc_model *model = parse_text("model blind\nparam c\nstate x\nstate y\neq x = y\neq y =\n - x\n + c*x\n"
+                                  "measure volume = 1\nreversor y -> -y\n");
+    assert_true(ttc_mutate(model, NULL, NULL, &report));
+    assert_int_equal(report->count, 6);
+    assert_int_equal(report->survived, 6);
+    ttc_mutation_report_destroy(report);
+    ttc_model_destroy(model);
+}
+
+/* Terms: y; -x; +x^3/(1 + c), its sum 1 + c; in the let 2*c alone. */
+static void every_term_gives_two_mutants(void **state)
+{
+    (void)state;
+    ttc_mutation_report *report = NULL;
+    ttc_model *model = parse_text("model count\nparam c\nlet d = 2*c\nstate x\nstate y\neq x = y\neq y =\n - x\n"
+                                  " + x^(-3)/(1 + d)\nintegral E = y^2/2 + x^2/2 + x^(-2)/(2*(1 + 2*c))\n");
+    assert_true(ttc_mutate(model, NULL, NULL, &report));
+    assert_int_equal(report->count, 2 * 6);
+    assert_int_equal(report->refuted, report->count);
+    ttc_mutation_report_destroy(report);
+    ttc_model_destroy(model);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_mutant_of_the_shipped_tables_is_refuted),
+        cmocka_unit_test(a_term_that_no_claim_sees_survives),
+        cmocka_unit_test(every_term_gives_two_mutants),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
