@@ -107,5 +107,5 @@ double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period)
     double parts = axis->count > 1 ? (double)(axis->count - 1) : 1;
 
     if (period != 0 && fabs(axis->high - axis->low - period) < 1e-9) parts = (double)axis->count;
-    return axis->low + (axis->high - axis->low) * (double)index / parts;
+    return (axis->low * (parts - (double)index) + axis->high * (double)index) / parts;
 }
