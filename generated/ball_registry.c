@@ -2,6 +2,9 @@
 #include "kernel_ball.h"
 
 extern const jlt_ball_table jlt_balls_chaplygin_sleigh_general;
+extern const jlt_ball_table jlt_balls_lorenz_general;
+extern const jlt_ball_table jlt_balls_restricted_three_body_general;
+extern const jlt_ball_table jlt_balls_roessler_general;
 extern const jlt_ball_table jlt_balls_routh_sphere_general;
 extern const jlt_ball_table jlt_balls_routh_sphere_general_in_regular;
 extern const jlt_ball_table jlt_balls_spherical_top_general;
@@ -22,6 +25,9 @@ extern const jlt_ball_table jlt_balls_spherical_top_track_general_in_regular;
 
 const jlt_ball_table *const jlt_ball_registry[] = {
     &jlt_balls_chaplygin_sleigh_general,
+    &jlt_balls_lorenz_general,
+    &jlt_balls_restricted_three_body_general,
+    &jlt_balls_roessler_general,
     &jlt_balls_routh_sphere_general,
     &jlt_balls_routh_sphere_general_in_regular,
     &jlt_balls_spherical_top_general,
@@ -41,7 +47,7 @@ const jlt_ball_table *const jlt_ball_registry[] = {
     &jlt_balls_spherical_top_track_general_in_regular,
 };
 
-const unsigned jlt_ball_registry_count = 18;
+const unsigned jlt_ball_registry_count = 21;
 
 void jlt_ball_rational(arb_t out, const char *digits, slong prec)
 {

@@ -3,6 +3,9 @@
 
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_general;
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced;
+extern const jlt_descriptor jlt_kernels_lorenz_general;
+extern const jlt_descriptor jlt_kernels_restricted_three_body_general;
+extern const jlt_descriptor jlt_kernels_roessler_general;
 extern const jlt_descriptor jlt_kernels_routh_sphere_general;
 extern const jlt_descriptor jlt_kernels_routh_sphere_general_in_regular;
 extern const jlt_descriptor jlt_kernels_routh_sphere_balanced;
@@ -54,6 +57,9 @@ extern const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular;
 const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_chaplygin_sleigh_general,
     &jlt_kernels_chaplygin_sleigh_balanced,
+    &jlt_kernels_lorenz_general,
+    &jlt_kernels_restricted_three_body_general,
+    &jlt_kernels_roessler_general,
     &jlt_kernels_routh_sphere_general,
     &jlt_kernels_routh_sphere_general_in_regular,
     &jlt_kernels_routh_sphere_balanced,
@@ -103,4 +109,4 @@ const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_spherical_top_track_rod_in_regular,
 };
 
-const unsigned jlt_registry_count = 49;
+const unsigned jlt_registry_count = 52;

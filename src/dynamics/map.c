@@ -167,6 +167,20 @@ static void project(const jlt_chart *chart, double *slope, double *q, const doub
     }
 }
 
+/* Product of the rows' lengths: what a determinant is at most, and what its rounding errors are relative to. */
+static double hadamard(const double *slope, unsigned d)
+{
+    double product = 1;
+    unsigned i, j;
+
+    for (i = 0; i < d; i++) {
+        double sum = 0;
+        for (j = 0; j < d; j++) sum += slope[i * d + j] * slope[i * d + j];
+        product *= sqrt(sum);
+    }
+    return product;
+}
+
 /* One return with derivative, multiplied onto what `image` holds. */
 static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
 {
@@ -194,7 +208,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     expansion = outcome.x[n * (1 + d)];
     determinant = jlt_linear_determinant(slope, d);
     /* A crossing in the other direction turns the flux round; volume is counted positive. */
-    defect = fabs(determinant * after / before) * exp(-expansion) - 1;
+    defect = (fabs(determinant) - fabs(before / after) * exp(expansion)) / hadamard(slope, d);
     if (fabs(defect) > fabs(image->defect)) image->defect = defect;
     jlt_linear_multiply(image->slope, slope, image->slope, d);
     image->T += outcome.t;

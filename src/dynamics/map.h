@@ -18,7 +18,8 @@ typedef struct {
     double T;                /* time of all returns, negative backwards */
     double determinant;      /* of slope: product over the returns */
     double expansion;        /* integral of the divergence on the levels, over all returns */
-    double defect;           /* det DP * F(end)/F(start) * exp(-expansion) - 1 of the worst single return */
+    double defect;           /* of the identity, relative to the product of DP's row lengths (its rounding errors are
+                                relative to that); of the worst single return */
     double x[JLT_CHART_STATES_MAX];
 } jlt_image;
 

@@ -13,7 +13,7 @@ static const double degenerate = 1e-7;     /* multipliers closer to +-1 than thi
 static const double longest_step = 0.5;    /* of Newton, in section coordinates */
 static const double accepted = 1e-10;      /* largest residual of a converged orbit, relative to |DP| of one return, */
 static const double accepted_most = 1e-9;  /* and absolute */
-static const double grazing = 1e-6;        /* a larger defect of the flux identity: the orbit touches the section */
+static const double standstill = 1e-6;     /* orbits that move less, relative to the state, only touch the section */
 static const double null_cutoff = 1e-11;   /* singular values of I - DP under this are a family of orbits */
 
 const char *jlt_periodic_type_name(jlt_orbit_type type)
@@ -193,12 +193,26 @@ jlt_status jlt_periodic_measure(jlt_map *map, jlt_periodic *io)
     orbit.determinant_slope = at.determinant;
     JLT_TRY(jlt_linear_eigenvalues(orbit.re, orbit.im, orbit.slope, d));
     /* The smaller of two real multipliers keeps its digits through the determinant. */
-    if (d == 2 && orbit.im[0] == 0 && orbit.re[0] != 0) orbit.re[1] = at.determinant / orbit.re[0];
+    if (d == 2 && orbit.im[0] == 0 && orbit.re[0] != 0) orbit.re[1] = orbit.determinant / orbit.re[0];
     orbit.symmetric = is_symmetric(chart, orbit.points, orbit.period);
     orbit.type = classify(orbit.re, orbit.im, d);
     *io = orbit;
 done:
     return st;
+}
+
+/* Where the flow is tangent to the section an orbit that starts there returns at once, and every such point looks fixed:
+ * the way |f| T of a true orbit is not small. */
+static bool moves(jlt_map *map, const jlt_periodic *orbit)
+{
+    const jlt_flow *flow = jlt_map_flow(map);
+    double x[JLT_CHART_STATES_MAX], f[JLT_CHART_STATES_MAX], rate = 1;
+
+    if (flow->chart->lift(flow->chart, x, NULL, orbit->points) != JLT_OK) return false;
+    flow->field->call(x, flow->field->p, f);
+    if (flow->field->time_rate != NULL) flow->field->time_rate(x, flow->field->p, &rate);
+    return norm(f, flow->chart->states) / rate * orbit->T / (double)orbit->period >
+           standstill * fmax(1, norm(x, flow->chart->states));
 }
 
 jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const double *q, size_t period,
@@ -220,7 +234,7 @@ jlt_status jlt_periodic_find(jlt_map *map, jlt_periodic *out, const double *q, s
     JLT_TRY(iterate(map, orbit.points, period, held));
     orbit.period = primitive(chart, orbit.points, period);
     JLT_TRY(jlt_periodic_measure(map, &orbit));
-    st = fabs(orbit.defect) < grazing ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
+    st = moves(map, &orbit) ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
     if (st == JLT_OK) *out = orbit;
 done:
     return st;
