@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STATES_MAX = 64, TRIES = 200, PROBES = 8 };
+enum { STATES_MAX = JLT_MEASURE_STATES_MAX, TRIES = 200, PROBES = 8 };
 
 /* Part of a bounded interval that is tabulated; an unbounded state is tabulated from -2 to 2. */
 static const double covered = 0.98;
@@ -87,6 +87,7 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
         double defect;
         st = jlt_density_defect(&defect, instance, i, random);
         if (st != JLT_OK && st != JLT_ERR_NO_CONVERGENCE) return st;
+        attempt->defects[i] = st == JLT_OK ? defect : NAN;
         if (st == JLT_OK && defect < attempt->defect) {
             attempt->along = i;
             attempt->defect = defect;
@@ -115,6 +116,15 @@ jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *ins
     for (unsigned i = 0; st == JLT_OK && attempt->closed_form == NULL && i < d->measure_count; i++)
         if (depends_on_one(instance, i, x, attempt->along, random)) st = compare(attempt, instance, i, x);
     return st;
+}
+
+void jlt_measure_write_defects(FILE *stream, const double *defects, const jlt_descriptor *descriptor)
+{
+    for (unsigned i = 0; i < descriptor->state_count; i++) {
+        fprintf(stream, "%s%s ", i == 0 ? "" : ", ", descriptor->states[i].name);
+        if (isnan(defects[i])) fputs("unknown", stream);
+        else fprintf(stream, "%.3g", defects[i]);
+    }
 }
 
 void jlt_measure_clear(jlt_measure_attempt *attempt)

@@ -7,8 +7,12 @@
 #include "kernel/instance.h"
 
 #include <stdbool.h>
+#include <stdio.h>
+
+enum { JLT_MEASURE_STATES_MAX = 64 };
 
 typedef struct {
+    double defects[JLT_MEASURE_STATES_MAX]; /* of every state; NaN where it could not be measured */
     size_t along;             /* the state with the least defect */
     double defect;
     bool found;               /* the defect is rounding */
@@ -22,6 +26,8 @@ typedef struct {
 
 JLT_CHECKED jlt_status jlt_measure_try(jlt_measure_attempt *attempt, const jlt_instance *instance, size_t count,
                                        jlt_random *random);
+/* "NAME 0.12, NAME 3.4e-05, ...": the defects, by name. */
+void jlt_measure_write_defects(FILE *stream, const double *defects, const jlt_descriptor *descriptor);
 void jlt_measure_clear(jlt_measure_attempt *attempt); /* legal when zeroed */
 
 #endif

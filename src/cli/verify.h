@@ -3,6 +3,7 @@
 #ifndef JLT_CLI_VERIFY_H
 #define JLT_CLI_VERIFY_H
 
+#include "cli/measure.h"
 #include "cli/oracle.h"
 #include "core/random.h"
 #include "prove.h"
@@ -43,6 +44,7 @@ typedef struct {
 typedef struct {
     const jlt_descriptor *descriptor;
     double *params;          /* owned */
+    double defects[JLT_MEASURE_STATES_MAX]; /* of every state */
     size_t along;            /* the state with the least defect */
     double defect;
     bool found;              /* the defect is rounding: a density of that state alone */

@@ -1,7 +1,6 @@
 #include "cli/verify.h"
 
 #include "analysis/density.h"
-#include "cli/measure.h"
 #include "core/memory.h"
 #include "kernel/descriptor.h"
 #include "kernel/kernel.h"
@@ -22,6 +21,7 @@ static jlt_status attempt(jlt_verify_run *run, jlt_verify_density *d)
     if (st != JLT_OK || d->descriptor->measure_count > 64) goto done;
     JLT_TRY(jlt_measure_try(&a, instance, POINTS, &run->random));
     d->along = a.along;
+    memcpy(d->defects, a.defects, sizeof d->defects);
     d->defect = a.defect;
     d->found = a.found;
     d->singular = a.singular;

@@ -69,10 +69,10 @@ static void write_density(FILE *stream, const jlt_verify_density *d)
         return;
     }
     if (!d->found) {
-        fprintf(stream,
-                "      no density of one state alone: -div f/f_q varies with the other states by %.3g of its size at fixed "
-                "q = %s, the best\n",
-                d->defect, k->states[d->along].name);
+        fprintf(stream, "      no density of one state q alone: at fixed q, -div f/f_q varies with the other states, relative to "
+                        "its size, by\n      ");
+        jlt_measure_write_defects(stream, d->defects, k);
+        fputc('\n', stream);
     } else {
         fprintf(stream, "      density of %s alone: -div f/f_q is a function of it (defect %.2g)\n", k->states[d->along].name,
                 d->defect);
@@ -157,9 +157,10 @@ static json_t *density_json(const jlt_verify_density *d)
     const jlt_descriptor *k = d->descriptor;
     const bool compared = d->closed_form != NULL;
 
-    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:b,s:b,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
+    return json_pack("{s:s,s:o,s:s,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o}", "variant", k->variant, "parameters",
                      jlt_json_named(k->params, d->params, k->param_count), "status", jlt_status_text(d->status), "along",
-                     k->states[d->along].name, "defect", jlt_json_number(d->defect), "found", d->found, "singular", d->singular, "closed_form",
+                     k->states[d->along].name, "defect", jlt_json_number(d->defect), "defects",
+                     jlt_json_named(k->states, d->defects, k->state_count), "found", d->found, "singular", d->singular, "closed_form",
                      text_or_null(d->closed_form), "difference", jlt_json_number(compared ? d->difference : NAN),
                      "difference_bound", jlt_json_number(compared ? d->difference_bound : NAN), "residual",
                      jlt_json_number(k->measure_count > 0 ? d->residual : NAN));

@@ -1,0 +1,335 @@
+#include "cli/assign.h"
+#include "cli/measure.h"
+
+#include "analysis/linearization.h"
+#include "kernel/descriptor.h"
+#include "report/csv.h"
+#include "report/json.h"
+#include "report/picture.h"
+
+#include <argp.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { KEY_PLOT = 256, KEY_SEED, KEY_POINTS, POINTS = 41 };
+enum { POINTS_MAX = 100001, RESIDUAL_SAMPLES = 1000, MEASURES_MAX = 64, TRIES = 64 };
+
+typedef struct {
+    const char *model, *plot, *output, *command;
+    bool json, csv;
+    uint64_t seed;
+    size_t points;
+    jlt_assign_list set;
+} request;
+
+/* What was found. */
+typedef struct {
+    const jlt_descriptor *general;
+    double *params;
+    jlt_instance *instance;   /* the most special kernel that serves */
+    jlt_measure_attempt attempt;
+    double residual[MEASURES_MAX];
+    bool obstructed;          /* an equilibrium with nonzero trace was found */
+    jlt_linearization obstruction;
+    double x[JLT_LINEARIZATION_SIZE_MAX];
+} finding;
+
+static const struct argp_option option_table[] = {
+    { "set", 's', "NAME=VALUE,...", 0, "Parameters; the table's defaults hold for the others", 0 },
+    { "points", KEY_POINTS, "N", 0, "Rows of the density's table (41)", 0 },
+    { "seed", KEY_SEED, "N", 0, "Seed of the random states (1)", 0 },
+    { "json", 'j', NULL, 0, "Print JSON", 0 },
+    { "csv", 'c', NULL, 0, "Print the table as CSV with a comment header", 0 },
+    { "plot", KEY_PLOT, "FILE", 0, "Draw the density: FILE.svg, .png or .pdf", 0 },
+    { "output", 'o', "FILE", 0, "Write to FILE instead of standard output", 0 },
+    { 0 },
+};
+
+static uint64_t whole_number(const char *text, const char *option, uint64_t low, uint64_t high, struct argp_state *state)
+{
+    char *end;
+    uint64_t value;
+
+    errno = 0;
+    value = strtoull(text, &end, 10);
+    if (*text < '0' || *text > '9' || errno != 0 || *end != '\0' || value < low || value > high)
+        argp_error(state, "%s: '%s' is no whole number from %llu to %llu", option, text, (unsigned long long)low,
+                   (unsigned long long)high);
+    return value;
+}
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    request *r = state->input;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    switch (key) {
+    case 's': code = jlt_assign_parse(&r->set, value, "--set"); break;
+    case KEY_POINTS: r->points = (size_t)whole_number(value, "--points", 3, POINTS_MAX, state); break;
+    case KEY_SEED: r->seed = whole_number(value, "--seed", 0, INT64_MAX, state); break;
+    case 'j': r->json = true; break;
+    case 'c': r->csv = true; break;
+    case KEY_PLOT:
+        r->plot = value;
+        if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' must end in .svg, .png or .pdf", value);
+        break;
+    case 'o': r->output = value; break;
+    case ARGP_KEY_ARG:
+        if (state->arg_num > 0) argp_error(state, "one model at most: '%s' is too many", value);
+        r->model = value;
+        break;
+    case ARGP_KEY_END:
+        if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
+        break;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+    if (code != JLT_EXIT_DONE) exit((int)code);
+    return 0;
+}
+
+static const struct argp parser = {
+    option_table, parse, "[MODEL]",
+    "The density of an invariant measure, computed from the field's divergence alone; or what excludes one."
+    "\vExamples:\n"
+    "  jellett measure --set I3=0 --plot density.svg     the density of Euler and Jacobi\n"
+    "  jellett measure --set a3=0                        Proposition 1: an equilibrium with a trace\n\n"
+    "A density rho of one state q alone obeys d ln rho/dq = -div f/f_q: where the right-hand side depends on q alone, a "
+    "quadrature gives rho, and it is compared with the table's. Otherwise the defect says by how much it varies with the "
+    "other states. Beside it, the residual of div(rho f) for every density that the table claims at these parameters.",
+    NULL, NULL, NULL,
+};
+
+/* An equilibrium of the table's families, at these parameters, whose trace is not zero. */
+static jlt_status find_obstruction(finding *f, jlt_random *random)
+{
+    const jlt_descriptor *d = f->general;
+    const unsigned char none[JLT_LINEARIZATION_SIZE_MAX] = { 0 };
+    unsigned char given[JLT_LINEARIZATION_SIZE_MAX];
+
+    if (d->state_count > JLT_LINEARIZATION_SIZE_MAX) return JLT_OK;
+    for (unsigned k = 0; k < d->equilibria_count; k++) {
+        memcpy(given, none, sizeof given);
+        for (unsigned i = 0; i < d->state_count; i++) given[i] = d->equilibria[k].is_free[i];
+        for (int attempt = 0; attempt < TRIES && d->equilibria[k].obstructs; attempt++) {
+            jlt_status st;
+            jlt_density_draw_state(f->x, d, random);
+            jlt_linearization_complete(f->x, given, d, f->params);
+            st = jlt_linearization_compute(&f->obstruction, d, f->params, f->x, NULL, NULL);
+            if (st == JLT_ERR_NOMEM) return st;
+            if (st == JLT_OK && f->obstruction.obstructs) {
+                f->obstructed = true;
+                return JLT_OK;
+            }
+        }
+    }
+    return JLT_OK;
+}
+
+static jlt_status investigate(finding *f, const request *r)
+{
+    const jlt_descriptor *special = jlt_descriptor_choose(f->general->model, NULL, NULL, f->params);
+    jlt_random random;
+    jlt_status st;
+
+    jlt_random_seed(&random, r->seed);
+    if (special == NULL || special->measure_count > MEASURES_MAX) return JLT_ERR_UNSUPPORTED;
+    JLT_TRY(jlt_instance_create(&f->instance, special, f->params));
+    JLT_TRY(jlt_measure_try(&f->attempt, f->instance, r->points, &random));
+    JLT_TRY(jlt_density_residual(f->residual, f->instance, RESIDUAL_SAMPLES, &random));
+    JLT_TRY(find_obstruction(f, &random));
+done:
+    return st;
+}
+
+static const char *along_name(const finding *f)
+{
+    return f->instance->descriptor->states[f->attempt.along].name;
+}
+
+static void write_attempt(FILE *stream, const finding *f)
+{
+    const jlt_measure_attempt *a = &f->attempt;
+
+    if (!a->found) {
+        fputs("\nno density of one state q alone: at fixed q, -div f/f_q varies with the other states, relative to its size, by\n  ",
+              stream);
+        jlt_measure_write_defects(stream, a->defects, f->instance->descriptor);
+        fputc('\n', stream);
+        return;
+    }
+    fprintf(stream, "\ndensity of %s alone: -div f/f_q is a function of it (defect %.2g)\n", along_name(f), a->defect);
+    if (a->singular) {
+        fprintf(stream, "it has a pole or a zero where %s' = 0, so it is no smooth positive density\n", along_name(f));
+        return;
+    }
+    if (a->closed_form != NULL)
+        fprintf(stream, "against the closed form %s: largest relative difference %.2g (bound %.2g)\n", a->closed_form,
+                a->difference, a->difference_bound);
+    fprintf(stream, "\n%24s %24s", along_name(f), "density");
+    if (a->closed != NULL) fprintf(stream, " %24s", a->closed_form);
+    fputs("   (1 in the middle)\n", stream);
+    for (size_t i = 0; i < a->count; i++) {
+        fprintf(stream, "%24.16g %24.16g", a->points[i].at, a->points[i].density);
+        if (a->closed != NULL) fprintf(stream, " %24.16g", a->closed[i]);
+        fputc('\n', stream);
+    }
+}
+
+static void write_text(FILE *stream, const finding *f)
+{
+    const jlt_descriptor *d = f->instance->descriptor;
+
+    fprintf(stream, "%s: %s\nkernels      %s, table %.12s\nparameters  ", d->model, d->title,
+            d->variant[0] == '\0' ? "general" : d->variant, d->sha256);
+    for (unsigned i = 0; i < d->param_count; i++) fprintf(stream, " %s=%.17g", d->params[i].name, f->params[i]);
+    fputc('\n', stream);
+    if (d->measure_count == 0) fputs("table        claims no invariant density at these parameters\n", stream);
+    for (unsigned i = 0; i < d->measure_count; i++)
+        fprintf(stream, "table        density %s: |div(rho f)| is at most %.2g of |rho div f| over %d random states\n",
+                d->measures[i].name, f->residual[i], RESIDUAL_SAMPLES);
+    write_attempt(stream, f);
+    if (!f->obstructed) return;
+    fprintf(stream, "\nobstruction: at the equilibrium");
+    for (unsigned i = 0; i < d->state_count; i++) fprintf(stream, " %s=%.6g", d->states[i].name, f->x[i]);
+    fprintf(stream, "\nthe trace is %.6g (error < %.1g), so no invariant measure has a smooth positive density (Proposition 1)\n",
+            f->obstruction.trace, f->obstruction.trace_error);
+}
+
+static json_t *obstruction_json(const finding *f)
+{
+    const jlt_descriptor *d = f->general;
+
+    if (!f->obstructed) return json_null();
+    return json_pack("{s:o,s:o,s:o}", "state", jlt_json_named(d->states, f->x, d->state_count), "trace",
+                     jlt_json_number(f->obstruction.trace), "trace_error", jlt_json_number(f->obstruction.trace_error));
+}
+
+static jlt_status write_json(FILE *stream, const finding *f)
+{
+    const jlt_descriptor *d = f->instance->descriptor;
+    const jlt_measure_attempt *a = &f->attempt;
+    json_t *measures = json_array(), *table = json_array();
+    char *text;
+    jlt_status st;
+
+    for (unsigned i = 0; i < d->measure_count; i++)
+        json_array_append_new(measures, json_pack("{s:s,s:o}", "name", d->measures[i].name, "residual",
+                                                  jlt_json_number(f->residual[i])));
+    for (size_t i = 0; a->points != NULL && i < a->count; i++)
+        json_array_append_new(table, json_pack("{s:o,s:o,s:o}", "at", jlt_json_number(a->points[i].at), "density",
+                                               jlt_json_number(a->points[i].density), "closed_form",
+                                               jlt_json_number(a->closed == NULL ? NAN : a->closed[i])));
+    st = jlt_json_text(&text, json_pack("{s:s,s:s,s:s,s:o,s:o,s:s,s:o,s:o,s:b,s:b,s:o,s:o,s:o,s:o}", "model", d->model, "sha256",
+                                        d->sha256, "variant", d->variant, "parameters",
+                                        jlt_json_named(d->params, f->params, d->param_count), "measures", measures, "along",
+                                        along_name(f), "defect", jlt_json_number(a->defect), "defects",
+                                        jlt_json_named(d->states, a->defects, d->state_count), "found", a->found, "singular",
+                                        a->singular, "closed_form",
+                                        a->closed_form == NULL ? json_null() : json_string(a->closed_form), "difference",
+                                        jlt_json_number(a->closed_form == NULL ? NAN : a->difference), "table", table,
+                                        "obstruction", obstruction_json(f)));
+    if (st == JLT_OK) fputs(text, stream);
+    free(text);
+    return st;
+}
+
+static void write_csv(FILE *stream, const finding *f, const request *r)
+{
+    const jlt_measure_attempt *a = &f->attempt;
+
+    jlt_csv_header(stream, r->command, f->instance->descriptor, f->params);
+    fprintf(stream, "# defect of %s: %.17g\n%s,density,error,closed_form\n", along_name(f), a->defect, along_name(f));
+    for (size_t i = 0; a->points != NULL && i < a->count; i++) {
+        const double row[4] = { a->points[i].at, a->points[i].density, a->points[i].error,
+                                a->closed == NULL ? NAN : a->closed[i] };
+        jlt_csv_row(stream, row, 4);
+    }
+}
+
+static jlt_exit draw(const finding *f, const request *r)
+{
+    const jlt_descriptor *d = f->instance->descriptor;
+    const jlt_measure_attempt *a = &f->attempt;
+    char *script = NULL;
+    size_t size = 0;
+    FILE *stream;
+    jlt_status st;
+
+    if (a->points == NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--plot: there is no density to draw at these parameters");
+    stream = open_memstream(&script, &size);
+    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    fputs("$density << EOD\n", stream);
+    for (size_t i = 0; i < a->count; i++)
+        fprintf(stream, "%.17g %.17g %.17g\n", a->points[i].at, a->points[i].density,
+                a->closed == NULL ? a->points[i].density : a->closed[i]);
+    fprintf(stream, "EOD\nset title \"Density of an invariant measure of %s\\n", d->model);
+    for (unsigned i = 0; i < d->param_count; i++) fprintf(stream, " %s=%.6g", d->params[i].name, f->params[i]);
+    fprintf(stream, "\" noenhanced\nset xlabel '%s [%s]' noenhanced\nset ylabel 'density, 1 in the middle'\nset grid\n",
+            along_name(f), d->states[a->along].unit[0] == '\0' ? "1" : d->states[a->along].unit);
+    fputs("plot ", stream);
+    if (a->closed != NULL) fprintf(stream, "$density using 1:3 with lines lw 2 title 'closed form %s' noenhanced, ", a->closed_form);
+    fputs("$density using 1:2 with points pt 6 title 'quadrature of the divergence'\n", stream);
+    st = fclose(stream) == 0 ? jlt_picture_draw(r->plot, script, NULL) : JLT_ERR_NOMEM;
+    free(script);
+    if (st == JLT_OK) return JLT_EXIT_DONE;
+    if (st == JLT_ERR_IO) return jlt_command_fail(JLT_EXIT_IO, "--plot: cannot write '%s': %s", r->plot, strerror(errno));
+    return jlt_command_fail(JLT_EXIT_IO, "--plot: %s",
+                            st == JLT_ERR_UNSUPPORTED ? "the program gnuplot is not installed" : jlt_status_text(st));
+}
+
+static jlt_exit deliver(const finding *f, const request *r)
+{
+    jlt_command_output output;
+    jlt_status st = jlt_command_open(&output);
+
+    if (st == JLT_OK) {
+        if (r->json) st = write_json(output.stream, f);
+        else if (r->csv) write_csv(output.stream, f, r);
+        else write_text(output.stream, f);
+    }
+    if (st == JLT_OK) return jlt_command_deliver(&output, r->output);
+    jlt_command_discard(&output);
+    return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(st));
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    request r = { .model = "spherical_top", .seed = 1, .points = POINTS };
+    char *command = jlt_command_line(argc, argv);
+    finding *f = calloc(1, sizeof *f);
+    jlt_exit code = JLT_EXIT_NUMERICAL;
+    jlt_status st;
+
+    argp_parse(&parser, argc, argv, 0, NULL, &r);
+    r.command = command;
+    if (f == NULL) {
+        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+        goto done;
+    }
+    code = jlt_assign_model(&f->general, &f->params, r.model, &r.set);
+    if (code != JLT_EXIT_DONE) goto done;
+    st = investigate(f, &r);
+    if (st == JLT_OK && r.plot != NULL) code = draw(f, &r);
+    if (st != JLT_OK)
+        code = jlt_command_fail(jlt_command_exit(st), "measure %s: %s%s", r.model, jlt_status_text(st),
+                                st == JLT_ERR_NONFINITE ? " (use units in which parameters are nearer one)" : "");
+    if (code == JLT_EXIT_DONE) code = deliver(f, &r);
+done:
+    if (f != NULL) {
+        jlt_measure_clear(&f->attempt);
+        jlt_instance_destroy(f->instance);
+        free(f->params);
+    }
+    free(f);
+    free(command);
+    jlt_assign_clear(&r.set);
+    return code;
+}
+
+const jlt_command jlt_command_measure = {
+    "measure", "[MODEL] --set NAME=VALUE,... [--points N] [--json|--csv] [--plot FILE]",
+    "The density of an invariant measure from the divergence alone, or what excludes one", run
+};
