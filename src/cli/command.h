@@ -27,6 +27,7 @@ extern const jlt_command jlt_command_verify;
 extern const jlt_command jlt_command_eigen;
 extern const jlt_command jlt_command_measure;
 extern const jlt_command jlt_command_models;
+extern const jlt_command jlt_command_simulate;
 extern const jlt_command jlt_command_section;
 extern const jlt_command jlt_command_orbits;
 extern const jlt_command jlt_command_fates;

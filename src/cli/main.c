@@ -13,6 +13,7 @@ static const jlt_command *const commands[] = {
     &jlt_command_eigen,
     &jlt_command_measure,
     &jlt_command_models,
+    &jlt_command_simulate,
     &jlt_command_section,
     &jlt_command_orbits,
     &jlt_command_fates,

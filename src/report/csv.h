@@ -11,6 +11,9 @@
  *  In: command, what was typed, or NULL; descriptor; params, shape (params,). */
 void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *descriptor, const double *params);
 
+/* Numbers with 17 digits and commas between them, NaN as an empty field, and no newline. */
+void jlt_csv_values(FILE *stream, const double *values, size_t count);
+
 /* One row of numbers with 17 digits, NaN as an empty field, ended by a newline. */
 void jlt_csv_row(FILE *stream, const double *values, size_t count);
 

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "kernel/instance.h"
 #include "scene/rod.h"
 
 enum { INTEGRALS_MAX = 8 };
@@ -25,10 +24,17 @@ struct jlt_course {
     jlt_orbit *orbit;
     jlt_rod rod;
 
+    double least_force, lost_at;
+
     double start[JLT_PLAN_STATES_MAX];
     double x[JLT_PLAN_STATES_MAX];
     double y[JLT_FIELD_DIM_MAX];
 };
+
+const jlt_instance *jlt_course_kernel(const jlt_course *self)
+{
+    return self->instance != NULL ? self->instance : self->watch;
+}
 
 unsigned jlt_course_integrals(const jlt_course *self)
 {
@@ -51,6 +57,31 @@ static void integrals(const jlt_course *self, double *values, const double *x)
     memcpy(values, all, jlt_course_integrals(self) * sizeof *values);
 }
 
+static void extract(const jlt_course *self, double *x, const double *y)
+{
+    if (self->tier == NULL) memcpy(x, y, self->states * sizeof *x);
+    else if (self->tier->extract != NULL) self->tier->extract(&self->view, x, y);
+}
+
+static void note_force(jlt_course *self, double t, const double *x)
+{
+    const double force = jlt_top_contact_force(&self->view.top, x);
+
+    if (!(force >= self->least_force)) self->least_force = force;
+    if (!(force > 0) && isnan(self->lost_at)) self->lost_at = t;
+}
+
+static int watch_force(void *context, jlt_orbit *orbit)
+{
+    jlt_course *self = context;
+    const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
+    double x[JLT_TOP_STATES];
+
+    extract(self, x, stepper->x);
+    note_force(self, self->view.mirror * jlt_stepper_time(stepper), x);
+    return 0;
+}
+
 /* The tier's kernel bound to its parameters, and an orbit from the start. */
 static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, const jlt_question *question,
                              const jlt_course_options *options)
@@ -71,6 +102,7 @@ static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, cons
     JLT_TRY(jlt_field_of(&self->field, chosen->descriptor, self->instance->block));
     JLT_TRY(jlt_orbit_create(&self->orbit, options->method != NULL ? options->method : jlt_method_find(NULL), &self->field,
                              &to_orbit));
+    if (self->has_top) jlt_orbit_observe(self->orbit, watch_force, self);
 done:
     return st;
 }
@@ -89,6 +121,8 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     self->states = model->state_count;
+    self->view.mirror = 1;
+    self->least_force = self->lost_at = NAN;
     self->tier = chosen->tier;
     memcpy(self->start, question->start, self->states * sizeof *self->start);
     memcpy(self->x, question->start, self->states * sizeof *self->x);
@@ -104,6 +138,8 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
         } else {
             self->view.top = top;
         }
+        self->least_force = INFINITY;
+        note_force(self, 0, self->start);
     }
     if (chosen->descriptor != NULL) JLT_TRY(open_orbit(self, chosen, question, options));
     *out = self;
@@ -131,24 +167,26 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     integrals(self, now, self->x);
     for (unsigned i = 0; i < jlt_course_integrals(self); i++)
         self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
-    if (self->has_top) row->contact_force = jlt_top_contact_force(&self->view.top, self->x);
-    if (end == JLT_END_POLE) row->side = self->x[JLT_TOP_GAMMA3] > 0 ? 1 : -1;
+    if (self->has_top) {
+        row->contact_force = jlt_top_contact_force(&self->view.top, self->x);
+        note_force(self, t, self->x);
+    }
+    row->least_force = self->least_force;
+    row->lost_at = self->lost_at;
+    if (end == JLT_END_POLE) {
+        row->side = self->x[JLT_TOP_GAMMA3] > 0 ? 1 : -1;
+        self->x[JLT_TOP_GAMMA3] = row->side;
+    }
     if (self->tier != NULL && self->tier->orient != NULL) {
         row->has_attitude = true;
         self->tier->orient(&self->view, &row->attitude, self->y);
     }
 }
 
-static void extract(jlt_course *self)
-{
-    if (self->tier == NULL) memcpy(self->x, self->y, self->states * sizeof *self->x);
-    else if (self->tier->extract != NULL) self->tier->extract(&self->view, self->x, self->y);
-}
-
 static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
 {
     jlt_status st = JLT_OK;
-    const int mirror = self->tier != NULL ? self->view.mirror : 1;
+    const int mirror = self->view.mirror;
     jlt_outcome outcome = { 0 };
 
     if (self->direction == 0) {
@@ -158,7 +196,7 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
     st = jlt_orbit_next(self->orbit, mirror * t, NULL, 0, &outcome);
     if (outcome.x != NULL) {
         memcpy(self->y, outcome.x, self->field.dim * sizeof *self->y);
-        extract(self);
+        extract(self, self->x, self->y);
         self->t = mirror * outcome.t;
         fill(self, row, outcome.end, self->t);
     }

@@ -8,6 +8,7 @@
 #define JLT_SCENE_COURSE_H
 
 #include "integrate/orbit.h"
+#include "kernel/instance.h"
 #include "scene/plan.h"
 
 typedef struct {
@@ -23,6 +24,8 @@ typedef struct {
     const double *x;          /* shape (states of the asked model,), the course's own, valid until the next call */
     const double *drift;      /* shape (integrals,): |F - F(start)|/max(1, |F(start)|) */
     double contact_force;     /* NaN when the model has no such notion */
+    double least_force;       /* least one over the accepted steps since the start; NaN as above */
+    double lost_at;           /* when the force was first seen not to be positive; NaN: never */
     bool has_attitude;
     jlt_attitude attitude;
     int side;                 /* POLE: sign of gamma3 there */
@@ -39,6 +42,9 @@ void jlt_course_destroy(jlt_course *self); /* NULL is legal */
 /** Go to time t; the start is at 0, and t must not turn back. *row is filled in any case in which JLT_OK is returned.
  *  Errors: NONFINITE, NO_PROGRESS, BUDGET (the row then holds the last point reached), ARG (t turns back). */
 JLT_CHECKED jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row);
+
+/** The kernel that does the work, bound to its parameters and levels; for quadratures the asked model's own. */
+const jlt_instance *jlt_course_kernel(const jlt_course *self);
 
 /** Number and names of the integrals watched. */
 unsigned jlt_course_integrals(const jlt_course *self);

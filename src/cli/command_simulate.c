@@ -1,0 +1,305 @@
+#include "cli/simulate.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/grid.h"
+#include "cli/progress.h"
+#include "report/csv.h"
+
+enum { TIMES = 2000, UNTIL, EVERY, TIER, COMPARE, TRACK };
+enum { TIMES_MAX = 100000000 };
+
+static const struct argp_option option_table[] = {
+    { "times", TIMES, "T,T,...", 0, "Rows at these times, in order; the start is at t = 0; all of one sign", 1 },
+    { "until", UNTIL, "T", 0, "Rows from 0 to T; T < 0 goes backwards", 1 },
+    { "every", EVERY, "DT", 0, "Time between rows of --until; default a hundredth of it", 1 },
+    { "tier", TIER, "NAME", 0, "The model to use; default the smallest that can answer (jellett plan lists them)", 1 },
+    { "compare", COMPARE, "TIER,...", 0, "Follow the same orbit in these tiers as well: a column of differences each", 1 },
+    { "track", TRACK, NULL, 0, "Attitude, centre of mass and contact point as well", 1 },
+    { 0 },
+};
+
+static double number(const char *text, size_t length, const char *option)
+{
+    double value = 0;
+    const jlt_exit code = jlt_grid_number(&value, text, length, option);
+
+    if (code != JLT_EXIT_DONE) exit((int)code);
+    return value;
+}
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    jlt_simulate_request *r = state->input;
+
+    switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &r->session; return 0;
+    case TIMES: r->times_text = value; return 0;
+    case UNTIL: r->until = number(value, strlen(value), "--until"); return 0;
+    case EVERY: r->every = number(value, strlen(value), "--every"); return 0;
+    case TIER: r->tier = value; return 0;
+    case COMPARE: r->compare = value; return 0;
+    case TRACK: r->track = true; return 0;
+    case ARGP_KEY_END:
+        if ((r->times_text == NULL) == isnan(r->until)) argp_error(state, "say when: --times, or --until with --every");
+        if (isnan(r->until) && !isnan(r->every)) argp_error(state, "--every goes with --until");
+        if (!isnan(r->every) && !(r->every > 0)) argp_error(state, "--every must be positive");
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { 0 } };
+
+static const struct argp parser = {
+    option_table, parse, "[MODEL]",
+    "One orbit: states at given times, drift of the integrals, contact force, and what ends it."
+    "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to max(1, |F|)), contact_force, the tiers "
+    "compared, and fate: alive, lost_contact (the plane would have had to pull since the start: the model no longer holds), "
+    "pole+ or pole- (the orbit ends there: the last row has the time and the limits, and later times have none).\n\n"
+    "  jellett simulate --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3 --times 0,0.5,1\n"
+    "  jellett simulate --set I3=0 --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 \\\n"
+    "    --until 10 --every 1/10 --compare five --plot rod.svg",
+    children, NULL, NULL,
+};
+
+/* ---- times ---- */
+
+static jlt_exit listed_times(jlt_simulate_request *r)
+{
+    size_t room = 1;
+
+    for (const char *c = r->times_text; *c != '\0'; c++) room += *c == ',';
+    r->times = calloc(room, sizeof *r->times);
+    if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--times");
+    for (const char *at = r->times_text;; at++) {
+        const size_t length = strcspn(at, ",");
+        r->times[r->time_count++] = number(at, length, "--times");
+        at += length;
+        if (*at == '\0') break;
+    }
+    for (size_t i = 1; i < r->time_count; i++) {
+        const bool forwards = r->times[i] >= r->times[i - 1] && r->times[0] >= 0;
+        const bool backwards = r->times[i] <= r->times[i - 1] && r->times[0] <= 0;
+        if (!(r->times[r->time_count - 1] >= 0 ? forwards : backwards))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--times: they must go from 0 in one direction, in order");
+    }
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit regular_times(jlt_simulate_request *r)
+{
+    const double every = !isnan(r->every) ? r->every : fabs(r->until) / 100;
+    const double steps = r->until == 0 ? 0 : floor(fabs(r->until) / every * (1 + 4e-16));
+
+    if (!(steps < TIMES_MAX)) return jlt_command_fail(JLT_EXIT_INPUT, "--every: more than %d rows", TIMES_MAX);
+    r->time_count = (size_t)steps + 1;
+    r->times = calloc(r->time_count + 1, sizeof *r->times);
+    if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--until");
+    for (size_t i = 0; i < r->time_count; i++) r->times[i] = copysign((double)i * every, r->until);
+    r->times[0] = 0;
+    if (fabs(r->until) - fabs(r->times[r->time_count - 1]) > 1e-12 * every) r->times[r->time_count++] = r->until;
+    return JLT_EXIT_DONE;
+}
+
+/* ---- the courses: the orbit asked for, then those it is compared with ---- */
+
+static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
+{
+    const jlt_session *s = &r->session;
+    const jlt_question question = { s->descriptor, s->params, s->x, r->track && r->course_count == 0, tier };
+    const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt };
+    jlt_plan *plan = &r->plans[r->course_count];
+    jlt_status st;
+
+    if (question.attitude && (!jlt_plan_has_tiers(s->descriptor) || (tier != NULL && strcmp(tier, "model") == 0)))
+        return jlt_command_fail(JLT_EXIT_INPUT, "--track: attitude and track come from the tiers of spherical_top");
+    st = jlt_plan_make(plan, &question);
+    if (st == JLT_ERR_ARG)
+        return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier,
+                                s->descriptor->model);
+    if (st == JLT_ERR_UNSUPPORTED && tier != NULL)
+        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", tier, plan->candidates[plan->chosen].refusal);
+    if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
+    if (st == JLT_ERR_UNSUPPORTED)
+        return jlt_command_fail(JLT_EXIT_INPUT, "the kernels of %s have not what the method %s needs", s->descriptor->model,
+                                s->method->name);
+    if (st != JLT_OK) return jlt_session_fail(st, jlt_plan_tier(plan));
+    r->course_count++;
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit open_courses(jlt_simulate_request *r)
+{
+    jlt_exit code = open_course(r, r->tier);
+
+    for (const char *at = r->compare; code == JLT_EXIT_DONE && at != NULL && *at != '\0';) {
+        const size_t length = strcspn(at, ",");
+        char name[64];
+        if (r->course_count == JLT_SIMULATE_COURSES_MAX)
+            return jlt_command_fail(JLT_EXIT_INPUT, "--compare: %d tiers at most", JLT_SIMULATE_COURSES_MAX - 1);
+        snprintf(name, sizeof name, "%.*s", (int)length, at);
+        code = open_course(r, name);
+        at += length + (at[length] == ',');
+    }
+    return code;
+}
+
+/* ---- rows ---- */
+
+static void write_header(FILE *file, const jlt_simulate_request *r)
+{
+    static const char *const axes[] = { "alpha", "beta", "gamma" };
+    const jlt_session *s = &r->session;
+    const jlt_plan *plan = &r->plans[0];
+    const jlt_instance *kernel = jlt_course_kernel(r->courses[0]);
+    const jlt_tier *tier = plan->candidates[plan->chosen].tier;
+
+    jlt_csv_header(file, s->command, kernel->descriptor, kernel->params);
+    fprintf(file, "# tier %s: %s; method %s, tolerance %.3g; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
+            tier != NULL ? tier->meaning : "the model's own field", s->method->name, s->tolerance);
+    fputs("t", file);
+    for (unsigned i = 0; i < s->descriptor->state_count; i++) fprintf(file, ",%s", s->descriptor->states[i].name);
+    for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++)
+        fprintf(file, ",drift_%s", jlt_course_integral(r->courses[0], i));
+    if (jlt_plan_has_tiers(s->descriptor)) fputs(",contact_force", file);
+    if (r->track) {
+        fputs(",x,y,x_contact,y_contact", file);
+        for (int i = 0; i < 3; i++) fprintf(file, ",%s1,%s2,%s3", axes[i], axes[i], axes[i]);
+        fputs(",orthonormality", file);
+    }
+    for (size_t k = 1; k < r->course_count; k++) fprintf(file, ",difference_%s", jlt_plan_tier(&r->plans[k]));
+    fputs(",fate\n", file);
+}
+
+/* The largest difference of states at time t; NaN when the other orbit has not got there. */
+static double difference(jlt_simulate_request *r, size_t k, const double *x, double t)
+{
+    jlt_course_row row;
+    double worst = 0;
+
+    if (r->broken[k] != JLT_OK) return NAN;
+    r->broken[k] = jlt_course_to(r->courses[k], t, &row);
+    if (r->broken[k] != JLT_OK) {
+        jlt_command_fail(JLT_EXIT_NUMERICAL, "the tier %s gave up before t = %.10g: %s", jlt_plan_tier(&r->plans[k]), t,
+                         jlt_status_text(r->broken[k]));
+        return NAN;
+    }
+    if (row.end != JLT_END_TIME) return NAN;
+    for (unsigned i = 0; i < r->session.descriptor->state_count; i++) worst = fmax(worst, fabs(row.x[i] - x[i]));
+    return worst;
+}
+
+static const char *fate_of(const jlt_course_row *row)
+{
+    if (row->end == JLT_END_POLE) return row->side > 0 ? "pole+" : "pole-";
+    return !isnan(row->lost_at) ? "lost_contact" : "alive";
+}
+
+static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row *row)
+{
+    double values[JLT_PLAN_STATES_MAX + 64];
+    size_t count = 0;
+
+    values[count++] = row->t;
+    for (unsigned i = 0; i < r->session.descriptor->state_count; i++) values[count++] = row->x[i];
+    for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++) values[count++] = row->drift[i];
+    if (jlt_plan_has_tiers(r->session.descriptor)) values[count++] = row->contact_force;
+    if (r->track) {
+        for (int i = 0; i < 2; i++) values[count++] = row->attitude.centre[i];
+        for (int i = 0; i < 2; i++) values[count++] = row->attitude.contact[i];
+        for (int i = 0; i < 9; i++) values[count++] = row->attitude.axes[i / 3][i % 3];
+        values[count++] = row->attitude.orthonormality;
+    }
+    for (size_t k = 1; k < r->course_count; k++)
+        values[count++] = row->end == JLT_END_TIME ? difference(r, k, row->x, row->t) : NAN;
+    jlt_csv_values(file, values, count);
+    fprintf(file, ",%s\n", fate_of(row));
+    if (r->points != NULL) jlt_simulate_point(r, row);
+}
+
+static jlt_exit follow(jlt_simulate_request *r, jlt_stream *stream)
+{
+    jlt_progress progress;
+    jlt_exit code = JLT_EXIT_DONE;
+    jlt_course_row *row = &r->last;
+
+    jlt_progress_start(&progress, "rows");
+    for (size_t i = 0; i < r->time_count; i++) {
+        const jlt_status st = jlt_course_to(r->courses[0], r->times[i], row);
+        if (st != JLT_OK) {
+            code = jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s",
+                                    i == 0 ? 0 : r->times[i - 1], jlt_status_text(st));
+            break;
+        }
+        if (row->end == JLT_END_INTERRUPT) break;
+        write_row(stream->file, r, row);
+        r->rows++;
+        if (ferror(stream->file) || row->end == JLT_END_POLE || jlt_session_interrupted(&r->session)) break;
+        jlt_progress_show(&progress, i + 1, r->time_count);
+    }
+    jlt_progress_end(&progress);
+    return code;
+}
+
+static void closing_words(const jlt_simulate_request *r, const jlt_stream *stream)
+{
+    const jlt_course_row *row = &r->last;
+
+    if (jlt_session_interrupted(&r->session))
+        fprintf(stderr, "jellett: interrupted; %zu whole rows of %zu are saved in %s\n", r->rows, r->time_count, stream->path);
+    else if (row->end == JLT_END_POLE) {
+        fprintf(stderr,
+                "jellett: the orbit reaches the pole gamma3 = %+d at t = %.17g and ends there, with the limits v_nu = %.10g, "
+                "omega_tau = %.10g, omega3 = %.10g; ",
+                row->side, row->t, row->x[JLT_TOP_V_NU], row->x[JLT_TOP_OMEGA_TAU], row->x[JLT_TOP_OMEGA3]);
+        fprintf(stderr, "of %zu times %zu lie before it\n", r->time_count, r->rows - 1);
+    }
+    if (!isnan(row->lost_at))
+        fprintf(stderr,
+                "jellett: the normal reaction is not positive at t = %.10g (least %.6g): from there on the plane would have "
+                "to pull, and the model does not hold\n",
+                row->lost_at, row->least_force);
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    jlt_simulate_request r = { .until = NAN, .every = NAN };
+    jlt_stream stream = { 0 };
+    jlt_exit code;
+    size_t size = 0;
+
+    jlt_session_begin(&r.session, argc, argv);
+    argp_parse(&parser, argc, argv, 0, NULL, &r);
+    code = jlt_session_open(&r.session);
+    if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
+    if (code == JLT_EXIT_DONE) code = r.times_text != NULL ? listed_times(&r) : regular_times(&r);
+    if (code == JLT_EXIT_DONE) code = open_courses(&r);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.output);
+    if (code != JLT_EXIT_DONE) goto done;
+    if (r.session.plot != NULL) r.points = open_memstream(&r.points_text, &size);
+    write_header(stream.file, &r);
+    code = follow(&r, &stream);
+    if (r.points != NULL) fclose(r.points);
+    {
+        /* rows that were computed before a failure are good: they are delivered all the same */
+        const jlt_exit closed = jlt_stream_close(&stream);
+        if (closed != JLT_EXIT_DONE) code = closed;
+        else closing_words(&r, &stream);
+    }
+    if (code == JLT_EXIT_DONE && r.points_text != NULL) code = jlt_simulate_draw(&r);
+done:
+    jlt_stream_discard(&stream);
+    for (size_t k = 0; k < JLT_SIMULATE_COURSES_MAX; k++) jlt_course_destroy(r.courses[k]);
+    free(r.points_text);
+    free(r.times);
+    jlt_session_end(&r.session);
+    return code;
+}
+
+const jlt_command jlt_command_simulate = {
+    "simulate", "[MODEL] --start ... --times ...|--until ... [OPTION...]",
+    "One orbit at given times: states, drift of integrals, contact force, attitude and track", run
+};

@@ -1,0 +1,49 @@
+/** What the commands that follow single orbits have in common: options, parameters and start, headers, pictures. */
+#ifndef JLT_CLI_SESSION_H
+#define JLT_CLI_SESSION_H
+
+#include <argp.h>
+
+#include "cli/assign.h"
+#include "cli/stream.h"
+#include "scene/course.h"
+
+typedef struct {
+    const char *model;   /* NULL: the spherical top */
+    jlt_assign_list set, start;
+    double tolerance;    /* default 1e-12 */
+    const jlt_method *method;
+    const char *output, *plot, *keep;
+    char *command;       /* as typed, owned */
+    const volatile sig_atomic_t *interrupt;
+
+    /* after jlt_session_open */
+    const jlt_descriptor *descriptor; /* the model's general field */
+    double *params, *x;               /* owned */
+} jlt_session;
+
+/* Child parser: --set, --start, --tol, --method, --output, --plot, --keep and the model; its input is a jlt_session. */
+extern const struct argp jlt_session_argp;
+
+/** To be called before argp_parse, with its argv. Installs the handler of Ctrl-C. */
+void jlt_session_begin(jlt_session *self, int argc, char **argv);
+void jlt_session_end(jlt_session *self);
+
+/** Parameters, checked against the table. Says what is wrong. */
+jlt_exit jlt_session_open(jlt_session *self);
+
+/** The start: every state named, in the model's domain. Says what is wrong. */
+jlt_exit jlt_session_start(jlt_session *self);
+
+bool jlt_session_interrupted(const jlt_session *self);
+
+/* One line for captions: the parameters as they were rounded, to six digits. */
+void jlt_session_caption(FILE *stream, const jlt_session *self);
+
+/** "what: reason", with the exit status that the library's status calls for. */
+jlt_exit jlt_session_fail(jlt_status status, const char *what);
+
+/** Draw a gnuplot script to --plot, keeping it where asked. Says what is wrong. */
+jlt_exit jlt_session_draw(const jlt_session *self, const char *script);
+
+#endif

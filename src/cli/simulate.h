@@ -1,0 +1,33 @@
+/** The command simulate: one orbit, its rows and its picture. */
+#ifndef JLT_CLI_SIMULATE_H
+#define JLT_CLI_SIMULATE_H
+
+#include "cli/session.h"
+
+enum { JLT_SIMULATE_COURSES_MAX = 9 };
+
+typedef struct {
+    jlt_session session;
+    const char *times_text, *tier, *compare;
+    double until, every; /* NaN: not given */
+    bool track;
+
+    double *times; /* shape (time_count,), owned */
+    size_t time_count, rows;
+    jlt_plan plans[JLT_SIMULATE_COURSES_MAX]; /* the orbit's own first, then those of --compare */
+    jlt_course *courses[JLT_SIMULATE_COURSES_MAX];
+    jlt_status broken[JLT_SIMULATE_COURSES_MAX]; /* why a tier compared gave up */
+    size_t course_count;
+    jlt_course_row last;
+
+    FILE *points; /* for the picture; NULL: none */
+    char *points_text;
+} jlt_simulate_request;
+
+/* One row for the picture. */
+void jlt_simulate_point(jlt_simulate_request *request, const jlt_course_row *row);
+
+/** Draw what was collected. Says what is wrong. */
+jlt_exit jlt_simulate_draw(const jlt_simulate_request *request);
+
+#endif
