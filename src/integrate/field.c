@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "kernel/batch_isa.h"
+
 jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p)
 {
     if (out == NULL || descriptor == NULL) return JLT_ERR_ARG;
@@ -17,6 +19,7 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const 
         .time_rate = descriptor->time_factor.call,
         .jacobian = descriptor->jacobian.call,
         .jet = descriptor->jet,
+        .batch = jlt_batch_isa_best(descriptor, 0),
         .root = has_root ? (int)last : -1,
     };
     return JLT_OK;

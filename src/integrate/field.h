@@ -17,6 +17,7 @@ typedef struct {
     jlt_kernel_function time_rate; /* x, p -> dt/dtau > 0 (1,); NULL: tau is t */
     jlt_kernel_function jacobian;  /* x, p -> df/dx (dim, dim); NULL where not known */
     jlt_kernel_jet jet;                 /* NULL where not known; the method taylor needs it */
+    const jlt_kernel_batch *batch; /* the same field on vectors, for the method gauss; NULL where not known */
     unsigned controlled;           /* leading states in the error norm; 0: all of them */
     int root;                      /* the lifted root whose zero is the pole, as an index into x; -1: none */
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured

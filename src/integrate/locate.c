@@ -156,7 +156,7 @@ static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *s
 
     for (unsigned j = 0; j <= degree; j++) size = fmax(size, fabs(b[j]));
     size += fabs(self->event.value == NULL ? self->event.level : 0);
-    const double doubt = 1e3 * stepper->tolerance * fmax(size, 1), noise = 16 * DBL_EPSILON * size;
+    const double doubt = stepper->dense_error * fmax(size, 1), noise = 16 * DBL_EPSILON * size;
     jlt_bernstein_derive(slope, b, degree);
     jlt_bernstein_derive(bend, slope, degree - 1);
     const unsigned count = jlt_bernstein_sign_changes(at, slope, degree - 1);

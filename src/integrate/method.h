@@ -37,6 +37,7 @@ typedef struct {
     double *x_start, *f_start;
     double *dense;        /* x(tau_start + theta*h)_i = sum_k dense[k*stride + i] theta^k, 0 <= theta <= 1 */
     unsigned dense_degree;
+    double dense_error;   /* of it inside the step, an estimate, relative to max(|x_i|, scale_i); filled with it */
     bool dense_ready;
 
     double *scale;        /* below it a column counts as small; INFINITY: not controlled */
@@ -65,7 +66,7 @@ struct jlt_method {
     double (*variation)(const jlt_stepper *self, unsigned column);
 };
 
-/** The table: dop853 (the default), taylor, rk8pd, rkf45, msadams. NULL past the end. */
+/** The table: dop853 (the default), gauss, taylor, rk8pd, rkf45, msadams. NULL past the end. */
 const jlt_method *jlt_method_at(size_t index);
 
 /** By name; NULL when there is none; the default for NULL. */

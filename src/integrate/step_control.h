@@ -22,6 +22,17 @@ static inline double jlt_inverse_root(double a, double r)
     return a;
 }
 
+/** Comparison alone, where fmax and fmin would be calls into the mathematical library. A NaN in a gives b. */
+static inline double jlt_larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static inline double jlt_smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
 /** Whether a step h from tau is too short to be told from none. */
 static inline int jlt_step_vanishes(double tau, double h)
 {

@@ -162,6 +162,7 @@ jlt_status jlt_stepper_dense(jlt_stepper *self)
     if (self->h == 0) {
         memcpy(self->dense, self->x, self->stride * sizeof *self->x);
         self->dense_degree = 0;
+        self->dense_error = 0;
     } else {
         const jlt_status st = self->method->dense(self);
         if (st != JLT_OK) return st;
