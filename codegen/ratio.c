@@ -318,6 +318,14 @@ bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable)
            || fmpz_mpoly_degree_si(a->denominator, variable, ring->context) > 0;
 }
 
+static bool is_positive(const ttc_ring *ring, slong variable)
+{
+    bool positive = ring->positive[variable];
+    for (size_t i = 0; i < ring->generator_count; i++)
+        if (ring->generators[i].variable == variable) positive = ring->generators[i].positive;
+    return positive;
+}
+
 /* The common sign of all terms: coefficients alike, and odd powers only of positive variables. */
 static int sign_of(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
 {
@@ -328,7 +336,7 @@ static int sign_of(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
         fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, i, ring->context);
         int term = fmpz_sgn(coefficient);
         for (size_t v = 0; v < ring->variable_count; v++)
-            if (!ring->positive[v] && fmpz_mpoly_get_term_var_exp_ui(polynomial, i, (slong)v, ring->context) % 2 == 1)
+            if (!is_positive(ring, (slong)v) && fmpz_mpoly_get_term_var_exp_ui(polynomial, i, (slong)v, ring->context) % 2 == 1)
                 term = 0;
         if (term == 0 || sign == -term) {
             sign = 0;

@@ -21,7 +21,6 @@ typedef enum {
     TTC_RING_DIVISION_BY_ZERO,
     TTC_RING_ROOT_OF_ZERO,     /* roots are positive by declaration */
     TTC_RING_ROOT_OF_NEGATIVE,
-    TTC_RING_ROOT_UNDECIDED,   /* independence of a nested root was not established */
     TTC_RING_CIRCULAR,
     TTC_RING_ANGLE,
     TTC_RING_TOO_LARGE,
@@ -51,6 +50,7 @@ typedef struct {
      * choice_count of `choices` decides, and the count goes up: whoever proves, proves every choice. */
     unsigned choices, choice_count;
     ttc_ring_status status;
+    fmpq_t minus_one;
 } ttc_ring;
 
 /* names and positive: shape (variable_count,), must outlive the ring; spares follow from first_spare on. */
@@ -85,8 +85,8 @@ char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a); /* for free(); N
 /** Numerator of the norm down to Q(variables): zero exactly where some conjugate of a is zero. */
 void ttc_ratio_norm(ttc_ring *ring, fmpz_mpoly_t norm, const ttc_ratio *a);
 
-/** A square root of `radicand`, positive or (positive = false) any. Expressed through what the ring has when the radicand
- *  times squares of generators is a square; otherwise `variable` (or a spare one when negative) becomes a generator. */
+/** A square root of `radicand`, positive or (positive = false) any. Expressed through what the ring has when the radicand is
+ *  a square in its field, which is decided exactly, nested roots included; otherwise `variable` (or a spare one when negative) becomes a generator. */
 void ttc_ring_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, slong variable, bool positive);
 
 #endif

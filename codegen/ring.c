@@ -12,6 +12,8 @@ ttc_ring *ttc_ring_create(size_t variable_count, size_t first_spare, const char 
     ring->next_spare = first_spare;
     ring->names = names;
     ring->positive = positive;
+    fmpq_init(ring->minus_one);
+    fmpq_set_si(ring->minus_one, -1, 1);
     return ring;
 }
 
@@ -19,6 +21,7 @@ void ttc_ring_destroy(ttc_ring *ring)
 {
     if (ring == NULL) return;
     for (size_t i = 0; i < ring->generator_count; i++) ttc_ratio_clear(ring, &ring->generators[i].square);
+    fmpq_clear(ring->minus_one);
     fmpz_mpoly_ctx_clear(ring->context);
     free(ring);
 }
@@ -35,7 +38,6 @@ const char *ttc_ring_status_text(ttc_ring_status status)
     case TTC_RING_DIVISION_BY_ZERO: return "a denominator vanishes identically under the conditions of this claim";
     case TTC_RING_ROOT_OF_ZERO: return "a root, positive by declaration, vanishes under the conditions of this claim";
     case TTC_RING_ROOT_OF_NEGATIVE: return "a radicand is negative under the conditions of this claim";
-    case TTC_RING_ROOT_UNDECIDED: return "a nested root may depend on the others; write it without nesting";
     case TTC_RING_CIRCULAR: return "the conditions of this claim define a name by itself";
     case TTC_RING_ANGLE: return "an angle is mapped to one that the model does not name";
     case TTC_RING_TOO_LARGE: return "an expression grows beyond what is allowed";
@@ -64,123 +66,137 @@ static bool rational_root(ttc_ring *ring, ttc_ratio *root, const ttc_ratio *a)
     return square;
 }
 
-static bool uses_generators(const ttc_ring *ring, const ttc_ratio *a)
+/* a = p + q r for generator number index, p and q free of it. */
+static void split(ttc_ring *ring, ttc_ratio *p, ttc_ratio *q, const ttc_ratio *a, size_t index)
 {
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (ttc_ratio_uses(ring, a, ring->generators[i].variable)) return true;
-    return false;
+    ulong exponent = 1;
+    slong variable = ring->generators[index].variable;
+    ttc_ratio part;
+    ttc_ratio_init(ring, &part);
+    ttc_ratio_set_polynomial(ring, q, a->denominator);
+    fmpz_mpoly_get_coeff_vars_ui(part.numerator, a->numerator, &variable, &exponent, 1, ring->context);
+    ttc_ratio_divide(ring, q, &part, q);
+    ttc_ratio_set_variable(ring, &part, variable);
+    ttc_ratio_multiply(ring, &part, &part, q);
+    ttc_ratio_subtract(ring, p, a, &part);
+    ttc_ratio_clear(ring, &part);
 }
 
-/* Whether a contains generator i, or one whose radicand does. */
-static bool depends(const ttc_ring *ring, const ttc_ratio *a, size_t i)
-{
-    if (ttc_ratio_uses(ring, a, ring->generators[i].variable)) return true;
-    for (size_t k = i + 1; k < ring->generator_count; k++)
-        if (ttc_ratio_uses(ring, &ring->generators[k].square, ring->generators[i].variable) && depends(ring, a, k)) return true;
-    return false;
-}
+static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_ratio *a);
 
-/* A square in the whole field has a norm that is a square in Q(variables). */
-static bool norm_is_square(ttc_ring *ring, const ttc_ratio *a)
+/* root = x + q/(2x) r where x^2 = (p + sign n)/2 is a square below. */
+static bool mixed_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_ratio *p, const ttc_ratio *q,
+                       const ttc_ratio *n, int sign)
 {
-    ttc_ratio norm;
-    fmpz_mpoly_t product, polynomial;
-    ttc_ratio_init(ring, &norm);
-    fmpz_mpoly_init(product, ring->context);
-    fmpz_mpoly_init(polynomial, ring->context);
-    fmpz_mpoly_mul(product, a->numerator, a->denominator, ring->context);
-    ttc_ratio_set_polynomial(ring, &norm, product);
-    /* numerator of the norm of a * (denominator squared times squares of denominators of radicands) */
-    ttc_ratio_norm(ring, polynomial, &norm);
-    bool square = fmpz_mpoly_is_square(polynomial, ring->context) != 0;
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (depends(ring, a, i) && !fmpz_mpoly_is_fmpz(ring->generators[i].square.denominator, ring->context)) square = true;
-    fmpz_mpoly_clear(polynomial, ring->context);
-    fmpz_mpoly_clear(product, ring->context);
-    ttc_ratio_clear(ring, &norm);
-    return square;
-}
-
-/* root = root / (product of the generators in `subset`); tells whether all of them are positive. */
-static bool divide_out(ttc_ring *ring, ttc_ratio *root, unsigned subset)
-{
-    bool positive = true;
-    ttc_ratio generator;
-    ttc_ratio_init(ring, &generator);
-    for (size_t i = 0; i < ring->generator_count; i++)
-        if (subset >> i & 1) {
-            ttc_ratio_set_variable(ring, &generator, ring->generators[i].variable);
-            ttc_ratio_divide(ring, root, root, &generator);
-            positive = positive && ring->generators[i].positive;
-        }
-    ttc_ratio_clear(ring, &generator);
-    return positive;
-}
-
-/* root holds q with q^2 = radicand * (product of the generators in `subset`)^2: divide, and settle the sign, which is
- * that of q, and that of q over the product of the radicands. */
-static void finish_root(ttc_ring *ring, ttc_ratio *root, unsigned subset, bool positive)
-{
-    int sign = ttc_ratio_sign(ring, root);
-    ttc_ratio relative;
-    ttc_ratio_init(ring, &relative);
-    bool evident = divide_out(ring, root, subset) && positive;
-    ttc_ratio_set(ring, &relative, root);
-    divide_out(ring, &relative, subset);
-    if (sign == 0) sign = ttc_ratio_sign(ring, &relative);
-    if (!evident) sign = 0;
-    if (sign == 0 && ring->choice_count < 16) sign = ring->choices >> ring->choice_count++ & 1 ? -1 : 1;
-    if (sign == 0) ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
-    ttc_ratio_set_integer(ring, &relative, sign);
-    ttc_ratio_multiply(ring, root, root, &relative);
-    ttc_ratio_clear(ring, &relative);
-}
-
-static bool known_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, bool positive)
-{
-    bool found = false;
-    ttc_ratio product, root;
-    ttc_ratio_init(ring, &product);
-    ttc_ratio_init(ring, &root);
-    for (unsigned subset = 0; !found && subset < 1u << ring->generator_count && ring->status == TTC_RING_OK; subset++) {
-        ttc_ratio_set(ring, &product, radicand);
-        for (size_t i = 0; i < ring->generator_count; i++)
-            if (subset >> i & 1) ttc_ratio_multiply(ring, &product, &product, &ring->generators[i].square);
-        if (uses_generators(ring, &product)) {
-            /* nested: the same radicand twice is one root; beyond that only independence can be established */
-            if (subset != 0 && (subset & (subset - 1)) == 0) {
-                size_t i = 0;
-                while (subset >> i != 1) i++;
-                ttc_ratio_divide(ring, &root, radicand, &ring->generators[i].square);
-                if (!uses_generators(ring, &root) && rational_root(ring, &root, &root)) {
-                    ttc_ratio_multiply(ring, &root, &root, &ring->generators[i].square);
-                    finish_root(ring, &root, subset, positive);
-                    found = true;
-                    break;
-                }
-            }
-            if (norm_is_square(ring, &product)) ttc_ring_fail(ring, TTC_RING_ROOT_UNDECIDED);
-        } else if (rational_root(ring, &root, &product)) {
-            finish_root(ring, &root, subset, positive);
-            found = true;
-        }
+    fmpq_t factor;
+    ttc_ratio x, y;
+    ttc_ratio_init(ring, &x);
+    ttc_ratio_init(ring, &y);
+    fmpq_init(factor);
+    fmpq_set_si(factor, sign, 1);
+    ttc_ratio_scale(ring, &x, n, factor);
+    ttc_ratio_add(ring, &x, &x, p);
+    fmpq_set_si(factor, 1, 2);
+    ttc_ratio_scale(ring, &x, &x, factor);
+    bool found = !ttc_ratio_is_zero(ring, &x) && field_root(ring, level - 1, &x, &x);
+    if (found) {
+        ttc_ratio_divide(ring, &y, q, &x);
+        ttc_ratio_scale(ring, &y, &y, factor);
+        ttc_ratio_set_variable(ring, root, ring->generators[level - 1].variable);
+        ttc_ratio_multiply(ring, root, root, &y);
+        ttc_ratio_add(ring, root, root, &x);
     }
-    if (found) ttc_ratio_set(ring, out, &root);
-    ttc_ratio_clear(ring, &root);
-    ttc_ratio_clear(ring, &product);
+    fmpq_clear(factor);
+    ttc_ratio_clear(ring, &y);
+    ttc_ratio_clear(ring, &x);
     return found;
 }
 
+/** A square root of a in the field of the first `level` generators, of either sign; false when a is no square there.
+ *  With r^2 = d the last generator, p + q r = (x + y r)^2 means p^2 - q^2 d = n^2 and x^2 = (p + n)/2 or (p - n)/2; for
+ *  q = 0, p or p/d is a square below. root may be a. */
+static bool field_root(ttc_ring *ring, size_t level, ttc_ratio *root, const ttc_ratio *a)
+{
+    if (ring->status != TTC_RING_OK) return false;
+    if (level == 0) return rational_root(ring, root, a);
+    const ttc_ratio *square = &ring->generators[level - 1].square;
+    bool found = false;
+    ttc_ratio p, q, n;
+    ttc_ratio_init(ring, &p);
+    ttc_ratio_init(ring, &q);
+    ttc_ratio_init(ring, &n);
+    split(ring, &p, &q, a, level - 1);
+    if (ttc_ratio_is_zero(ring, &q)) {
+        found = field_root(ring, level - 1, root, &p);
+        if (!found) {
+            ttc_ratio_divide(ring, &n, &p, square);
+            found = field_root(ring, level - 1, &n, &n);
+            ttc_ratio_set_variable(ring, &p, ring->generators[level - 1].variable);
+            if (found) ttc_ratio_multiply(ring, root, &n, &p);
+        }
+    } else {
+        ttc_ratio_multiply(ring, &n, &q, &q);
+        ttc_ratio_multiply(ring, &n, &n, square);
+        ttc_ratio_scale(ring, &n, &n, ring->minus_one);
+        ttc_ratio_add_product(ring, &n, &p, &p);
+        found = field_root(ring, level - 1, &n, &n)
+                && (mixed_root(ring, level, root, &p, &q, &n, 1) || mixed_root(ring, level, root, &p, &q, &n, -1));
+    }
+    ttc_ratio_clear(ring, &n);
+    ttc_ratio_clear(ring, &q);
+    ttc_ratio_clear(ring, &p);
+    return found;
+}
+
+/* The sign of a, where it or its product with some of the positive generators is evident; else 0. */
+static int evident_sign(ttc_ring *ring, const ttc_ratio *a)
+{
+    int sign = 0;
+    ttc_ratio product, generator;
+    ttc_ratio_init(ring, &product);
+    ttc_ratio_init(ring, &generator);
+    for (unsigned subset = 0; sign == 0 && subset < 1u << ring->generator_count; subset++) {
+        bool positive = true;
+        ttc_ratio_set(ring, &product, a);
+        for (size_t i = 0; i < ring->generator_count && positive; i++)
+            if (subset >> i & 1) {
+                positive = ring->generators[i].positive;
+                ttc_ratio_set_variable(ring, &generator, ring->generators[i].variable);
+                ttc_ratio_multiply(ring, &product, &product, &generator);
+            }
+        if (positive) sign = ttc_ratio_sign(ring, &product);
+    }
+    ttc_ratio_clear(ring, &generator);
+    ttc_ratio_clear(ring, &product);
+    return sign;
+}
+
+/* A root that the field has already: the positive one, or the one that the choices say. */
+static bool known_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, bool positive)
+{
+    ttc_ratio root;
+    ttc_ratio_init(ring, &root);
+    bool found = field_root(ring, ring->generator_count, &root, radicand);
+    if (found) {
+        int sign = positive ? evident_sign(ring, &root) : 0;
+        if (sign == 0 && ring->choice_count < 16) sign = ring->choices >> ring->choice_count++ & 1 ? -1 : 1;
+        if (sign == 0) ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+        if (sign < 0) ttc_ratio_scale(ring, &root, &root, ring->minus_one);
+        ttc_ratio_set(ring, out, &root);
+    }
+    ttc_ratio_clear(ring, &root);
+    return found;
+}
+
+/* What is evidently negative, or the opposite of a square, has no real root. */
 static void check_radicand(ttc_ring *ring, const ttc_ratio *radicand)
 {
     ttc_ratio negative, root;
     ttc_ratio_init(ring, &negative);
     ttc_ratio_init(ring, &root);
-    ttc_ratio_set_integer(ring, &negative, -1);
-    ttc_ratio_multiply(ring, &negative, &negative, radicand);
+    ttc_ratio_scale(ring, &negative, radicand, ring->minus_one);
     if (ttc_ratio_is_zero(ring, radicand)) ttc_ring_fail(ring, TTC_RING_ROOT_OF_ZERO);
-    else if (ttc_ratio_sign(ring, radicand) < 0) ttc_ring_fail(ring, TTC_RING_ROOT_OF_NEGATIVE);
-    else if (!uses_generators(ring, radicand) && rational_root(ring, &root, &negative))
+    else if (ttc_ratio_sign(ring, radicand) < 0 || field_root(ring, ring->generator_count, &root, &negative))
         ttc_ring_fail(ring, TTC_RING_ROOT_OF_NEGATIVE);
     ttc_ratio_clear(ring, &root);
     ttc_ratio_clear(ring, &negative);

@@ -93,6 +93,22 @@ static void dependent_roots_are_not_taken_for_independent(void **state)
     expect(table, "equal", "not_rational", TTC_REFUTED, NULL);
 }
 
+/* (p + r)^2 under a root of its own is p + r; the root of r, or of 1 + r, is new. */
+static void nested_roots_are_recognized_exactly(void **state)
+{
+    (void)state;
+    const char *table = "model nested\nparam p > 0\nstate x\nroot r = sqrt(1 + x^2)\nroot t = sqrt(p^2 + 1 + x^2 + 2*p*r)\n"
+                        "root u = sqrt(r)\nroot w = sqrt(1 + r)\neq x = r\nequal known : t = p + r\nequal wrong : t = r - p\n"
+                        "equal fourth : u^4 = 1 + x^2\nequal fresh : w = 1 + u\nequal inverse : 1/(w - u) = w + u\n"
+                        "rate slope : u = x/(2*u)\n";
+    expect(table, "equal", "known", TTC_PROVED, NULL);
+    expect(table, "equal", "wrong", TTC_REFUTED, "2*p");
+    expect(table, "equal", "fourth", TTC_PROVED, NULL);
+    expect(table, "equal", "fresh", TTC_REFUTED, NULL);
+    expect(table, "equal", "inverse", TTC_PROVED, NULL);
+    expect(table, "rate", "slope", TTC_PROVED, NULL);
+}
+
 static void a_root_that_vanishes_or_is_imaginary_is_an_error(void **state)
 {
     (void)state;
@@ -280,6 +296,7 @@ int main(void)
         cmocka_unit_test(a_zero_level_that_is_empty_proves_nothing),
         cmocka_unit_test(a_root_whose_radicand_becomes_a_square_has_the_positive_sign),
         cmocka_unit_test(dependent_roots_are_not_taken_for_independent),
+        cmocka_unit_test(nested_roots_are_recognized_exactly),
         cmocka_unit_test(a_root_that_vanishes_or_is_imaginary_is_an_error),
         cmocka_unit_test(conditions_outside_the_domain_are_errors),
         cmocka_unit_test(an_obstruction_needs_equilibria_in_the_domain_and_a_trace_that_is_not_zero),
