@@ -3,12 +3,12 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Variant:    equal_moments: I1 = I3
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_balanced, SHA-256 0ddd7fb625ad215ee6ba7dd03cd46bb3f8988e6221e25d76ceb82075cfb44a88
+ *  Table:      spherical_top_balanced, SHA-256 70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10
  *  Command:    ttc generate --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1    9    4    1    0    2      5    6   (41)
- *  jacobian            1   22    6    1    0    2      7    9   (100)
+ *  jacobian            1   22    6    1    0    2      8   10   (100)
  *  rhs_jacobian        3   24    6    1    0    2      8   11   (123)
  *  divergence          1    5    4    1    0    1      9    4   (26)
  *  integral_values     0    2    0    0    0    0      2    2   (4)
@@ -128,17 +128,17 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t12 = JLT_FMA(p[9], t11, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
     const double t13 = 1.0/t12; /* 1/Theta */
     const double t14 = t2*p[11]; /* C*I3*M */
-    const double t15 = x[3]*p[10]; /* s*G*J3/R */
-    const double t16 = JLT_FMA(x[0], t14, t15); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t17 = p[15]*t16; /* 2*m*R^2*I3*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t18 = x[0]*t13; /* gamma3*1/Theta */
-    const double t19 = JLT_FNMA(t17, t18, t14); /* C*I3*M - 2*m*R^2*I3*(gamma3*C*I3*M + s*G*J3/R)*gamma3*1/Theta */
-    const double t20 = t13*t19; /* 1/Theta*t19 */
-    const double t21 = t18*p[16]; /* gamma3*1/Theta*(-I3*M) */
-    const double t22 = t7*t21; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t23 = x[3]*t13; /* s*1/Theta */
-    const double t24 = JLT_FNMA(t17, t23, p[10]); /* G*J3/R - 2*m*R^2*I3*(gamma3*C*I3*M + s*G*J3/R)*s*1/Theta */
-    const double t25 = t13*t24; /* 1/Theta*(G*J3/R - 2*m*R^2*I3*(gamma3*C*I3*M + s*G*J3/R)*s*1/Theta) */
+    const double t15 = t13*t14; /* 1/Theta*C*I3*M */
+    const double t16 = x[0]*t13; /* gamma3*1/Theta */
+    const double t17 = x[3]*p[10]; /* s*G*J3/R */
+    const double t18 = JLT_FMA(x[0], t14, t17); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t19 = t13*p[15]; /* 1/Theta*2*m*R^2*I3 */
+    const double t20 = t18*t19; /* (gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
+    const double t21 = JLT_FNMA(t16, t20, t15); /* 1/Theta*C*I3*M - gamma3*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
+    const double t22 = t16*p[16]; /* gamma3*1/Theta*(-I3*M) */
+    const double t23 = t7*t22; /* S*gamma3*1/Theta*(-I3*M) */
+    const double t24 = JLT_FNMA(x[3], t20, p[10]); /* G*J3/R - s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
+    const double t25 = t13*t24; /* 1/Theta*(G*J3/R - s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3) */
     const double t26 = t9*p[17]; /* s*(m*R*v_slip - M*S)*(-1/J1) */
     const double t27 = x[3]*x[0]; /* s*gamma3 */
     const double t28 = p[18]*t27; /* (-m*R/J1)*s*gamma3 */
@@ -153,9 +153,9 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[5] = 0.0;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t20;
+    out[8] = t21;
     out[9] = 0.0;
-    out[10] = t22;
+    out[10] = t23;
     out[11] = t25;
     out[12] = t26;
     out[13] = t28;
@@ -375,7 +375,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "0ddd7fb625ad215ee6ba7dd03cd46bb3f8988e6221e25d76ceb82075cfb44a88",
+    .sha256 = "70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_balanced,
     .state_count = 4, .param_count = 6, .block_count = 21,
@@ -385,7 +385,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular
     .prepare = prepare,
     .rhs = { rhs, 4, { 1, 9, 4, 1, 0, 2, 5, 6 }, { 8, 27, 0, 4, 0, 2, 7, 7 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .jacobian = { jacobian, 16, { 1, 22, 6, 1, 0, 2, 7, 9 }, { 16, 68, 0, 14, 0, 2, 10, 11 },
+    .jacobian = { jacobian, 16, { 1, 22, 6, 1, 0, 2, 8, 10 }, { 16, 68, 0, 14, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
     .rhs_jacobian = { rhs_jacobian, 20, { 3, 24, 6, 1, 0, 2, 8, 11 }, { 20, 83, 0, 18, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },

@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_balanced, SHA-256 0ddd7fb625ad215ee6ba7dd03cd46bb3f8988e6221e25d76ceb82075cfb44a88
+ *  Table:      spherical_top_balanced, SHA-256 70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10
  *  Command:    ttc generate --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   17    5    1    0    2      8    7   (82)
- *  jacobian            4   40   13    1    0    2     13   16   (432)
- *  rhs_jacobian        4   44   13    1    0    2     12   17   (496)
+ *  jacobian            2   40   13    1    0    2     12   18   (432)
+ *  rhs_jacobian        4   44   13    1    0    2     11   17   (496)
  *  divergence          1    7    4    1    0    1     10    4   (26)
  *  integral_values     0    9    4    1    0    1      8    5   (30)
  *  integral_gradients  0   16    5    1    0    2      9    5   (101)
@@ -87,26 +87,27 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t48 = params[3]*t47; /* I3*R*R*m*2 */
     const double t49 = -t15; /* -I3*M */
     const double t50 = params[2]*t47; /* I1*R*R*m*2 */
-    const double t51 = -t16; /* -m*R/J1 */
-    const double t52 = params[2]*params[2]; /* I1*I1 */
-    const double t53 = params[0]*t52; /* m*I1*I1 */
-    const double t54 = params[2] - params[3]; /* I1 - I3 */
-    const double t55 = params[0]*(-2.0); /* m*(-2) */
-    const double t56 = t0*t55; /* R*R*m*(-2) */
-    const double t57 = params[3]*t56; /* I3*R*R*m*(-2) */
-    const double t58 = t54*t57; /* (I1 - I3)*I3*R*R*m*(-2) */
-    const double t59 = params[4]*(-2.0); /* G*(-2) */
-    const double t60 = t2*t59; /* J1*G*(-2) */
-    const double t61 = t54*t60; /* (I1 - I3)*J1*G*(-2) */
-    const double t62 = t61/params[1]; /* (I1 - I3)*J1*G*(-2)/R */
-    const double t63 = t46*t52; /* m*2*I1*I1 */
-    const double t64 = params[2]*(-2.0); /* I1*(-2) */
-    const double t65 = params[5]*t64; /* M*I1*(-2) */
-    const double t66 = t54*t65; /* (I1 - I3)*M*I1*(-2) */
-    const double t67 = params[2]*2.0; /* I1*2 */
-    const double t68 = params[5]*t67; /* M*I1*2 */
-    const double t69 = t54*t68; /* (I1 - I3)*M*I1*2 */
-    const double t70 = t50*t54; /* I1*R*R*m*2*(I1 - I3) */
+    const double t51 = (-1.0)/t2; /* (-1)/J1 */
+    const double t52 = -t16; /* -m*R/J1 */
+    const double t53 = params[2]*params[2]; /* I1*I1 */
+    const double t54 = params[0]*t53; /* m*I1*I1 */
+    const double t55 = params[2] - params[3]; /* I1 - I3 */
+    const double t56 = params[0]*(-2.0); /* m*(-2) */
+    const double t57 = t0*t56; /* R*R*m*(-2) */
+    const double t58 = params[3]*t57; /* I3*R*R*m*(-2) */
+    const double t59 = t55*t58; /* (I1 - I3)*I3*R*R*m*(-2) */
+    const double t60 = params[4]*(-2.0); /* G*(-2) */
+    const double t61 = t2*t60; /* J1*G*(-2) */
+    const double t62 = t55*t61; /* (I1 - I3)*J1*G*(-2) */
+    const double t63 = t62/params[1]; /* (I1 - I3)*J1*G*(-2)/R */
+    const double t64 = t46*t53; /* m*2*I1*I1 */
+    const double t65 = params[2]*(-2.0); /* I1*(-2) */
+    const double t66 = params[5]*t65; /* M*I1*(-2) */
+    const double t67 = t55*t66; /* (I1 - I3)*M*I1*(-2) */
+    const double t68 = params[2]*2.0; /* I1*2 */
+    const double t69 = params[5]*t68; /* M*I1*2 */
+    const double t70 = t55*t69; /* (I1 - I3)*M*I1*2 */
+    const double t71 = t50*t55; /* I1*R*R*m*2*(I1 - I3) */
     out[6] = t3;
     out[7] = t4;
     out[8] = t7;
@@ -129,14 +130,15 @@ static void prepare(const double *restrict params, double *restrict out)
     out[25] = t49;
     out[26] = t50;
     out[27] = t51;
-    out[28] = t53;
+    out[28] = t52;
     out[29] = t54;
-    out[30] = t58;
-    out[31] = t62;
+    out[30] = t55;
+    out[31] = t59;
     out[32] = t63;
-    out[33] = t66;
-    out[34] = t69;
+    out[33] = t64;
+    out[34] = t67;
     out[35] = t70;
+    out[36] = t71;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -175,71 +177,69 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[3]*x[3]; /* s*s */
-    const double t1 = p[15]*t0; /* m*R/J1*s*s */
+    const double t0 = x[3]*p[15]; /* s*m*R/J1 */
+    const double t1 = x[3]*t0; /* s*s*m*R/J1 */
     const double t2 = cos(x[2]); /* C = cos(psi) */
-    const double t3 = p[16]*t2; /* M/J1*C */
-    const double t4 = t0*t3; /* s*s*M/J1*C */
-    const double t5 = -t4; /* -s*s*M/J1*C */
-    const double t6 = p[7]*x[1]; /* m*R*v_slip */
-    const double t7 = sin(x[2]); /* S = sin(psi) */
-    const double t8 = JLT_FNMA(p[5], t7, t6); /* m*R*v_slip - M*S */
-    const double t9 = x[3]*p[17]; /* s*2/J1 */
-    const double t10 = t8*t9; /* (m*R*v_slip - M*S)*s*2/J1 */
-    const double t11 = x[3]*p[11]; /* s*I1*M */
-    const double t12 = t2*t11; /* C*s*I1*M */
-    const double t13 = JLT_FNMA(p[12], x[0], t12); /* C*s*I1*M - G*J1/R*gamma3 */
-    const double t14 = t0*p[2]; /* s*s*I1 */
-    const double t15 = x[0]*p[3]; /* gamma3*I3 */
-    const double t16 = JLT_FMA(x[0], t15, t14); /* gamma3*gamma3*I3 + s*s*I1 */
-    const double t17 = JLT_FMA(p[10], t16, p[9]); /* Theta = m*R^2*(gamma3*gamma3*I3 + s*s*I1) + I1*I3 */
-    const double t18 = 1.0/t17; /* 1/Theta */
-    const double t19 = t18*t18; /* 1/Theta*1/Theta */
-    const double t20 = x[3]*t19; /* s*1/Theta*1/Theta */
-    const double t21 = t13*t20; /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*1/Theta */
-    const double t22 = p[18]*t21; /* (R*I3*M - R*I3^2*M/I1)*(C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*1/Theta */
-    const double t23 = t2*t22; /* C*t22 */
-    const double t24 = x[3]*p[13]; /* s*G*J3/R */
-    const double t25 = t2*p[14]; /* C*I3*M */
-    const double t26 = JLT_FMA(x[0], t25, t24); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t27 = t20*t26; /* s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t28 = x[0]*t18; /* gamma3*1/Theta */
-    const double t29 = p[20]*t28; /* (4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*gamma3*1/Theta */
-    const double t30 = JLT_FMA(t13, t29, p[19]); /* (C*s*I1*M - G*J1/R*gamma3)*(4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*gamma3*1/Theta + G*J1 - I3*G*J1/I1 */
-    const double t31 = JLT_FNMA(t27, t30, t23); /* C*t22 - s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*t30 */
-    const double t32 = x[0]*t22; /* gamma3*t22 */
-    const double t33 = x[3]*t27; /* s*s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t34 = JLT_FNMA(p[21], t33, t32); /* gamma3*t22 - (R*I3*M - R*I1*M)*s*s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t35 = t7*t34; /* S*t34 */
-    const double t36 = -t35; /* -S*t34 */
-    const double t37 = t18*p[22]; /* 1/Theta*(4*m*R^3*I3 - 4*m*R^3*I1) */
-    const double t38 = t33*t37; /* s*s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*(4*m*R^3*I3 - 4*m*R^3*I1) */
-    const double t39 = t19*t26; /* 1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t40 = JLT_FMA(p[8], t39, t38); /* (R - R*I3/I1)*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R) + t38 */
-    const double t41 = t21*p[23]; /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*1/Theta*(G*J3 - I3*G*J3/I1) */
-    const double t42 = t2*p[21]; /* C*(R*I3*M - R*I1*M) */
-    const double t43 = JLT_FNMA(t27, t42, t41); /* t41 - s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*C*(R*I3*M - R*I1*M) */
-    const double t44 = JLT_FMA(t13, t40, t43); /* (C*s*I1*M - G*J1/R*gamma3)*t40 + t43 */
-    const double t45 = t18*t25; /* 1/Theta*C*I3*M */
+    const double t3 = x[3]*t2; /* s*C */
+    const double t4 = p[16]*t3; /* M/J1*s*C */
+    const double t5 = x[3]*t4; /* s*M/J1*s*C */
+    const double t6 = -t5; /* -s*M/J1*s*C */
+    const double t7 = p[7]*x[1]; /* m*R*v_slip */
+    const double t8 = sin(x[2]); /* S = sin(psi) */
+    const double t9 = JLT_FNMA(p[5], t8, t7); /* m*R*v_slip - M*S */
+    const double t10 = x[3]*t9; /* s*(m*R*v_slip - M*S) */
+    const double t11 = p[17]*t10; /* 2/J1*s*(m*R*v_slip - M*S) */
+    const double t12 = t3*p[11]; /* s*C*I1*M */
+    const double t13 = JLT_FNMA(p[12], x[0], t12); /* s*C*I1*M - G*J1/R*gamma3 */
+    const double t14 = x[3]*p[2]; /* s*I1 */
+    const double t15 = x[3]*t14; /* s*s*I1 */
+    const double t16 = x[0]*p[3]; /* gamma3*I3 */
+    const double t17 = JLT_FMA(x[0], t16, t15); /* gamma3*gamma3*I3 + s*s*I1 */
+    const double t18 = JLT_FMA(p[10], t17, p[9]); /* Theta = m*R^2*(gamma3*gamma3*I3 + s*s*I1) + I1*I3 */
+    const double t19 = 1.0/t18; /* 1/Theta */
+    const double t20 = t19*t19; /* 1/Theta*1/Theta */
+    const double t21 = x[3]*t20; /* s*1/Theta*1/Theta */
+    const double t22 = t13*t21; /* (s*C*I1*M - G*J1/R*gamma3)*s*1/Theta*1/Theta */
+    const double t23 = p[18]*t22; /* (R*I3*M - R*I3^2*M/I1)*(s*C*I1*M - G*J1/R*gamma3)*s*1/Theta*1/Theta */
+    const double t24 = t2*t23; /* C*t23 */
+    const double t25 = x[3]*p[13]; /* s*G*J3/R */
+    const double t26 = t2*p[14]; /* C*I3*M */
+    const double t27 = JLT_FMA(x[0], t26, t25); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t28 = t21*t27; /* s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
+    const double t29 = x[0]*t19; /* gamma3*1/Theta */
+    const double t30 = p[20]*t29; /* (4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*gamma3*1/Theta */
+    const double t31 = JLT_FMA(t13, t30, p[19]); /* (s*C*I1*M - G*J1/R*gamma3)*(4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*gamma3*1/Theta + G*J1 - I3*G*J1/I1 */
+    const double t32 = JLT_FNMA(t28, t31, t24); /* C*t23 - s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*t31 */
+    const double t33 = t28*p[21]; /* s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*(R*I3*M - R*I1*M) */
+    const double t34 = x[3]*t33; /* s*t33 */
+    const double t35 = JLT_FNMA(x[0], t23, t34); /* s*t33 - gamma3*t23 */
+    const double t36 = t8*t35; /* S*(s*t33 - gamma3*t23) */
+    const double t37 = x[3]*p[22]; /* s*(4*m*R^3*I3 - 4*m*R^3*I1) */
+    const double t38 = t19*t37; /* 1/Theta*s*(4*m*R^3*I3 - 4*m*R^3*I1) */
+    const double t39 = t28*t38; /* s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*s*(4*m*R^3*I3 - 4*m*R^3*I1) */
+    const double t40 = t20*t27; /* 1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
+    const double t41 = JLT_FMA(p[8], t40, t39); /* (R - R*I3/I1)*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R) + t39 */
+    const double t42 = t22*p[23]; /* (s*C*I1*M - G*J1/R*gamma3)*s*1/Theta*1/Theta*(G*J3 - I3*G*J3/I1) */
+    const double t43 = JLT_FNMA(t2, t33, t42); /* t42 - C*t33 */
+    const double t44 = JLT_FMA(t13, t41, t43); /* (s*C*I1*M - G*J1/R*gamma3)*t41 + t42 - C*t33 */
+    const double t45 = t19*t26; /* 1/Theta*C*I3*M */
     const double t46 = x[0]*p[24]; /* gamma3*2*m*R^2*I3 */
-    const double t47 = JLT_FNMA(t39, t46, t45); /* 1/Theta*C*I3*M - 1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*gamma3*2*m*R^2*I3 */
-    const double t48 = t28*p[25]; /* gamma3*1/Theta*(-I3*M) */
-    const double t49 = t7*t48; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t50 = t18*p[13]; /* 1/Theta*G*J3/R */
-    const double t51 = JLT_FNMA(t27, p[26], t50); /* 1/Theta*G*J3/R - s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*2*m*R^2*I1 */
-    const double t52 = t8*p[6]; /* (m*R*v_slip - M*S)*1/J1 */
-    const double t53 = x[3]*t52; /* s*(m*R*v_slip - M*S)*1/J1 */
-    const double t54 = -t53; /* -s*(m*R*v_slip - M*S)*1/J1 */
-    const double t55 = x[3]*x[0]; /* s*gamma3 */
-    const double t56 = p[27]*t55; /* (-m*R/J1)*s*gamma3 */
-    const double t57 = t3*t55; /* M/J1*C*s*gamma3 */
-    const double t58 = x[0]*t52; /* gamma3*(m*R*v_slip - M*S)*1/J1 */
-    const double t59 = -t58; /* -gamma3*(m*R*v_slip - M*S)*1/J1 */
+    const double t47 = JLT_FNMA(t40, t46, t45); /* 1/Theta*C*I3*M - 1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*gamma3*2*m*R^2*I3 */
+    const double t48 = t29*p[25]; /* gamma3*1/Theta*(-I3*M) */
+    const double t49 = t8*t48; /* S*gamma3*1/Theta*(-I3*M) */
+    const double t50 = t19*p[13]; /* 1/Theta*G*J3/R */
+    const double t51 = JLT_FNMA(t28, p[26], t50); /* 1/Theta*G*J3/R - s*1/Theta*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*2*m*R^2*I1 */
+    const double t52 = t10*p[27]; /* s*(m*R*v_slip - M*S)*(-1/J1) */
+    const double t53 = t0*x[0]; /* s*m*R/J1*gamma3 */
+    const double t54 = -t53; /* -s*m*R/J1*gamma3 */
+    const double t55 = t4*x[0]; /* M/J1*s*C*gamma3 */
+    const double t56 = x[0]*p[27]; /* gamma3*(-1/J1) */
+    const double t57 = t9*t56; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[0] = 0.0;
     out[1] = t1;
-    out[2] = t5;
-    out[3] = t10;
-    out[4] = t31;
+    out[2] = t6;
+    out[3] = t11;
+    out[4] = t32;
     out[5] = 0.0;
     out[6] = t36;
     out[7] = t44;
@@ -247,90 +247,90 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[9] = 0.0;
     out[10] = t49;
     out[11] = t51;
-    out[12] = t54;
-    out[13] = t56;
-    out[14] = t57;
-    out[15] = t59;
+    out[12] = t52;
+    out[13] = t54;
+    out[14] = t55;
+    out[15] = t57;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[7]*x[1]; /* m*R*v_slip */
-    const double t1 = sin(x[2]); /* S = sin(psi) */
-    const double t2 = JLT_FNMA(p[5], t1, t0); /* m*R*v_slip - M*S */
-    const double t3 = p[6]*t2; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t4 = x[3]*x[3]; /* s*s */
-    const double t5 = t3*t4; /* 1/J1*(m*R*v_slip - M*S)*s*s */
+    const double t0 = x[3]*x[3]; /* s*s */
+    const double t1 = p[7]*x[1]; /* m*R*v_slip */
+    const double t2 = sin(x[2]); /* S = sin(psi) */
+    const double t3 = JLT_FNMA(p[5], t2, t1); /* m*R*v_slip - M*S */
+    const double t4 = p[6]*t3; /* 1/J1*(m*R*v_slip - M*S) */
+    const double t5 = t0*t4; /* s*s*1/J1*(m*R*v_slip - M*S) */
     const double t6 = cos(x[2]); /* C = cos(psi) */
-    const double t7 = x[3]*t6; /* s*C */
-    const double t8 = p[11]*t7; /* I1*M*s*C */
-    const double t9 = JLT_FNMA(p[12], x[0], t8); /* I1*M*s*C - G*J1/R*gamma3 */
-    const double t10 = x[3]*p[13]; /* s*G*J3/R */
-    const double t11 = t6*p[14]; /* C*I3*M */
-    const double t12 = JLT_FMA(x[0], t11, t10); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t13 = t4*p[2]; /* s*s*I1 */
-    const double t14 = x[0]*p[3]; /* gamma3*I3 */
-    const double t15 = JLT_FMA(x[0], t14, t13); /* gamma3*gamma3*I3 + s*s*I1 */
-    const double t16 = JLT_FMA(p[10], t15, p[9]); /* Theta = m*R^2*(gamma3*gamma3*I3 + s*s*I1) + I1*I3 */
-    const double t17 = 1.0/t16; /* 1/Theta */
-    const double t18 = t17*t17; /* 1/Theta*1/Theta */
-    const double t19 = t12*t18; /* (gamma3*C*I3*M + s*G*J3/R)*1/Theta*1/Theta */
-    const double t20 = x[3]*t19; /* s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*1/Theta */
-    const double t21 = t9*t20; /* (I1*M*s*C - G*J1/R*gamma3)*s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*1/Theta */
-    const double t22 = p[8]*t21; /* (R - R*I3/I1)*t21 */
-    const double t23 = t12*t17; /* (gamma3*C*I3*M + s*G*J3/R)*1/Theta */
-    const double t24 = x[3]*x[0]; /* s*gamma3 */
-    const double t25 = t3*t24; /* 1/J1*(m*R*v_slip - M*S)*s*gamma3 */
-    const double t26 = -t25; /* -1/J1*(m*R*v_slip - M*S)*s*gamma3 */
-    const double t27 = t4*p[15]; /* s*s*m*R/J1 */
-    const double t28 = t7*p[16]; /* s*C*M/J1 */
-    const double t29 = x[3]*t28; /* s*s*C*M/J1 */
-    const double t30 = -t29; /* -s*s*C*M/J1 */
-    const double t31 = x[3]*p[17]; /* s*2/J1 */
-    const double t32 = t2*t31; /* (m*R*v_slip - M*S)*s*2/J1 */
-    const double t33 = t9*t18; /* (I1*M*s*C - G*J1/R*gamma3)*1/Theta*1/Theta */
-    const double t34 = p[18]*t33; /* (R*I3*M - R*I3^2*M/I1)*(I1*M*s*C - G*J1/R*gamma3)*1/Theta*1/Theta */
-    const double t35 = t7*t34; /* s*C*t34 */
-    const double t36 = x[0]*t17; /* gamma3*1/Theta */
-    const double t37 = p[20]*t36; /* (4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*gamma3*1/Theta */
-    const double t38 = JLT_FNMA(t20, p[19], t35); /* s*C*t34 - s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*1/Theta*(G*J1 - I3*G*J1/I1) */
-    const double t39 = JLT_FNMA(t21, t37, t38); /* t38 - t21*(4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*gamma3*1/Theta */
-    const double t40 = t20*p[21]; /* s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*1/Theta*(R*I3*M - R*I1*M) */
-    const double t41 = x[3]*t40; /* s*t40 */
-    const double t42 = JLT_FNMA(t24, t34, t41); /* s*t40 - s*gamma3*t34 */
-    const double t43 = t1*t42; /* S*(s*t40 - s*gamma3*t34) */
-    const double t44 = p[8]*t9; /* (R - R*I3/I1)*(I1*M*s*C - G*J1/R*gamma3) */
-    const double t45 = t19*t44; /* (gamma3*C*I3*M + s*G*J3/R)*1/Theta*1/Theta*(R - R*I3/I1)*(I1*M*s*C - G*J1/R*gamma3) */
-    const double t46 = t17*p[22]; /* 1/Theta*(4*m*R^3*I3 - 4*m*R^3*I1) */
-    const double t47 = t21*t46; /* t21*1/Theta*(4*m*R^3*I3 - 4*m*R^3*I1) */
-    const double t48 = JLT_FMA(t33, p[23], t47); /* (I1*M*s*C - G*J1/R*gamma3)*1/Theta*1/Theta*(G*J3 - I3*G*J3/I1) + t21*1/Theta*(4*m*R^3*I3 - 4*m*R^3*I1) */
-    const double t49 = JLT_FNMA(t6, t40, t45); /* t45 - C*t40 */
-    const double t50 = JLT_FMA(x[3], t48, t49); /* s*t48 + t45 - C*t40 */
-    const double t51 = t11*t17; /* C*I3*M*1/Theta */
-    const double t52 = x[0]*p[24]; /* gamma3*2*m*R^2*I3 */
-    const double t53 = JLT_FNMA(t19, t52, t51); /* C*I3*M*1/Theta - (gamma3*C*I3*M + s*G*J3/R)*1/Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    const double t54 = t36*p[25]; /* gamma3*1/Theta*(-I3*M) */
-    const double t55 = t1*t54; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t56 = p[13]*t17; /* G*J3/R*1/Theta */
-    const double t57 = JLT_FNMA(t20, p[26], t56); /* G*J3/R*1/Theta - s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*1/Theta*2*m*R^2*I1 */
-    const double t58 = t3*x[3]; /* 1/J1*(m*R*v_slip - M*S)*s */
-    const double t59 = -t58; /* -1/J1*(m*R*v_slip - M*S)*s */
-    const double t60 = t24*p[27]; /* s*gamma3*(-m*R/J1) */
-    const double t61 = x[0]*t28; /* gamma3*s*C*M/J1 */
-    const double t62 = t3*x[0]; /* 1/J1*(m*R*v_slip - M*S)*gamma3 */
+    const double t7 = x[3]*p[11]; /* s*I1*M */
+    const double t8 = t6*t7; /* C*s*I1*M */
+    const double t9 = JLT_FNMA(p[12], x[0], t8); /* C*s*I1*M - G*J1/R*gamma3 */
+    const double t10 = t0*p[2]; /* s*s*I1 */
+    const double t11 = x[0]*p[3]; /* gamma3*I3 */
+    const double t12 = JLT_FMA(x[0], t11, t10); /* gamma3*gamma3*I3 + s*s*I1 */
+    const double t13 = JLT_FMA(p[10], t12, p[9]); /* Theta = m*R^2*(gamma3*gamma3*I3 + s*s*I1) + I1*I3 */
+    const double t14 = 1.0/t13; /* 1/Theta */
+    const double t15 = x[3]*t14; /* s*1/Theta */
+    const double t16 = t9*t15; /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta */
+    const double t17 = x[3]*p[13]; /* s*G*J3/R */
+    const double t18 = x[0]*p[14]; /* gamma3*I3*M */
+    const double t19 = JLT_FMA(t6, t18, t17); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t20 = t14*t19; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t21 = p[8]*t20; /* (R - R*I3/I1)*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t22 = t16*t21; /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*(R - R*I3/I1)*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t23 = x[3]*x[0]; /* s*gamma3 */
+    const double t24 = t4*t23; /* 1/J1*(m*R*v_slip - M*S)*s*gamma3 */
+    const double t25 = -t24; /* -1/J1*(m*R*v_slip - M*S)*s*gamma3 */
+    const double t26 = t0*p[15]; /* s*s*m*R/J1 */
+    const double t27 = t6*p[16]; /* C*M/J1 */
+    const double t28 = t0*t27; /* s*s*C*M/J1 */
+    const double t29 = -t28; /* -s*s*C*M/J1 */
+    const double t30 = x[3]*p[17]; /* s*2/J1 */
+    const double t31 = t3*t30; /* (m*R*v_slip - M*S)*s*2/J1 */
+    const double t32 = t6*t14; /* C*1/Theta */
+    const double t33 = p[18]*t32; /* (R*I3*M - R*I3^2*M/I1)*C*1/Theta */
+    const double t34 = x[0]*t14; /* gamma3*1/Theta */
+    const double t35 = t20*t34; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R)*gamma3*1/Theta */
+    const double t36 = JLT_FNMA(p[20], t35, t33); /* (R*I3*M - R*I3^2*M/I1)*C*1/Theta - (4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*1/Theta*(C*gamma3*I3*M + s*G*J3/R)*gamma3*1/Theta */
+    const double t37 = t16*t36; /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*t36 */
+    const double t38 = t15*t20; /* s*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t39 = JLT_FNMA(p[19], t38, t37); /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*t36 - (G*J1 - I3*G*J1/I1)*s*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t40 = t15*p[21]; /* s*1/Theta*(R*I3*M - R*I1*M) */
+    const double t41 = t15*t40; /* s*1/Theta*s*1/Theta*(R*I3*M - R*I1*M) */
+    const double t42 = t19*t41; /* (C*gamma3*I3*M + s*G*J3/R)*s*1/Theta*s*1/Theta*(R*I3*M - R*I1*M) */
+    const double t43 = p[18]*t34; /* (R*I3*M - R*I3^2*M/I1)*gamma3*1/Theta */
+    const double t44 = JLT_FNMA(t16, t43, t42); /* t42 - (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*(R*I3*M - R*I3^2*M/I1)*gamma3*1/Theta */
+    const double t45 = t2*t44; /* S*t44 */
+    const double t46 = t9*t21; /* (C*s*I1*M - G*J1/R*gamma3)*(R - R*I3/I1)*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t47 = JLT_FMA(t16, p[23], t46); /* (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*(G*J3 - I3*G*J3/I1) + t46 */
+    const double t48 = t14*t47; /* 1/Theta*t47 */
+    const double t49 = t6*p[21]; /* C*(R*I3*M - R*I1*M) */
+    const double t50 = JLT_FNMA(t16, p[22], t49); /* C*(R*I3*M - R*I1*M) - (C*s*I1*M - G*J1/R*gamma3)*s*1/Theta*(4*m*R^3*I3 - 4*m*R^3*I1) */
+    const double t51 = JLT_FNMA(t38, t50, t48); /* 1/Theta*t47 - s*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R)*t50 */
+    const double t52 = p[14]*t32; /* I3*M*C*1/Theta */
+    const double t53 = JLT_FNMA(t35, p[24], t52); /* I3*M*C*1/Theta - 1/Theta*(C*gamma3*I3*M + s*G*J3/R)*gamma3*1/Theta*2*m*R^2*I3 */
+    const double t54 = t34*p[25]; /* gamma3*1/Theta*(-I3*M) */
+    const double t55 = t2*t54; /* S*gamma3*1/Theta*(-I3*M) */
+    const double t56 = t14*p[13]; /* 1/Theta*G*J3/R */
+    const double t57 = JLT_FNMA(t38, p[26], t56); /* 1/Theta*G*J3/R - s*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R)*2*m*R^2*I1 */
+    const double t58 = x[3]*t4; /* s*1/J1*(m*R*v_slip - M*S) */
+    const double t59 = -t58; /* -s*1/J1*(m*R*v_slip - M*S) */
+    const double t60 = t23*p[28]; /* s*gamma3*(-m*R/J1) */
+    const double t61 = t23*t27; /* s*gamma3*C*M/J1 */
+    const double t62 = t4*x[0]; /* 1/J1*(m*R*v_slip - M*S)*gamma3 */
     const double t63 = -t62; /* -1/J1*(m*R*v_slip - M*S)*gamma3 */
     out[0] = t5;
     out[1] = t22;
-    out[2] = t23;
-    out[3] = t26;
+    out[2] = t20;
+    out[3] = t25;
     out[4] = 0.0;
-    out[5] = t27;
-    out[6] = t30;
-    out[7] = t32;
+    out[5] = t26;
+    out[6] = t29;
+    out[7] = t31;
     out[8] = t39;
     out[9] = 0.0;
-    out[10] = t43;
-    out[11] = t50;
+    out[10] = t45;
+    out[11] = t51;
     out[12] = t53;
     out[13] = 0.0;
     out[14] = t55;
@@ -362,7 +362,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[28]*x[1]; /* m*I1^2*v_slip */
+    const double t0 = p[29]*x[1]; /* m*I1^2*v_slip */
     const double t1 = x[1]*t0; /* v_slip*m*I1^2*v_slip */
     const double t2 = p[2]*x[3]; /* I1*s */
     const double t3 = x[3]*t2; /* s*I1*s */
@@ -374,7 +374,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t9 = x[3]*p[11]; /* s*I1*M */
     const double t10 = t8*t9; /* C*s*I1*M */
     const double t11 = JLT_FNMA(x[0], p[12], t10); /* C*s*I1*M - gamma3*G*J1/R */
-    const double t12 = p[29]*t7; /* (I1 - I3)*1/Theta */
+    const double t12 = p[30]*t7; /* (I1 - I3)*1/Theta */
     const double t13 = t11*t12; /* (C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)*1/Theta */
     const double t14 = JLT_FMA(t11, t13, t1); /* (C*s*I1*M - gamma3*G*J1/R)*(C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)*1/Theta + v_slip*m*I1^2*v_slip */
     out[0] = t14;
@@ -393,18 +393,18 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t8 = t6*t7; /* C*s*I1*M */
     const double t9 = JLT_FNMA(x[0], p[12], t8); /* C*s*I1*M - gamma3*G*J1/R */
     const double t10 = t5*t9; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t11 = p[30]*x[0]; /* (-2*m*R^2*I3*(I1 - I3))*gamma3 */
+    const double t11 = p[31]*x[0]; /* (-2*m*R^2*I3*(I1 - I3))*gamma3 */
     const double t12 = t10*t11; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(-2*m*R^2*I3*(I1 - I3))*gamma3 */
     const double t13 = t10*t12; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*t12 */
-    const double t14 = JLT_FMA(t10, p[31], t13); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(-2*G*J1*(I1 - I3)/R) + 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*t12 */
-    const double t15 = p[32]*x[1]; /* 2*m*I1^2*v_slip */
+    const double t14 = JLT_FMA(t10, p[32], t13); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(-2*G*J1*(I1 - I3)/R) + 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*t12 */
+    const double t15 = p[33]*x[1]; /* 2*m*I1^2*v_slip */
     const double t16 = sin(x[2]); /* S = sin(psi) */
     const double t17 = x[3]*t10; /* s*1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t18 = p[33]*t16; /* (-2*I1*M*(I1 - I3))*S */
+    const double t18 = p[34]*t16; /* (-2*I1*M*(I1 - I3))*S */
     const double t19 = t17*t18; /* s*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(-2*I1*M*(I1 - I3))*S */
-    const double t20 = t6*p[34]; /* C*2*I1*M*(I1 - I3) */
+    const double t20 = t6*p[35]; /* C*2*I1*M*(I1 - I3) */
     const double t21 = t10*t20; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*C*2*I1*M*(I1 - I3) */
-    const double t22 = t10*p[35]; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*2*m*R^2*I1*(I1 - I3) */
+    const double t22 = t10*p[36]; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*2*m*R^2*I1*(I1 - I3) */
     const double t23 = JLT_FNMA(t17, t22, t21); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*C*2*I1*M*(I1 - I3) - s*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*2*m*R^2*I1*(I1 - I3) */
     out[0] = t14;
     out[1] = t15;
@@ -549,18 +549,18 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "0ddd7fb625ad215ee6ba7dd03cd46bb3f8988e6221e25d76ceb82075cfb44a88",
+    .sha256 = "70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_balanced,
-    .state_count = 4, .param_count = 6, .block_count = 36,
+    .state_count = 4, .param_count = 6, .block_count = 37,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 4, { 1, 17, 5, 1, 0, 2, 8, 7 }, { 13, 57, 0, 10, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
-    .jacobian = { jacobian, 16, { 4, 40, 13, 1, 0, 2, 13, 16 }, { 56, 318, 0, 56, 0, 2, 16, 11 },
+    .jacobian = { jacobian, 16, { 2, 40, 13, 1, 0, 2, 12, 18 }, { 56, 318, 0, 56, 0, 2, 16, 11 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 4, 44, 13, 1, 0, 2, 12, 17 }, { 65, 363, 0, 66, 0, 2, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 4, 44, 13, 1, 0, 2, 11, 17 }, { 65, 363, 0, 66, 0, 2, 16, 11 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
     .divergence = { divergence, 1, { 1, 7, 4, 1, 0, 1, 10, 4 }, { 6, 17, 0, 2, 0, 1, 8, 7 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },

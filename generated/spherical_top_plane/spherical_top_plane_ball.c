@@ -1,7 +1,7 @@
 /* Balanced sphere with one nonholonomic constraint, on a level of all three integrals: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_plane, SHA-256 8b5163a036bfb64f5f6a0a19b95842fd87b37806121cfeb9e5bb0f167dae30cd
+ *  Table:      spherical_top_plane, SHA-256 a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44
  *  Command:    ttc generate --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Variant:    balanced: a3 = 0
- *  Table:      spherical_top_track, SHA-256 a3580c03c4e57c8611cf766b2671a74fbd573f922ecd03ff5771c0b58df91c97
+ *  Table:      spherical_top_track, SHA-256 c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124
  *  Command:    ttc generate --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 5   23   10    1    1    2     10    8   (90)
- *  jacobian            11   53   18    1    1    2     11   16   (284)
- *  rhs_jacobian        18   58   19    1    1    2     11   25   (349)
+ *  rhs                 5   23   10    1    1    2     10   10   (90)
+ *  jacobian            12   52   18    1    1    2     11   16   (284)
+ *  rhs_jacobian        20   58   18    1    1    2     11   27   (349)
  *  divergence          2   11    4    1    1    0      7    6   (33)
  *  integral_values     3   15   10    0    1    2      9    8   (54)
  *  integral_gradients  2   30   12    1    1    2     10   11   (92)
@@ -52,11 +52,11 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t3 = params[4]*t2; /* I1*m*R*R */
     const double t4 = params[5]*t2; /* I3*m*R*R */
     const double t5 = params[5]/params[4]; /* I3/I1 */
-    const double t6 = params[0]*params[1]; /* m*R */
-    const double t7 = params[5]*t6; /* I3*m*R */
-    const double t8 = params[5]*params[5]; /* I3*I3 */
-    const double t9 = t4 + t8; /* I3*m*R*R + I3*I3 */
-    const double t10 = params[4]*t6; /* I1*m*R */
+    const double t6 = params[5]*params[5]; /* I3*I3 */
+    const double t7 = t4 + t6; /* I3*m*R*R + I3*I3 */
+    const double t8 = params[0]*params[1]; /* m*R */
+    const double t9 = params[5]*t8; /* I3*m*R */
+    const double t10 = params[4]*t8; /* I1*m*R */
     const double t11 = params[4] - params[5]; /* I1 - I3 */
     const double t12 = t2*t11; /* m*R*R*(I1 - I3) */
     const double t13 = params[1]*2.0; /* R*2 */
@@ -65,8 +65,8 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t16 = t4*2.0; /* I3*m*R*R*2 */
     const double t17 = t15 - t16; /* I1*m*R*R*2 - I3*m*R*R*2 */
     const double t18 = -params[0]; /* -m */
-    const double t19 = -t6; /* -m*R */
-    const double t20 = -t7; /* -I3*m*R */
+    const double t19 = -t8; /* -m*R */
+    const double t20 = -t9; /* -I3*m*R */
     const double t21 = -t10; /* -I1*m*R */
     const double t22 = params[1]*t11; /* R*(I1 - I3) */
     const double t23 = t22/params[4]; /* R*(I1 - I3)/I1 */
@@ -98,7 +98,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[19] = t23;
     out[20] = t24;
     out[21] = t25;
-    out[22] = t6;
+    out[22] = t8;
     out[23] = t22;
     out[24] = t26;
     out[25] = t27;
@@ -121,49 +121,49 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = x[2]*t3; /* omega_tau*s */
-    const double t5 = x[0]*p[8]; /* gamma3*m*R^2*I3 */
-    const double t6 = JLT_FMA(x[0], t5, p[6]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t7 = JLT_FMA(t2, p[7], t6); /* Theta = (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t8 = t3*t7; /* s*Theta */
-    const double t9 = 1.0/t8; /* 1/(s*Theta) */
-    const double t10 = x[3]*t7; /* omega_n*Theta */
-    const double t11 = t9*t10; /* 1/(s*Theta)*omega_n*Theta */
-    const double t12 = x[0]*t11; /* gamma3*1/(s*Theta)*omega_n*Theta */
-    const double t13 = t12 + x[4]; /* gamma3*1/(s*Theta)*omega_n*Theta + omega3 */
+    const double t5 = x[0]*x[3]; /* gamma3*omega_n */
+    const double t6 = x[0]*p[8]; /* gamma3*m*R^2*I3 */
+    const double t7 = JLT_FMA(x[0], t6, p[6]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t8 = JLT_FMA(t2, p[7], t7); /* Theta = (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t9 = t3*t8; /* s*Theta */
+    const double t10 = 1.0/t9; /* 1/(s*Theta) */
+    const double t11 = t8*t10; /* Theta*1/(s*Theta) */
+    const double t12 = t5*t11; /* gamma3*omega_n*Theta*1/(s*Theta) */
+    const double t13 = x[4] + t12; /* omega3 + gamma3*omega_n*Theta*1/(s*Theta) */
     const double t14 = p[1]*x[3]; /* R*omega_n */
-    const double t15 = t13*t14; /* (gamma3*1/(s*Theta)*omega_n*Theta + omega3)*R*omega_n */
-    const double t16 = JLT_FMA(x[4], p[9], t12); /* omega3*I3/I1 + gamma3*1/(s*Theta)*omega_n*Theta */
-    const double t17 = x[3]*t16; /* omega_n*(omega3*I3/I1 + gamma3*1/(s*Theta)*omega_n*Theta) */
-    const double t18 = -t17; /* -omega_n*(omega3*I3/I1 + gamma3*1/(s*Theta)*omega_n*Theta) */
-    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t20 = t3*t9; /* s*1/(s*Theta) */
-    const double t21 = t19*t20; /* V*s*1/(s*Theta) */
-    const double t22 = JLT_FNMA(p[10], t21, x[2]); /* omega_tau - m*R*I3*V*s*1/(s*Theta) */
-    const double t23 = t12*t22; /* gamma3*1/(s*Theta)*omega_n*Theta*(omega_tau - m*R*I3*V*s*1/(s*Theta)) */
-    const double t24 = x[4]*t20; /* omega3*s*1/(s*Theta) */
-    const double t25 = x[2]*p[11]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t26 = JLT_FMA(t24, t25, t23); /* omega3*s*1/(s*Theta)*omega_tau*(I3^2 + m*R^2*I3) + t23 */
+    const double t15 = t13*t14; /* (omega3 + gamma3*omega_n*Theta*1/(s*Theta))*R*omega_n */
+    const double t16 = JLT_FMA(x[4], p[9], t12); /* omega3*I3/I1 + gamma3*omega_n*Theta*1/(s*Theta) */
+    const double t17 = x[3]*t16; /* omega_n*(omega3*I3/I1 + gamma3*omega_n*Theta*1/(s*Theta)) */
+    const double t18 = -t17; /* -omega_n*(omega3*I3/I1 + gamma3*omega_n*Theta*1/(s*Theta)) */
+    const double t19 = t3*t10; /* s*1/(s*Theta) */
+    const double t20 = x[4]*t19; /* omega3*s*1/(s*Theta) */
+    const double t21 = JLT_FMA(p[10], t20, t12); /* (I3^2 + m*R^2*I3)*omega3*s*1/(s*Theta) + gamma3*omega_n*Theta*1/(s*Theta) */
+    const double t22 = x[2]*t21; /* omega_tau*t21 */
+    const double t23 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t24 = t19*t23; /* s*1/(s*Theta)*V */
+    const double t25 = t12*p[11]; /* gamma3*omega_n*Theta*1/(s*Theta)*m*R*I3 */
+    const double t26 = JLT_FNMA(t24, t25, t22); /* omega_tau*t21 - s*1/(s*Theta)*V*gamma3*omega_n*Theta*1/(s*Theta)*m*R*I3 */
     const double t27 = x[3]*p[12]; /* omega_n*m*R*I1 */
-    const double t28 = t21*t27; /* V*s*1/(s*Theta)*omega_n*m*R*I1 */
+    const double t28 = t24*t27; /* s*1/(s*Theta)*V*omega_n*m*R*I1 */
     const double t29 = x[0]*p[13]; /* gamma3*m*R^2*(I1 - I3) */
     const double t30 = t4*t29; /* omega_tau*s*gamma3*m*R^2*(I1 - I3) */
-    const double t31 = JLT_FMS(t24, t30, t28); /* omega3*s*1/(s*Theta)*omega_tau*s*gamma3*m*R^2*(I1 - I3) - V*s*1/(s*Theta)*omega_n*m*R*I1 */
-    const double t32 = -t11; /* -1/(s*Theta)*omega_n*Theta */
-    const double t33 = cos(x[5]); /* C = cos(chi) */
-    const double t34 = x[1]*t33; /* v_nu*C */
-    const double t35 = sin(x[5]); /* S = sin(chi) */
-    const double t36 = x[0]*x[3]; /* gamma3*omega_n */
-    const double t37 = JLT_FMA(t3, x[4], t36); /* s*omega3 + gamma3*omega_n */
+    const double t31 = JLT_FMS(t20, t30, t28); /* omega3*s*1/(s*Theta)*omega_tau*s*gamma3*m*R^2*(I1 - I3) - s*1/(s*Theta)*V*omega_n*m*R*I1 */
+    const double t32 = x[3]*t11; /* omega_n*Theta*1/(s*Theta) */
+    const double t33 = -t32; /* -omega_n*Theta*1/(s*Theta) */
+    const double t34 = cos(x[5]); /* C = cos(chi) */
+    const double t35 = x[1]*t34; /* v_nu*C */
+    const double t36 = sin(x[5]); /* S = sin(chi) */
+    const double t37 = JLT_FMA(t3, x[4], t5); /* s*omega3 + gamma3*omega_n */
     const double t38 = p[1]*t37; /* v_tau = R*(s*omega3 + gamma3*omega_n) */
-    const double t39 = JLT_FMA(t35, t38, t34); /* S*v_tau + v_nu*C */
-    const double t40 = x[1]*t35; /* v_nu*S */
-    const double t41 = JLT_FNMA(t33, t38, t40); /* v_nu*S - C*v_tau */
+    const double t39 = JLT_FMA(t36, t38, t35); /* S*v_tau + v_nu*C */
+    const double t40 = x[1]*t36; /* v_nu*S */
+    const double t41 = JLT_FNMA(t34, t38, t40); /* v_nu*S - C*v_tau */
     out[0] = t4;
     out[1] = t15;
     out[2] = t18;
     out[3] = t26;
     out[4] = t31;
-    out[5] = t32;
+    out[5] = t33;
     out[6] = t13;
     out[7] = t39;
     out[8] = t41;
@@ -200,7 +200,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t26 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t27 = t6*t8; /* s*1/(Theta*s) */
     const double t28 = t26*t27; /* V*s*1/(Theta*s) */
-    const double t29 = p[10]*t28; /* m*R*I3*V*s*1/(Theta*s) */
+    const double t29 = p[11]*t28; /* m*R*I3*V*s*1/(Theta*s) */
     const double t30 = x[2] - t29; /* omega_tau - m*R*I3*V*s*1/(Theta*s) */
     const double t31 = t16*t30; /* t16*(omega_tau - m*R*I3*V*s*1/(Theta*s)) */
     const double t32 = x[0]*p[16]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
@@ -208,31 +208,31 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t34 = t19*t29; /* gamma3*Theta*1/(Theta*s)*omega_n*m*R*I3*V*s*1/(Theta*s) */
     const double t35 = x[2]*t27; /* omega_tau*s*1/(Theta*s) */
     const double t36 = x[4]*t35; /* omega3*omega_tau*s*1/(Theta*s) */
-    const double t37 = JLT_FNMA(p[11], t36, t34); /* gamma3*Theta*1/(Theta*s)*omega_n*m*R*I3*V*s*1/(Theta*s) - (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/(Theta*s) */
+    const double t37 = JLT_FNMA(p[10], t36, t34); /* gamma3*Theta*1/(Theta*s)*omega_n*m*R*I3*V*s*1/(Theta*s) - (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/(Theta*s) */
     const double t38 = JLT_FNMA(t33, t37, t31); /* t16*(omega_tau - m*R*I3*V*s*1/(Theta*s)) - s*1/(Theta*s)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t37 */
-    const double t39 = t27*p[17]; /* s*1/(Theta*s)*(-m*R*I3) */
-    const double t40 = t19*t39; /* gamma3*Theta*1/(Theta*s)*omega_n*s*1/(Theta*s)*(-m*R*I3) */
-    const double t41 = x[4]*p[11]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t42 = JLT_FNMA(p[8], t19, t41); /* omega3*(I3^2 + m*R^2*I3) - m*R^2*I3*gamma3*Theta*1/(Theta*s)*omega_n */
-    const double t43 = JLT_FMA(t27, t42, t19); /* s*1/(Theta*s)*t42 + gamma3*Theta*1/(Theta*s)*omega_n */
+    const double t39 = t19*t27; /* gamma3*Theta*1/(Theta*s)*omega_n*s*1/(Theta*s) */
+    const double t40 = p[17]*t39; /* (-m*R*I3)*gamma3*Theta*1/(Theta*s)*omega_n*s*1/(Theta*s) */
+    const double t41 = x[4]*t27; /* omega3*s*1/(Theta*s) */
+    const double t42 = JLT_FMA(p[10], t41, t19); /* (I3^2 + m*R^2*I3)*omega3*s*1/(Theta*s) + gamma3*Theta*1/(Theta*s)*omega_n */
+    const double t43 = JLT_FNMA(p[8], t39, t42); /* t42 - m*R^2*I3*gamma3*Theta*1/(Theta*s)*omega_n*s*1/(Theta*s) */
     const double t44 = t10*t30; /* gamma3*Theta*1/(Theta*s)*(omega_tau - m*R*I3*V*s*1/(Theta*s)) */
-    const double t45 = p[11]*t35; /* (I3^2 + m*R^2*I3)*omega_tau*s*1/(Theta*s) */
-    const double t46 = x[3]*p[12]; /* omega_n*m*R*I1 */
-    const double t47 = t33*t46; /* s*1/(Theta*s)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*omega_n*m*R*I1 */
-    const double t48 = t28*t47; /* V*s*1/(Theta*s)*t47 */
-    const double t49 = t6*p[13]; /* s*m*R^2*(I1 - I3) */
-    const double t50 = x[0]*p[13]; /* gamma3*m*R^2*(I1 - I3) */
-    const double t51 = JLT_FNMA(t6, t33, t10); /* gamma3*Theta*1/(Theta*s) - s*s*1/(Theta*s)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t52 = JLT_FNMA(t50, t51, t49); /* s*m*R^2*(I1 - I3) - gamma3*m*R^2*(I1 - I3)*t51 */
-    const double t53 = JLT_FMS(t36, t52, t48); /* omega3*omega_tau*s*1/(Theta*s)*(s*m*R^2*(I1 - I3) - gamma3*m*R^2*(I1 - I3)*t51) - V*s*1/(Theta*s)*t47 */
-    const double t54 = t27*t46; /* s*1/(Theta*s)*omega_n*m*R*I1 */
-    const double t55 = -t54; /* -s*1/(Theta*s)*omega_n*m*R*I1 */
-    const double t56 = t6*t50; /* s*gamma3*m*R^2*(I1 - I3) */
-    const double t57 = x[4]*t56; /* omega3*s*gamma3*m*R^2*(I1 - I3) */
-    const double t58 = JLT_FNMA(p[7], x[3], t57); /* omega3*s*gamma3*m*R^2*(I1 - I3) - m*R^2*I1*omega_n */
-    const double t59 = t27*t58; /* s*1/(Theta*s)*(omega3*s*gamma3*m*R^2*(I1 - I3) - m*R^2*I1*omega_n) */
-    const double t60 = t28*p[18]; /* V*s*1/(Theta*s)*(-m*R*I1) */
-    const double t61 = t35*t56; /* omega_tau*s*1/(Theta*s)*s*gamma3*m*R^2*(I1 - I3) */
+    const double t45 = p[10]*t35; /* (I3^2 + m*R^2*I3)*omega_tau*s*1/(Theta*s) */
+    const double t46 = t28*p[12]; /* V*s*1/(Theta*s)*m*R*I1 */
+    const double t47 = x[3]*t33; /* omega_n*s*1/(Theta*s)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t48 = t46*t47; /* V*s*1/(Theta*s)*m*R*I1*omega_n*s*1/(Theta*s)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t49 = JLT_FNMA(t6, t33, t10); /* gamma3*Theta*1/(Theta*s) - s*s*1/(Theta*s)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t50 = JLT_FMS(x[0], t49, t6); /* gamma3*t49 - s */
+    const double t51 = t36*p[13]; /* omega3*omega_tau*s*1/(Theta*s)*m*R^2*(I1 - I3) */
+    const double t52 = JLT_FMA(t50, t51, t48); /* (gamma3*t49 - s)*omega3*omega_tau*s*1/(Theta*s)*m*R^2*(I1 - I3) + t48 */
+    const double t53 = -t52; /* -t52 */
+    const double t54 = x[3]*t27; /* omega_n*s*1/(Theta*s) */
+    const double t55 = p[18]*t54; /* (-m*R*I1)*omega_n*s*1/(Theta*s) */
+    const double t56 = x[0]*p[13]; /* gamma3*m*R^2*(I1 - I3) */
+    const double t57 = t6*t56; /* s*gamma3*m*R^2*(I1 - I3) */
+    const double t58 = t41*t57; /* omega3*s*1/(Theta*s)*s*gamma3*m*R^2*(I1 - I3) */
+    const double t59 = JLT_FNMA(p[7], t54, t58); /* omega3*s*1/(Theta*s)*s*gamma3*m*R^2*(I1 - I3) - m*R^2*I1*omega_n*s*1/(Theta*s) */
+    const double t60 = -t46; /* -V*s*1/(Theta*s)*m*R*I1 */
+    const double t61 = t35*t57; /* omega_tau*s*1/(Theta*s)*s*gamma3*m*R^2*(I1 - I3) */
     const double t62 = t9*t9; /* Theta*1/(Theta*s)*Theta*1/(Theta*s) */
     const double t63 = t19*t62; /* gamma3*Theta*1/(Theta*s)*omega_n*Theta*1/(Theta*s)*Theta*1/(Theta*s) */
     const double t64 = -t63; /* -t63 */
@@ -363,94 +363,95 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t18 = x[3]*t17; /* omega_n*(omega_n*gamma3*Theta*1/(s*Theta) + omega3*I3/I1) */
     const double t19 = -t18; /* -omega_n*(omega_n*gamma3*Theta*1/(s*Theta) + omega3*I3/I1) */
     const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t21 = p[10]*t20; /* m*R*I3*V */
-    const double t22 = t3*t10; /* s*1/(s*Theta) */
-    const double t23 = JLT_FNMA(t21, t22, x[2]); /* omega_tau - m*R*I3*V*s*1/(s*Theta) */
-    const double t24 = x[2]*t22; /* omega_tau*s*1/(s*Theta) */
-    const double t25 = x[4]*p[11]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t26 = t24*t25; /* omega_tau*s*1/(s*Theta)*omega3*(I3^2 + m*R^2*I3) */
-    const double t27 = JLT_FMA(t13, t23, t26); /* omega_n*gamma3*Theta*1/(s*Theta)*(omega_tau - m*R*I3*V*s*1/(s*Theta)) + omega_tau*s*1/(s*Theta)*omega3*(I3^2 + m*R^2*I3) */
-    const double t28 = x[0]*t3; /* gamma3*s */
-    const double t29 = x[4]*t28; /* omega3*gamma3*s */
-    const double t30 = x[2]*p[19]; /* omega_tau*R*(I1 - I3)/I1 */
-    const double t31 = t29*t30; /* omega3*gamma3*s*omega_tau*R*(I1 - I3)/I1 */
-    const double t32 = JLT_FNMA(x[3], t20, t31); /* omega3*gamma3*s*omega_tau*R*(I1 - I3)/I1 - omega_n*V */
-    const double t33 = t22*p[12]; /* s*1/(s*Theta)*m*R*I1 */
-    const double t34 = t32*t33; /* (omega3*gamma3*s*omega_tau*R*(I1 - I3)/I1 - omega_n*V)*s*1/(s*Theta)*m*R*I1 */
-    const double t35 = x[3]*t11; /* omega_n*Theta*1/(s*Theta) */
-    const double t36 = -t35; /* -omega_n*Theta*1/(s*Theta) */
-    const double t37 = cos(x[5]); /* C = cos(chi) */
-    const double t38 = x[1]*t37; /* v_nu*C */
-    const double t39 = sin(x[5]); /* S = sin(chi) */
-    const double t40 = p[1]*x[4]; /* R*omega3 */
-    const double t41 = t3*t40; /* s*R*omega3 */
-    const double t42 = JLT_FMA(x[0], t5, t41); /* v_tau = gamma3*R*omega_n + s*R*omega3 */
-    const double t43 = JLT_FMA(t39, t42, t38); /* S*v_tau + v_nu*C */
-    const double t44 = x[1]*t39; /* v_nu*S */
-    const double t45 = t37*t42; /* C*v_tau */
-    const double t46 = t44 - t45; /* v_nu*S - C*v_tau */
-    const double t47 = x[2]*t12; /* omega_tau*gamma3*Theta*1/(s*Theta) */
-    const double t48 = -t47; /* -omega_tau*gamma3*Theta*1/(s*Theta) */
-    const double t49 = JLT_FMA(t12, t12, 1.0); /* gamma3*Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) + 1 */
-    const double t50 = t35*t49; /* omega_n*Theta*1/(s*Theta)*(gamma3*Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) + 1) */
-    const double t51 = t5*t50; /* R*omega_n*t50 */
-    const double t52 = JLT_FMA(t13, p[14], t40); /* omega_n*gamma3*Theta*1/(s*Theta)*2*R + R*omega3 */
-    const double t53 = x[3]*t50; /* omega_n*t50 */
-    const double t54 = -t53; /* -omega_n*t50 */
-    const double t55 = JLT_FMA(t13, 2.0, t16); /* omega_n*gamma3*Theta*1/(s*Theta)*2 + omega3*I3/I1 */
-    const double t56 = -t55; /* -(omega_n*gamma3*Theta*1/(s*Theta)*2 + omega3*I3/I1) */
-    const double t57 = x[3]*p[15]; /* omega_n*(-I3/I1) */
-    const double t58 = t23*t50; /* (omega_tau - m*R*I3*V*s*1/(s*Theta))*t50 */
-    const double t59 = t13*t22; /* omega_n*gamma3*Theta*1/(s*Theta)*s*1/(s*Theta) */
-    const double t60 = JLT_FNMA(t21, t59, t26); /* omega_tau*s*1/(s*Theta)*omega3*(I3^2 + m*R^2*I3) - m*R*I3*V*omega_n*gamma3*Theta*1/(s*Theta)*s*1/(s*Theta) */
-    const double t61 = x[0]*p[16]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t62 = t22*t61; /* s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t63 = JLT_FMA(t60, t62, t58); /* t60*s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) + (omega_tau - m*R*I3*V*s*1/(s*Theta))*t50 */
-    const double t64 = t59*p[17]; /* omega_n*gamma3*Theta*1/(s*Theta)*s*1/(s*Theta)*(-m*R*I3) */
-    const double t65 = JLT_FMA(t22, t25, t13); /* s*1/(s*Theta)*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3*Theta*1/(s*Theta) */
-    const double t66 = JLT_FNMA(p[8], t59, t65); /* t65 - m*R^2*I3*omega_n*gamma3*Theta*1/(s*Theta)*s*1/(s*Theta) */
-    const double t67 = t12*t23; /* gamma3*Theta*1/(s*Theta)*(omega_tau - m*R*I3*V*s*1/(s*Theta)) */
-    const double t68 = t24*p[11]; /* omega_tau*s*1/(s*Theta)*(I3^2 + m*R^2*I3) */
-    const double t69 = t34*t62; /* t34*s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t70 = JLT_FMS(x[0], t12, t3); /* gamma3*gamma3*Theta*1/(s*Theta) - s */
-    const double t71 = t24*p[13]; /* omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3) */
-    const double t72 = x[4]*t71; /* omega3*omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3) */
-    const double t73 = JLT_FNMA(t70, t72, t69); /* t34*s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) - (gamma3*gamma3*Theta*1/(s*Theta) - s)*omega3*omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3) */
-    const double t74 = x[3]*t33; /* omega_n*s*1/(s*Theta)*m*R*I1 */
-    const double t75 = -t74; /* -omega_n*s*1/(s*Theta)*m*R*I1 */
-    const double t76 = JLT_FNMA(t29, p[21], x[3]); /* omega_n - omega3*gamma3*s*(I1 - I3)/I1 */
-    const double t77 = p[20]*t76; /* (-m*R^2*I1)*(omega_n - omega3*gamma3*s*(I1 - I3)/I1) */
-    const double t78 = t22*t77; /* s*1/(s*Theta)*(-m*R^2*I1)*(omega_n - omega3*gamma3*s*(I1 - I3)/I1) */
-    const double t79 = t20*t33; /* V*s*1/(s*Theta)*m*R*I1 */
-    const double t80 = -t79; /* -V*s*1/(s*Theta)*m*R*I1 */
-    const double t81 = t28*t71; /* gamma3*s*omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3) */
-    const double t82 = t11*t11; /* Theta*1/(s*Theta)*Theta*1/(s*Theta) */
-    const double t83 = t13*t82; /* omega_n*gamma3*Theta*1/(s*Theta)*Theta*1/(s*Theta)*Theta*1/(s*Theta) */
-    const double t84 = -t83; /* -t83 */
-    const double t85 = -t11; /* -Theta*1/(s*Theta) */
-    const double t86 = JLT_FNMA(t12, t40, t5); /* d(v_tau)/d(gamma3) = R*omega_n - gamma3*Theta*1/(s*Theta)*R*omega3 */
-    const double t87 = t39*t86; /* S*d(v_tau)/d(gamma3) */
-    const double t88 = x[0]*p[1]; /* gamma3*R */
-    const double t89 = t39*t88; /* S*gamma3*R */
-    const double t90 = t3*p[1]; /* s*R */
-    const double t91 = t39*t90; /* S*s*R */
-    const double t92 = t45 - t44; /* C*v_tau - v_nu*S */
-    const double t93 = t37*t86; /* C*d(v_tau)/d(gamma3) */
-    const double t94 = -t93; /* -C*d(v_tau)/d(gamma3) */
-    const double t95 = t37*t88; /* C*gamma3*R */
-    const double t96 = -t95; /* -C*gamma3*R */
-    const double t97 = t37*t90; /* C*s*R */
-    const double t98 = -t97; /* -C*s*R */
+    const double t21 = t3*t10; /* s*1/(s*Theta) */
+    const double t22 = p[11]*t21; /* m*R*I3*s*1/(s*Theta) */
+    const double t23 = t20*t22; /* V*m*R*I3*s*1/(s*Theta) */
+    const double t24 = x[2] - t23; /* omega_tau - V*m*R*I3*s*1/(s*Theta) */
+    const double t25 = x[2]*t21; /* omega_tau*s*1/(s*Theta) */
+    const double t26 = x[4]*p[10]; /* omega3*(I3^2 + m*R^2*I3) */
+    const double t27 = t25*t26; /* omega_tau*s*1/(s*Theta)*omega3*(I3^2 + m*R^2*I3) */
+    const double t28 = JLT_FMA(t13, t24, t27); /* omega_n*gamma3*Theta*1/(s*Theta)*(omega_tau - V*m*R*I3*s*1/(s*Theta)) + omega_tau*s*1/(s*Theta)*omega3*(I3^2 + m*R^2*I3) */
+    const double t29 = x[0]*t3; /* gamma3*s */
+    const double t30 = x[4]*t29; /* omega3*gamma3*s */
+    const double t31 = x[2]*p[19]; /* omega_tau*R*(I1 - I3)/I1 */
+    const double t32 = t30*t31; /* omega3*gamma3*s*omega_tau*R*(I1 - I3)/I1 */
+    const double t33 = JLT_FNMA(x[3], t20, t32); /* omega3*gamma3*s*omega_tau*R*(I1 - I3)/I1 - omega_n*V */
+    const double t34 = t21*p[12]; /* s*1/(s*Theta)*m*R*I1 */
+    const double t35 = t33*t34; /* (omega3*gamma3*s*omega_tau*R*(I1 - I3)/I1 - omega_n*V)*s*1/(s*Theta)*m*R*I1 */
+    const double t36 = x[3]*t11; /* omega_n*Theta*1/(s*Theta) */
+    const double t37 = -t36; /* -omega_n*Theta*1/(s*Theta) */
+    const double t38 = cos(x[5]); /* C = cos(chi) */
+    const double t39 = x[1]*t38; /* v_nu*C */
+    const double t40 = sin(x[5]); /* S = sin(chi) */
+    const double t41 = t3*p[1]; /* s*R */
+    const double t42 = x[4]*t41; /* omega3*s*R */
+    const double t43 = JLT_FMA(x[0], t5, t42); /* v_tau = gamma3*R*omega_n + omega3*s*R */
+    const double t44 = JLT_FMA(t40, t43, t39); /* S*v_tau + v_nu*C */
+    const double t45 = x[1]*t40; /* v_nu*S */
+    const double t46 = t38*t43; /* C*v_tau */
+    const double t47 = t45 - t46; /* v_nu*S - C*v_tau */
+    const double t48 = x[2]*t12; /* omega_tau*gamma3*Theta*1/(s*Theta) */
+    const double t49 = -t48; /* -omega_tau*gamma3*Theta*1/(s*Theta) */
+    const double t50 = JLT_FMA(t12, t12, 1.0); /* gamma3*Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) + 1 */
+    const double t51 = t36*t50; /* omega_n*Theta*1/(s*Theta)*(gamma3*Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) + 1) */
+    const double t52 = t5*t51; /* R*omega_n*t51 */
+    const double t53 = p[1]*x[4]; /* R*omega3 */
+    const double t54 = JLT_FMA(t13, p[14], t53); /* omega_n*gamma3*Theta*1/(s*Theta)*2*R + R*omega3 */
+    const double t55 = x[3]*t51; /* omega_n*t51 */
+    const double t56 = -t55; /* -omega_n*t51 */
+    const double t57 = JLT_FMA(t13, 2.0, t16); /* omega_n*gamma3*Theta*1/(s*Theta)*2 + omega3*I3/I1 */
+    const double t58 = -t57; /* -(omega_n*gamma3*Theta*1/(s*Theta)*2 + omega3*I3/I1) */
+    const double t59 = x[3]*p[15]; /* omega_n*(-I3/I1) */
+    const double t60 = t24*t51; /* (omega_tau - V*m*R*I3*s*1/(s*Theta))*t51 */
+    const double t61 = JLT_FNMA(t13, t23, t27); /* omega_tau*s*1/(s*Theta)*omega3*(I3^2 + m*R^2*I3) - omega_n*gamma3*Theta*1/(s*Theta)*V*m*R*I3*s*1/(s*Theta) */
+    const double t62 = x[0]*p[16]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t63 = t21*t62; /* s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t64 = JLT_FMA(t61, t63, t60); /* t61*s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) + (omega_tau - V*m*R*I3*s*1/(s*Theta))*t51 */
+    const double t65 = t13*t22; /* omega_n*gamma3*Theta*1/(s*Theta)*m*R*I3*s*1/(s*Theta) */
+    const double t66 = -t65; /* -omega_n*gamma3*Theta*1/(s*Theta)*m*R*I3*s*1/(s*Theta) */
+    const double t67 = JLT_FMS(p[8], t13, t26); /* m*R^2*I3*omega_n*gamma3*Theta*1/(s*Theta) - omega3*(I3^2 + m*R^2*I3) */
+    const double t68 = JLT_FNMA(t21, t67, t13); /* omega_n*gamma3*Theta*1/(s*Theta) - s*1/(s*Theta)*t67 */
+    const double t69 = t12*t24; /* gamma3*Theta*1/(s*Theta)*(omega_tau - V*m*R*I3*s*1/(s*Theta)) */
+    const double t70 = t25*p[10]; /* omega_tau*s*1/(s*Theta)*(I3^2 + m*R^2*I3) */
+    const double t71 = t35*t63; /* t35*s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t72 = JLT_FMS(x[0], t12, t3); /* gamma3*gamma3*Theta*1/(s*Theta) - s */
+    const double t73 = t25*p[13]; /* omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3) */
+    const double t74 = x[4]*t73; /* omega3*omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3) */
+    const double t75 = JLT_FNMA(t72, t74, t71); /* t35*s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) - (gamma3*gamma3*Theta*1/(s*Theta) - s)*omega3*omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3) */
+    const double t76 = x[3]*t34; /* omega_n*s*1/(s*Theta)*m*R*I1 */
+    const double t77 = -t76; /* -omega_n*s*1/(s*Theta)*m*R*I1 */
+    const double t78 = JLT_FNMA(t30, p[21], x[3]); /* omega_n - omega3*gamma3*s*(I1 - I3)/I1 */
+    const double t79 = p[20]*t78; /* (-m*R^2*I1)*(omega_n - omega3*gamma3*s*(I1 - I3)/I1) */
+    const double t80 = t21*t79; /* s*1/(s*Theta)*(-m*R^2*I1)*(omega_n - omega3*gamma3*s*(I1 - I3)/I1) */
+    const double t81 = t20*t34; /* V*s*1/(s*Theta)*m*R*I1 */
+    const double t82 = -t81; /* -V*s*1/(s*Theta)*m*R*I1 */
+    const double t83 = t29*t73; /* gamma3*s*omega_tau*s*1/(s*Theta)*m*R^2*(I1 - I3) */
+    const double t84 = t11*t11; /* Theta*1/(s*Theta)*Theta*1/(s*Theta) */
+    const double t85 = t13*t84; /* omega_n*gamma3*Theta*1/(s*Theta)*Theta*1/(s*Theta)*Theta*1/(s*Theta) */
+    const double t86 = -t85; /* -t85 */
+    const double t87 = -t11; /* -Theta*1/(s*Theta) */
+    const double t88 = JLT_FNMA(t12, t53, t5); /* d(v_tau)/d(gamma3) = R*omega_n - gamma3*Theta*1/(s*Theta)*R*omega3 */
+    const double t89 = t40*t88; /* S*d(v_tau)/d(gamma3) */
+    const double t90 = x[0]*p[1]; /* gamma3*R */
+    const double t91 = t40*t90; /* S*gamma3*R */
+    const double t92 = t40*t41; /* S*s*R */
+    const double t93 = t46 - t45; /* C*v_tau - v_nu*S */
+    const double t94 = t38*t88; /* C*d(v_tau)/d(gamma3) */
+    const double t95 = -t94; /* -C*d(v_tau)/d(gamma3) */
+    const double t96 = t38*t90; /* C*gamma3*R */
+    const double t97 = -t96; /* -C*gamma3*R */
+    const double t98 = t38*t41; /* C*s*R */
+    const double t99 = -t98; /* -C*s*R */
     out[0] = t4;
     out[1] = t15;
     out[2] = t19;
-    out[3] = t27;
-    out[4] = t34;
-    out[5] = t36;
+    out[3] = t28;
+    out[4] = t35;
+    out[5] = t37;
     out[6] = t14;
-    out[7] = t43;
-    out[8] = t46;
-    out[9] = t48;
+    out[7] = t44;
+    out[8] = t47;
+    out[9] = t49;
     out[10] = 0.0;
     out[11] = t3;
     out[12] = 0.0;
@@ -459,52 +460,52 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[15] = 0.0;
     out[16] = 0.0;
     out[17] = 0.0;
-    out[18] = t51;
+    out[18] = t52;
     out[19] = 0.0;
     out[20] = 0.0;
-    out[21] = t52;
+    out[21] = t54;
     out[22] = t5;
     out[23] = 0.0;
     out[24] = 0.0;
     out[25] = 0.0;
     out[26] = 0.0;
-    out[27] = t54;
+    out[27] = t56;
     out[28] = 0.0;
     out[29] = 0.0;
-    out[30] = t56;
-    out[31] = t57;
+    out[30] = t58;
+    out[31] = t59;
     out[32] = 0.0;
     out[33] = 0.0;
     out[34] = 0.0;
     out[35] = 0.0;
-    out[36] = t63;
-    out[37] = t64;
-    out[38] = t66;
-    out[39] = t67;
-    out[40] = t68;
+    out[36] = t64;
+    out[37] = t66;
+    out[38] = t68;
+    out[39] = t69;
+    out[40] = t70;
     out[41] = 0.0;
     out[42] = 0.0;
     out[43] = 0.0;
     out[44] = 0.0;
-    out[45] = t73;
-    out[46] = t75;
-    out[47] = t78;
-    out[48] = t80;
-    out[49] = t81;
+    out[45] = t75;
+    out[46] = t77;
+    out[47] = t80;
+    out[48] = t82;
+    out[49] = t83;
     out[50] = 0.0;
     out[51] = 0.0;
     out[52] = 0.0;
     out[53] = 0.0;
-    out[54] = t84;
+    out[54] = t86;
     out[55] = 0.0;
     out[56] = 0.0;
-    out[57] = t85;
+    out[57] = t87;
     out[58] = 0.0;
     out[59] = 0.0;
     out[60] = 0.0;
     out[61] = 0.0;
     out[62] = 0.0;
-    out[63] = t50;
+    out[63] = t51;
     out[64] = 0.0;
     out[65] = 0.0;
     out[66] = t12;
@@ -513,21 +514,21 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[69] = 0.0;
     out[70] = 0.0;
     out[71] = 0.0;
-    out[72] = t87;
-    out[73] = t37;
+    out[72] = t89;
+    out[73] = t38;
     out[74] = 0.0;
-    out[75] = t89;
-    out[76] = t91;
-    out[77] = t92;
+    out[75] = t91;
+    out[76] = t92;
+    out[77] = t93;
     out[78] = 0.0;
     out[79] = 0.0;
     out[80] = 0.0;
-    out[81] = t94;
-    out[82] = t39;
+    out[81] = t95;
+    out[82] = t40;
     out[83] = 0.0;
-    out[84] = t96;
-    out[85] = t98;
-    out[86] = t43;
+    out[84] = t97;
+    out[85] = t99;
+    out[86] = t44;
     out[87] = 0.0;
     out[88] = 0.0;
     out[89] = 0.0;
@@ -701,25 +702,25 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t5[JLT_JET_ORDER_MAX + 1];
     double t6[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
-    double t14[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
-    double t34[JLT_JET_ORDER_MAX + 1];
-    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
@@ -729,12 +730,12 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
-    double t49[JLT_JET_ORDER_MAX + 1];
-    double u49[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
     double t50[JLT_JET_ORDER_MAX + 1];
+    double u50[JLT_JET_ORDER_MAX + 1];
     double t51[JLT_JET_ORDER_MAX + 1];
-    double u51[JLT_JET_ORDER_MAX + 1];
     double t52[JLT_JET_ORDER_MAX + 1];
+    double u52[JLT_JET_ORDER_MAX + 1];
     double t53[JLT_JET_ORDER_MAX + 1];
     double t54[JLT_JET_ORDER_MAX + 1];
     double t55[JLT_JET_ORDER_MAX + 1];
@@ -755,50 +756,50 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t5[k] = jlt_jet_product(t3, t4, k);
         t6[k] = jlt_jet_root(t5[k], t6, k);
         t7[k] = jlt_jet_product(x2, t6, k);
-        t13[k] = x0[k]*p[8];
-        t14[k] = jlt_jet_product(x0, t13, k) + (k == 0 ? p[6] : 0);
-        t15[k] = t5[k]*p[7] + t14[k];
-        t16[k] = jlt_jet_product(t6, t15, k);
-        t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t16, t17, k);
-        t18[k] = jlt_jet_product(x3, t15, k);
-        t19[k] = jlt_jet_product(t17, t18, k);
-        t20[k] = jlt_jet_product(x0, t19, k);
-        t22[k] = t20[k] + x4[k];
+        t11[k] = jlt_jet_product(x0, x3, k);
+        t15[k] = x0[k]*p[8];
+        t16[k] = jlt_jet_product(x0, t15, k) + (k == 0 ? p[6] : 0);
+        t17[k] = t5[k]*p[7] + t16[k];
+        t18[k] = jlt_jet_product(t6, t17, k);
+        t19[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t18, t19, k);
+        t20[k] = jlt_jet_product(t17, t19, k);
+        t21[k] = jlt_jet_product(t11, t20, k);
+        t22[k] = x4[k] + t21[k];
         t23[k] = p[1]*x3[k];
         t24[k] = jlt_jet_product(t22, t23, k);
-        t26[k] = x4[k]*p[9] + t20[k];
+        t26[k] = x4[k]*p[9] + t21[k];
         t27[k] = jlt_jet_product(x3, t26, k);
         t28[k] = -t27[k];
-        t31[k] = x2[k]*p[1] + x1[k];
-        t32[k] = jlt_jet_product(t6, t17, k);
-        t33[k] = jlt_jet_product(t31, t32, k);
-        t34[k] = x2[k] - p[10]*t33[k];
-        t35[k] = jlt_jet_product(t20, t34, k);
-        t37[k] = jlt_jet_product(x4, t32, k);
-        t38[k] = x2[k]*p[11];
-        t39[k] = jlt_jet_product(t37, t38, k) + t35[k];
+        t30[k] = jlt_jet_product(t6, t19, k);
+        t31[k] = jlt_jet_product(x4, t30, k);
+        t32[k] = p[10]*t31[k] + t21[k];
+        t33[k] = jlt_jet_product(x2, t32, k);
+        t36[k] = x2[k]*p[1] + x1[k];
+        t37[k] = jlt_jet_product(t30, t36, k);
+        t38[k] = t21[k]*p[11];
+        t39[k] = t33[k] - jlt_jet_product(t37, t38, k);
         t41[k] = x3[k]*p[12];
-        t42[k] = jlt_jet_product(t33, t41, k);
+        t42[k] = jlt_jet_product(t37, t41, k);
         t44[k] = x0[k]*p[13];
         t45[k] = jlt_jet_product(t7, t44, k);
-        t46[k] = jlt_jet_product(t37, t45, k) - t42[k];
-        t47[k] = -t19[k];
-        t49[k] = jlt_jet_cosine(x5, t49, u49, k);
-        t50[k] = jlt_jet_product(x1, t49, k);
-        t51[k] = jlt_jet_sine(x5, t51, u51, k);
-        t52[k] = jlt_jet_product(x0, x3, k);
-        t53[k] = jlt_jet_product(t6, x4, k) + t52[k];
+        t46[k] = jlt_jet_product(t31, t45, k) - t42[k];
+        t47[k] = jlt_jet_product(x3, t20, k);
+        t48[k] = -t47[k];
+        t50[k] = jlt_jet_cosine(x5, t50, u50, k);
+        t51[k] = jlt_jet_product(x1, t50, k);
+        t52[k] = jlt_jet_sine(x5, t52, u52, k);
+        t53[k] = jlt_jet_product(t6, x4, k) + t11[k];
         t54[k] = p[1]*t53[k];
-        t55[k] = jlt_jet_product(t51, t54, k) + t50[k];
-        t56[k] = jlt_jet_product(x1, t51, k);
-        t57[k] = t56[k] - jlt_jet_product(t49, t54, k);
+        t55[k] = jlt_jet_product(t52, t54, k) + t51[k];
+        t56[k] = jlt_jet_product(x1, t52, k);
+        t57[k] = t56[k] - jlt_jet_product(t50, t54, k);
         double *restrict next = coefficients + (k + 1)*9;
         next[0] = x0[k + 1] = t7[k]/(k + 1);
         next[1] = x1[k + 1] = t24[k]/(k + 1);
         next[2] = x2[k + 1] = t28[k]/(k + 1);
         next[3] = x3[k + 1] = t39[k]/(k + 1);
         next[4] = x4[k + 1] = t46[k]/(k + 1);
-        next[5] = x5[k + 1] = t47[k]/(k + 1);
+        next[5] = x5[k + 1] = t48[k]/(k + 1);
         next[6] = x6[k + 1] = t22[k]/(k + 1);
         next[7] = x7[k + 1] = t55[k]/(k + 1);
         next[8] = x8[k + 1] = t57[k]/(k + 1);
@@ -887,7 +888,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "a3580c03c4e57c8611cf766b2671a74fbd573f922ecd03ff5771c0b58df91c97",
+    .sha256 = "c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_track,
     .state_count = 9, .param_count = 6, .block_count = 36,
@@ -895,11 +896,11 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 9, { 5, 23, 10, 1, 1, 2, 10, 8 }, { 17, 59, 0, 11, 1, 2, 11, 7 },
+    .rhs = { rhs, 9, { 5, 23, 10, 1, 1, 2, 10, 10 }, { 17, 59, 0, 11, 1, 2, 11, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 81, { 11, 53, 18, 1, 1, 2, 11, 16 }, { 45, 196, 0, 40, 1, 2, 14, 9 },
+    .jacobian = { jacobian, 81, { 12, 52, 18, 1, 1, 2, 11, 16 }, { 45, 196, 0, 40, 1, 2, 14, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 90, { 18, 58, 19, 1, 1, 2, 11, 25 }, { 57, 238, 0, 51, 1, 2, 14, 12 },
+    .rhs_jacobian = { rhs_jacobian, 90, { 20, 58, 18, 1, 1, 2, 11, 27 }, { 57, 238, 0, 51, 1, 2, 14, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 11, 4, 1, 1, 0, 7, 6 }, { 6, 24, 0, 2, 1, 0, 10, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

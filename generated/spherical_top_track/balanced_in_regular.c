@@ -3,11 +3,11 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_track, SHA-256 a3580c03c4e57c8611cf766b2671a74fbd573f922ecd03ff5771c0b58df91c97
+ *  Table:      spherical_top_track, SHA-256 c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124
  *  Command:    ttc generate --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   22    9    1    0    2      8    8   (96)
+ *  rhs                 4   23    9    1    0    2      7    8   (96)
  *  jacobian            10   63   23    1    0    2     10   18   (375)
  *  rhs_jacobian        14   72   24    1    0    2      9   27   (449)
  *  divergence          0    7    4    1    0    0      5    4   (30)
@@ -58,47 +58,47 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t7 = params[5]*t5; /* I3*m*R*R */
     const double t8 = params[5]*params[5]; /* I3*I3 */
     const double t9 = t7 + t8; /* I3*m*R*R + I3*I3 */
-    const double t10 = params[4]*t1; /* I1*m*R */
-    const double t11 = params[4] - params[5]; /* I1 - I3 */
-    const double t12 = t5*t11; /* m*R*R*(I1 - I3) */
-    const double t13 = params[1]*2.0; /* R*2 */
-    const double t14 = -t0; /* -I3/I1 */
-    const double t15 = params[0]*params[0]; /* m*m */
-    const double t16 = 2.0*t15; /* 2*m*m */
-    const double t17 = params[1]*t4; /* R*R*R */
-    const double t18 = t16*t17; /* 2*m*m*R*R*R */
-    const double t19 = t8*t18; /* I3*I3*2*m*m*R*R*R */
-    const double t20 = params[5]*t8; /* I3*I3*I3 */
-    const double t21 = t5*t20; /* m*R*R*I3*I3*I3 */
-    const double t22 = 2.0*t21; /* 2*m*R*R*I3*I3*I3 */
-    const double t23 = t4*t4; /* R*R*R*R */
-    const double t24 = t15*t23; /* m*m*R*R*R*R */
-    const double t25 = t8*t24; /* I3*I3*m*m*R*R*R*R */
-    const double t26 = 2.0*t25; /* 2*I3*I3*m*m*R*R*R*R */
-    const double t27 = t22 + t26; /* 2*m*R*R*I3*I3*I3 + 2*I3*I3*m*m*R*R*R*R */
-    const double t28 = -t1; /* -m*R */
-    const double t29 = -t2; /* -I3*m*R */
-    const double t30 = t6*t8; /* I1*m*R*R*I3*I3 */
-    const double t31 = 2.0*t30; /* 2*I1*m*R*R*I3*I3 */
-    const double t32 = params[4]*t24; /* I1*m*m*R*R*R*R */
-    const double t33 = params[5]*t32; /* I3*I1*m*m*R*R*R*R */
-    const double t34 = 2.0*t33; /* 2*I3*I1*m*m*R*R*R*R */
-    const double t35 = t31 + t34; /* 2*I1*m*R*R*I3*I3 + 2*I3*I1*m*m*R*R*R*R */
-    const double t36 = params[4]*t18; /* I1*2*m*m*R*R*R */
-    const double t37 = params[5]*t36; /* I3*I1*2*m*m*R*R*R */
-    const double t38 = t16*t23; /* 2*m*m*R*R*R*R */
-    const double t39 = params[5]*t38; /* I3*2*m*m*R*R*R*R */
-    const double t40 = t11*t39; /* (I1 - I3)*I3*2*m*m*R*R*R*R */
-    const double t41 = -t10; /* -I1*m*R */
-    const double t42 = params[0]*2.0; /* m*2 */
-    const double t43 = t4*t42; /* R*R*m*2 */
-    const double t44 = t11*t43; /* (I1 - I3)*R*R*m*2 */
-    const double t45 = params[4]*params[4]; /* I1*I1 */
-    const double t46 = t18*t45; /* 2*m*m*R*R*R*I1*I1 */
-    const double t47 = params[4]*t38; /* I1*2*m*m*R*R*R*R */
-    const double t48 = t11*t47; /* (I1 - I3)*I1*2*m*m*R*R*R*R */
-    const double t49 = params[1]*t11; /* R*(I1 - I3) */
-    const double t50 = t49/params[4]; /* R*(I1 - I3)/I1 */
+    const double t10 = -t1; /* -m*R */
+    const double t11 = params[4]*t1; /* I1*m*R */
+    const double t12 = -t11; /* -I1*m*R */
+    const double t13 = params[4] - params[5]; /* I1 - I3 */
+    const double t14 = params[1]*t13; /* R*(I1 - I3) */
+    const double t15 = t14/params[4]; /* R*(I1 - I3)/I1 */
+    const double t16 = params[1]*2.0; /* R*2 */
+    const double t17 = -t0; /* -I3/I1 */
+    const double t18 = params[0]*params[0]; /* m*m */
+    const double t19 = 2.0*t18; /* 2*m*m */
+    const double t20 = params[1]*t4; /* R*R*R */
+    const double t21 = t19*t20; /* 2*m*m*R*R*R */
+    const double t22 = t8*t21; /* I3*I3*2*m*m*R*R*R */
+    const double t23 = params[5]*t8; /* I3*I3*I3 */
+    const double t24 = t5*t23; /* m*R*R*I3*I3*I3 */
+    const double t25 = 2.0*t24; /* 2*m*R*R*I3*I3*I3 */
+    const double t26 = t4*t4; /* R*R*R*R */
+    const double t27 = t18*t26; /* m*m*R*R*R*R */
+    const double t28 = t8*t27; /* I3*I3*m*m*R*R*R*R */
+    const double t29 = 2.0*t28; /* 2*I3*I3*m*m*R*R*R*R */
+    const double t30 = t25 + t29; /* 2*m*R*R*I3*I3*I3 + 2*I3*I3*m*m*R*R*R*R */
+    const double t31 = -t2; /* -I3*m*R */
+    const double t32 = t6*t8; /* I1*m*R*R*I3*I3 */
+    const double t33 = 2.0*t32; /* 2*I1*m*R*R*I3*I3 */
+    const double t34 = params[4]*t27; /* I1*m*m*R*R*R*R */
+    const double t35 = params[5]*t34; /* I3*I1*m*m*R*R*R*R */
+    const double t36 = 2.0*t35; /* 2*I3*I1*m*m*R*R*R*R */
+    const double t37 = t33 + t36; /* 2*I1*m*R*R*I3*I3 + 2*I3*I1*m*m*R*R*R*R */
+    const double t38 = params[4]*t21; /* I1*2*m*m*R*R*R */
+    const double t39 = params[5]*t38; /* I3*I1*2*m*m*R*R*R */
+    const double t40 = t5*t13; /* m*R*R*(I1 - I3) */
+    const double t41 = t19*t26; /* 2*m*m*R*R*R*R */
+    const double t42 = params[5]*t41; /* I3*2*m*m*R*R*R*R */
+    const double t43 = t13*t42; /* (I1 - I3)*I3*2*m*m*R*R*R*R */
+    const double t44 = params[0]*2.0; /* m*2 */
+    const double t45 = t4*t44; /* R*R*m*2 */
+    const double t46 = t13*t45; /* (I1 - I3)*R*R*m*2 */
+    const double t47 = params[4]*params[4]; /* I1*I1 */
+    const double t48 = t21*t47; /* 2*m*m*R*R*R*I1*I1 */
+    const double t49 = params[4]*t41; /* I1*2*m*m*R*R*R*R */
+    const double t50 = t13*t49; /* (I1 - I3)*I1*2*m*m*R*R*R*R */
     const double t51 = params[0]/2.0; /* m/2 */
     const double t52 = params[4]/2.0; /* I1/2 */
     const double t53 = params[5]/2.0; /* I3/2 */
@@ -114,23 +114,23 @@ static void prepare(const double *restrict params, double *restrict out)
     out[9] = t6;
     out[10] = t7;
     out[11] = t9;
-    out[12] = t10;
-    out[13] = t12;
-    out[14] = t13;
-    out[15] = t14;
-    out[16] = t19;
-    out[17] = t27;
-    out[18] = t29;
-    out[19] = t35;
-    out[20] = t37;
+    out[12] = t12;
+    out[13] = t15;
+    out[14] = t16;
+    out[15] = t17;
+    out[16] = t22;
+    out[17] = t30;
+    out[18] = t31;
+    out[19] = t37;
+    out[20] = t39;
     out[21] = t40;
-    out[22] = t41;
-    out[23] = t44;
+    out[22] = t43;
+    out[23] = t11;
     out[24] = t46;
     out[25] = t48;
     out[26] = t50;
     out[27] = t1;
-    out[28] = t49;
+    out[28] = t14;
     out[29] = t51;
     out[30] = t52;
     out[31] = t53;
@@ -139,7 +139,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[34] = t5;
     out[35] = t56;
     out[36] = t57;
-    out[37] = t28;
+    out[37] = t10;
     out[38] = t58;
     out[39] = t59;
 }
@@ -162,18 +162,18 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t13 = JLT_FMA(x[0], t11, t12); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t14 = 1.0/t13; /* 1/Theta */
     const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t16 = t14*t15; /* 1/Theta*V */
-    const double t17 = JLT_FNMA(p[7], t16, x[2]); /* omega_tau - m*R*I3*1/Theta*V */
-    const double t18 = t3*t17; /* omega_n*gamma3*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t19 = t2*t14; /* s*omega3*1/Theta */
-    const double t20 = x[2]*p[11]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t21 = JLT_FMA(t19, t20, t18); /* s*omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) + omega_n*gamma3*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t22 = x[9]*p[12]; /* s*m*R*I1 */
-    const double t23 = x[3]*t22; /* omega_n*s*m*R*I1 */
-    const double t24 = t16*t23; /* 1/Theta*V*omega_n*s*m*R*I1 */
-    const double t25 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t26 = p[13]*t25; /* m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
-    const double t27 = JLT_FMS(t19, t26, t24); /* s*omega3*1/Theta*m*R^2*(I1 - I3)*s*omega_tau*gamma3 - 1/Theta*V*omega_n*s*m*R*I1 */
+    const double t16 = p[7]*t15; /* m*R*I3*V */
+    const double t17 = JLT_FNMA(t14, t16, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t18 = t3*t17; /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t19 = t0*x[4]; /* s*omega_tau*omega3 */
+    const double t20 = p[11]*t19; /* (I3^2 + m*R^2*I3)*s*omega_tau*omega3 */
+    const double t21 = JLT_FMA(t14, t20, t18); /* 1/Theta*(I3^2 + m*R^2*I3)*s*omega_tau*omega3 + omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t22 = x[3]*t15; /* omega_n*V */
+    const double t23 = x[0]*p[13]; /* gamma3*R*(I1 - I3)/I1 */
+    const double t24 = JLT_FNMA(t19, t23, t22); /* omega_n*V - s*omega_tau*omega3*gamma3*R*(I1 - I3)/I1 */
+    const double t25 = x[9]*p[12]; /* s*(-m*R*I1) */
+    const double t26 = t24*t25; /* (omega_n*V - s*omega_tau*omega3*gamma3*R*(I1 - I3)/I1)*s*(-m*R*I1) */
+    const double t27 = t14*t26; /* 1/Theta*t26 */
     const double t28 = -x[3]; /* -omega_n */
     const double t29 = cos(x[5]); /* C = cos(chi) */
     const double t30 = x[1]*t29; /* v_nu*C */
@@ -183,7 +183,8 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t34 = x[1]*t31; /* v_nu*S */
     const double t35 = JLT_FNMA(t5, t29, t34); /* v_nu*S - R*(s*omega3 + omega_n*gamma3)*C */
     const double t36 = x[9]*t35; /* s*(v_nu*S - R*(s*omega3 + omega_n*gamma3)*C) */
-    const double t37 = -t25; /* -s*omega_tau*gamma3 */
+    const double t37 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t38 = -t37; /* -s*omega_tau*gamma3 */
     out[0] = t1;
     out[1] = t6;
     out[2] = t9;
@@ -193,7 +194,7 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     out[6] = t4;
     out[7] = t33;
     out[8] = t36;
-    out[9] = t37;
+    out[9] = t38;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -248,24 +249,24 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t47 = t28*t46; /* omega_n*gamma3*1/Theta*V*s*1/Theta*2*m^2*R^3*I1*I3 */
     const double t48 = JLT_FMA(t23, t44, t47); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) + omega_n*gamma3*1/Theta*V*s*1/Theta*2*m^2*R^3*I1*I3 */
     const double t49 = JLT_FNMA(p[19], t45, t48); /* t48 - (2*m*R^2*I1*I3^2 + 2*m^2*R^4*I1*I3)*s*1/Theta*omega3*omega_tau*s*1/Theta */
-    const double t50 = x[9]*p[13]; /* s*m*R^2*(I1 - I3) */
-    const double t51 = t20*p[21]; /* gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
+    const double t50 = x[9]*p[21]; /* s*m*R^2*(I1 - I3) */
+    const double t51 = t20*p[22]; /* gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
     const double t52 = JLT_FMA(t32, t50, t47); /* omega3*omega_tau*s*1/Theta*s*m*R^2*(I1 - I3) + omega_n*gamma3*1/Theta*V*s*1/Theta*2*m^2*R^3*I1*I3 */
     const double t53 = JLT_FNMA(t45, t51, t52); /* t52 - s*1/Theta*omega3*omega_tau*s*1/Theta*gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
     const double t54 = x[3]*t30; /* omega_n*s*1/Theta */
-    const double t55 = p[22]*t54; /* (-m*R*I1)*omega_n*s*1/Theta */
+    const double t55 = p[12]*t54; /* (-m*R*I1)*omega_n*s*1/Theta */
     const double t56 = x[9]*x[0]; /* s*gamma3 */
-    const double t57 = p[13]*t56; /* m*R^2*(I1 - I3)*s*gamma3 */
+    const double t57 = p[21]*t56; /* m*R^2*(I1 - I3)*s*gamma3 */
     const double t58 = t38*t57; /* omega3*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
     const double t59 = JLT_FNMA(p[9], t54, t58); /* omega3*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 - m*R^2*I1*omega_n*s*1/Theta */
     const double t60 = t24*t30; /* V*s*1/Theta */
-    const double t61 = p[22]*t60; /* (-m*R*I1)*V*s*1/Theta */
+    const double t61 = p[12]*t60; /* (-m*R*I1)*V*s*1/Theta */
     const double t62 = t31*t57; /* omega_tau*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
-    const double t63 = x[3]*p[12]; /* omega_n*m*R*I1 */
+    const double t63 = x[3]*p[23]; /* omega_n*m*R*I1 */
     const double t64 = t25*t63; /* 1/Theta*V*omega_n*m*R*I1 */
-    const double t65 = x[0]*p[23]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t66 = t54*p[24]; /* omega_n*s*1/Theta*2*m^2*R^3*I1^2 */
-    const double t67 = t56*p[25]; /* s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
+    const double t65 = x[0]*p[24]; /* gamma3*2*m*R^2*(I1 - I3) */
+    const double t66 = t54*p[25]; /* omega_n*s*1/Theta*2*m^2*R^3*I1^2 */
+    const double t67 = t56*p[26]; /* s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
     const double t68 = JLT_FMS(t32, t65, t64); /* omega3*omega_tau*s*1/Theta*gamma3*2*m*R^2*(I1 - I3) - 1/Theta*V*omega_n*m*R*I1 */
     const double t69 = JLT_FMA(t60, t66, t68); /* V*s*1/Theta*omega_n*s*1/Theta*2*m^2*R^3*I1^2 + t68 */
     const double t70 = JLT_FNMA(t45, t67, t69); /* V*s*1/Theta*omega_n*s*1/Theta*2*m^2*R^3*I1^2 + t68 - s*1/Theta*omega3*omega_tau*s*1/Theta*s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
@@ -428,9 +429,9 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t24 = x[3]*t20; /* omega_n*s*1/Theta */
     const double t25 = t16*t24; /* V*omega_n*s*1/Theta */
     const double t26 = x[0]*t3; /* gamma3*s*omega3 */
-    const double t27 = p[26]*t26; /* R*(I1 - I3)/I1*gamma3*s*omega3 */
+    const double t27 = p[13]*t26; /* R*(I1 - I3)/I1*gamma3*s*omega3 */
     const double t28 = JLT_FNMA(t21, t27, t25); /* V*omega_n*s*1/Theta - omega_tau*s*1/Theta*R*(I1 - I3)/I1*gamma3*s*omega3 */
-    const double t29 = p[22]*t28; /* (-m*R*I1)*t28 */
+    const double t29 = p[12]*t28; /* (-m*R*I1)*t28 */
     const double t30 = -x[3]; /* -omega_n */
     const double t31 = cos(x[5]); /* C = cos(chi) */
     const double t32 = x[1]*t31; /* v_nu*C */
@@ -476,23 +477,23 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t72 = t58*p[20]; /* omega_n*gamma3*1/Theta*V*2*m^2*R^3*I1*I3 */
     const double t73 = JLT_FMS(t22, p[19], t72); /* omega3*omega_tau*s*1/Theta*(2*m*R^2*I1*I3^2 + 2*m^2*R^4*I1*I3) - omega_n*gamma3*1/Theta*V*2*m^2*R^3*I1*I3 */
     const double t74 = JLT_FNMA(t20, t73, t71); /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) - s*1/Theta*t73 */
-    const double t75 = t21*p[13]; /* omega_tau*s*1/Theta*m*R^2*(I1 - I3) */
+    const double t75 = t21*p[21]; /* omega_tau*s*1/Theta*m*R^2*(I1 - I3) */
     const double t76 = t3*t75; /* s*omega3*omega_tau*s*1/Theta*m*R^2*(I1 - I3) */
-    const double t77 = t12*p[21]; /* gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
+    const double t77 = t12*p[22]; /* gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
     const double t78 = JLT_FMS(t22, t77, t72); /* omega3*omega_tau*s*1/Theta*gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) - omega_n*gamma3*1/Theta*V*2*m^2*R^3*I1*I3 */
     const double t79 = JLT_FNMA(t20, t78, t76); /* s*omega3*omega_tau*s*1/Theta*m*R^2*(I1 - I3) - s*1/Theta*t78 */
-    const double t80 = p[22]*t24; /* (-m*R*I1)*omega_n*s*1/Theta */
-    const double t81 = t26*p[13]; /* gamma3*s*omega3*m*R^2*(I1 - I3) */
+    const double t80 = p[12]*t24; /* (-m*R*I1)*omega_n*s*1/Theta */
+    const double t81 = t26*p[21]; /* gamma3*s*omega3*m*R^2*(I1 - I3) */
     const double t82 = t20*t81; /* s*1/Theta*gamma3*s*omega3*m*R^2*(I1 - I3) */
     const double t83 = JLT_FNMA(p[9], t24, t82); /* s*1/Theta*gamma3*s*omega3*m*R^2*(I1 - I3) - m*R^2*I1*omega_n*s*1/Theta */
-    const double t84 = t16*p[22]; /* V*(-m*R*I1) */
+    const double t84 = t16*p[12]; /* V*(-m*R*I1) */
     const double t85 = t20*t84; /* s*1/Theta*V*(-m*R*I1) */
     const double t86 = x[9]*x[0]; /* s*gamma3 */
     const double t87 = t75*t86; /* omega_tau*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
-    const double t88 = x[3]*p[12]; /* omega_n*m*R*I1 */
+    const double t88 = x[3]*p[23]; /* omega_n*m*R*I1 */
     const double t89 = t17*t88; /* 1/Theta*V*omega_n*m*R*I1 */
-    const double t90 = x[0]*p[23]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t91 = t20*p[24]; /* s*1/Theta*2*m^2*R^3*I1^2 */
+    const double t90 = x[0]*p[24]; /* gamma3*2*m*R^2*(I1 - I3) */
+    const double t91 = t20*p[25]; /* s*1/Theta*2*m^2*R^3*I1^2 */
     const double t92 = JLT_FMS(t22, t90, t89); /* omega3*omega_tau*s*1/Theta*gamma3*2*m*R^2*(I1 - I3) - 1/Theta*V*omega_n*m*R*I1 */
     const double t93 = JLT_FMA(t28, t91, t92); /* t28*s*1/Theta*2*m^2*R^3*I1^2 + t92 */
     const double t94 = t33*t47; /* S*omega_n*s*R */
@@ -855,11 +856,11 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t33[k] = jlt_jet_product(t7, t26, k);
         t34[k] = x2[k]*p[11];
         t35[k] = jlt_jet_product(t33, t34, k) + t31[k];
-        t37[k] = x9[k]*p[12];
+        t37[k] = x9[k]*p[23];
         t38[k] = jlt_jet_product(x3, t37, k);
         t39[k] = jlt_jet_product(t29, t38, k);
         t41[k] = jlt_jet_product(t2, x0, k);
-        t42[k] = p[13]*t41[k];
+        t42[k] = p[21]*t41[k];
         t43[k] = jlt_jet_product(t33, t42, k) - t39[k];
         t44[k] = -x3[k];
         t46[k] = jlt_jet_cosine(x5, t46, u46, k);
@@ -970,7 +971,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint: reduced system, attitude and track",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
-    .sha256 = "a3580c03c4e57c8611cf766b2671a74fbd573f922ecd03ff5771c0b58df91c97",
+    .sha256 = "c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_track,
     .state_count = 10, .param_count = 6, .block_count = 40,
@@ -978,7 +979,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 10, { 4, 22, 9, 1, 0, 2, 8, 8 }, { 17, 71, 0, 6, 0, 2, 10, 7 },
+    .rhs = { rhs, 10, { 4, 23, 9, 1, 0, 2, 7, 8 }, { 17, 71, 0, 6, 0, 2, 10, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .jacobian = { jacobian, 100, { 10, 63, 23, 1, 0, 2, 10, 18 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },

@@ -1,7 +1,7 @@
 /* Spherical top with one nonholonomic constraint: reduced system, attitude and track: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_track, SHA-256 a3580c03c4e57c8611cf766b2671a74fbd573f922ecd03ff5771c0b58df91c97
+ *  Table:      spherical_top_track, SHA-256 c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124
  *  Command:    ttc generate --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
