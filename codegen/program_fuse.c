@@ -1,4 +1,5 @@
-/* Fused multiply-adds: a product that is used once, by a sum or difference, becomes one operation with it. */
+/* Fused multiply-adds: a product that is used once, by a sum or difference, becomes one operation with it. And a
+ * reciprocal that is used once, in a product, becomes a quotient. */
 #include "system_lower.h"
 
 #include <stdlib.h>
@@ -10,10 +11,24 @@ typedef struct {
     ttc_value *renamed;
 } fusing;
 
+/* The reciprocal that a product uses alone: x * (1/y) is x/y, which rounds once. */
+static ttc_value lone_reciprocal(const fusing *f, const ttc_instruction *i)
+{
+    const ttc_value operands[] = { i->a, i->b };
+    for (int k = 0; i->op == TTC_OP_MULTIPLY && k < 2; k++) {
+        const ttc_instruction *operand = ttc_program_at(f->program, operands[k]);
+        if (operand->op != TTC_OP_DIVIDE || f->uses[operands[k]] != 1) continue;
+        const ttc_instruction *one = ttc_program_at(f->program, operand->a);
+        if (one->op == TTC_OP_CONSTANT && fmpq_is_one(one->constant)) return operands[k];
+    }
+    return TTC_NO_VALUE;
+}
+
 static bool may_fuse(const fusing *f, ttc_value value)
 {
-    return ttc_program_at(f->program, value)->op == TTC_OP_MULTIPLY && f->uses[value] == 1
-           && ttc_program_label_of(f->program, value) == NULL;
+    const ttc_instruction *i = ttc_program_at(f->program, value);
+    return i->op == TTC_OP_MULTIPLY && f->uses[value] == 1 && ttc_program_label_of(f->program, value) == NULL
+           && lone_reciprocal(f, i) == TTC_NO_VALUE;
 }
 
 /* a + b, a - b, b - a with one of them a product; the later one is taken when both are, as it is ready last. */
@@ -38,6 +53,13 @@ static ttc_value copied(const fusing *f, const ttc_instruction *i)
                             arity > 2 ? f->renamed[i->c] : TTC_NO_VALUE);
 }
 
+static ttc_value quotient(const fusing *f, const ttc_instruction *i, ttc_value reciprocal)
+{
+    ttc_value other = i->a == reciprocal ? i->b : i->a;
+    return ttc_program_copy(f->out, TTC_OP_DIVIDE, f->renamed[other], f->renamed[ttc_program_at(f->program, reciprocal)->b],
+                            TTC_NO_VALUE);
+}
+
 static void count_uses(fusing *f)
 {
     for (size_t k = 0; k < ttc_program_size(f->program); k++) {
@@ -58,7 +80,9 @@ ttc_program *ttc_program_fuse(const ttc_program *program)
     for (size_t k = 0; k < n; k++) {
         const ttc_instruction *i = ttc_program_at(program, (ttc_value)k);
         bool is_sum = (i->op == TTC_OP_ADD || i->op == TTC_OP_SUBTRACT) && i->a != i->b;
-        f.renamed[k] = is_sum && (may_fuse(&f, i->a) || may_fuse(&f, i->b)) ? fused(&f, i) : copied(&f, i);
+        ttc_value reciprocal = lone_reciprocal(&f, i);
+        if (reciprocal != TTC_NO_VALUE) f.renamed[k] = quotient(&f, i, reciprocal);
+        else f.renamed[k] = is_sum && (may_fuse(&f, i->a) || may_fuse(&f, i->b)) ? fused(&f, i) : copied(&f, i);
         if (f.renamed[k] == TTC_NO_VALUE) goto done;
         if (ttc_program_label_of(program, (ttc_value)k) != NULL)
             ttc_program_label(f.out, f.renamed[k], ttc_program_label_of(program, (ttc_value)k));

@@ -1,4 +1,5 @@
 /* From expressions to a system of sums. */
+#include "simplify.h"
 #include "system.h"
 
 #include <stdlib.h>
@@ -150,6 +151,9 @@ static uint32_t new_unit(converter *c, ttc_id definition, const char *label)
     uint32_t unit = ttc_system_add_variable(c->system, TTC_VARIABLE_UNIT, 0);
     if (c->system->failed) return 0;
     c->system->variables[unit].label = label;
+    definition = ttc_simplify_roots(c->field, definition);
+    c->system->failed |= definition == TTC_NONE;
+    if (c->system->failed) return 0;
     fill(c, unit, definition);
     if (!c->system->failed) split_squares(c, unit);
     return unit;

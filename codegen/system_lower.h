@@ -10,7 +10,8 @@
  *  short. Scales go to the block. NULL: memory. */
 ttc_program *ttc_system_lower(const ttc_system *system, ttc_block *block);
 
-/** A new program in which a product that is used once, in a sum, is one operation with it. NULL: memory. */
+/** A new program in which a product that is used once, in a sum, is one operation with it, and a
+ *  reciprocal that is used once, in a product, makes a quotient. NULL: memory. */
 ttc_program *ttc_program_fuse(const ttc_program *program);
 
 #endif

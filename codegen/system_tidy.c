@@ -107,36 +107,75 @@ bool ttc_system_inline(ttc_system *system, uint32_t variable)
     return true;
 }
 
+/* The last variable that uses each one, as a factor or as an operand. */
+static uint32_t *find_users(const ttc_system *system)
+{
+    uint32_t *user = calloc(system->count + 1, sizeof *user);
+    for (uint32_t v = 0; user != NULL && v < system->count; v++) {
+        const ttc_variable *variable = system->variables + v;
+        if (variable->kind > TTC_VARIABLE_UNIT) user[variable->operand] = v;
+        for (uint32_t i = 0; i < variable->definition.count; i++)
+            for (unsigned j = 0; j < variable->definition.cubes[i].count; j++) user[variable->definition.cubes[i].factors[j]] = v;
+    }
+    return user;
+}
+
+static bool is_plain(const ttc_system *system, const ttc_cube *cube)
+{
+    return cube->count + (cube->scale != system->one ? 1u : 0u) <= 1;
+}
+
 /* True when the variable's one use is as a whole term of a sum, or the variable is a product, so that nothing is
  * multiplied out by putting it back. */
-static bool may_return(const ttc_system *system, uint32_t variable, uint32_t uses)
+static bool may_return(const ttc_system *system, uint32_t variable, uint32_t user)
 {
     const ttc_variable *v = system->variables + variable;
-    if (v->kind != TTC_VARIABLE_UNIT || v->is_output || v->definition.count == 0) return false;
-    if (v->definition.count == 1) {
-        const ttc_cube *cube = v->definition.cubes;
-        unsigned parts = cube->count + (cube->scale != system->one ? 1u : 0u);
-        return uses == 1 || parts <= 1;
-    }
-    if (uses != 1 || v->label != NULL) return false;
-    for (uint32_t u = 0; u < system->count; u++) {
-        const ttc_polynomial *p = &system->variables[u].definition;
-        for (uint32_t i = 0; i < p->count; i++)
-            if (ttc_cube_power(p->cubes + i, variable) == 1)
-                return p->cubes[i].count == 1 && p->cubes[i].scale == system->one;
-    }
+    if (system->variables[user].kind != TTC_VARIABLE_UNIT) return false;
+    if (v->definition.count == 1) return true;
+    const ttc_polynomial *p = &system->variables[user].definition;
+    for (uint32_t i = 0; i < p->count; i++)
+        if (ttc_cube_power(p->cubes + i, variable) > 0) return p->cubes[i].count == 1 && p->cubes[i].scale == system->one;
     return false;
+}
+
+static bool fits_in(const ttc_system *system, uint32_t variable, uint32_t user)
+{
+    const ttc_polynomial *definition = &system->variables[variable].definition, *p = &system->variables[user].definition;
+    for (uint32_t i = 0; i < p->count; i++)
+        for (uint32_t j = 0; j < definition->count; j++)
+            if (ttc_cube_power(p->cubes + i, variable) > 0 && p->cubes[i].count + definition->cubes[j].count > TTC_CUBE_LIMIT)
+                return false;
+    return true;
 }
 
 static void return_single_uses(ttc_system *system)
 {
     for (bool changed = true; changed && !system->failed;) {
-        uint32_t *uses = count_uses(system);
+        uint32_t *uses = count_uses(system), *users = find_users(system);
         changed = false;
-        system->failed |= uses == NULL;
-        for (uint32_t v = 0; v < system->count && !changed && !system->failed; v++)
-            if (uses[v] > 0 && may_return(system, v, uses[v])) changed = ttc_system_inline(system, v);
+        system->failed |= uses == NULL || users == NULL;
+        for (uint32_t v = 0; v < system->count && !system->failed; v++) {
+            const ttc_variable *variable = system->variables + v;
+            if (variable->kind != TTC_VARIABLE_UNIT || variable->is_output || variable->definition.count == 0 || uses[v] == 0)
+                continue;
+            if (uses[v] > 1) {
+                changed = variable->definition.count == 1 && is_plain(system, variable->definition.cubes)
+                          && ttc_system_inline(system, v);
+                if (changed) break; /* uses are not what they were */
+                continue;
+            }
+            if (variable->definition.count > 1 && variable->label != NULL) continue;
+            uint32_t user = users[v];
+            if (!may_return(system, v, user) || !fits_in(system, v, user)) continue;
+            inline_into(system, user, v);
+            for (uint32_t i = 0; i < variable->definition.count; i++)
+                for (unsigned j = 0; j < variable->definition.cubes[i].count; j++)
+                    users[variable->definition.cubes[i].factors[j]] = user;
+            system->variables[v].definition.count = 0;
+            uses[v] = 0;
+        }
         free(uses);
+        free(users);
     }
 }
 
@@ -160,9 +199,36 @@ static void settle_signs(ttc_system *system)
     }
 }
 
+/* Unused variables leave their numbers; the order of the others is kept, and with it that of factors. */
+static void renumber(ttc_system *system)
+{
+    uint32_t *uses = count_uses(system), *number = calloc(system->count + 1, sizeof *number), count = 0;
+    system->failed |= uses == NULL || number == NULL;
+    for (uint32_t v = 0; v < system->count && !system->failed; v++) {
+        ttc_variable *variable = system->variables + v;
+        number[v] = count;
+        if (uses[v] > 0 || variable->is_output) system->variables[count++] = *variable;
+        else free(variable->definition.cubes);
+    }
+    if (!system->failed) system->count = count;
+    for (uint32_t v = 0; v < system->count && !system->failed; v++) {
+        ttc_variable *variable = system->variables + v;
+        if (variable->kind > TTC_VARIABLE_UNIT) variable->operand = number[variable->operand];
+        for (uint32_t i = 0; i < variable->definition.count; i++)
+            for (unsigned j = 0; j < variable->definition.cubes[i].count; j++) {
+                uint32_t *factor = variable->definition.cubes[i].factors + j;
+                *factor = number[*factor];
+            }
+    }
+    for (uint32_t i = 0; i < system->output_count && !system->failed; i++) system->outputs[i] = number[system->outputs[i]];
+    free(uses);
+    free(number);
+}
+
 void ttc_system_tidy(ttc_system *system)
 {
     drop_unused(system);
     if (!system->failed) return_single_uses(system);
     if (!system->failed) settle_signs(system);
+    if (!system->failed) renumber(system);
 }
