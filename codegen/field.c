@@ -1,5 +1,6 @@
 #include "field.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -128,8 +129,7 @@ ttc_id ttc_field_distribute(ttc_field *field, ttc_id sum, ttc_id factor)
     return result;
 }
 
-/* A new unit, or the expression itself where it is no sum. */
-static ttc_id derived_unit(ttc_field *field, const char *name, const char *by, ttc_id expression)
+ttc_id ttc_field_add_unit(ttc_field *field, const char *name, ttc_id expression)
 {
     if (field->symbol_count == field->symbol_capacity) {
         size_t capacity = 2 * field->symbol_capacity + 16;
@@ -139,19 +139,27 @@ static ttc_id derived_unit(ttc_field *field, const char *name, const char *by, t
         field->symbol_capacity = capacity;
     }
     uint32_t number = (uint32_t)field->symbol_count;
-    ttc_field_symbol symbol = { .node = ttc_symbol(field->graph, number) };
-    size_t length = strlen(name) + strlen(by) + 8;
-    symbol.name = malloc(length);
+    ttc_field_symbol symbol = { .node = ttc_symbol(field->graph, number), .name = copy_name(name) };
     if (symbol.name == NULL || symbol.node == TTC_NONE) {
         free(symbol.name);
         return TTC_NONE;
     }
-    strcpy(symbol.name, "d(");
-    strcat(strcat(strcat(strcat(symbol.name, name), ")/d("), by), ")");
     name_expression(field, &symbol, expression);
     field->symbols[number] = symbol;
     field->symbol_count++;
     return symbol.node;
+}
+
+/* d(NAME)/d(BY) */
+static ttc_id add_derivative(ttc_field *field, const char *name, const char *by, ttc_id expression)
+{
+    size_t length = strlen(name) + strlen(by) + 8;
+    char *label = malloc(length);
+    if (label == NULL) return TTC_NONE;
+    snprintf(label, length, "d(%s)/d(%s)", name, by);
+    ttc_id unit = ttc_field_add_unit(field, label, expression);
+    free(label);
+    return unit;
 }
 
 typedef struct {
@@ -174,7 +182,7 @@ static ttc_id unit_slope(direction *d, uint32_t symbol)
     ttc_id partial = ttc_derivative(field->graph, s->definition, slope, d);
     if (partial == TTC_NONE) return TTC_NONE;
     if (ttc_kind_of(field->graph, partial) == TTC_SUM)
-        partial = derived_unit(field, field->symbols[symbol].name, field->symbols[field->states[d->position]].name, partial);
+        partial = add_derivative(field, field->symbols[symbol].name, field->symbols[field->states[d->position]].name, partial);
     field->symbols[symbol].partials[d->position] = partial;
     return partial;
 }

@@ -68,6 +68,13 @@ ttc_id ttc_field_specialise(ttc_field *field, ttc_id expression);
  *  roots and angles by the chain rule. Derivatives of units are units where they are sums. */
 ttc_id ttc_field_partial(ttc_field *field, ttc_id expression, size_t position);
 
+/* A new symbol that stands for the expression; TTC_NONE when memory is out. */
+ttc_id ttc_field_add_unit(ttc_field *field, const char *name, ttc_id expression);
+
+/** The right-hand sides in another form, shape (states,): terms over the same unit as denominator are gathered over it,
+ *  and the sum of their numerators becomes a unit. False when memory is out. */
+bool ttc_field_gather(ttc_field *field, ttc_id *rhs);
+
 /* Multiply term by term, so that factors cancel in each term of a sum on its own. */
 ttc_id ttc_field_distribute(ttc_field *field, ttc_id sum, ttc_id factor);
 

@@ -51,6 +51,34 @@ static bool add_field_kernels(ttc_kernels *k)
     return !field->failed && trace != TTC_NONE;
 }
 
+/* The field's kernels once more, from fractions gathered: another start for the optimizer. */
+static bool add_gathered(ttc_kernels *k)
+{
+    static const ttc_kernel_kind kinds[] = { TTC_KERNEL_RHS, TTC_KERNEL_JACOBIAN, TTC_KERNEL_RHS_JACOBIAN, TTC_KERNEL_DIVERGENCE };
+    ttc_field *field = k->field;
+    size_t n = field->state_count;
+    ttc_id *rhs = calloc(n + 1, sizeof *rhs), trace = ttc_integer(field->graph, 0);
+    bool ok = rhs != NULL && ttc_field_gather(field, rhs), differs = false;
+    for (size_t i = 0; ok && i < n; i++) differs |= rhs[i] != field->rhs[i];
+    for (size_t i = 0; ok && differs && i < sizeof kinds / sizeof *kinds; i++) {
+        k->kernels[kinds[i]].gathered = calloc(k->kernels[kinds[i]].count + 1, sizeof(ttc_id));
+        ok = k->kernels[kinds[i]].gathered != NULL;
+    }
+    for (size_t i = 0; ok && differs && i < n; i++) {
+        k->kernels[TTC_KERNEL_RHS].gathered[i] = k->kernels[TTC_KERNEL_RHS_JACOBIAN].gathered[i] = rhs[i];
+        for (size_t j = 0; j < n && ok; j++) {
+            ttc_id partial = ttc_field_partial(field, rhs[i], j);
+            k->kernels[TTC_KERNEL_JACOBIAN].gathered[i * n + j] = partial;
+            k->kernels[TTC_KERNEL_RHS_JACOBIAN].gathered[n + i * n + j] = partial;
+            if (i == j) trace = ttc_add(field->graph, trace, partial);
+            ok = partial != TTC_NONE && trace != TTC_NONE;
+        }
+    }
+    if (ok && differs) k->kernels[TTC_KERNEL_DIVERGENCE].gathered[0] = trace;
+    free(rhs);
+    return ok;
+}
+
 static uint32_t *claims_of_kind(ttc_kernels *k, ttc_claim_kind kind, size_t *count)
 {
     const ttc_model *model = k->field->model;
@@ -129,7 +157,7 @@ static bool build_jet(ttc_kernels *k)
     if (outputs == NULL) return false;
     memcpy(outputs, k->field->rhs, n * sizeof *outputs);
     outputs[n] = k->field->factor;
-    k->jet = ttc_optimize(k->field, outputs, n + (k->field->time != NULL), &k->block);
+    k->jet = ttc_optimize(k->field, outputs, NULL, n + (k->field->time != NULL), &k->block);
     free(outputs);
     return k->jet != NULL;
 }
@@ -144,7 +172,7 @@ static bool build_programs(ttc_kernels *k)
             if (kernel->outputs[i] == TTC_NONE) return false;
         kernel->naive = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ 0 });
         kernel->reference = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ .share = true });
-        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->count, &k->block);
+        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count, &k->block);
         if (kernel->naive == NULL || kernel->reference == NULL || kernel->optimized == NULL) return false;
     }
     if (!build_jet(k)) return false;
@@ -161,7 +189,7 @@ ttc_kernels *ttc_kernels_create(ttc_field *field)
     }
     k->field = field;
     bool serves_families = field->time == NULL && field->elimination == NULL;
-    bool ok = add_field_kernels(k) && add_integral_kernels(k) && add_measure_kernels(k);
+    bool ok = add_field_kernels(k) && add_gathered(k) && add_integral_kernels(k) && add_measure_kernels(k);
     if (ok && serves_families) {
         k->families = claims_of_kind(k, TTC_CLAIM_EQUILIBRIA, &k->family_count);
         ok = k->families != NULL;
@@ -176,6 +204,7 @@ void ttc_kernels_destroy(ttc_kernels *kernels)
     if (kernels == NULL) return;
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {
         free(kernels->kernels[kind].outputs);
+        free(kernels->kernels[kind].gathered);
         ttc_program_destroy(kernels->kernels[kind].naive);
         ttc_program_destroy(kernels->kernels[kind].reference);
         ttc_program_destroy(kernels->kernels[kind].optimized);

@@ -25,6 +25,7 @@ typedef enum {
 typedef struct {
     ttc_id *outputs; /* what is computed, in the field's symbols */
     size_t count;    /* 0: the field has no such kernel */
+    ttc_id *gathered; /* the same functions from the gathered field; NULL for kernels that gain nothing from it */
     ttc_program *naive;     /* on raw parameters, as the expressions stand, nothing shared but units */
     ttc_program *reference; /* the same with equal subexpressions once: what ball kernels evaluate */
     ttc_program *optimized; /* on the prepared block */

@@ -14,15 +14,22 @@ static unsigned cost_of(const ttc_program *program)
     return 3 * (c.add + c.multiply) + 4 * c.fma + 18 * (c.divide + c.root) + 60 * c.elementary;
 }
 
-enum { SEEDS = 16, ROUNDS = 300 };
-#define WORK_LIMIT UINT64_C(4000000000)
+/* Searches from each start; in each, first extractions, then rounds of undoing and redoing,
+ * until so many in a row have brought nothing. The work of
+ * a search, in comparisons, is bounded, so that large kernels stop early, at the same place on every machine. */
+enum { REPEATS = 1, SEEDS = 8, PATIENCE = 80 };
+#define WORK_LIMIT UINT64_C(60000000)
 
 static ttc_program *finish(const ttc_system *system, ttc_block *block)
 {
     ttc_program *fused = NULL;
     ttc_system *copy = ttc_system_clone(system);
     if (copy == NULL) return NULL;
+    /* The products that recover reciprocals meet other factors, so there may be more to take out. */
     ttc_system_share_reciprocals(copy);
+    ttc_system_tidy(copy);
+    ttc_system_cancel(copy);
+    ttc_system_extract(copy, 0);
     ttc_system_tidy(copy);
     if (!copy->failed) {
         ttc_program *program = ttc_system_lower(copy, block);
@@ -34,7 +41,7 @@ static ttc_program *finish(const ttc_system *system, ttc_block *block)
 }
 
 /* Cost of a system's program; the block's entries are thrown away. UINT_MAX on failure. */
-static unsigned try(const ttc_system *system)
+static unsigned cost_of_system(const ttc_system *system)
 {
     ttc_block scratch = { .field = system->field };
     ttc_program *program = finish(system, &scratch);
@@ -44,17 +51,18 @@ static unsigned try(const ttc_system *system)
     return cost;
 }
 
-/* A system on trial takes the place of the best one when it is cheaper. */
+/* The best system of a search; one on trial takes its place when it costs no more, so that a search drifts over ties. */
 typedef struct {
     ttc_system *best;
     unsigned cost;
     uint64_t work;
 } contest;
 
+/* Takes ownership of the system. */
 static void enter(contest *c, ttc_system *system)
 {
-    unsigned cost = system == NULL || system->failed ? (unsigned)-1 : try(system);
-    if (cost <= c->cost && system != NULL) {
+    unsigned cost = system == NULL || system->failed ? (unsigned)-1 : cost_of_system(system);
+    if (system != NULL && cost <= c->cost) {
         ttc_system_destroy(c->best);
         c->best = system;
         c->cost = cost;
@@ -74,15 +82,16 @@ static void extract_from(contest *c, const ttc_system *start, uint64_t seed)
     enter(c, system);
 }
 
-/* Undo some of what was extracted, and extract again. */
+/* Undo some of what was extracted, and extract again (Schrimpf, Schneider, Stamm-Wilbrandt, Dueck 2000). */
 static void ruin_and_recreate(contest *c, uint64_t round)
 {
     ttc_system *system = ttc_system_clone(c->best);
     if (system == NULL) return;
     uint64_t random = round * UINT64_C(0x9E3779B97F4A7C15) + 12345;
+    unsigned percent = 3u + 7u * (unsigned)(round % 5);
     for (uint32_t v = 0; v < system->count && !system->failed; v++) {
         random = random * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-        if (system->variables[v].is_extracted && (random >> 33) % 100 < 10 + 10 * (round % 4)) ttc_system_inline(system, v);
+        if (system->variables[v].is_extracted && (random >> 33) % 100 < percent) ttc_system_inline(system, v);
     }
     ttc_system_tidy(system);
     if (!system->failed) c->work += ttc_system_extract(system, round);
@@ -91,15 +100,57 @@ static void ruin_and_recreate(contest *c, uint64_t round)
     enter(c, system);
 }
 
-ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, size_t count, ttc_block *block)
+/* One search from one start. */
+static contest search(const ttc_system *start, uint64_t number)
 {
-    ttc_system *start = ttc_system_create(field, outputs, count);
     contest c = { NULL, (unsigned)-1, 0 };
-    if (start == NULL) return NULL;
-    for (uint64_t seed = 0; seed < SEEDS && c.work < WORK_LIMIT; seed++) extract_from(&c, start, seed);
-    for (uint64_t round = 1; round <= ROUNDS && c.work < WORK_LIMIT && c.best != NULL; round++) ruin_and_recreate(&c, round);
-    ttc_program *program = c.best == NULL ? NULL : finish(c.best, block);
-    ttc_system_destroy(c.best);
-    ttc_system_destroy(start);
+    for (uint64_t seed = 0; seed < SEEDS && c.work < WORK_LIMIT; seed++)
+        extract_from(&c, start, seed == 0 ? number % 2 : number * SEEDS + seed);
+    unsigned before = c.cost;
+    for (uint64_t round = 1, idle = 0; idle < PATIENCE && c.work < WORK_LIMIT && c.best != NULL; round++) {
+        ruin_and_recreate(&c, (number << 32) + round);
+        idle = c.cost < before ? 0 : idle + 1;
+        before = c.cost;
+    }
+    return c;
+}
+
+enum { STARTS = 4 };
+
+/* As given, and with products written out: a start that is no different from another is left out. */
+static bool make_starts(ttc_system **starts, ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count)
+{
+    for (int k = 0; k < STARTS; k++) starts[k] = NULL;
+    for (int k = 0; k < 2; k++) {
+        const ttc_id *ids = k == 0 ? outputs : other;
+        if (ids == NULL) continue;
+        starts[k] = ttc_system_create(field, ids, count);
+        starts[k + 2] = starts[k] == NULL ? NULL : ttc_system_clone(starts[k]);
+        if (starts[k + 2] == NULL) return false;
+        if (ttc_system_write_out(starts[k + 2])) continue;
+        ttc_system_destroy(starts[k + 2]);
+        starts[k + 2] = NULL;
+    }
+    return true;
+}
+
+ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, ttc_block *block)
+{
+    ttc_system *starts[STARTS];
+    contest best = { NULL, (unsigned)-1, 0 };
+    bool ok = make_starts(starts, field, outputs, other, count);
+    for (uint64_t k = 0; k < STARTS * REPEATS && ok; k++) {
+        if (starts[k % STARTS] == NULL) continue;
+        contest c = search(starts[k % STARTS], k);
+        if (c.best != NULL && c.cost < best.cost) {
+            ttc_system_destroy(best.best);
+            best = c;
+        } else {
+            ttc_system_destroy(c.best);
+        }
+    }
+    ttc_program *program = best.best == NULL ? NULL : finish(best.best, block);
+    ttc_system_destroy(best.best);
+    for (int k = 0; k < STARTS; k++) ttc_system_destroy(starts[k]);
     return program;
 }

@@ -6,7 +6,8 @@
 #include "program.h"
 
 /** The outputs, in the field's symbols, as a program on states and the prepared block, to which entries are added.
- *  Returns NULL when memory is out. */
-ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, size_t count, ttc_block *block);
+ *  other: the same functions written differently, a second place to start from; may be NULL.
+ *  Returns NULL when memory is out. Cost: a fixed amount of search, seconds at most. */
+ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, ttc_block *block);
 
 #endif

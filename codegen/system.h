@@ -85,6 +85,12 @@ void ttc_system_tidy(ttc_system *system);
 /* Put a unit back where it is used. False when a cube would be too long; nothing is changed then. */
 bool ttc_system_inline(ttc_system *system, uint32_t variable);
 
+/* In every cube, a variable goes against its reciprocal, and the square of a root becomes its radicand. */
+void ttc_system_cancel(ttc_system *system);
+
+/** Write products out where they are used, so that they cancel there. Returns whether there were any. */
+bool ttc_system_write_out(ttc_system *system);
+
 /* Divide units by one of their scales where that saves multiplications. */
 void ttc_system_rescale(ttc_system *system);
 

@@ -9,6 +9,7 @@ typedef struct {
     ttc_field *field;
     uint32_t *by_symbol;     /* variable + 1 */
     uint32_t *by_id;         /* of anonymous sums: variable + 1 */
+    unsigned char *below_root; /* by id: some root or angle depends on it */
     size_t id_count;
     uint32_t *reciprocals;   /* by variable, + 1 */
     size_t reciprocal_capacity;
@@ -151,7 +152,7 @@ static uint32_t new_unit(converter *c, ttc_id definition, const char *label)
     uint32_t unit = ttc_system_add_variable(c->system, TTC_VARIABLE_UNIT, 0);
     if (c->system->failed) return 0;
     c->system->variables[unit].label = label;
-    definition = ttc_simplify_roots(c->field, definition);
+    if (definition >= c->id_count || !c->below_root[definition]) definition = ttc_simplify_roots(c->field, definition);
     c->system->failed |= definition == TTC_NONE;
     if (c->system->failed) return 0;
     fill(c, unit, definition);
@@ -191,6 +192,19 @@ static uint32_t variable_of(converter *c, ttc_id id)
     return unit;
 }
 
+/* What roots depend on must not be written in terms of them. */
+static void mark_below(converter *c, ttc_id id)
+{
+    const ttc_graph *graph = c->field->graph;
+    if (id >= c->id_count || c->below_root[id]) return;
+    c->below_root[id] = 1;
+    if (ttc_kind_of(graph, id) == TTC_SYMBOL) {
+        const ttc_field_symbol *s = c->field->symbols + ttc_symbol_of(graph, id);
+        if (s->role >= TTC_ROLE_UNIT) mark_below(c, s->definition);
+    }
+    for (size_t i = 0; i < ttc_part_count(graph, id); i++) mark_below(c, ttc_part_at(graph, id, i).id);
+}
+
 ttc_system *ttc_system_create(ttc_field *field, const ttc_id *outputs, size_t count)
 {
     converter c = { .system = calloc(1, sizeof(ttc_system)), .field = field };
@@ -201,7 +215,10 @@ ttc_system *ttc_system_create(ttc_field *field, const ttc_id *outputs, size_t co
     c.id_count = ttc_graph_size(field->graph) + 1;
     c.by_symbol = calloc(field->symbol_count + 1, sizeof *c.by_symbol);
     c.by_id = calloc(c.id_count, sizeof *c.by_id);
-    c.system->failed = c.system->outputs == NULL || c.by_symbol == NULL || c.by_id == NULL;
+    c.below_root = calloc(c.id_count, 1);
+    c.system->failed = c.system->outputs == NULL || c.by_symbol == NULL || c.by_id == NULL || c.below_root == NULL;
+    for (size_t i = 0; i < field->symbol_count && !c.system->failed; i++)
+        if (field->symbols[i].role >= TTC_ROLE_ROOT) mark_below(&c, field->symbols[i].definition);
     for (size_t i = 0; i < count && !c.system->failed; i++) {
         uint32_t unit = new_unit(&c, outputs[i], NULL);
         if (c.system->failed) break;
@@ -210,6 +227,7 @@ ttc_system *ttc_system_create(ttc_field *field, const ttc_id *outputs, size_t co
     }
     free(c.by_symbol);
     free(c.by_id);
+    free(c.below_root);
     free(c.reciprocals);
     if (!c.system->failed) return c.system;
     ttc_system_destroy(c.system);

@@ -4,8 +4,8 @@
 usage: tools/bench/sympy_counts.py FILE.tt... > tests/bench/sympy_counts.tsv
 
 Reads the tables on its own, builds the field of every variant, time and elimination, differentiates with SymPy, and
-counts the operations of sympy.cse's result: the smaller of the plain run and of optimizations='basic'. A negation by
-sign is free, a power costs its multiplications, a quotient one division, an integer or half-integer power of one base
+counts the operations of sympy.cse's result: the smaller of the plain run and of optimizations='basic'. A negative term
+of a sum is subtracted, any other negation is one operation, as in ttc's own counts; a power costs its multiplications, a quotient one division, an integer or half-integer power of one base
 one division or root more. Needs SymPy; neither the build nor the tests run it.
 """
 import re
@@ -127,9 +127,12 @@ def flops(expressions):
             return
         if isinstance(e, sp.Add):
             total += len(e.args) - 1
+            signs = []
             for a in e.args:
                 c, rest = a.as_coeff_Mul()
+                signs.append(c < 0)
                 visit(rest if c == -1 else a)
+            total += all(signs)
         elif isinstance(e, sp.Mul):
             up, down = [], []
             for a in e.args:
@@ -141,6 +144,8 @@ def flops(expressions):
                     down.append(sp.Integer(a.q))
                 elif a != -1:
                     up.append(a)
+                else:
+                    total += 1
             for a in up + down:
                 visit(a)
             total += max(len(up) - 1, 0) + max(len(down) - 1, 0) + (1 if down else 0)
