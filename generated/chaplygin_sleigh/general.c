@@ -75,12 +75,12 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
 {
     const double t0 = p[2]*x[1]; /* a*w */
     const double t1 = x[1]*t0; /* w*a*w */
-    const double t2 = x[1]*p[5]; /* w*m*a/(I + m*a^2) */
-    const double t3 = x[0]*t2; /* v*w*m*a/(I + m*a^2) */
-    const double t4 = -t3; /* -v*w*m*a/(I + m*a^2) */
+    const double t2 = p[5]*x[0]; /* m*a/(I + m*a^2)*v */
+    const double t3 = x[1]*t2; /* w*m*a/(I + m*a^2)*v */
+    const double t4 = -t3; /* -w*m*a/(I + m*a^2)*v */
     const double t5 = x[1]*p[4]; /* w*2*a */
-    const double t6 = -t2; /* -w*m*a/(I + m*a^2) */
-    const double t7 = x[0]*p[3]; /* v*(-m*a/(I + m*a^2)) */
+    const double t6 = x[1]*p[3]; /* w*(-m*a/(I + m*a^2)) */
+    const double t7 = -t2; /* -m*a/(I + m*a^2)*v */
     out[0] = t1;
     out[1] = t4;
     out[2] = 0.0;

@@ -7,12 +7,12 @@
  *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   13    5    1    0    0      7    6   (67)
- *  jacobian            6   34    9    1    0    0     10   11   (241)
- *  rhs_jacobian        9   39   11    1    0    0     10   13   (287)
- *  divergence          0    6    2    1    0    0      5    4   (22)
- *  integral_values     0   12    8    0    1    0      6    5   (44)
- *  integral_gradients  0   16    5    1    1    0      7    4   (62)
+ *  rhs                 2   12    4    1    0    0      6    6   (67)
+ *  jacobian            7   31    8    1    0    0      8   10   (241)
+ *  rhs_jacobian        10   38   10    1    0    0     10   13   (287)
+ *  divergence          1    5    1    1    0    0      4    4   (22)
+ *  integral_values     0   10    8    0    1    0      5    5   (44)
+ *  integral_gradients  0   15    5    1    1    0      6    4   (62)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are.
@@ -53,81 +53,87 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t2 = params[4] + t1; /* K = I1 + m*R*R */
     const double t3 = params[4]/t2; /* I1/K */
     const double t4 = t1/t2; /* m*R*R/K */
-    const double t5 = params[5]/t2; /* I3/K */
-    const double t6 = params[5]*params[5]; /* I3*I3 */
-    const double t7 = t1*params[5]; /* m*R*R*I3 */
-    const double t8 = t6 + t7; /* I3*I3 + m*R*R*I3 */
-    const double t9 = params[4]*params[5]; /* I1*I3 */
-    const double t10 = params[4]*t1; /* I1*m*R*R */
-    const double t11 = params[4] - params[5]; /* I1 - I3 */
-    const double t12 = t1*t11; /* m*R*R*(I1 - I3) */
-    const double t13 = -t3; /* -I1/K */
-    const double t14 = t13 - t4; /* -I1/K - m*R*R/K */
-    const double t15 = t3*2.0; /* I1/K*2 */
-    const double t16 = -t15; /* -I1/K*2 */
-    const double t17 = t16 - t4; /* -I1/K*2 - m*R*R/K */
-    const double t18 = -t5; /* -I3/K */
-    const double t19 = -t4; /* -m*R*R/K */
-    const double t20 = t4 + t5; /* m*R*R/K + I3/K */
-    const double t21 = params[5]*t6; /* I3*I3*I3 */
-    const double t22 = t1*t21; /* m*R*R*I3*I3*I3 */
-    const double t23 = 2.0*t22; /* 2*m*R*R*I3*I3*I3 */
-    const double t24 = params[0]*params[0]; /* m*m */
-    const double t25 = t0*t0; /* R*R*R*R */
-    const double t26 = t24*t25; /* m*m*R*R*R*R */
-    const double t27 = t6*t26; /* I3*I3*m*m*R*R*R*R */
-    const double t28 = 2.0*t27; /* 2*I3*I3*m*m*R*R*R*R */
-    const double t29 = t23 + t28; /* 2*m*R*R*I3*I3*I3 + 2*I3*I3*m*m*R*R*R*R */
-    const double t30 = t6*t10; /* I3*I3*I1*m*R*R */
-    const double t31 = 2.0*t30; /* 2*I3*I3*I1*m*R*R */
-    const double t32 = params[4]*t26; /* I1*m*m*R*R*R*R */
-    const double t33 = params[5]*t32; /* I3*I1*m*m*R*R*R*R */
-    const double t34 = 2.0*t33; /* 2*I3*I1*m*m*R*R*R*R */
-    const double t35 = t31 + t34; /* 2*I3*I3*I1*m*R*R + 2*I3*I1*m*m*R*R*R*R */
-    const double t36 = 2.0*t24; /* 2*m*m */
-    const double t37 = t25*t36; /* R*R*R*R*2*m*m */
-    const double t38 = params[5]*t37; /* I3*R*R*R*R*2*m*m */
-    const double t39 = t11*t38; /* (I1 - I3)*I3*R*R*R*R*2*m*m */
-    const double t40 = params[0]*2.0; /* m*2 */
-    const double t41 = t0*t40; /* R*R*m*2 */
-    const double t42 = t11*t41; /* (I1 - I3)*R*R*m*2 */
-    const double t43 = params[4]*t37; /* I1*R*R*R*R*2*m*m */
-    const double t44 = t11*t43; /* (I1 - I3)*I1*R*R*R*R*2*m*m */
-    const double t45 = t4 + t15; /* m*R*R/K + I1/K*2 */
-    const double t46 = params[4]/2.0; /* I1/2 */
-    const double t47 = params[5]/2.0; /* I3/2 */
-    const double t48 = params[0]/2.0; /* m/2 */
-    const double t49 = params[4]*params[1]; /* I1*R */
-    const double t50 = params[1]*params[5]; /* R*I3 */
-    const double t51 = -t50; /* -R*I3 */
-    out[6] = t3;
-    out[7] = t4;
-    out[8] = t5;
-    out[9] = t8;
-    out[10] = t9;
-    out[11] = t10;
-    out[12] = t7;
-    out[13] = t12;
-    out[14] = t14;
-    out[15] = t17;
-    out[16] = t18;
-    out[17] = t19;
-    out[18] = t20;
-    out[19] = t29;
+    const double t5 = t3 + t4; /* I1/K + m*R*R/K */
+    const double t6 = params[5]/t2; /* I3/K */
+    const double t7 = t4 + t6; /* m*R*R/K + I3/K */
+    const double t8 = params[5]*params[5]; /* I3*I3 */
+    const double t9 = t1*params[5]; /* m*R*R*I3 */
+    const double t10 = t8 + t9; /* I3*I3 + m*R*R*I3 */
+    const double t11 = params[4]*params[5]; /* I1*I3 */
+    const double t12 = params[4]*t1; /* I1*m*R*R */
+    const double t13 = params[4] - params[5]; /* I1 - I3 */
+    const double t14 = t1*t13; /* m*R*R*(I1 - I3) */
+    const double t15 = -t3; /* -I1/K */
+    const double t16 = t15 - t4; /* -I1/K - m*R*R/K */
+    const double t17 = t3*2.0; /* I1/K*2 */
+    const double t18 = -t17; /* -I1/K*2 */
+    const double t19 = t18 - t4; /* -I1/K*2 - m*R*R/K */
+    const double t20 = -t6; /* -I3/K */
+    const double t21 = -t4; /* -m*R*R/K */
+    const double t22 = params[0]*params[0]; /* m*m */
+    const double t23 = t0*t0; /* R*R*R*R */
+    const double t24 = t22*t23; /* m*m*R*R*R*R */
+    const double t25 = params[4]*params[4]; /* I1*I1 */
+    const double t26 = t24*t25; /* m*m*R*R*R*R*I1*I1 */
+    const double t27 = params[5]*t8; /* I3*I3*I3 */
+    const double t28 = t1*t27; /* m*R*R*I3*I3*I3 */
+    const double t29 = t8*t24; /* I3*I3*m*m*R*R*R*R */
+    const double t30 = t28 + t29; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t31 = 2.0*t30; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t32 = t31/t26; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
+    const double t33 = params[5]/t1; /* I3/(m*R*R) */
+    const double t34 = params[5]/params[4]; /* I3/I1 */
+    const double t35 = t10/t12; /* (I3*I3 + m*R*R*I3)/(I1*m*R*R) */
+    const double t36 = t8*t12; /* I3*I3*I1*m*R*R */
+    const double t37 = params[4]*t24; /* I1*m*m*R*R*R*R */
+    const double t38 = params[5]*t37; /* I3*I1*m*m*R*R*R*R */
+    const double t39 = t36 + t38; /* I3*I3*I1*m*R*R + I3*I1*m*m*R*R*R*R */
+    const double t40 = 2.0*t39; /* 2*(I3*I3*I1*m*R*R + I3*I1*m*m*R*R*R*R) */
+    const double t41 = t40/t26; /* 2*(I3*I3*I1*m*R*R + I3*I1*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
+    const double t42 = t13/params[4]; /* (I1 - I3)/I1 */
+    const double t43 = params[5]*2.0; /* I3*2 */
+    const double t44 = t13*t43; /* (I1 - I3)*I3*2 */
+    const double t45 = t44/t25; /* (I1 - I3)*I3*2/(I1*I1) */
+    const double t46 = t13*(-2.0); /* (I1 - I3)*(-2) */
+    const double t47 = t46/params[4]; /* (I1 - I3)*(-2)/I1 */
+    const double t48 = t4 + t17; /* m*R*R/K + I1/K*2 */
+    const double t49 = params[4]/2.0; /* I1/2 */
+    const double t50 = params[5]/2.0; /* I3/2 */
+    const double t51 = t1/2.0; /* m*R*R/2 */
+    const double t52 = params[4]*params[1]; /* I1*R */
+    const double t53 = params[1]*params[5]; /* R*I3 */
+    const double t54 = -t53; /* -R*I3 */
+    out[6] = t5;
+    out[7] = t7;
+    out[8] = t10;
+    out[9] = t11;
+    out[10] = t12;
+    out[11] = t9;
+    out[12] = t14;
+    out[13] = t16;
+    out[14] = t19;
+    out[15] = t20;
+    out[16] = t21;
+    out[17] = t32;
+    out[18] = t33;
+    out[19] = t34;
     out[20] = t35;
-    out[21] = t39;
+    out[21] = t41;
     out[22] = t42;
-    out[23] = t44;
-    out[24] = t45;
-    out[25] = t46;
-    out[26] = t47;
-    out[27] = t48;
-    out[28] = t0;
+    out[23] = t45;
+    out[24] = t47;
+    out[25] = t3;
+    out[26] = t4;
+    out[27] = t6;
+    out[28] = t48;
     out[29] = t49;
     out[30] = t50;
-    out[31] = t1;
-    out[32] = t2;
-    out[33] = t51;
+    out[31] = t51;
+    out[32] = t52;
+    out[33] = t53;
+    out[34] = t1;
+    out[35] = t2;
+    out[36] = t54;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -135,30 +141,27 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t0 = x[4]*x[1]; /* s*omega_tau */
     const double t1 = x[4]*t0; /* s*s*omega_tau */
     const double t2 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t3 = p[6]*t2; /* I1/K*omega_n*gamma3 */
+    const double t3 = p[6]*t2; /* (I1/K + m*R^2/K)*omega_n*gamma3 */
     const double t4 = x[4]*x[3]; /* s*omega3 */
-    const double t5 = t2 + t4; /* omega_n*gamma3 + s*omega3 */
-    const double t6 = JLT_FMA(t4, p[8], t3); /* s*omega3*I3/K + I1/K*omega_n*gamma3 */
-    const double t7 = JLT_FMA(p[7], t5, t6); /* m*R^2/K*(omega_n*gamma3 + s*omega3) + s*omega3*I3/K + I1/K*omega_n*gamma3 */
-    const double t8 = x[2]*t7; /* omega_n*t7 */
-    const double t9 = -t8; /* -omega_n*t7 */
-    const double t10 = x[4]*p[11]; /* s*m*R^2*I1 */
-    const double t11 = x[0]*p[12]; /* gamma3*m*R^2*I3 */
-    const double t12 = JLT_FMA(x[4], t10, p[10]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t13 = JLT_FMA(x[0], t11, t12); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t14 = 1.0/t13; /* 1/Theta */
-    const double t15 = t4*t14; /* s*omega3*1/Theta */
-    const double t16 = JLT_FMA(p[9], t15, t2); /* (I3^2 + m*R^2*I3)*s*omega3*1/Theta + omega_n*gamma3 */
-    const double t17 = x[1]*t16; /* omega_tau*((I3^2 + m*R^2*I3)*s*omega3*1/Theta + omega_n*gamma3) */
-    const double t18 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t19 = p[13]*t18; /* m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
-    const double t20 = t15*t19; /* s*omega3*1/Theta*m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
-    const double t21 = -t18; /* -s*omega_tau*gamma3 */
+    const double t5 = JLT_FMA(p[7], t4, t3); /* (I3/K + m*R^2/K)*s*omega3 + (I1/K + m*R^2/K)*omega_n*gamma3 */
+    const double t6 = x[2]*t5; /* omega_n*((I3/K + m*R^2/K)*s*omega3 + (I1/K + m*R^2/K)*omega_n*gamma3) */
+    const double t7 = -t6; /* -t6 */
+    const double t8 = x[4]*p[10]; /* s*m*R^2*I1 */
+    const double t9 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
+    const double t10 = JLT_FMA(x[4], t8, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t11 = JLT_FMA(x[0], t9, t10); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t12 = t4/t11; /* s*omega3/Theta */
+    const double t13 = JLT_FMA(p[8], t12, t2); /* (I3^2 + m*R^2*I3)*s*omega3/Theta + omega_n*gamma3 */
+    const double t14 = x[1]*t13; /* omega_tau*((I3^2 + m*R^2*I3)*s*omega3/Theta + omega_n*gamma3) */
+    const double t15 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t16 = p[12]*t15; /* m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
+    const double t17 = t12*t16; /* s*omega3/Theta*m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
+    const double t18 = -t15; /* -s*omega_tau*gamma3 */
     out[0] = t1;
-    out[1] = t9;
-    out[2] = t17;
-    out[3] = t20;
-    out[4] = t21;
+    out[1] = t7;
+    out[2] = t14;
+    out[3] = t17;
+    out[4] = t18;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -166,53 +169,50 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = x[4]*x[4]; /* s*s */
     const double t1 = x[4]*x[1]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    const double t3 = p[14]*x[2]; /* (-I1/K - m*R^2/K)*omega_n */
+    const double t3 = p[13]*x[2]; /* (-I1/K - m*R^2/K)*omega_n */
     const double t4 = x[2]*t3; /* omega_n*(-I1/K - m*R^2/K)*omega_n */
     const double t5 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t6 = p[15]*t5; /* (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
+    const double t6 = p[14]*t5; /* (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
     const double t7 = x[4]*x[3]; /* s*omega3 */
-    const double t8 = t5 + t7; /* omega_n*gamma3 + s*omega3 */
-    const double t9 = JLT_FMA(p[16], t7, t6); /* (-I3/K)*s*omega3 + (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
-    const double t10 = JLT_FMA(p[17], t8, t9); /* (-m*R^2/K)*(omega_n*gamma3 + s*omega3) + (-I3/K)*s*omega3 + (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
-    const double t11 = x[2]*p[18]; /* omega_n*(I3/K + m*R^2/K) */
+    const double t8 = t5 + t7; /* v_tau scaled = omega_n*gamma3 + s*omega3 */
+    const double t9 = JLT_FMA(p[15], t7, t6); /* (-I3/K)*s*omega3 + (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
+    const double t10 = JLT_FMA(p[16], t8, t9); /* (-m*R^2/K)*v_tau scaled + (-I3/K)*s*omega3 + (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
+    const double t11 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
     const double t12 = x[4]*t11; /* s*omega_n*(I3/K + m*R^2/K) */
     const double t13 = -t12; /* -s*omega_n*(I3/K + m*R^2/K) */
     const double t14 = x[3]*t11; /* omega3*omega_n*(I3/K + m*R^2/K) */
     const double t15 = -t14; /* -omega3*omega_n*(I3/K + m*R^2/K) */
     const double t16 = x[1]*x[2]; /* omega_tau*omega_n */
-    const double t17 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t18 = JLT_FMA(t0, p[11], p[10]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t19 = JLT_FMA(p[12], t17, t18); /* Theta = m*R^2*I3*gamma3*gamma3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t20 = 1.0/t19; /* 1/Theta */
-    const double t21 = x[4]*t20; /* s*1/Theta */
-    const double t22 = x[1]*t21; /* omega_tau*s*1/Theta */
-    const double t23 = x[3]*t22; /* omega3*omega_tau*s*1/Theta */
-    const double t24 = x[0]*t23; /* gamma3*omega3*omega_tau*s*1/Theta */
-    const double t25 = p[19]*t20; /* (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*1/Theta */
-    const double t26 = JLT_FNMA(t24, t25, t16); /* omega_tau*omega_n - gamma3*omega3*omega_tau*s*1/Theta*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*1/Theta */
-    const double t27 = x[3]*t21; /* omega3*s*1/Theta */
-    const double t28 = JLT_FMA(p[9], t27, t5); /* (I3^2 + m*R^2*I3)*omega3*s*1/Theta + omega_n*gamma3 */
-    const double t29 = x[1]*x[0]; /* omega_tau*gamma3 */
-    const double t30 = t22*p[9]; /* omega_tau*s*1/Theta*(I3^2 + m*R^2*I3) */
-    const double t31 = x[1]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t32 = x[3]*t31; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t33 = t20*t32; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t34 = t21*t23; /* s*1/Theta*omega3*omega_tau*s*1/Theta */
-    const double t35 = JLT_FNMA(p[20], t34, t33); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - (2*m*R^2*I1*I3^2 + 2*m^2*R^4*I1*I3)*s*1/Theta*omega3*omega_tau*s*1/Theta */
-    const double t36 = x[4]*p[13]; /* s*m*R^2*(I1 - I3) */
-    const double t37 = t23*t36; /* omega3*omega_tau*s*1/Theta*s*m*R^2*(I1 - I3) */
-    const double t38 = t17*p[21]; /* gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
-    const double t39 = JLT_FNMA(t34, t38, t37); /* omega3*omega_tau*s*1/Theta*s*m*R^2*(I1 - I3) - s*1/Theta*omega3*omega_tau*s*1/Theta*gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
-    const double t40 = x[4]*x[0]; /* s*gamma3 */
-    const double t41 = p[13]*t40; /* m*R^2*(I1 - I3)*s*gamma3 */
-    const double t42 = t27*t41; /* omega3*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
-    const double t43 = t22*t41; /* omega_tau*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
-    const double t44 = t24*p[22]; /* gamma3*omega3*omega_tau*s*1/Theta*2*m*R^2*(I1 - I3) */
-    const double t45 = t40*p[23]; /* s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
-    const double t46 = JLT_FNMA(t34, t45, t44); /* gamma3*omega3*omega_tau*s*1/Theta*2*m*R^2*(I1 - I3) - s*1/Theta*omega3*omega_tau*s*1/Theta*s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
-    const double t47 = -t1; /* -s*omega_tau */
-    const double t48 = -t40; /* -s*gamma3 */
-    const double t49 = -t29; /* -omega_tau*gamma3 */
+    const double t17 = x[0]*p[19]; /* gamma3*I3/I1 */
+    const double t18 = t0 + p[18]; /* s*s + I3/(m*R^2) */
+    const double t19 = JLT_FMA(x[0], t17, t18); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t20 = 1.0/t19; /* 1/Theta scaled */
+    const double t21 = x[1]*x[0]; /* omega_tau*gamma3 */
+    const double t22 = t7*t20; /* s*omega3*1/Theta scaled */
+    const double t23 = t21*t22; /* omega_tau*gamma3*s*omega3*1/Theta scaled */
+    const double t24 = p[17]*t20; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*1/Theta scaled */
+    const double t25 = JLT_FNMA(t23, t24, t16); /* omega_tau*omega_n - omega_tau*gamma3*s*omega3*1/Theta scaled*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*1/Theta scaled */
+    const double t26 = JLT_FMA(t22, p[20], t5); /* s*omega3*1/Theta scaled*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 */
+    const double t27 = t1*p[20]; /* s*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t28 = t20*t27; /* 1/Theta scaled*s*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t29 = x[1]*p[20]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t30 = x[3]*t29; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t31 = t1*t22; /* s*omega_tau*s*omega3*1/Theta scaled */
+    const double t32 = JLT_FNMA(p[21], t31, t30); /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*s*omega_tau*s*omega3*1/Theta scaled */
+    const double t33 = t20*t32; /* 1/Theta scaled*t32 */
+    const double t34 = t31*p[22]; /* s*omega_tau*s*omega3*1/Theta scaled*(I1 - I3)/I1 */
+    const double t35 = x[4]*x[0]; /* s*gamma3 */
+    const double t36 = t20*t35; /* 1/Theta scaled*s*gamma3 */
+    const double t37 = p[23]*t36; /* 2*I3*(I1 - I3)/I1^2*1/Theta scaled*s*gamma3 */
+    const double t38 = JLT_FNMA(t23, t37, t34); /* s*omega_tau*s*omega3*1/Theta scaled*(I1 - I3)/I1 - omega_tau*gamma3*s*omega3*1/Theta scaled*2*I3*(I1 - I3)/I1^2*1/Theta scaled*s*gamma3 */
+    const double t39 = p[22]*t36; /* (I1 - I3)/I1*1/Theta scaled*s*gamma3 */
+    const double t40 = t7*t39; /* s*omega3*(I1 - I3)/I1*1/Theta scaled*s*gamma3 */
+    const double t41 = t1*t39; /* s*omega_tau*(I1 - I3)/I1*1/Theta scaled*s*gamma3 */
+    const double t42 = JLT_FMS(t31, t36, t23); /* s*omega_tau*s*omega3*1/Theta scaled*1/Theta scaled*s*gamma3 - omega_tau*gamma3*s*omega3*1/Theta scaled */
+    const double t43 = p[24]*t42; /* (-2*(I1 - I3)/I1)*t42 */
+    const double t44 = -t1; /* -s*omega_tau */
+    const double t45 = -t35; /* -s*gamma3 */
+    const double t46 = -t21; /* -omega_tau*gamma3 */
     out[0] = 0.0;
     out[1] = t0;
     out[2] = 0.0;
@@ -223,92 +223,91 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[7] = t10;
     out[8] = t13;
     out[9] = t15;
-    out[10] = t26;
-    out[11] = t28;
-    out[12] = t29;
-    out[13] = t30;
-    out[14] = t35;
-    out[15] = t39;
-    out[16] = t42;
+    out[10] = t25;
+    out[11] = t26;
+    out[12] = t21;
+    out[13] = t28;
+    out[14] = t33;
+    out[15] = t38;
+    out[16] = t40;
     out[17] = 0.0;
-    out[18] = t43;
-    out[19] = t46;
-    out[20] = t47;
-    out[21] = t48;
+    out[18] = t41;
+    out[19] = t43;
+    out[20] = t44;
+    out[21] = t45;
     out[22] = 0.0;
     out[23] = 0.0;
-    out[24] = t49;
+    out[24] = t46;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = x[1]*t0; /* omega_tau*s*s */
-    const double t2 = x[4]*x[3]; /* s*omega3 */
-    const double t3 = p[8]*t2; /* I3/K*s*omega3 */
-    const double t4 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t5 = t2 + t4; /* s*omega3 + omega_n*gamma3 */
-    const double t6 = JLT_FMA(p[7], t5, t3); /* m*R^2/K*(s*omega3 + omega_n*gamma3) + I3/K*s*omega3 */
-    const double t7 = JLT_FMA(t4, p[6], t6); /* omega_n*gamma3*I1/K + m*R^2/K*(s*omega3 + omega_n*gamma3) + I3/K*s*omega3 */
-    const double t8 = x[2]*t7; /* omega_n*t7 */
-    const double t9 = -t8; /* -omega_n*t7 */
-    const double t10 = x[1]*t4; /* omega_tau*omega_n*gamma3 */
-    const double t11 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t12 = JLT_FMA(t0, p[11], p[10]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t13 = JLT_FMA(p[12], t11, t12); /* Theta = m*R^2*I3*gamma3*gamma3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t14 = 1.0/t13; /* 1/Theta */
-    const double t15 = x[4]*t14; /* s*1/Theta */
-    const double t16 = x[1]*t15; /* omega_tau*s*1/Theta */
-    const double t17 = x[3]*t16; /* omega3*omega_tau*s*1/Theta */
-    const double t18 = JLT_FMA(p[9], t17, t10); /* (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/Theta + omega_tau*omega_n*gamma3 */
-    const double t19 = x[4]*x[0]; /* s*gamma3 */
-    const double t20 = p[13]*t19; /* m*R^2*(I1 - I3)*s*gamma3 */
-    const double t21 = t17*t20; /* omega3*omega_tau*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
-    const double t22 = x[1]*t19; /* omega_tau*s*gamma3 */
-    const double t23 = -t22; /* -omega_tau*s*gamma3 */
-    const double t24 = x[1]*x[4]; /* omega_tau*s */
-    const double t25 = 2.0*t24; /* 2*omega_tau*s */
-    const double t26 = x[2]*p[14]; /* omega_n*(-I1/K - m*R^2/K) */
+    const double t0 = x[4]*x[1]; /* s*omega_tau */
+    const double t1 = x[4]*t0; /* s*s*omega_tau */
+    const double t2 = x[2]*x[0]; /* omega_n*gamma3 */
+    const double t3 = x[4]*x[3]; /* s*omega3 */
+    const double t4 = t2 + t3; /* v_tau scaled = omega_n*gamma3 + s*omega3 */
+    const double t5 = p[26]*t4; /* m*R^2/K*v_tau scaled */
+    const double t6 = JLT_FMA(t3, p[27], t5); /* s*omega3*I3/K + m*R^2/K*v_tau scaled */
+    const double t7 = JLT_FMA(p[25], t2, t6); /* I1/K*omega_n*gamma3 + s*omega3*I3/K + m*R^2/K*v_tau scaled */
+    const double t8 = x[2]*t7; /* omega_n*(I1/K*omega_n*gamma3 + s*omega3*I3/K + m*R^2/K*v_tau scaled) */
+    const double t9 = -t8; /* -t8 */
+    const double t10 = x[1]*t2; /* omega_tau*omega_n*gamma3 */
+    const double t11 = x[4]*x[4]; /* s*s */
+    const double t12 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t13 = p[18] + t11; /* I3/(m*R^2) + s*s */
+    const double t14 = JLT_FMA(p[19], t12, t13); /* Theta scaled = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
+    const double t15 = 1.0/t14; /* 1/Theta scaled */
+    const double t16 = x[4]*t15; /* s*1/Theta scaled */
+    const double t17 = x[1]*t16; /* omega_tau*s*1/Theta scaled */
+    const double t18 = x[3]*t17; /* omega3*omega_tau*s*1/Theta scaled */
+    const double t19 = JLT_FMA(p[20], t18, t10); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*omega_tau*s*1/Theta scaled + omega_tau*omega_n*gamma3 */
+    const double t20 = x[4]*x[0]; /* s*gamma3 */
+    const double t21 = t18*p[22]; /* omega3*omega_tau*s*1/Theta scaled*(I1 - I3)/I1 */
+    const double t22 = t20*t21; /* s*gamma3*omega3*omega_tau*s*1/Theta scaled*(I1 - I3)/I1 */
+    const double t23 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t24 = -t23; /* -s*omega_tau*gamma3 */
+    const double t25 = t0*2.0; /* s*omega_tau*2 */
+    const double t26 = x[2]*p[13]; /* omega_n*(-I1/K - m*R^2/K) */
     const double t27 = x[2]*t26; /* omega_n*omega_n*(-I1/K - m*R^2/K) */
-    const double t28 = JLT_FMA(t4, p[24], t6); /* omega_n*gamma3*(2*I1/K + m*R^2/K) + m*R^2/K*(s*omega3 + omega_n*gamma3) + I3/K*s*omega3 */
+    const double t28 = JLT_FMA(t2, p[28], t6); /* omega_n*gamma3*(2*I1/K + m*R^2/K) + s*omega3*I3/K + m*R^2/K*v_tau scaled */
     const double t29 = -t28; /* -t28 */
-    const double t30 = x[2]*p[18]; /* omega_n*(I3/K + m*R^2/K) */
+    const double t30 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
     const double t31 = x[4]*t30; /* s*omega_n*(I3/K + m*R^2/K) */
     const double t32 = -t31; /* -s*omega_n*(I3/K + m*R^2/K) */
     const double t33 = x[3]*t30; /* omega3*omega_n*(I3/K + m*R^2/K) */
     const double t34 = -t33; /* -omega3*omega_n*(I3/K + m*R^2/K) */
     const double t35 = x[1]*x[2]; /* omega_tau*omega_n */
-    const double t36 = x[0]*t17; /* gamma3*omega3*omega_tau*s*1/Theta */
-    const double t37 = t14*p[19]; /* 1/Theta*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t38 = JLT_FNMA(t36, t37, t35); /* omega_tau*omega_n - gamma3*omega3*omega_tau*s*1/Theta*1/Theta*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t39 = x[3]*t15; /* omega3*s*1/Theta */
-    const double t40 = JLT_FMA(p[9], t39, t4); /* (I3^2 + m*R^2*I3)*omega3*s*1/Theta + omega_n*gamma3 */
+    const double t36 = x[0]*t18; /* gamma3*omega3*omega_tau*s*1/Theta scaled */
+    const double t37 = t15*p[17]; /* 1/Theta scaled*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2) */
+    const double t38 = JLT_FNMA(t36, t37, t35); /* omega_tau*omega_n - gamma3*omega3*omega_tau*s*1/Theta scaled*1/Theta scaled*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2) */
+    const double t39 = x[3]*t16; /* omega3*s*1/Theta scaled */
+    const double t40 = JLT_FMA(p[20], t39, t2); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*s*1/Theta scaled + omega_n*gamma3 */
     const double t41 = x[1]*x[0]; /* omega_tau*gamma3 */
-    const double t42 = p[9]*t16; /* (I3^2 + m*R^2*I3)*omega_tau*s*1/Theta */
-    const double t43 = x[1]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t44 = x[3]*t43; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t45 = t14*t44; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t46 = t15*t17; /* s*1/Theta*omega3*omega_tau*s*1/Theta */
-    const double t47 = JLT_FNMA(p[20], t46, t45); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - (2*m*R^2*I1*I3^2 + 2*m^2*R^4*I1*I3)*s*1/Theta*omega3*omega_tau*s*1/Theta */
-    const double t48 = x[4]*p[13]; /* s*m*R^2*(I1 - I3) */
-    const double t49 = t17*t48; /* omega3*omega_tau*s*1/Theta*s*m*R^2*(I1 - I3) */
-    const double t50 = t11*p[21]; /* gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
-    const double t51 = JLT_FNMA(t46, t50, t49); /* omega3*omega_tau*s*1/Theta*s*m*R^2*(I1 - I3) - s*1/Theta*omega3*omega_tau*s*1/Theta*gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
-    const double t52 = t20*t39; /* m*R^2*(I1 - I3)*s*gamma3*omega3*s*1/Theta */
-    const double t53 = t16*t20; /* omega_tau*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
-    const double t54 = t36*p[22]; /* gamma3*omega3*omega_tau*s*1/Theta*2*m*R^2*(I1 - I3) */
-    const double t55 = t19*p[23]; /* s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
-    const double t56 = JLT_FNMA(t46, t55, t54); /* gamma3*omega3*omega_tau*s*1/Theta*2*m*R^2*(I1 - I3) - s*1/Theta*omega3*omega_tau*s*1/Theta*s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
-    const double t57 = -t24; /* -omega_tau*s */
-    const double t58 = -t19; /* -s*gamma3 */
-    const double t59 = -t41; /* -omega_tau*gamma3 */
+    const double t42 = p[20]*t17; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*s*1/Theta scaled */
+    const double t43 = x[1]*p[20]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t44 = x[3]*t43; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t45 = t15*t44; /* 1/Theta scaled*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t46 = t16*t18; /* s*1/Theta scaled*omega3*omega_tau*s*1/Theta scaled */
+    const double t47 = JLT_FNMA(p[21], t46, t45); /* 1/Theta scaled*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*s*1/Theta scaled*omega3*omega_tau*s*1/Theta scaled */
+    const double t48 = x[4]*t21; /* s*omega3*omega_tau*s*1/Theta scaled*(I1 - I3)/I1 */
+    const double t49 = t12*p[23]; /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t50 = JLT_FNMA(t46, t49, t48); /* s*omega3*omega_tau*s*1/Theta scaled*(I1 - I3)/I1 - s*1/Theta scaled*omega3*omega_tau*s*1/Theta scaled*gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t51 = t20*p[22]; /* s*gamma3*(I1 - I3)/I1 */
+    const double t52 = t39*t51; /* omega3*s*1/Theta scaled*s*gamma3*(I1 - I3)/I1 */
+    const double t53 = t17*t51; /* omega_tau*s*1/Theta scaled*s*gamma3*(I1 - I3)/I1 */
+    const double t54 = JLT_FMS(t20, t46, t36); /* s*gamma3*s*1/Theta scaled*omega3*omega_tau*s*1/Theta scaled - gamma3*omega3*omega_tau*s*1/Theta scaled */
+    const double t55 = p[24]*t54; /* (-2*(I1 - I3)/I1)*t54 */
+    const double t56 = -t0; /* -s*omega_tau */
+    const double t57 = -t20; /* -s*gamma3 */
+    const double t58 = -t41; /* -omega_tau*gamma3 */
     out[0] = t1;
     out[1] = t9;
-    out[2] = t18;
-    out[3] = t21;
-    out[4] = t23;
+    out[2] = t19;
+    out[3] = t22;
+    out[4] = t24;
     out[5] = 0.0;
-    out[6] = t0;
+    out[6] = t11;
     out[7] = 0.0;
     out[8] = 0.0;
     out[9] = t25;
@@ -322,85 +321,81 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[17] = t41;
     out[18] = t42;
     out[19] = t47;
-    out[20] = t51;
+    out[20] = t50;
     out[21] = t52;
     out[22] = 0.0;
     out[23] = t53;
-    out[24] = t56;
-    out[25] = t57;
-    out[26] = t58;
+    out[24] = t55;
+    out[25] = t56;
+    out[26] = t57;
     out[27] = 0.0;
     out[28] = 0.0;
-    out[29] = t59;
+    out[29] = t58;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = x[0]*p[12]; /* gamma3*m*R^2*I3 */
-    const double t2 = JLT_FMA(p[11], t0, p[10]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t4 = 1.0/t3; /* 1/Theta */
-    const double t5 = p[13]*x[0]; /* m*R^2*(I1 - I3)*gamma3 */
-    const double t6 = x[1]*t5; /* omega_tau*m*R^2*(I1 - I3)*gamma3 */
-    const double t7 = t0*t6; /* s*s*omega_tau*m*R^2*(I1 - I3)*gamma3 */
-    const double t8 = t4*t7; /* 1/Theta*s*s*omega_tau*m*R^2*(I1 - I3)*gamma3 */
-    out[0] = t8;
+    const double t1 = x[0]*p[19]; /* gamma3*I3/I1 */
+    const double t2 = p[18] + t0; /* I3/(m*R^2) + s*s */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t4 = p[22]*x[0]; /* (I1 - I3)/I1*gamma3 */
+    const double t5 = x[1]*t4; /* omega_tau*(I1 - I3)/I1*gamma3 */
+    const double t6 = t0*t5; /* s*s*omega_tau*(I1 - I3)/I1*gamma3 */
+    const double t7 = t6/t3; /* s*s*omega_tau*(I1 - I3)/I1*gamma3/Theta scaled */
+    out[0] = t7;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[1]*x[1]; /* omega_tau*omega_tau */
     const double t1 = JLT_FMA(x[2], x[2], t0); /* omega_n*omega_n + omega_tau*omega_tau */
-    const double t2 = p[25]*t1; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t3 = p[26]*x[3]; /* 1/2*I3*omega3 */
-    const double t4 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t5 = JLT_FMA(x[3], x[4], t4); /* omega3*s + omega_n*gamma3 */
-    const double t6 = p[1]*t5; /* v_tau = R*(omega3*s + omega_n*gamma3) */
-    const double t7 = t6*t6; /* v_tau*v_tau */
-    const double t8 = JLT_FMA(t0, p[28], t7); /* omega_tau*omega_tau*R^2 + v_tau*v_tau */
-    const double t9 = JLT_FMA(x[3], t3, t2); /* omega3*1/2*I3*omega3 + 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t10 = JLT_FMA(p[27], t8, t9); /* 1/2*m*(omega_tau*omega_tau*R^2 + v_tau*v_tau) + t9 */
-    const double t11 = x[2]*p[29]; /* omega_n*R*I1 */
-    const double t12 = x[4]*t11; /* s*omega_n*R*I1 */
-    const double t13 = x[3]*p[30]; /* omega3*R*I3 */
-    const double t14 = JLT_FNMA(x[0], t13, t12); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
-    const double t15 = x[4]*p[11]; /* s*m*R^2*I1 */
-    const double t16 = x[0]*p[12]; /* gamma3*m*R^2*I3 */
-    const double t17 = JLT_FMA(x[4], t15, p[10]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t18 = JLT_FMA(x[0], t16, t17); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t19 = sqrt(t18); /* h = sqrt(Theta) */
-    const double t20 = x[3]*t19; /* omega3*h */
-    out[0] = t10;
-    out[1] = t14;
-    out[2] = t20;
+    const double t2 = p[29]*t1; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
+    const double t3 = p[30]*x[3]; /* 1/2*I3*omega3 */
+    const double t4 = x[3]*x[4]; /* omega3*s */
+    const double t5 = JLT_FMA(x[2], x[0], t4); /* v_tau scaled = omega_n*gamma3 + omega3*s */
+    const double t6 = JLT_FMA(t5, t5, t0); /* v_tau scaled*v_tau scaled + omega_tau*omega_tau */
+    const double t7 = JLT_FMA(x[3], t3, t2); /* omega3*1/2*I3*omega3 + 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
+    const double t8 = JLT_FMA(p[31], t6, t7); /* 1/2*m*R^2*(v_tau scaled*v_tau scaled + omega_tau*omega_tau) + t7 */
+    const double t9 = x[2]*p[32]; /* omega_n*R*I1 */
+    const double t10 = x[4]*t9; /* s*omega_n*R*I1 */
+    const double t11 = x[3]*p[33]; /* omega3*R*I3 */
+    const double t12 = JLT_FNMA(x[0], t11, t10); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
+    const double t13 = x[4]*p[10]; /* s*m*R^2*I1 */
+    const double t14 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
+    const double t15 = JLT_FMA(x[4], t13, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t16 = JLT_FMA(x[0], t14, t15); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t17 = sqrt(t16); /* h = sqrt(Theta) */
+    const double t18 = x[3]*t17; /* omega3*h */
+    out[0] = t8;
+    out[1] = t12;
+    out[2] = t18;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t1 = JLT_FMA(x[3], x[4], t0); /* omega3*s + omega_n*gamma3 */
-    const double t2 = p[31]*t1; /* m*R^2*(omega3*s + omega_n*gamma3) */
-    const double t3 = x[2]*t2; /* omega_n*m*R^2*(omega3*s + omega_n*gamma3) */
-    const double t4 = p[32]*x[1]; /* (I1 + m*R^2)*omega_tau */
+    const double t0 = x[3]*x[4]; /* omega3*s */
+    const double t1 = JLT_FMA(x[2], x[0], t0); /* v_tau scaled = omega_n*gamma3 + omega3*s */
+    const double t2 = p[34]*t1; /* m*R^2*v_tau scaled */
+    const double t3 = x[2]*t2; /* omega_n*m*R^2*v_tau scaled */
+    const double t4 = p[35]*x[1]; /* (I1 + m*R^2)*omega_tau */
     const double t5 = x[2]*p[4]; /* omega_n*I1 */
-    const double t6 = JLT_FMA(x[0], t2, t5); /* gamma3*m*R^2*(omega3*s + omega_n*gamma3) + omega_n*I1 */
-    const double t7 = x[4]*t2; /* s*m*R^2*(omega3*s + omega_n*gamma3) */
-    const double t8 = JLT_FMA(x[3], p[5], t7); /* omega3*I3 + s*m*R^2*(omega3*s + omega_n*gamma3) */
-    const double t9 = x[3]*t2; /* omega3*m*R^2*(omega3*s + omega_n*gamma3) */
-    const double t10 = x[3]*p[33]; /* omega3*(-R*I3) */
-    const double t11 = x[4]*p[29]; /* s*R*I1 */
-    const double t12 = x[0]*p[33]; /* gamma3*(-R*I3) */
-    const double t13 = x[2]*p[29]; /* omega_n*R*I1 */
-    const double t14 = x[4]*p[11]; /* s*m*R^2*I1 */
-    const double t15 = x[0]*p[12]; /* gamma3*m*R^2*I3 */
-    const double t16 = JLT_FMA(x[4], t14, p[10]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t17 = JLT_FMA(x[0], t15, t16); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t6 = JLT_FMA(x[0], t2, t5); /* gamma3*m*R^2*v_tau scaled + omega_n*I1 */
+    const double t7 = x[3]*p[5]; /* omega3*I3 */
+    const double t8 = JLT_FMA(x[4], t2, t7); /* s*m*R^2*v_tau scaled + omega3*I3 */
+    const double t9 = x[3]*t2; /* omega3*m*R^2*v_tau scaled */
+    const double t10 = x[3]*p[36]; /* omega3*(-R*I3) */
+    const double t11 = x[4]*p[32]; /* s*R*I1 */
+    const double t12 = x[0]*p[36]; /* gamma3*(-R*I3) */
+    const double t13 = x[2]*p[32]; /* omega_n*R*I1 */
+    const double t14 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
+    const double t15 = x[4]*p[10]; /* s*m*R^2*I1 */
+    const double t16 = JLT_FMA(x[4], t15, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t17 = JLT_FMA(x[0], t14, t16); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t18 = sqrt(t17); /* h = sqrt(Theta) */
-    const double t19 = 1.0/t18; /* 1/h */
-    const double t20 = x[3]*t19; /* omega3*1/h */
-    const double t21 = t15*t20; /* gamma3*m*R^2*I3*omega3*1/h */
-    const double t22 = t14*t20; /* s*m*R^2*I1*omega3*1/h */
+    const double t19 = x[3]/t18; /* omega3/h */
+    const double t20 = t14*t19; /* gamma3*m*R^2*I3*omega3/h */
+    const double t21 = t15*t19; /* s*m*R^2*I1*omega3/h */
     out[0] = t3;
     out[1] = t4;
     out[2] = t6;
@@ -411,11 +406,11 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[7] = t11;
     out[8] = t12;
     out[9] = t13;
-    out[10] = t21;
+    out[10] = t20;
     out[11] = 0.0;
     out[12] = 0.0;
     out[13] = t18;
-    out[14] = t22;
+    out[14] = t21;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -435,14 +430,15 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
-    double t15[JLT_JET_ORDER_MAX + 1];
-    double t16[JLT_JET_ORDER_MAX + 1];
-    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
@@ -450,10 +446,6 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
-    double t32[JLT_JET_ORDER_MAX + 1];
-    double t33[JLT_JET_ORDER_MAX + 1];
-    double t34[JLT_JET_ORDER_MAX + 1];
-    double t35[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -463,32 +455,29 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x4, x1, k);
         t3[k] = jlt_jet_product(x4, t2, k);
-        t7[k] = jlt_jet_product(x4, x3, k);
-        t9[k] = jlt_jet_product(x2, x0, k);
-        t10[k] = t7[k] + t9[k];
-        t12[k] = t7[k]*p[8];
-        t14[k] = t9[k]*p[6] + t12[k];
-        t15[k] = p[7]*t10[k] + t14[k];
-        t16[k] = jlt_jet_product(x2, t15, k);
-        t17[k] = -t16[k];
-        t21[k] = x4[k]*p[11];
-        t23[k] = x0[k]*p[12];
-        t24[k] = jlt_jet_product(x4, t21, k) + (k == 0 ? p[10] : 0);
-        t25[k] = jlt_jet_product(x0, t23, k) + t24[k];
-        t27[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t25, t27, k);
-        t28[k] = jlt_jet_product(t7, t27, k);
-        t29[k] = p[9]*t28[k] + t9[k];
-        t30[k] = jlt_jet_product(x1, t29, k);
-        t32[k] = jlt_jet_product(t2, x0, k);
-        t33[k] = p[13]*t32[k];
-        t34[k] = jlt_jet_product(t28, t33, k);
-        t35[k] = -t32[k];
+        t7[k] = jlt_jet_product(x2, x0, k);
+        t8[k] = p[6]*t7[k];
+        t11[k] = jlt_jet_product(x4, x3, k);
+        t12[k] = p[7]*t11[k] + t8[k];
+        t13[k] = jlt_jet_product(x2, t12, k);
+        t14[k] = -t13[k];
+        t18[k] = x4[k]*p[10];
+        t20[k] = x0[k]*p[11];
+        t21[k] = jlt_jet_product(x4, t18, k) + (k == 0 ? p[9] : 0);
+        t22[k] = jlt_jet_product(x0, t20, k) + t21[k];
+        t23[k] = jlt_jet_quotient(t11[k], t22, t23, k);
+        t24[k] = p[8]*t23[k] + t7[k];
+        t25[k] = jlt_jet_product(x1, t24, k);
+        t27[k] = jlt_jet_product(t2, x0, k);
+        t28[k] = p[12]*t27[k];
+        t29[k] = jlt_jet_product(t23, t28, k);
+        t30[k] = -t27[k];
         double *restrict next = coefficients + (k + 1)*6;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t17[k]/(k + 1);
-        next[2] = x2[k + 1] = t30[k]/(k + 1);
-        next[3] = x3[k + 1] = t34[k]/(k + 1);
-        next[4] = x4[k + 1] = t35[k]/(k + 1);
+        next[1] = x1[k + 1] = t14[k]/(k + 1);
+        next[2] = x2[k + 1] = t25[k]/(k + 1);
+        next[3] = x3[k + 1] = t29[k]/(k + 1);
+        next[4] = x4[k + 1] = t30[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -558,22 +547,22 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular = {
     .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0",
     .table = jlt_table_routh_sphere,
-    .state_count = 5, .param_count = 6, .block_count = 34,
+    .state_count = 5, .param_count = 6, .block_count = 37,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 3, 13, 5, 1, 0, 0, 7, 6 }, { 11, 50, 0, 6, 0, 0, 9, 6 },
+    .rhs = { rhs, 5, { 2, 12, 4, 1, 0, 0, 6, 6 }, { 11, 50, 0, 6, 0, 0, 9, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 25, { 6, 34, 9, 1, 0, 0, 10, 11 }, { 33, 182, 0, 26, 0, 0, 12, 6 },
+    .jacobian = { jacobian, 25, { 7, 31, 8, 1, 0, 0, 8, 10 }, { 33, 182, 0, 26, 0, 0, 12, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 9, 39, 11, 1, 0, 0, 10, 13 }, { 40, 215, 0, 32, 0, 0, 12, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 10, 38, 10, 1, 0, 0, 10, 13 }, { 40, 215, 0, 32, 0, 0, 12, 8 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .divergence = { divergence, 1, { 0, 6, 2, 1, 0, 0, 5, 4 }, { 3, 18, 0, 1, 0, 0, 7, 5 },
+    .divergence = { divergence, 1, { 1, 5, 1, 1, 0, 0, 4, 4 }, { 3, 18, 0, 1, 0, 0, 7, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .integral_values = { integral_values, 3, { 0, 12, 8, 0, 1, 0, 6, 5 }, { 8, 35, 0, 0, 1, 0, 8, 5 },
+    .integral_values = { integral_values, 3, { 0, 10, 8, 0, 1, 0, 5, 5 }, { 8, 35, 0, 0, 1, 0, 8, 5 },
         "takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 15, { 0, 16, 5, 1, 1, 0, 7, 4 }, { 8, 51, 0, 2, 1, 0, 8, 5 },
+    .integral_gradients = { integral_gradients, 15, { 0, 15, 5, 1, 1, 0, 6, 4 }, { 8, 51, 0, 2, 1, 0, 8, 5 },
         "divides by h: grows without bound, and so do rounding errors, where it vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

@@ -514,11 +514,11 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     arb_mul(t + 49, t + 25, t + 48, prec);
     arb_mul(t + 50, x + 2, params + 4, prec);
     arb_add(t + 51, t + 49, t + 50, prec);
-    arb_mul(t + 52, params + 0, params + 1, prec);
-    arb_mul(t + 53, t + 23, t + 52, prec);
-    arb_mul(t + 54, t + 25, t + 53, prec);
-    arb_mul(t + 56, x + 3, params + 5, prec);
-    arb_add(t + 57, t + 54, t + 56, prec);
+    arb_mul(t + 53, x + 3, params + 5, prec);
+    arb_mul(t + 54, params + 0, params + 1, prec);
+    arb_mul(t + 55, t + 23, t + 54, prec);
+    arb_mul(t + 56, t + 25, t + 55, prec);
+    arb_add(t + 57, t + 53, t + 56, prec);
     arb_mul(t + 58, params + 1, params + 4, prec);
     arb_mul(t + 59, x + 0, t + 58, prec);
     arb_mul(t + 60, x + 2, t + 59, prec);
@@ -545,7 +545,7 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     arb_mul(t + 81, t + 69, t + 80, prec);
     arb_mul(t + 82, x + 0, t + 73, prec);
     arb_mul(t + 83, t + 69, t + 82, prec);
-    arb_mul(t + 84, t + 52, params + 5, prec);
+    arb_mul(t + 84, params + 5, t + 54, prec);
     arb_mul(t + 85, t + 17, t + 84, prec);
     arb_mul(t + 86, t + 69, t + 85, prec);
     arb_sub(t + 87, t + 86, t + 83, prec); /* d(Theta)/d(gamma3) */
@@ -1138,11 +1138,11 @@ static void general_in_regular_integral_gradients(arb_ptr out, arb_srcptr x, arb
     arb_mul(t + 40, t + 23, t + 39, prec);
     arb_mul(t + 41, x + 2, params + 4, prec);
     arb_add(t + 42, t + 40, t + 41, prec);
-    arb_mul(t + 43, params + 0, params + 1, prec);
-    arb_mul(t + 44, x + 4, t + 43, prec);
-    arb_mul(t + 45, t + 23, t + 44, prec);
-    arb_mul(t + 47, x + 3, params + 5, prec);
-    arb_add(t + 48, t + 45, t + 47, prec);
+    arb_mul(t + 44, x + 3, params + 5, prec);
+    arb_mul(t + 45, params + 0, params + 1, prec);
+    arb_mul(t + 46, x + 4, t + 45, prec);
+    arb_mul(t + 47, t + 23, t + 46, prec);
+    arb_add(t + 48, t + 44, t + 47, prec);
     arb_mul(t + 49, t + 7, t + 30, prec);
     arb_mul(t + 50, x + 4, t + 49, prec);
     arb_mul(t + 51, t + 20, t + 23, prec);
@@ -1156,7 +1156,7 @@ static void general_in_regular_integral_gradients(arb_ptr out, arb_srcptr x, arb
     arb_mul(t + 59, t + 17, params + 5, prec);
     arb_neg(t + 60, t + 59);
     arb_mul(t + 61, x + 2, t + 57, prec);
-    arb_mul(t + 62, t + 43, params + 5, prec);
+    arb_mul(t + 62, params + 5, t + 45, prec);
     arb_mul(t + 63, x + 3, t + 62, prec);
     arb_mul(t + 64, t + 17, t + 63, prec);
     arb_mul(t + 65, params + 4, params + 5, prec);

@@ -7,12 +7,12 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   14    5    1    0    0      8    6   (63)
- *  jacobian            8   37   12    1    0    0      8   13   (242)
- *  rhs_jacobian        13   44   11    1    0    0      8   17   (290)
- *  divergence          0    4    3    1    0    0      5    4   (21)
- *  integral_values     0    9    7    0    0    0      6    3   (39)
- *  integral_gradients  0   14    4    0    0    0      5    3   (46)
+ *  rhs                 4   14    5    1    0    0      7    6   (63)
+ *  jacobian            9   37   10    1    0    0      8   13   (242)
+ *  rhs_jacobian        13   44   11    1    0    0      9   17   (290)
+ *  divergence          0    3    3    1    0    0      4    4   (21)
+ *  integral_values     0    9    7    0    0    0      6    5   (39)
+ *  integral_gradients  0   14    4    0    0    0      4    3   (46)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are.
@@ -48,40 +48,40 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = params[0]*params[1]; /* m*R */
-    const double t1 = t0*params[5]; /* m*R*I3 */
-    const double t2 = params[5]*params[5]; /* I3*I3 */
-    const double t3 = params[1]*params[1]; /* R*R */
-    const double t4 = params[0]*t3; /* m*R*R */
-    const double t5 = params[5]*t4; /* I3*m*R*R */
-    const double t6 = t2 + t5; /* I3*I3 + I3*m*R*R */
-    const double t7 = params[5]*t2; /* I3*I3*I3 */
-    const double t8 = t4*t7; /* m*R*R*I3*I3*I3 */
+    const double t0 = params[5]*params[5]; /* I3*I3 */
+    const double t1 = params[1]*params[1]; /* R*R */
+    const double t2 = params[0]*t1; /* m*R*R */
+    const double t3 = params[5]*t2; /* I3*m*R*R */
+    const double t4 = t0 + t3; /* I3*I3 + I3*m*R*R */
+    const double t5 = params[0]*params[1]; /* m*R */
+    const double t6 = params[5]*t5; /* I3*m*R */
+    const double t7 = params[5]*t0; /* I3*I3*I3 */
+    const double t8 = t2*t7; /* m*R*R*I3*I3*I3 */
     const double t9 = t8*2.0; /* m*R*R*I3*I3*I3*2 */
     const double t10 = params[0]*params[0]; /* m*m */
-    const double t11 = t3*t3; /* R*R*R*R */
+    const double t11 = t1*t1; /* R*R*R*R */
     const double t12 = t10*t11; /* m*m*R*R*R*R */
-    const double t13 = t2*t12; /* I3*I3*m*m*R*R*R*R */
+    const double t13 = t0*t12; /* I3*I3*m*m*R*R*R*R */
     const double t14 = 2.0*t13; /* 2*I3*I3*m*m*R*R*R*R */
     const double t15 = t9 + t14; /* m*R*R*I3*I3*I3*2 + 2*I3*I3*m*m*R*R*R*R */
     const double t16 = 2.0*t10; /* 2*m*m */
-    const double t17 = params[1]*t3; /* R*R*R */
+    const double t17 = params[1]*t1; /* R*R*R */
     const double t18 = t16*t17; /* 2*m*m*R*R*R */
-    const double t19 = t2*t18; /* I3*I3*2*m*m*R*R*R */
-    const double t20 = -t1; /* -m*R*I3 */
-    const double t21 = -t5; /* -I3*m*R*R */
+    const double t19 = t0*t18; /* I3*I3*2*m*m*R*R*R */
+    const double t20 = -t6; /* -I3*m*R */
+    const double t21 = -t3; /* -I3*m*R*R */
     const double t22 = params[0]/2.0; /* m/2 */
-    const double t23 = params[5]/2.0; /* I3/2 */
-    const double t24 = params[1]*params[5]; /* R*I3 */
-    const double t25 = -t24; /* -R*I3 */
-    const double t26 = params[0]*t2; /* m*I3*I3 */
+    const double t23 = params[5]/params[0]; /* I3/m */
+    const double t24 = params[5]*params[1]; /* I3*R */
+    const double t25 = -t24; /* -I3*R */
+    const double t26 = t0*params[0]; /* I3*I3*m */
     const double t27 = params[0]*2.0; /* m*2 */
-    const double t28 = t2*t27; /* I3*I3*m*2 */
+    const double t28 = t0*t27; /* I3*I3*m*2 */
     const double t29 = params[1]*t27; /* R*m*2 */
-    const double t30 = t2*t29; /* I3*I3*R*m*2 */
-    out[6] = t1;
-    out[7] = t2;
-    out[8] = t5;
+    const double t30 = t0*t29; /* I3*I3*R*m*2 */
+    out[6] = t4;
+    out[7] = t0;
+    out[8] = t3;
     out[9] = t6;
     out[10] = t15;
     out[11] = t19;
@@ -89,12 +89,13 @@ static void prepare(const double *restrict params, double *restrict out)
     out[13] = t21;
     out[14] = t22;
     out[15] = t23;
-    out[16] = t25;
-    out[17] = t26;
-    out[18] = t4;
-    out[19] = t24;
-    out[20] = t28;
-    out[21] = t30;
+    out[16] = t1;
+    out[17] = t25;
+    out[18] = t26;
+    out[19] = t2;
+    out[20] = t24;
+    out[21] = t28;
+    out[22] = t30;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -102,30 +103,30 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t0 = x[5]*x[2]; /* s*omega_tau */
     const double t1 = x[5]*t0; /* s*s*omega_tau */
     const double t2 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t3 = JLT_FMA(x[5], x[4], t2); /* s*omega3 + omega_n*gamma3 */
-    const double t4 = x[3]*t3; /* omega_n*(s*omega3 + omega_n*gamma3) */
-    const double t5 = p[1]*t4; /* R*omega_n*(s*omega3 + omega_n*gamma3) */
-    const double t6 = -t4; /* -omega_n*(s*omega3 + omega_n*gamma3) */
-    const double t7 = x[5]*x[5]; /* s*s */
-    const double t8 = JLT_FMA(x[0], x[0], t7); /* gamma3*gamma3 + s*s */
-    const double t9 = JLT_FMA(p[8], t8, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t10 = 1.0/t9; /* 1/Theta */
-    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t12 = p[6]*t11; /* m*R*I3*V */
-    const double t13 = t10*t12; /* 1/Theta*m*R*I3*V */
-    const double t14 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t15 = t2*t14; /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t16 = x[4]*p[9]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t17 = t0*t16; /* s*omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t18 = JLT_FMA(t10, t17, t15); /* 1/Theta*s*omega_tau*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t3 = x[5]*x[4]; /* s*omega3 */
+    const double t4 = t2 + t3; /* omega_n*gamma3 + s*omega3 */
+    const double t5 = x[3]*t4; /* omega_n*(omega_n*gamma3 + s*omega3) */
+    const double t6 = p[1]*t5; /* R*omega_n*(omega_n*gamma3 + s*omega3) */
+    const double t7 = -t5; /* -omega_n*(omega_n*gamma3 + s*omega3) */
+    const double t8 = x[5]*x[5]; /* s*s */
+    const double t9 = JLT_FMA(x[0], x[0], t8); /* gamma3*gamma3 + s*s */
+    const double t10 = JLT_FMA(p[8], t9, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t11 = 1.0/t10; /* 1/Theta */
+    const double t12 = t3*p[6]; /* s*omega3*(I3^2 + m*R^2*I3) */
+    const double t13 = JLT_FMA(t11, t12, t2); /* 1/Theta*s*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 */
+    const double t14 = x[2]*t13; /* omega_tau*(1/Theta*s*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3) */
+    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t16 = p[9]*t15; /* m*R*I3*V */
+    const double t17 = t11*t16; /* 1/Theta*m*R*I3*V */
+    const double t18 = JLT_FNMA(t2, t17, t14); /* t14 - omega_n*gamma3*1/Theta*m*R*I3*V */
     const double t19 = x[5]*x[3]; /* s*omega_n */
-    const double t20 = t13*t19; /* 1/Theta*m*R*I3*V*s*omega_n */
+    const double t20 = t17*t19; /* 1/Theta*m*R*I3*V*s*omega_n */
     const double t21 = -t20; /* -1/Theta*m*R*I3*V*s*omega_n */
     const double t22 = t0*x[0]; /* s*omega_tau*gamma3 */
     const double t23 = -t22; /* -s*omega_tau*gamma3 */
     out[0] = t1;
-    out[1] = t5;
-    out[2] = t6;
+    out[1] = t6;
+    out[2] = t7;
     out[3] = t18;
     out[4] = t21;
     out[5] = t23;
@@ -136,61 +137,60 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = x[5]*x[5]; /* s*s */
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    const double t3 = x[3]*p[1]; /* omega_n*R */
-    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
+    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
     const double t5 = x[5]*x[4]; /* s*omega3 */
     const double t6 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t7 = JLT_FMA(2.0, t6, t5); /* 2*omega_n*gamma3 + s*omega3 */
     const double t8 = p[1]*t7; /* R*(2*omega_n*gamma3 + s*omega3) */
-    const double t9 = x[5]*t3; /* s*omega_n*R */
-    const double t10 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t11 = p[1]*t10; /* R*omega_n*omega3 */
-    const double t12 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t13 = -t12; /* -omega_n*omega_n */
+    const double t9 = x[5]*x[3]; /* s*omega_n */
+    const double t10 = p[1]*t9; /* R*s*omega_n */
+    const double t11 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t12 = p[1]*t11; /* R*omega_n*omega3 */
+    const double t13 = -t3; /* -omega_n*omega_n */
     const double t14 = -t7; /* -(2*omega_n*gamma3 + s*omega3) */
-    const double t15 = x[5]*x[3]; /* s*omega_n */
-    const double t16 = -t15; /* -s*omega_n */
-    const double t17 = -t10; /* -omega_n*omega3 */
-    const double t18 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t19 = JLT_FMA(p[8], t18, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t20 = 1.0/t19; /* 1/Theta */
-    const double t21 = x[3]*t20; /* omega_n*1/Theta */
-    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t23 = p[6]*t22; /* m*R*I3*V */
-    const double t24 = t21*t23; /* omega_n*1/Theta*m*R*I3*V */
-    const double t25 = x[0]*t20; /* gamma3*1/Theta */
-    const double t26 = x[4]*p[10]; /* omega3*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t27 = t1*t26; /* s*omega_tau*omega3*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t28 = t22*p[11]; /* V*2*m^2*R^3*I3^2 */
-    const double t29 = JLT_FNMA(t6, t28, t27); /* s*omega_tau*omega3*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) - omega_n*gamma3*V*2*m^2*R^3*I3^2 */
-    const double t30 = t20*t29; /* 1/Theta*t29 */
-    const double t31 = JLT_FMS(x[2], x[3], t24); /* omega_tau*omega_n - omega_n*1/Theta*m*R*I3*V */
-    const double t32 = JLT_FNMA(t25, t30, t31); /* omega_tau*omega_n - omega_n*1/Theta*m*R*I3*V - gamma3*1/Theta*1/Theta*t29 */
-    const double t33 = x[0]*t21; /* gamma3*omega_n*1/Theta */
-    const double t34 = p[12]*t33; /* (-m*R*I3)*gamma3*omega_n*1/Theta */
-    const double t35 = x[5]*t20; /* s*1/Theta */
-    const double t36 = x[4]*p[9]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t37 = JLT_FMA(t35, t36, t6); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 */
-    const double t38 = JLT_FNMA(p[8], t33, t37); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 - m*R^2*I3*gamma3*omega_n*1/Theta */
-    const double t39 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t40 = JLT_FNMA(t23, t25, t39); /* omega_tau*gamma3 - m*R*I3*V*gamma3*1/Theta */
-    const double t41 = x[2]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t42 = t35*t41; /* s*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t43 = x[4]*t41; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t44 = t20*t43; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t45 = JLT_FNMA(t30, t35, t44); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*t29*s*1/Theta */
-    const double t46 = t28*t35; /* V*2*m^2*R^3*I3^2*s*1/Theta */
-    const double t47 = t33*t46; /* gamma3*omega_n*1/Theta*V*2*m^2*R^3*I3^2*s*1/Theta */
-    const double t48 = x[5]*t21; /* s*omega_n*1/Theta */
-    const double t49 = p[12]*t48; /* (-m*R*I3)*s*omega_n*1/Theta */
-    const double t50 = t48*p[13]; /* s*omega_n*1/Theta*(-m*R^2*I3) */
-    const double t51 = t23*t35; /* m*R*I3*V*s*1/Theta */
-    const double t52 = -t51; /* -m*R*I3*V*s*1/Theta */
-    const double t53 = JLT_FMS(t46, t48, t24); /* V*2*m^2*R^3*I3^2*s*1/Theta*s*omega_n*1/Theta - omega_n*1/Theta*m*R*I3*V */
-    const double t54 = -t1; /* -s*omega_tau */
-    const double t55 = x[5]*x[0]; /* s*gamma3 */
-    const double t56 = -t55; /* -s*gamma3 */
-    const double t57 = -t39; /* -omega_tau*gamma3 */
+    const double t15 = -t9; /* -s*omega_n */
+    const double t16 = -t11; /* -omega_n*omega3 */
+    const double t17 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t18 = JLT_FMA(p[8], t17, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t19 = 1.0/t18; /* 1/Theta */
+    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t21 = p[9]*t20; /* m*R*I3*V */
+    const double t22 = t19*t21; /* 1/Theta*m*R*I3*V */
+    const double t23 = x[2] - t22; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t24 = x[3]*t23; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t25 = x[4]*t19; /* omega3*1/Theta */
+    const double t26 = t1*p[10]; /* s*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
+    const double t27 = t25*t26; /* omega3*1/Theta*s*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
+    const double t28 = t20*p[11]; /* V*2*m^2*R^3*I3^2 */
+    const double t29 = t6*t19; /* omega_n*gamma3*1/Theta */
+    const double t30 = JLT_FNMA(t28, t29, t27); /* omega3*1/Theta*s*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) - V*2*m^2*R^3*I3^2*omega_n*gamma3*1/Theta */
+    const double t31 = x[0]*t19; /* gamma3*1/Theta */
+    const double t32 = JLT_FNMA(t30, t31, t24); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - t30*gamma3*1/Theta */
+    const double t33 = t29*p[12]; /* omega_n*gamma3*1/Theta*(-m*R*I3) */
+    const double t34 = x[5]*t19; /* s*1/Theta */
+    const double t35 = x[4]*p[6]; /* omega3*(I3^2 + m*R^2*I3) */
+    const double t36 = JLT_FMA(t34, t35, t6); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 */
+    const double t37 = JLT_FNMA(p[8], t29, t36); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
+    const double t38 = x[0]*t23; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t39 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t40 = t34*t39; /* s*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t41 = t25*t39; /* omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t42 = JLT_FNMA(t30, t34, t41); /* omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) - t30*s*1/Theta */
+    const double t43 = t28*t34; /* V*2*m^2*R^3*I3^2*s*1/Theta */
+    const double t44 = t29*t43; /* omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2*s*1/Theta */
+    const double t45 = x[3]*t34; /* omega_n*s*1/Theta */
+    const double t46 = p[12]*t45; /* (-m*R*I3)*omega_n*s*1/Theta */
+    const double t47 = t45*p[13]; /* omega_n*s*1/Theta*(-m*R^2*I3) */
+    const double t48 = t21*t34; /* m*R*I3*V*s*1/Theta */
+    const double t49 = -t48; /* -m*R*I3*V*s*1/Theta */
+    const double t50 = x[3]*t22; /* omega_n*1/Theta*m*R*I3*V */
+    const double t51 = JLT_FMS(t43, t45, t50); /* V*2*m^2*R^3*I3^2*s*1/Theta*omega_n*s*1/Theta - omega_n*1/Theta*m*R*I3*V */
+    const double t52 = -t1; /* -s*omega_tau */
+    const double t53 = x[5]*x[0]; /* s*gamma3 */
+    const double t54 = -t53; /* -s*gamma3 */
+    const double t55 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t56 = -t55; /* -omega_tau*gamma3 */
     out[0] = 0.0;
     out[1] = 0.0;
     out[2] = t0;
@@ -201,100 +201,100 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[7] = 0.0;
     out[8] = 0.0;
     out[9] = t8;
-    out[10] = t9;
-    out[11] = t11;
+    out[10] = t10;
+    out[11] = t12;
     out[12] = t13;
     out[13] = 0.0;
     out[14] = 0.0;
     out[15] = t14;
-    out[16] = t16;
-    out[17] = t17;
+    out[16] = t15;
+    out[17] = t16;
     out[18] = t32;
-    out[19] = t34;
-    out[20] = t38;
-    out[21] = t40;
-    out[22] = t42;
-    out[23] = t45;
-    out[24] = t47;
-    out[25] = t49;
-    out[26] = t50;
-    out[27] = t52;
+    out[19] = t33;
+    out[20] = t37;
+    out[21] = t38;
+    out[22] = t40;
+    out[23] = t42;
+    out[24] = t44;
+    out[25] = t46;
+    out[26] = t47;
+    out[27] = t49;
     out[28] = 0.0;
-    out[29] = t53;
-    out[30] = t54;
+    out[29] = t51;
+    out[30] = t52;
     out[31] = 0.0;
-    out[32] = t56;
+    out[32] = t54;
     out[33] = 0.0;
     out[34] = 0.0;
-    out[35] = t57;
+    out[35] = t56;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[5]*x[2]; /* s*omega_tau */
     const double t1 = x[5]*t0; /* s*s*omega_tau */
-    const double t2 = x[5]*x[4]; /* s*omega3 */
-    const double t3 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t4 = t2 + t3; /* s*omega3 + omega_n*gamma3 */
-    const double t5 = x[3]*p[1]; /* omega_n*R */
-    const double t6 = t4*t5; /* (s*omega3 + omega_n*gamma3)*omega_n*R */
-    const double t7 = x[3]*t4; /* omega_n*(s*omega3 + omega_n*gamma3) */
+    const double t2 = p[1]*x[3]; /* R*omega_n */
+    const double t3 = x[5]*x[4]; /* s*omega3 */
+    const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t5 = t3 + t4; /* s*omega3 + omega_n*gamma3 */
+    const double t6 = t2*t5; /* R*omega_n*(s*omega3 + omega_n*gamma3) */
+    const double t7 = x[3]*t5; /* omega_n*(s*omega3 + omega_n*gamma3) */
     const double t8 = -t7; /* -omega_n*(s*omega3 + omega_n*gamma3) */
     const double t9 = x[5]*x[5]; /* s*s */
     const double t10 = JLT_FMA(x[0], x[0], t9); /* gamma3*gamma3 + s*s */
     const double t11 = JLT_FMA(p[8], t10, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
     const double t12 = 1.0/t11; /* 1/Theta */
     const double t13 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t14 = p[6]*t13; /* m*R*I3*V */
+    const double t14 = p[9]*t13; /* m*R*I3*V */
     const double t15 = t12*t14; /* 1/Theta*m*R*I3*V */
     const double t16 = x[2] - t15; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t17 = t3*t16; /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t18 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t19 = x[5]*t12; /* s*1/Theta */
-    const double t20 = p[9]*t19; /* (I3^2 + m*R^2*I3)*s*1/Theta */
-    const double t21 = JLT_FMA(t18, t20, t17); /* omega_tau*omega3*(I3^2 + m*R^2*I3)*s*1/Theta + omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t22 = x[3]*t19; /* omega_n*s*1/Theta */
+    const double t17 = t4*t16; /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t18 = x[5]*t12; /* s*1/Theta */
+    const double t19 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t20 = x[4]*t19; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t21 = JLT_FMA(t18, t20, t17); /* s*1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) + omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t22 = x[3]*t18; /* omega_n*s*1/Theta */
     const double t23 = t14*t22; /* m*R*I3*V*omega_n*s*1/Theta */
     const double t24 = -t23; /* -m*R*I3*V*omega_n*s*1/Theta */
     const double t25 = t0*x[0]; /* s*omega_tau*gamma3 */
     const double t26 = -t25; /* -s*omega_tau*gamma3 */
     const double t27 = t0*2.0; /* s*omega_tau*2 */
-    const double t28 = x[3]*t5; /* omega_n*omega_n*R */
-    const double t29 = JLT_FMA(t3, 2.0, t2); /* omega_n*gamma3*2 + s*omega3 */
+    const double t28 = x[3]*t2; /* omega_n*R*omega_n */
+    const double t29 = JLT_FMA(t4, 2.0, t3); /* omega_n*gamma3*2 + s*omega3 */
     const double t30 = p[1]*t29; /* R*(omega_n*gamma3*2 + s*omega3) */
-    const double t31 = x[5]*t5; /* s*omega_n*R */
-    const double t32 = x[4]*t5; /* omega3*omega_n*R */
+    const double t31 = x[5]*t2; /* s*R*omega_n */
+    const double t32 = t2*x[4]; /* R*omega_n*omega3 */
     const double t33 = x[3]*x[3]; /* omega_n*omega_n */
     const double t34 = -t33; /* -omega_n*omega_n */
     const double t35 = -t29; /* -(omega_n*gamma3*2 + s*omega3) */
     const double t36 = x[5]*x[3]; /* s*omega_n */
     const double t37 = -t36; /* -s*omega_n */
-    const double t38 = x[4]*x[3]; /* omega3*omega_n */
-    const double t39 = -t38; /* -omega3*omega_n */
+    const double t38 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t39 = -t38; /* -omega_n*omega3 */
     const double t40 = x[3]*t16; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t41 = t18*p[10]; /* omega_tau*omega3*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t42 = t3*t12; /* omega_n*gamma3*1/Theta */
-    const double t43 = t13*p[11]; /* V*2*m^2*R^3*I3^2 */
-    const double t44 = t42*t43; /* omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2 */
-    const double t45 = JLT_FMS(t19, t41, t44); /* s*1/Theta*omega_tau*omega3*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) - omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2 */
-    const double t46 = x[0]*t12; /* gamma3*1/Theta */
-    const double t47 = JLT_FNMA(t45, t46, t40); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - t45*gamma3*1/Theta */
-    const double t48 = t42*p[12]; /* omega_n*gamma3*1/Theta*(-m*R*I3) */
-    const double t49 = JLT_FNMA(p[8], t42, t3); /* omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
-    const double t50 = JLT_FMA(x[4], t20, t49); /* omega3*(I3^2 + m*R^2*I3)*s*1/Theta + omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
-    const double t51 = x[0]*t16; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t52 = x[2]*t20; /* omega_tau*(I3^2 + m*R^2*I3)*s*1/Theta */
-    const double t53 = t18*p[9]; /* omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t54 = t12*t53; /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t55 = JLT_FNMA(t19, t45, t54); /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) - s*1/Theta*t45 */
-    const double t56 = t19*t44; /* s*1/Theta*omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2 */
-    const double t57 = t22*p[12]; /* omega_n*s*1/Theta*(-m*R*I3) */
-    const double t58 = t22*p[13]; /* omega_n*s*1/Theta*(-m*R^2*I3) */
-    const double t59 = t14*t19; /* m*R*I3*V*s*1/Theta */
-    const double t60 = -t59; /* -m*R*I3*V*s*1/Theta */
-    const double t61 = x[3]*t15; /* omega_n*1/Theta*m*R*I3*V */
-    const double t62 = t19*t43; /* s*1/Theta*V*2*m^2*R^3*I3^2 */
-    const double t63 = JLT_FMS(t22, t62, t61); /* omega_n*s*1/Theta*s*1/Theta*V*2*m^2*R^3*I3^2 - omega_n*1/Theta*m*R*I3*V */
+    const double t41 = x[4]*t18; /* omega3*s*1/Theta */
+    const double t42 = x[2]*p[10]; /* omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
+    const double t43 = t41*t42; /* omega3*s*1/Theta*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
+    const double t44 = t4*t12; /* omega_n*gamma3*1/Theta */
+    const double t45 = t13*p[11]; /* V*2*m^2*R^3*I3^2 */
+    const double t46 = JLT_FNMA(t44, t45, t43); /* omega3*s*1/Theta*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) - omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2 */
+    const double t47 = x[0]*t12; /* gamma3*1/Theta */
+    const double t48 = JLT_FNMA(t46, t47, t40); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - t46*gamma3*1/Theta */
+    const double t49 = t44*p[12]; /* omega_n*gamma3*1/Theta*(-m*R*I3) */
+    const double t50 = JLT_FNMA(p[8], t44, t4); /* omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
+    const double t51 = JLT_FMA(p[6], t41, t50); /* (I3^2 + m*R^2*I3)*omega3*s*1/Theta + omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
+    const double t52 = x[0]*t16; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t53 = t18*t19; /* s*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t54 = t12*t20; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t55 = JLT_FNMA(t18, t46, t54); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - s*1/Theta*t46 */
+    const double t56 = t18*t45; /* s*1/Theta*V*2*m^2*R^3*I3^2 */
+    const double t57 = t44*t56; /* omega_n*gamma3*1/Theta*s*1/Theta*V*2*m^2*R^3*I3^2 */
+    const double t58 = t22*p[12]; /* omega_n*s*1/Theta*(-m*R*I3) */
+    const double t59 = t22*p[13]; /* omega_n*s*1/Theta*(-m*R^2*I3) */
+    const double t60 = t14*t18; /* m*R*I3*V*s*1/Theta */
+    const double t61 = -t60; /* -m*R*I3*V*s*1/Theta */
+    const double t62 = x[3]*t15; /* omega_n*1/Theta*m*R*I3*V */
+    const double t63 = JLT_FMS(t22, t56, t62); /* omega_n*s*1/Theta*s*1/Theta*V*2*m^2*R^3*I3^2 - omega_n*1/Theta*m*R*I3*V */
     const double t64 = -t0; /* -s*omega_tau */
     const double t65 = x[5]*x[0]; /* s*gamma3 */
     const double t66 = -t65; /* -s*gamma3 */
@@ -324,16 +324,16 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[21] = t35;
     out[22] = t37;
     out[23] = t39;
-    out[24] = t47;
-    out[25] = t48;
-    out[26] = t50;
-    out[27] = t51;
-    out[28] = t52;
+    out[24] = t48;
+    out[25] = t49;
+    out[26] = t51;
+    out[27] = t52;
+    out[28] = t53;
     out[29] = t55;
-    out[30] = t56;
-    out[31] = t57;
-    out[32] = t58;
-    out[33] = t60;
+    out[30] = t57;
+    out[31] = t58;
+    out[32] = t59;
+    out[33] = t61;
     out[34] = 0.0;
     out[35] = t63;
     out[36] = t64;
@@ -349,32 +349,31 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t1 = JLT_FMA(x[5], x[5], t0); /* s*s + gamma3*gamma3 */
     const double t2 = JLT_FMA(p[8], t1, p[7]); /* Theta = m*R^2*I3*(s*s + gamma3*gamma3) + I3^2 */
-    const double t3 = 1.0/t2; /* 1/Theta */
-    const double t4 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t5 = p[12]*x[0]; /* (-m*R*I3)*gamma3 */
-    const double t6 = t4*t5; /* V*(-m*R*I3)*gamma3 */
-    const double t7 = t3*t6; /* 1/Theta*V*(-m*R*I3)*gamma3 */
-    out[0] = t7;
+    const double t3 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
+    const double t4 = p[12]*x[0]; /* (-m*R*I3)*gamma3 */
+    const double t5 = t3*t4; /* V*(-m*R*I3)*gamma3 */
+    const double t6 = t5/t2; /* V*(-m*R*I3)*gamma3/Theta */
+    out[0] = t6;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t1 = x[4]*x[5]; /* omega3*s */
-    const double t2 = JLT_FMA(x[0], x[3], t1); /* gamma3*omega_n + omega3*s */
-    const double t3 = p[1]*t2; /* v_tau = R*(gamma3*omega_n + omega3*s) */
-    const double t4 = JLT_FMA(t3, t3, t0); /* v_tau*v_tau + v_nu*v_nu */
-    const double t5 = p[14]*t4; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
-    const double t6 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t7 = JLT_FMA(x[4], x[4], t6); /* omega3*omega3 + omega_tau*omega_tau */
-    const double t8 = JLT_FMA(x[3], x[3], t7); /* omega_n*omega_n + omega3*omega3 + omega_tau*omega_tau */
-    const double t9 = JLT_FMA(p[15], t8, t5); /* energy = 1/2*I3*(omega_n*omega_n + omega3*omega3 + omega_tau*omega_tau) + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t1 = x[4]*x[4]; /* omega3*omega3 */
+    const double t2 = JLT_FMA(x[3], x[3], t1); /* omega_n*omega_n + omega3*omega3 */
+    const double t3 = JLT_FMA(x[2], x[2], t2); /* omega_tau*omega_tau + omega_n*omega_n + omega3*omega3 */
+    const double t4 = x[4]*x[5]; /* omega3*s */
+    const double t5 = JLT_FMA(x[3], x[0], t4); /* v_tau scaled = omega_n*gamma3 + omega3*s */
+    const double t6 = p[16]*t5; /* R^2*v_tau scaled */
+    const double t7 = JLT_FMA(p[15], t3, t0); /* I3/m*(omega_tau*omega_tau + omega_n*omega_n + omega3*omega3) + v_nu*v_nu */
+    const double t8 = JLT_FMA(t5, t6, t7); /* energy scaled = v_tau scaled*R^2*v_tau scaled + t7 */
+    const double t9 = p[14]*t8; /* 1/2*m*energy scaled */
     const double t10 = x[4]*x[0]; /* omega3*gamma3 */
-    const double t11 = JLT_FNMA(x[5], x[3], t10); /* omega3*gamma3 - s*omega_n */
-    const double t12 = p[16]*t11; /* (-R*I3)*(omega3*gamma3 - s*omega_n) */
-    const double t13 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
-    const double t14 = p[17]*t13; /* m*I3^2*(R*omega_tau + v_nu) */
-    const double t15 = t13*t14; /* (R*omega_tau + v_nu)*m*I3^2*(R*omega_tau + v_nu) */
+    const double t11 = JLT_FNMA(x[3], x[5], t10); /* omega3*gamma3 - omega_n*s */
+    const double t12 = p[17]*t11; /* (-R*I3)*(omega3*gamma3 - omega_n*s) */
+    const double t13 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t14 = p[18]*t13; /* m*I3^2*(omega_tau*R + v_nu) */
+    const double t15 = t13*t14; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
     out[0] = t9;
     out[1] = t12;
     out[2] = t15;
@@ -383,24 +382,24 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t1 = JLT_FMA(x[4], x[5], t0); /* omega3*s + omega_n*gamma3 */
-    const double t2 = p[18]*t1; /* m*R^2*(omega3*s + omega_n*gamma3) */
-    const double t3 = x[3]*t2; /* omega_n*m*R^2*(omega3*s + omega_n*gamma3) */
+    const double t0 = x[4]*x[5]; /* omega3*s */
+    const double t1 = JLT_FMA(x[3], x[0], t0); /* v_tau scaled = omega_n*gamma3 + omega3*s */
+    const double t2 = p[19]*t1; /* m*R^2*v_tau scaled */
+    const double t3 = x[3]*t2; /* omega_n*m*R^2*v_tau scaled */
     const double t4 = p[0]*x[1]; /* m*v_nu */
     const double t5 = p[5]*x[2]; /* I3*omega_tau */
-    const double t6 = x[0]*t2; /* gamma3*m*R^2*(omega3*s + omega_n*gamma3) */
-    const double t7 = JLT_FMA(x[3], p[5], t6); /* d(energy)/d(omega_n) = omega_n*I3 + gamma3*m*R^2*(omega3*s + omega_n*gamma3) */
+    const double t6 = x[3]*p[5]; /* omega_n*I3 */
+    const double t7 = JLT_FMA(x[0], t2, t6); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau scaled + omega_n*I3 */
     const double t8 = x[4]*p[5]; /* omega3*I3 */
-    const double t9 = JLT_FMA(x[5], t2, t8); /* d(energy)/d(omega3) = s*m*R^2*(omega3*s + omega_n*gamma3) + omega3*I3 */
-    const double t10 = x[4]*t2; /* omega3*m*R^2*(omega3*s + omega_n*gamma3) */
-    const double t11 = x[4]*p[16]; /* omega3*(-R*I3) */
-    const double t12 = x[5]*p[19]; /* s*R*I3 */
-    const double t13 = x[0]*p[16]; /* gamma3*(-R*I3) */
-    const double t14 = x[3]*p[19]; /* omega_n*R*I3 */
+    const double t9 = JLT_FMA(x[5], t2, t8); /* d(energy)/d(omega3) = s*m*R^2*v_tau scaled + omega3*I3 */
+    const double t10 = x[4]*t2; /* omega3*m*R^2*v_tau scaled */
+    const double t11 = x[4]*p[17]; /* omega3*(-R*I3) */
+    const double t12 = x[5]*p[20]; /* s*R*I3 */
+    const double t13 = x[0]*p[17]; /* gamma3*(-R*I3) */
+    const double t14 = x[3]*p[20]; /* omega_n*R*I3 */
     const double t15 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t16 = p[20]*t15; /* 2*m*I3^2*(omega_tau*R + v_nu) */
-    const double t17 = t15*p[21]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
+    const double t16 = p[21]*t15; /* 2*m*I3^2*(omega_tau*R + v_nu) */
+    const double t17 = t15*p[22]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
     out[0] = t3;
     out[1] = t4;
     out[2] = t5;
@@ -444,21 +443,21 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x5[JLT_JET_ORDER_MAX + 1];
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
+    double t7[JLT_JET_ORDER_MAX + 1];
     double t8[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
-    double t16[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
-    double t20[JLT_JET_ORDER_MAX + 1];
-    double t22[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t28[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
@@ -476,33 +475,33 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x5, x2, k);
         t3[k] = jlt_jet_product(x5, t2, k);
-        t8[k] = jlt_jet_product(x3, x0, k);
-        t9[k] = jlt_jet_product(x5, x4, k) + t8[k];
-        t10[k] = jlt_jet_product(x3, t9, k);
-        t11[k] = p[1]*t10[k];
-        t12[k] = -t10[k];
-        t16[k] = jlt_jet_product(x5, x5, k);
-        t17[k] = jlt_jet_product(x0, x0, k) + t16[k];
-        t18[k] = p[8]*t17[k] + (k == 0 ? p[7] : 0);
-        t20[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t18, t20, k);
-        t22[k] = x2[k]*p[1] + x1[k];
-        t23[k] = p[6]*t22[k];
-        t24[k] = jlt_jet_product(t20, t23, k);
-        t25[k] = x2[k] - t24[k];
-        t26[k] = jlt_jet_product(t8, t25, k);
-        t28[k] = x4[k]*p[9];
-        t29[k] = jlt_jet_product(t2, t28, k);
-        t30[k] = jlt_jet_product(t20, t29, k) + t26[k];
-        t31[k] = jlt_jet_product(x5, x3, k);
-        t32[k] = jlt_jet_product(t24, t31, k);
+        t7[k] = jlt_jet_product(x3, x0, k);
+        t8[k] = jlt_jet_product(x3, t7, k);
+        t10[k] = jlt_jet_product(x5, x3, k);
+        t11[k] = jlt_jet_product(x4, t10, k) + t8[k];
+        t12[k] = p[1]*t11[k];
+        t13[k] = -t11[k];
+        t17[k] = jlt_jet_product(x5, x5, k);
+        t18[k] = jlt_jet_product(x0, x0, k) + t17[k];
+        t19[k] = p[8]*t18[k] + (k == 0 ? p[7] : 0);
+        t21[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t19, t21, k);
+        t23[k] = x2[k]*p[1] + x1[k];
+        t24[k] = p[9]*t23[k];
+        t25[k] = jlt_jet_product(t21, t24, k);
+        t26[k] = x2[k] - t25[k];
+        t27[k] = jlt_jet_product(t7, t26, k);
+        t29[k] = x4[k]*p[6];
+        t30[k] = jlt_jet_product(t2, t29, k);
+        t31[k] = jlt_jet_product(t21, t30, k) + t27[k];
+        t32[k] = jlt_jet_product(t10, t25, k);
         t33[k] = -t32[k];
         t34[k] = jlt_jet_product(t2, x0, k);
         t35[k] = -t34[k];
         double *restrict next = coefficients + (k + 1)*7;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t11[k]/(k + 1);
-        next[2] = x2[k + 1] = t12[k]/(k + 1);
-        next[3] = x3[k + 1] = t30[k]/(k + 1);
+        next[1] = x1[k + 1] = t12[k]/(k + 1);
+        next[2] = x2[k + 1] = t13[k]/(k + 1);
+        next[3] = x3[k + 1] = t31[k]/(k + 1);
         next[4] = x4[k + 1] = t33[k]/(k + 1);
         next[5] = x5[k + 1] = t35[k]/(k + 1);
         next[6] = x5[k]/(k + 1);
@@ -581,22 +580,22 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 6, .param_count = 6, .block_count = 22,
+    .state_count = 6, .param_count = 6, .block_count = 23,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 6, { 4, 14, 5, 1, 0, 0, 8, 6 }, { 11, 48, 0, 4, 0, 0, 10, 6 },
+    .rhs = { rhs, 6, { 4, 14, 5, 1, 0, 0, 7, 6 }, { 11, 48, 0, 4, 0, 0, 10, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .jacobian = { jacobian, 36, { 8, 37, 12, 1, 0, 0, 8, 13 }, { 30, 190, 0, 22, 0, 0, 12, 6 },
+    .jacobian = { jacobian, 36, { 9, 37, 10, 1, 0, 0, 8, 13 }, { 30, 190, 0, 22, 0, 0, 12, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 13, 44, 11, 1, 0, 0, 8, 17 }, { 38, 226, 0, 26, 0, 0, 12, 6 },
+    .rhs_jacobian = { rhs_jacobian, 42, { 13, 44, 11, 1, 0, 0, 9, 17 }, { 38, 226, 0, 26, 0, 0, 12, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .divergence = { divergence, 1, { 0, 4, 3, 1, 0, 0, 5, 4 }, { 4, 16, 0, 1, 0, 0, 8, 5 },
+    .divergence = { divergence, 1, { 0, 3, 3, 1, 0, 0, 4, 4 }, { 4, 16, 0, 1, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .integral_values = { integral_values, 4, { 0, 9, 7, 0, 0, 0, 6, 3 }, { 8, 31, 0, 0, 0, 0, 9, 4 },
+    .integral_values = { integral_values, 4, { 0, 9, 7, 0, 0, 0, 6, 5 }, { 8, 31, 0, 0, 0, 0, 9, 4 },
         "" },
-    .integral_gradients = { integral_gradients, 24, { 0, 14, 4, 0, 0, 0, 5, 3 }, { 7, 39, 0, 0, 0, 0, 5, 4 },
+    .integral_gradients = { integral_gradients, 24, { 0, 14, 4, 0, 0, 0, 4, 3 }, { 7, 39, 0, 0, 0, 0, 5, 4 },
         "" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

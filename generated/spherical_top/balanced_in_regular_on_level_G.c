@@ -8,14 +8,14 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   20    6    1    0    0     10    9   (59)
- *  jacobian            5   48   19    1    0    0     12   13   (279)
- *  rhs_jacobian        7   54   21    1    0    0     13   17   (316)
- *  divergence          0    6    5    1    0    0      7    4   (32)
- *  integral_values     0   14   10    1    0    0      9    5   (55)
- *  integral_gradients  0   29   12    1    0    0      8   11   (111)
+ *  rhs                 1   18    7    1    0    0      9   10   (59)
+ *  jacobian            4   41   15    1    0    0     11   12   (279)
+ *  rhs_jacobian        5   48   17    1    0    0     12   17   (316)
+ *  divergence          2    5    3    1    0    0      6    4   (32)
+ *  integral_values     0   12   10    1    0    0      9    5   (55)
+ *  integral_gradients  2   24   10    1    0    0      8   11   (111)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
- *  eliminated          0    3    1    1    0    0      4    3   (7)
+ *  eliminated          0    2    1    1    0    0      4    2   (7)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are.
  */
@@ -52,110 +52,95 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
-    const double t0 = params[1]*params[4]; /* R*I1 */
-    const double t1 = 1.0/t0; /* 1/(R*I1) */
-    const double t2 = params[1]*params[5]; /* R*I3 */
-    const double t3 = params[4]*params[5]; /* I1*I3 */
-    const double t4 = params[1]*params[1]; /* R*R */
-    const double t5 = params[0]*t4; /* m*R*R */
-    const double t6 = params[4]*t5; /* I1*m*R*R */
-    const double t7 = params[5]*t5; /* I3*m*R*R */
+    const double t0 = 1.0/params[4]; /* 1/I1 */
+    const double t1 = params[1]*params[5]; /* R*I3 */
+    const double t2 = params[4]*params[4]; /* I1*I1 */
+    const double t3 = params[1]*t2; /* R*I1*I1 */
+    const double t4 = 1.0/t3; /* 1/(R*I1*I1) */
+    const double t5 = params[1]*params[1]; /* R*R */
+    const double t6 = params[0]*t5; /* m*R*R */
+    const double t7 = params[5]/t6; /* I3/(m*R*R) */
     const double t8 = params[5]/params[4]; /* I3/I1 */
-    const double t9 = params[1]*params[0]; /* R*m */
-    const double t10 = params[4]*t9; /* I1*R*m */
-    const double t11 = params[4] - params[5]; /* I1 - I3 */
-    const double t12 = params[1]*t11; /* R*(I1 - I3) */
-    const double t13 = t12/params[4]; /* R*(I1 - I3)/I1 */
-    const double t14 = params[5]*2.0; /* I3*2 */
-    const double t15 = t14/params[4]; /* I3*2/I1 */
-    const double t16 = t2/params[4]; /* R*I3/I1 */
+    const double t9 = t2*t5; /* I1*I1*R*R */
+    const double t10 = (-1.0)/t9; /* (-1)/(I1*I1*R*R) */
+    const double t11 = params[5]/t3; /* I3/(R*I1*I1) */
+    const double t12 = -t11; /* -I3/(R*I1*I1) */
+    const double t13 = params[4]*t5; /* I1*R*R */
+    const double t14 = (-1.0)/t13; /* (-1)/(I1*R*R) */
+    const double t15 = params[4] - params[5]; /* I1 - I3 */
+    const double t16 = t5*t15; /* R*R*(I1 - I3) */
     const double t17 = params[1]*2.0; /* R*2 */
     const double t18 = params[5]*t17; /* I3*R*2 */
-    const double t19 = t18/params[4]; /* I3*R*2/I1 */
-    const double t20 = 2.0/params[4]; /* 2/I1 */
-    const double t21 = params[4]*params[4]; /* I1*I1 */
-    const double t22 = params[5]*params[5]; /* I3*I3 */
-    const double t23 = t22/t21; /* I3*I3/(I1*I1) */
-    const double t24 = -t8; /* -I3/I1 */
-    const double t25 = params[5]*(-2.0); /* I3*(-2) */
-    const double t26 = t25/params[4]; /* I3*(-2)/I1 */
-    const double t27 = -t23; /* -I3*I3/(I1*I1) */
-    const double t28 = 2.0/t0; /* 2/(R*I1) */
-    const double t29 = params[4]*2.0; /* I1*2 */
-    const double t30 = params[5]/t29; /* I3/(I1*2) */
-    const double t31 = params[0]*params[0]; /* m*m */
-    const double t32 = 2.0*t31; /* 2*m*m */
-    const double t33 = params[1]*t4; /* R*R*R */
-    const double t34 = t32*t33; /* 2*m*m*R*R*R */
-    const double t35 = params[4]*t34; /* I1*2*m*m*R*R*R */
-    const double t36 = params[5]*t35; /* I3*I1*2*m*m*R*R*R */
-    const double t37 = t4*t4; /* R*R*R*R */
-    const double t38 = t32*t37; /* 2*m*m*R*R*R*R */
-    const double t39 = params[5]*t38; /* I3*2*m*m*R*R*R*R */
-    const double t40 = t11*t39; /* (I1 - I3)*I3*2*m*m*R*R*R*R */
-    const double t41 = -t10; /* -I1*R*m */
-    const double t42 = t5*t11; /* m*R*R*(I1 - I3) */
-    const double t43 = params[0]*2.0; /* m*2 */
-    const double t44 = t4*t43; /* R*R*m*2 */
-    const double t45 = t11*t44; /* (I1 - I3)*R*R*m*2 */
-    const double t46 = t21*t34; /* I1*I1*2*m*m*R*R*R */
-    const double t47 = params[1]*t21; /* R*I1*I1 */
-    const double t48 = params[5]/t47; /* I3/(R*I1*I1) */
-    const double t49 = params[5]*t9; /* I3*R*m */
-    const double t50 = params[0]/2.0; /* m/2 */
-    const double t51 = params[4]/2.0; /* I1/2 */
-    const double t52 = params[5]/2.0; /* I3/2 */
-    const double t53 = params[0]*t21; /* m*I1*I1 */
-    const double t54 = 1.0/params[4]; /* 1/I1 */
-    const double t55 = 1.0/params[1]; /* 1/R */
-    const double t56 = params[5]*t44; /* I3*R*R*m*2 */
-    const double t57 = t11*t56; /* (I1 - I3)*I3*R*R*m*2 */
-    const double t58 = t21*t43; /* I1*I1*m*2 */
-    const double t59 = params[1]*t43; /* R*m*2 */
-    const double t60 = t21*t59; /* I1*I1*R*m*2 */
-    const double t61 = t29 - t14; /* I1*2 - I3*2 */
-    const double t62 = params[4]*t44; /* I1*R*R*m*2 */
-    const double t63 = t11*t62; /* (I1 - I3)*I1*R*R*m*2 */
-    out[7] = t1;
-    out[8] = t2;
-    out[9] = t3;
-    out[10] = t6;
-    out[11] = t7;
-    out[12] = t8;
-    out[13] = t10;
-    out[14] = t13;
-    out[15] = t15;
-    out[16] = t16;
+    const double t19 = t1/params[4]; /* R*I3/I1 */
+    const double t20 = params[5]*2.0; /* I3*2 */
+    const double t21 = t20/t2; /* I3*2/(I1*I1) */
+    const double t22 = (-2.0)/t3; /* (-2)/(R*I1*I1) */
+    const double t23 = params[5]*params[5]; /* I3*I3 */
+    const double t24 = t23/t2; /* I3*I3/(I1*I1) */
+    const double t25 = -t24; /* -I3*I3/(I1*I1) */
+    const double t26 = params[5]*(-2.0); /* I3*(-2) */
+    const double t27 = t26/t3; /* I3*(-2)/(R*I1*I1) */
+    const double t28 = 2.0/t9; /* 2/(I1*I1*R*R) */
+    const double t29 = t20/t9; /* I3*2/(I1*I1*R*R) */
+    const double t30 = t15/params[4]; /* (I1 - I3)/I1 */
+    const double t31 = params[4]*params[1]; /* I1*R */
+    const double t32 = params[5]/t31; /* I3/(I1*R) */
+    const double t33 = 1.0/t31; /* 1/(I1*R) */
+    const double t34 = 2.0/t13; /* 2/(I1*R*R) */
+    const double t35 = t15*2.0; /* (I1 - I3)*2 */
+    const double t36 = t35/params[4]; /* (I1 - I3)*2/I1 */
+    const double t37 = params[0]/2.0; /* m/2 */
+    const double t38 = params[4]/2.0; /* I1/2 */
+    const double t39 = params[5]/2.0; /* I3/2 */
+    const double t40 = t2*params[0]; /* I1*I1*m */
+    const double t41 = params[4]*t6; /* I1*m*R*R */
+    const double t42 = t15*t41; /* (I1 - I3)*I1*m*R*R */
+    const double t43 = params[1]*params[0]; /* R*m */
+    const double t44 = t43/params[4]; /* R*m/I1 */
+    const double t45 = 1.0/t13; /* 1/(I1*R*R) */
+    const double t46 = params[0]*2.0; /* m*2 */
+    const double t47 = t5*t46; /* R*R*m*2 */
+    const double t48 = params[5]*t47; /* I3*R*R*m*2 */
+    const double t49 = t15*t48; /* (I1 - I3)*I3*R*R*m*2 */
+    const double t50 = t2*t46; /* I1*I1*m*2 */
+    const double t51 = params[1]*t46; /* R*m*2 */
+    const double t52 = t2*t51; /* I1*I1*R*m*2 */
+    const double t53 = params[4]*t47; /* I1*R*R*m*2 */
+    const double t54 = t15*t53; /* (I1 - I3)*I1*R*R*m*2 */
+    out[7] = t0;
+    out[8] = t1;
+    out[9] = t4;
+    out[10] = t7;
+    out[11] = t8;
+    out[12] = t10;
+    out[13] = t12;
+    out[14] = t14;
+    out[15] = t16;
+    out[16] = t18;
     out[17] = t19;
-    out[18] = t20;
-    out[19] = t23;
-    out[20] = t24;
-    out[21] = t26;
-    out[22] = t27;
-    out[23] = t28;
+    out[18] = t21;
+    out[19] = t22;
+    out[20] = t25;
+    out[21] = t27;
+    out[22] = t28;
+    out[23] = t29;
     out[24] = t30;
-    out[25] = t9;
-    out[26] = t12;
-    out[27] = t36;
-    out[28] = t40;
-    out[29] = t41;
-    out[30] = t42;
-    out[31] = t45;
-    out[32] = t46;
-    out[33] = t48;
-    out[34] = t49;
-    out[35] = t50;
-    out[36] = t51;
-    out[37] = t52;
-    out[38] = t53;
-    out[39] = t11;
+    out[25] = t32;
+    out[26] = t33;
+    out[27] = t34;
+    out[28] = t36;
+    out[29] = t37;
+    out[30] = t38;
+    out[31] = t39;
+    out[32] = t40;
+    out[33] = t42;
+    out[34] = t44;
+    out[35] = t6;
+    out[36] = t45;
+    out[37] = t49;
+    out[38] = t50;
+    out[39] = t52;
     out[40] = t54;
-    out[41] = t55;
-    out[42] = t57;
-    out[43] = t58;
-    out[44] = t60;
-    out[45] = t61;
-    out[46] = t63;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -164,37 +149,34 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t1 = x[4]*t0; /* s*s*omega_tau */
     const double t2 = x[0]*x[3]; /* gamma3*omega3 */
     const double t3 = JLT_FMA(p[8], t2, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t4 = x[4]*p[10]; /* s*m*R^2*I1 */
-    const double t5 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t6 = JLT_FMA(x[4], t4, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t8 = x[4]*t7; /* s*Theta */
-    const double t9 = 1.0/t8; /* 1/(s*Theta) */
-    const double t10 = p[7]*t3; /* 1/(R*I1)*(R*I3*gamma3*omega3 + G_level) */
-    const double t11 = t7*t10; /* Theta*1/(R*I1)*(R*I3*gamma3*omega3 + G_level) */
-    const double t12 = t9*t11; /* omega_n = 1/(s*Theta)*Theta*1/(R*I1)*(R*I3*gamma3*omega3 + G_level) */
-    const double t13 = x[0]*t12; /* gamma3*omega_n */
-    const double t14 = t12*t13; /* omega_n*gamma3*omega_n */
-    const double t15 = x[4]*t12; /* s*omega_n */
-    const double t16 = x[3]*t15; /* omega3*s*omega_n */
-    const double t17 = t14 + t16; /* omega_n*gamma3*omega_n + omega3*s*omega_n */
-    const double t18 = p[1]*t17; /* R*(omega_n*gamma3*omega_n + omega3*s*omega_n) */
-    const double t19 = JLT_FMA(t16, p[12], t14); /* omega3*s*omega_n*I3/I1 + omega_n*gamma3*omega_n */
-    const double t20 = -t19; /* -(omega3*s*omega_n*I3/I1 + omega_n*gamma3*omega_n) */
-    const double t21 = t2*p[14]; /* gamma3*omega3*R*(I1 - I3)/I1 */
-    const double t22 = t1*t21; /* s*s*omega_tau*gamma3*omega3*R*(I1 - I3)/I1 */
-    const double t23 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t24 = JLT_FNMA(t15, t23, t22); /* s*s*omega_tau*gamma3*omega3*R*(I1 - I3)/I1 - s*omega_n*V */
-    const double t25 = x[4]*p[13]; /* s*m*R*I1 */
-    const double t26 = t9*t25; /* 1/(s*Theta)*s*m*R*I1 */
-    const double t27 = t24*t26; /* (s*s*omega_tau*gamma3*omega3*R*(I1 - I3)/I1 - s*omega_n*V)*1/(s*Theta)*s*m*R*I1 */
-    const double t28 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t29 = -t28; /* -s*omega_tau*gamma3 */
+    const double t4 = x[3]*t3; /* omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t5 = p[7]*t4; /* 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t6 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t7 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
+    const double t8 = JLT_FMA(x[0], t6, t7); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t9 = x[4]*t8; /* s*Theta scaled */
+    const double t10 = 1.0/t9; /* 1/(s*Theta scaled) */
+    const double t11 = t3*t8; /* (R*I3*gamma3*omega3 + G_level)*Theta scaled */
+    const double t12 = t10*t11; /* 1/(s*Theta scaled)*(R*I3*gamma3*omega3 + G_level)*Theta scaled */
+    const double t13 = x[0]*t12; /* gamma3*t12 */
+    const double t14 = t12*t13; /* t12*gamma3*t12 */
+    const double t15 = JLT_FMA(p[9], t14, t5); /* 1/(R*I1^2)*t12*gamma3*t12 + 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t16 = t14*p[12]; /* t12*gamma3*t12*(-1/(R^2*I1^2)) */
+    const double t17 = JLT_FMA(t4, p[13], t16); /* omega3*(R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) + t12*gamma3*t12*(-1/(R^2*I1^2)) */
+    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t19 = t3*t18; /* (R*I3*gamma3*omega3 + G_level)*V */
+    const double t20 = t2*p[15]; /* gamma3*omega3*R^2*(I1 - I3) */
+    const double t21 = JLT_FNMA(t1, t20, t19); /* (R*I3*gamma3*omega3 + G_level)*V - s*s*omega_tau*gamma3*omega3*R^2*(I1 - I3) */
+    const double t22 = x[4]*p[14]; /* s*(-1/(R^2*I1)) */
+    const double t23 = t21*t22; /* t21*s*(-1/(R^2*I1)) */
+    const double t24 = t10*t23; /* 1/(s*Theta scaled)*t21*s*(-1/(R^2*I1)) */
+    const double t25 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t26 = -t25; /* -s*omega_tau*gamma3 */
     out[0] = t1;
-    out[1] = t18;
-    out[2] = t20;
-    out[3] = t27;
-    out[4] = t29;
+    out[1] = t15;
+    out[2] = t17;
+    out[3] = t24;
+    out[4] = t26;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -204,320 +186,288 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
     const double t3 = x[0]*x[3]; /* gamma3*omega3 */
     const double t4 = JLT_FMA(p[8], t3, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t5 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t6 = JLT_FMA(t0, p[10], p[9]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t8 = x[4]*t7; /* s*Theta */
-    const double t9 = 1.0/t8; /* 1/(s*Theta) */
-    const double t10 = t7*t9; /* Theta*1/(s*Theta) */
-    const double t11 = t4*t10; /* (R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta) */
-    const double t12 = p[7]*t11; /* 1/(R*I1)*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta) */
-    const double t13 = t3*p[15]; /* gamma3*omega3*2*I3/I1 */
-    const double t14 = JLT_FMA(t10, t13, t12); /* Theta*1/(s*Theta)*gamma3*omega3*2*I3/I1 + 1/(R*I1)*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta) */
-    const double t15 = t12*t14; /* 1/(R*I1)*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta)*t14 */
-    const double t16 = p[1]*t15; /* R*t15 */
-    const double t17 = x[3]*x[3]; /* omega3*omega3 */
-    const double t18 = JLT_FMA(p[16], t17, t16); /* R*I3/I1*omega3*omega3 + R*t15 */
-    const double t19 = x[4]*t12; /* s*1/(R*I1)*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta) */
-    const double t20 = p[1]*t19; /* R*s*1/(R*I1)*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta) */
-    const double t21 = x[0]*t12; /* gamma3*1/(R*I1)*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta) */
-    const double t22 = t10*t21; /* Theta*1/(s*Theta)*t21 */
-    const double t23 = x[0]*t22; /* gamma3*Theta*1/(s*Theta)*t21 */
-    const double t24 = JLT_FMA(t3, p[16], t20); /* gamma3*omega3*R*I3/I1 + t20 */
-    const double t25 = JLT_FMA(p[17], t23, t24); /* 2*R*I3/I1*gamma3*Theta*1/(s*Theta)*t21 + gamma3*omega3*R*I3/I1 + t20 */
-    const double t26 = t11*p[18]; /* (R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta)*2/I1 */
-    const double t27 = t22*t26; /* Theta*1/(s*Theta)*t21*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta)*2/I1 */
-    const double t28 = -t27; /* -t27 */
-    const double t29 = JLT_FMA(t17, p[19], t15); /* omega3*omega3*I3^2/I1^2 + t15 */
-    const double t30 = -t29; /* -(omega3*omega3*I3^2/I1^2 + t15) */
-    const double t31 = t19*p[20]; /* s*1/(R*I1)*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta)*(-I3/I1) */
-    const double t32 = JLT_FMA(t3, p[22], t31); /* gamma3*omega3*(-I3^2/I1^2) + t31 */
-    const double t33 = JLT_FMA(t23, p[21], t32); /* gamma3*Theta*1/(s*Theta)*t21*(-2*I3/I1) + gamma3*omega3*(-I3^2/I1^2) + t31 */
-    const double t34 = x[3]*p[12]; /* omega3*I3/I1 */
-    const double t35 = t12*t34; /* 1/(R*I1)*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta)*omega3*I3/I1 */
-    const double t36 = JLT_FMA(x[3], p[24], t22); /* omega3*1/2*I3/I1 + Theta*1/(s*Theta)*t21 */
-    const double t37 = t11*p[23]; /* (R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta)*2/(R*I1) */
-    const double t38 = JLT_FMS(t36, t37, t35); /* (omega3*1/2*I3/I1 + Theta*1/(s*Theta)*t21)*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta)*2/(R*I1) - t35 */
-    const double t39 = x[4]*t9; /* s*1/(s*Theta) */
-    const double t40 = x[4]*t39; /* s*s*1/(s*Theta) */
-    const double t41 = t1*p[26]; /* s*omega_tau*R*(I1 - I3) */
-    const double t42 = t40*t41; /* s*s*1/(s*Theta)*s*omega_tau*R*(I1 - I3) */
-    const double t43 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t44 = t39*t43; /* s*1/(s*Theta)*V */
-    const double t45 = JLT_FNMA(p[5], t44, t42); /* s*s*1/(s*Theta)*s*omega_tau*R*(I1 - I3) - I3*s*1/(s*Theta)*V */
-    const double t46 = p[25]*t45; /* m*R*(s*s*1/(s*Theta)*s*omega_tau*R*(I1 - I3) - I3*s*1/(s*Theta)*V) */
-    const double t47 = t40*p[27]; /* s*s*1/(s*Theta)*2*m^2*R^3*I1*I3 */
-    const double t48 = t44*t47; /* s*1/(s*Theta)*V*s*s*1/(s*Theta)*2*m^2*R^3*I1*I3 */
-    const double t49 = t21*t48; /* t21*s*1/(s*Theta)*V*s*s*1/(s*Theta)*2*m^2*R^3*I1*I3 */
-    const double t50 = t3*t40; /* gamma3*omega3*s*s*1/(s*Theta) */
-    const double t51 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t52 = p[28]*t51; /* 2*m^2*R^4*I3*(I1 - I3)*omega_tau*gamma3 */
-    const double t53 = t40*t52; /* s*s*1/(s*Theta)*2*m^2*R^4*I3*(I1 - I3)*omega_tau*gamma3 */
-    const double t54 = JLT_FNMA(t50, t53, t49); /* t21*s*1/(s*Theta)*V*s*s*1/(s*Theta)*2*m^2*R^3*I1*I3 - gamma3*omega3*s*s*1/(s*Theta)*s*s*1/(s*Theta)*2*m^2*R^4*I3*(I1 - I3)*omega_tau*gamma3 */
-    const double t55 = JLT_FMA(x[3], t46, t54); /* omega3*t46 + t54 */
-    const double t56 = t12*t40; /* 1/(R*I1)*(R*I3*gamma3*omega3 + G_level)*Theta*1/(s*Theta)*s*s*1/(s*Theta) */
-    const double t57 = p[29]*t56; /* (-m*R*I1)*t56 */
-    const double t58 = x[4]*p[30]; /* s*m*R^2*(I1 - I3) */
-    const double t59 = t50*t58; /* gamma3*omega3*s*s*1/(s*Theta)*s*m*R^2*(I1 - I3) */
-    const double t60 = JLT_FNMA(p[10], t56, t59); /* gamma3*omega3*s*s*1/(s*Theta)*s*m*R^2*(I1 - I3) - m*R^2*I1*t56 */
-    const double t61 = x[0]*t46; /* gamma3*t46 */
-    const double t62 = x[2]*p[31]; /* omega_tau*2*m*R^2*(I1 - I3) */
-    const double t63 = t50*t62; /* gamma3*omega3*s*s*1/(s*Theta)*omega_tau*2*m*R^2*(I1 - I3) */
-    const double t64 = t43*t56; /* V*t56 */
-    const double t65 = t1*p[14]; /* s*omega_tau*R*(I1 - I3)/I1 */
-    const double t66 = JLT_FNMA(t50, t65, t64); /* V*t56 - gamma3*omega3*s*s*1/(s*Theta)*s*omega_tau*R*(I1 - I3)/I1 */
-    const double t67 = t40*p[32]; /* s*s*1/(s*Theta)*2*m^2*R^3*I1^2 */
-    const double t68 = JLT_FMA(t66, t67, t63); /* t66*s*s*1/(s*Theta)*2*m^2*R^3*I1^2 + gamma3*omega3*s*s*1/(s*Theta)*omega_tau*2*m*R^2*(I1 - I3) */
-    const double t69 = -t1; /* -s*omega_tau */
-    const double t70 = x[4]*x[0]; /* s*gamma3 */
-    const double t71 = -t70; /* -s*gamma3 */
-    const double t72 = -t51; /* -omega_tau*gamma3 */
+    const double t5 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t6 = t0 + p[10]; /* s*s + I3/(m*R^2) */
+    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t8 = x[4]*t7; /* s*Theta scaled */
+    const double t9 = 1.0/t8; /* 1/(s*Theta scaled) */
+    const double t10 = t7*t9; /* Theta scaled*1/(s*Theta scaled) */
+    const double t11 = t4*t10; /* (R*I3*gamma3*omega3 + G_level)*Theta scaled*1/(s*Theta scaled) */
+    const double t12 = t3*p[16]; /* gamma3*omega3*2*R*I3 */
+    const double t13 = JLT_FMA(t10, t12, t11); /* Theta scaled*1/(s*Theta scaled)*gamma3*omega3*2*R*I3 + t11 */
+    const double t14 = t11*t13; /* t11*(Theta scaled*1/(s*Theta scaled)*gamma3*omega3*2*R*I3 + t11) */
+    const double t15 = p[9]*t14; /* 1/(R*I1^2)*t14 */
+    const double t16 = x[3]*x[3]; /* omega3*omega3 */
+    const double t17 = JLT_FMA(p[17], t16, t15); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t14 */
+    const double t18 = t4*p[7]; /* (R*I3*gamma3*omega3 + G_level)*1/I1 */
+    const double t19 = x[0]*t10; /* gamma3*Theta scaled*1/(s*Theta scaled) */
+    const double t20 = t11*t19; /* t11*gamma3*Theta scaled*1/(s*Theta scaled) */
+    const double t21 = x[0]*t20; /* gamma3*t11*gamma3*Theta scaled*1/(s*Theta scaled) */
+    const double t22 = JLT_FMA(t3, p[17], t18); /* gamma3*omega3*R*I3/I1 + (R*I3*gamma3*omega3 + G_level)*1/I1 */
+    const double t23 = JLT_FMA(p[18], t21, t22); /* 2*I3/I1^2*gamma3*t11*gamma3*Theta scaled*1/(s*Theta scaled) + gamma3*omega3*R*I3/I1 + (R*I3*gamma3*omega3 + G_level)*1/I1 */
+    const double t24 = t11*t20; /* t11*t11*gamma3*Theta scaled*1/(s*Theta scaled) */
+    const double t25 = p[19]*t24; /* (-2/(R*I1^2))*t11*t11*gamma3*Theta scaled*1/(s*Theta scaled) */
+    const double t26 = t14*p[12]; /* t14*(-1/(R^2*I1^2)) */
+    const double t27 = JLT_FMA(t16, p[20], t26); /* omega3*omega3*(-I3^2/I1^2) + t14*(-1/(R^2*I1^2)) */
+    const double t28 = t4*p[13]; /* (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
+    const double t29 = JLT_FMA(t3, p[20], t28); /* gamma3*omega3*(-I3^2/I1^2) + (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
+    const double t30 = JLT_FMA(t21, p[21], t29); /* gamma3*t11*gamma3*Theta scaled*1/(s*Theta scaled)*(-2*I3/(R*I1^2)) + t29 */
+    const double t31 = t24*p[22]; /* t11*t11*gamma3*Theta scaled*1/(s*Theta scaled)*2/(R^2*I1^2) */
+    const double t32 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t33 = x[4]*t9; /* s*1/(s*Theta scaled) */
+    const double t34 = t4*t33; /* (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) */
+    const double t35 = t32*t34; /* V*(R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) */
+    const double t36 = x[4]*t33; /* s*s*1/(s*Theta scaled) */
+    const double t37 = t3*t36; /* gamma3*omega3*s*s*1/(s*Theta scaled) */
+    const double t38 = t1*p[15]; /* s*omega_tau*R^2*(I1 - I3) */
+    const double t39 = JLT_FNMA(t37, t38, t35); /* V*(R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) - gamma3*omega3*s*s*1/(s*Theta scaled)*s*omega_tau*R^2*(I1 - I3) */
+    const double t40 = x[0]*p[23]; /* gamma3*2*I3/(R^2*I1^2) */
+    const double t41 = t33*t40; /* s*1/(s*Theta scaled)*gamma3*2*I3/(R^2*I1^2) */
+    const double t42 = t39*t41; /* t39*s*1/(s*Theta scaled)*gamma3*2*I3/(R^2*I1^2) */
+    const double t43 = x[4]*p[24]; /* s*(I1 - I3)/I1 */
+    const double t44 = t1*t43; /* s*omega_tau*s*(I1 - I3)/I1 */
+    const double t45 = JLT_FNMA(t32, p[25], t44); /* s*omega_tau*s*(I1 - I3)/I1 - V*I3/(R*I1) */
+    const double t46 = t33*t45; /* s*1/(s*Theta scaled)*(s*omega_tau*s*(I1 - I3)/I1 - V*I3/(R*I1)) */
+    const double t47 = JLT_FMA(x[3], t46, t42); /* omega3*t46 + t39*s*1/(s*Theta scaled)*gamma3*2*I3/(R^2*I1^2) */
+    const double t48 = t34*p[14]; /* (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled)*(-1/(R^2*I1)) */
+    const double t49 = t37*t43; /* gamma3*omega3*s*s*1/(s*Theta scaled)*s*(I1 - I3)/I1 */
+    const double t50 = JLT_FNMA(t34, p[26], t49); /* gamma3*omega3*s*s*1/(s*Theta scaled)*s*(I1 - I3)/I1 - (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled)*1/(R*I1) */
+    const double t51 = x[0]*t46; /* gamma3*t46 */
+    const double t52 = x[2]*p[15]; /* omega_tau*R^2*(I1 - I3) */
+    const double t53 = JLT_FMA(t3, t52, t39); /* gamma3*omega3*omega_tau*R^2*(I1 - I3) + t39 */
+    const double t54 = t36*p[27]; /* s*s*1/(s*Theta scaled)*2/(R^2*I1) */
+    const double t55 = t53*t54; /* (gamma3*omega3*omega_tau*R^2*(I1 - I3) + t39)*s*s*1/(s*Theta scaled)*2/(R^2*I1) */
+    const double t56 = -t1; /* -s*omega_tau */
+    const double t57 = x[4]*x[0]; /* s*gamma3 */
+    const double t58 = -t57; /* -s*gamma3 */
+    const double t59 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t60 = -t59; /* -omega_tau*gamma3 */
     out[0] = 0.0;
     out[1] = 0.0;
     out[2] = t0;
     out[3] = 0.0;
     out[4] = t2;
-    out[5] = t18;
+    out[5] = t17;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t25;
-    out[9] = t28;
-    out[10] = t30;
+    out[8] = t23;
+    out[9] = t25;
+    out[10] = t27;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t33;
-    out[14] = t38;
-    out[15] = t55;
-    out[16] = t57;
-    out[17] = t60;
-    out[18] = t61;
-    out[19] = t68;
-    out[20] = t69;
+    out[13] = t30;
+    out[14] = t31;
+    out[15] = t47;
+    out[16] = t48;
+    out[17] = t50;
+    out[18] = t51;
+    out[19] = t55;
+    out[20] = t56;
     out[21] = 0.0;
-    out[22] = t71;
+    out[22] = t58;
     out[23] = 0.0;
-    out[24] = t72;
+    out[24] = t60;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[2]; /* s*omega_tau */
     const double t1 = x[4]*t0; /* s*s*omega_tau */
-    const double t2 = x[3]*x[0]; /* omega3*gamma3 */
-    const double t3 = JLT_FMA(p[8], t2, p[6]); /* R*I3*omega3*gamma3 + G_level */
-    const double t4 = x[4]*x[4]; /* s*s */
-    const double t5 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t6 = JLT_FMA(p[10], t4, p[9]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t8 = x[4]*t7; /* s*Theta */
-    const double t9 = 1.0/t8; /* 1/(s*Theta) */
-    const double t10 = t7*t9; /* Theta*1/(s*Theta) */
-    const double t11 = t3*t10; /* (R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t12 = p[7]*t11; /* 1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t13 = x[4]*t12; /* s*1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t14 = p[1]*t13; /* R*s*1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t15 = x[3]*t14; /* omega3*t14 */
-    const double t16 = x[0]*t12; /* gamma3*1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t17 = t12*t16; /* 1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta)*t16 */
-    const double t18 = JLT_FMA(p[1], t17, t15); /* R*t17 + omega3*t14 */
-    const double t19 = x[3]*p[12]; /* omega3*I3/I1 */
-    const double t20 = JLT_FMA(t13, t19, t17); /* s*1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta)*omega3*I3/I1 + t17 */
-    const double t21 = -t20; /* -t20 */
-    const double t22 = x[4]*t9; /* s*1/(s*Theta) */
-    const double t23 = x[4]*t22; /* s*s*1/(s*Theta) */
-    const double t24 = t2*p[14]; /* omega3*gamma3*R*(I1 - I3)/I1 */
-    const double t25 = t0*t24; /* s*omega_tau*omega3*gamma3*R*(I1 - I3)/I1 */
-    const double t26 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t27 = JLT_FNMA(t12, t26, t25); /* s*omega_tau*omega3*gamma3*R*(I1 - I3)/I1 - 1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta)*V */
-    const double t28 = t23*t27; /* s*s*1/(s*Theta)*t27 */
-    const double t29 = p[13]*t28; /* m*R*I1*s*s*1/(s*Theta)*t27 */
-    const double t30 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t31 = -t30; /* -s*omega_tau*gamma3 */
-    const double t32 = t0*2.0; /* s*omega_tau*2 */
-    const double t33 = t12*t12; /* 1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta)*1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t34 = t10*t16; /* Theta*1/(s*Theta)*t16 */
-    const double t35 = x[3]*p[15]; /* omega3*2*I3/I1 */
-    const double t36 = JLT_FMA(t34, t35, t33); /* Theta*1/(s*Theta)*t16*omega3*2*I3/I1 + t33 */
-    const double t37 = p[1]*t36; /* R*(Theta*1/(s*Theta)*t16*omega3*2*I3/I1 + t33) */
-    const double t38 = x[3]*x[3]; /* omega3*omega3 */
-    const double t39 = JLT_FMA(p[16], t38, t37); /* R*I3/I1*omega3*omega3 + R*(Theta*1/(s*Theta)*t16*omega3*2*I3/I1 + t33) */
-    const double t40 = x[0]*t34; /* gamma3*Theta*1/(s*Theta)*t16 */
-    const double t41 = JLT_FMA(t2, p[16], t14); /* omega3*gamma3*R*I3/I1 + t14 */
-    const double t42 = JLT_FMA(p[17], t40, t41); /* 2*R*I3/I1*gamma3*Theta*1/(s*Theta)*t16 + omega3*gamma3*R*I3/I1 + t14 */
-    const double t43 = t11*t34; /* (R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta)*Theta*1/(s*Theta)*t16 */
-    const double t44 = p[18]*t43; /* 2/I1*t43 */
-    const double t45 = -t44; /* -2/I1*t43 */
-    const double t46 = JLT_FMA(t38, p[19], t36); /* omega3*omega3*I3^2/I1^2 + Theta*1/(s*Theta)*t16*omega3*2*I3/I1 + t33 */
-    const double t47 = -t46; /* -t46 */
-    const double t48 = t13*p[20]; /* s*1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta)*(-I3/I1) */
-    const double t49 = JLT_FMA(t2, p[22], t48); /* omega3*gamma3*(-I3^2/I1^2) + t48 */
-    const double t50 = JLT_FMA(t40, p[21], t49); /* gamma3*Theta*1/(s*Theta)*t16*(-2*I3/I1) + omega3*gamma3*(-I3^2/I1^2) + t48 */
-    const double t51 = t12*t19; /* 1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta)*omega3*I3/I1 */
-    const double t52 = x[3]*p[33]; /* omega3*I3/(R*I1^2) */
-    const double t53 = JLT_FMS(t11, t52, t51); /* (R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta)*omega3*I3/(R*I1^2) - t51 */
-    const double t54 = JLT_FMA(t43, p[23], t53); /* t43*2/(R*I1) + t53 */
-    const double t55 = t0*p[26]; /* s*omega_tau*R*(I1 - I3) */
-    const double t56 = t23*t55; /* s*s*1/(s*Theta)*s*omega_tau*R*(I1 - I3) */
-    const double t57 = t22*t26; /* s*1/(s*Theta)*V */
-    const double t58 = JLT_FNMA(p[5], t57, t56); /* s*s*1/(s*Theta)*s*omega_tau*R*(I1 - I3) - I3*s*1/(s*Theta)*V */
-    const double t59 = p[25]*t58; /* m*R*(s*s*1/(s*Theta)*s*omega_tau*R*(I1 - I3) - I3*s*1/(s*Theta)*V) */
-    const double t60 = t23*p[27]; /* s*s*1/(s*Theta)*2*m^2*R^3*I1*I3 */
-    const double t61 = t57*t60; /* s*1/(s*Theta)*V*s*s*1/(s*Theta)*2*m^2*R^3*I1*I3 */
-    const double t62 = t16*t61; /* t16*s*1/(s*Theta)*V*s*s*1/(s*Theta)*2*m^2*R^3*I1*I3 */
-    const double t63 = t2*t23; /* omega3*gamma3*s*s*1/(s*Theta) */
-    const double t64 = x[2]*t63; /* omega_tau*omega3*gamma3*s*s*1/(s*Theta) */
-    const double t65 = x[0]*p[28]; /* gamma3*2*m^2*R^4*I3*(I1 - I3) */
-    const double t66 = t23*t65; /* s*s*1/(s*Theta)*gamma3*2*m^2*R^4*I3*(I1 - I3) */
-    const double t67 = JLT_FNMA(t64, t66, t62); /* t16*s*1/(s*Theta)*V*s*s*1/(s*Theta)*2*m^2*R^3*I1*I3 - omega_tau*omega3*gamma3*s*s*1/(s*Theta)*s*s*1/(s*Theta)*gamma3*2*m^2*R^4*I3*(I1 - I3) */
-    const double t68 = JLT_FMA(x[3], t59, t67); /* omega3*t59 + t67 */
-    const double t69 = t12*t23; /* 1/(R*I1)*(R*I3*omega3*gamma3 + G_level)*Theta*1/(s*Theta)*s*s*1/(s*Theta) */
-    const double t70 = p[29]*t69; /* (-m*R*I1)*t69 */
-    const double t71 = x[4]*p[30]; /* s*m*R^2*(I1 - I3) */
-    const double t72 = t63*t71; /* omega3*gamma3*s*s*1/(s*Theta)*s*m*R^2*(I1 - I3) */
-    const double t73 = JLT_FNMA(p[10], t69, t72); /* omega3*gamma3*s*s*1/(s*Theta)*s*m*R^2*(I1 - I3) - m*R^2*I1*t69 */
-    const double t74 = x[0]*t59; /* gamma3*t59 */
-    const double t75 = t64*p[31]; /* omega_tau*omega3*gamma3*s*s*1/(s*Theta)*2*m*R^2*(I1 - I3) */
-    const double t76 = t23*p[32]; /* s*s*1/(s*Theta)*2*m^2*R^3*I1^2 */
-    const double t77 = JLT_FNMA(t28, t76, t75); /* omega_tau*omega3*gamma3*s*s*1/(s*Theta)*2*m*R^2*(I1 - I3) - s*s*1/(s*Theta)*t27*s*s*1/(s*Theta)*2*m^2*R^3*I1^2 */
-    const double t78 = -t0; /* -s*omega_tau */
-    const double t79 = x[4]*x[0]; /* s*gamma3 */
-    const double t80 = -t79; /* -s*gamma3 */
-    const double t81 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t82 = -t81; /* -omega_tau*gamma3 */
+    const double t2 = x[0]*x[3]; /* gamma3*omega3 */
+    const double t3 = JLT_FMA(p[8], t2, p[6]); /* R*I3*gamma3*omega3 + G_level */
+    const double t4 = x[3]*t3; /* omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t5 = p[7]*t4; /* 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t6 = x[4]*x[4]; /* s*s */
+    const double t7 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t8 = p[10] + t6; /* I3/(m*R^2) + s*s */
+    const double t9 = JLT_FMA(x[0], t7, t8); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t10 = x[4]*t9; /* s*Theta scaled */
+    const double t11 = 1.0/t10; /* 1/(s*Theta scaled) */
+    const double t12 = t9*t11; /* Theta scaled*1/(s*Theta scaled) */
+    const double t13 = t3*t12; /* (R*I3*gamma3*omega3 + G_level)*Theta scaled*1/(s*Theta scaled) */
+    const double t14 = t13*t13; /* t13*t13 */
+    const double t15 = x[0]*t14; /* gamma3*t13*t13 */
+    const double t16 = JLT_FMA(p[9], t15, t5); /* 1/(R*I1^2)*gamma3*t13*t13 + 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t17 = t15*p[12]; /* gamma3*t13*t13*(-1/(R^2*I1^2)) */
+    const double t18 = JLT_FMA(t4, p[13], t17); /* omega3*(R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) + gamma3*t13*t13*(-1/(R^2*I1^2)) */
+    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t20 = x[4]*t11; /* s*1/(s*Theta scaled) */
+    const double t21 = t3*t20; /* (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) */
+    const double t22 = t19*t21; /* V*(R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) */
+    const double t23 = t2*t20; /* gamma3*omega3*s*1/(s*Theta scaled) */
+    const double t24 = t1*p[15]; /* s*s*omega_tau*R^2*(I1 - I3) */
+    const double t25 = JLT_FNMA(t23, t24, t22); /* V*(R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) - gamma3*omega3*s*1/(s*Theta scaled)*s*s*omega_tau*R^2*(I1 - I3) */
+    const double t26 = p[14]*t25; /* (-1/(R^2*I1))*t25 */
+    const double t27 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t28 = -t27; /* -s*omega_tau*gamma3 */
+    const double t29 = t0*2.0; /* s*omega_tau*2 */
+    const double t30 = t12*t13; /* Theta scaled*1/(s*Theta scaled)*t13 */
+    const double t31 = t2*p[16]; /* gamma3*omega3*2*R*I3 */
+    const double t32 = JLT_FMA(t30, t31, t14); /* Theta scaled*1/(s*Theta scaled)*t13*gamma3*omega3*2*R*I3 + t13*t13 */
+    const double t33 = p[9]*t32; /* 1/(R*I1^2)*t32 */
+    const double t34 = x[3]*x[3]; /* omega3*omega3 */
+    const double t35 = JLT_FMA(p[17], t34, t33); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t32 */
+    const double t36 = p[7]*t3; /* 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    const double t37 = x[0]*t30; /* gamma3*Theta scaled*1/(s*Theta scaled)*t13 */
+    const double t38 = x[0]*t37; /* gamma3*gamma3*Theta scaled*1/(s*Theta scaled)*t13 */
+    const double t39 = JLT_FMA(t2, p[17], t36); /* gamma3*omega3*R*I3/I1 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    const double t40 = JLT_FMA(p[18], t38, t39); /* 2*I3/I1^2*gamma3*gamma3*Theta scaled*1/(s*Theta scaled)*t13 + gamma3*omega3*R*I3/I1 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    const double t41 = t13*t37; /* t13*gamma3*Theta scaled*1/(s*Theta scaled)*t13 */
+    const double t42 = p[19]*t41; /* (-2/(R*I1^2))*t13*gamma3*Theta scaled*1/(s*Theta scaled)*t13 */
+    const double t43 = p[12]*t32; /* (-1/(R^2*I1^2))*t32 */
+    const double t44 = JLT_FMA(t34, p[20], t43); /* omega3*omega3*(-I3^2/I1^2) + (-1/(R^2*I1^2))*t32 */
+    const double t45 = t3*p[13]; /* (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
+    const double t46 = JLT_FMA(t2, p[20], t45); /* gamma3*omega3*(-I3^2/I1^2) + (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
+    const double t47 = JLT_FMA(t38, p[21], t46); /* gamma3*gamma3*Theta scaled*1/(s*Theta scaled)*t13*(-2*I3/(R*I1^2)) + t46 */
+    const double t48 = t41*p[22]; /* t13*gamma3*Theta scaled*1/(s*Theta scaled)*t13*2/(R^2*I1^2) */
+    const double t49 = t20*t25; /* s*1/(s*Theta scaled)*t25 */
+    const double t50 = x[0]*p[23]; /* gamma3*2*I3/(R^2*I1^2) */
+    const double t51 = t49*t50; /* s*1/(s*Theta scaled)*t25*gamma3*2*I3/(R^2*I1^2) */
+    const double t52 = t20*p[24]; /* s*1/(s*Theta scaled)*(I1 - I3)/I1 */
+    const double t53 = t1*t52; /* s*s*omega_tau*s*1/(s*Theta scaled)*(I1 - I3)/I1 */
+    const double t54 = t19*p[25]; /* V*I3/(R*I1) */
+    const double t55 = JLT_FNMA(t20, t54, t53); /* s*s*omega_tau*s*1/(s*Theta scaled)*(I1 - I3)/I1 - s*1/(s*Theta scaled)*V*I3/(R*I1) */
+    const double t56 = JLT_FMA(x[3], t55, t51); /* omega3*t55 + s*1/(s*Theta scaled)*t25*gamma3*2*I3/(R^2*I1^2) */
+    const double t57 = p[14]*t21; /* (-1/(R^2*I1))*(R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) */
+    const double t58 = t21*p[26]; /* (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled)*1/(R*I1) */
+    const double t59 = t2*t6; /* gamma3*omega3*s*s */
+    const double t60 = JLT_FMS(t52, t59, t58); /* s*1/(s*Theta scaled)*(I1 - I3)/I1*gamma3*omega3*s*s - (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled)*1/(R*I1) */
+    const double t61 = x[0]*t55; /* gamma3*t55 */
+    const double t62 = x[4]*p[27]; /* s*2/(R^2*I1) */
+    const double t63 = t49*t62; /* s*1/(s*Theta scaled)*t25*s*2/(R^2*I1) */
+    const double t64 = t0*p[28]; /* s*omega_tau*2*(I1 - I3)/I1 */
+    const double t65 = JLT_FMA(t23, t64, t63); /* gamma3*omega3*s*1/(s*Theta scaled)*s*omega_tau*2*(I1 - I3)/I1 + s*1/(s*Theta scaled)*t25*s*2/(R^2*I1) */
+    const double t66 = -t0; /* -s*omega_tau */
+    const double t67 = x[4]*x[0]; /* s*gamma3 */
+    const double t68 = -t67; /* -s*gamma3 */
+    const double t69 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t70 = -t69; /* -omega_tau*gamma3 */
     out[0] = t1;
-    out[1] = t18;
-    out[2] = t21;
-    out[3] = t29;
-    out[4] = t31;
+    out[1] = t16;
+    out[2] = t18;
+    out[3] = t26;
+    out[4] = t28;
     out[5] = 0.0;
     out[6] = 0.0;
-    out[7] = t4;
+    out[7] = t6;
     out[8] = 0.0;
-    out[9] = t32;
-    out[10] = t39;
+    out[9] = t29;
+    out[10] = t35;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t42;
-    out[14] = t45;
-    out[15] = t47;
+    out[13] = t40;
+    out[14] = t42;
+    out[15] = t44;
     out[16] = 0.0;
     out[17] = 0.0;
-    out[18] = t50;
-    out[19] = t54;
-    out[20] = t68;
-    out[21] = t70;
-    out[22] = t73;
-    out[23] = t74;
-    out[24] = t77;
-    out[25] = t78;
+    out[18] = t47;
+    out[19] = t48;
+    out[20] = t56;
+    out[21] = t57;
+    out[22] = t60;
+    out[23] = t61;
+    out[24] = t65;
+    out[25] = t66;
     out[26] = 0.0;
-    out[27] = t80;
+    out[27] = t68;
     out[28] = 0.0;
-    out[29] = t82;
+    out[29] = t70;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t2 = JLT_FMA(p[10], t0, p[9]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t4 = 1.0/t3; /* 1/Theta */
-    const double t5 = p[30]*x[2]; /* m*R^2*(I1 - I3)*omega_tau */
-    const double t6 = t0*t5; /* s*s*m*R^2*(I1 - I3)*omega_tau */
-    const double t7 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t8 = p[34]*t7; /* m*R*I3*V */
-    const double t9 = JLT_FMS(t4, t6, x[2]); /* 1/Theta*s*s*m*R^2*(I1 - I3)*omega_tau - omega_tau */
-    const double t10 = JLT_FNMA(t4, t8, t9); /* 1/Theta*s*s*m*R^2*(I1 - I3)*omega_tau - omega_tau - 1/Theta*m*R*I3*V */
-    const double t11 = x[0]*t10; /* gamma3*t10 */
-    out[0] = t11;
+    const double t1 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t2 = p[10] + t0; /* I3/(m*R^2) + s*s */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t4 = p[24]*x[2]; /* (I1 - I3)/I1*omega_tau */
+    const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
+    const double t6 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t7 = JLT_FNMA(p[25], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
+    const double t8 = t7/t3; /* (s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/Theta scaled */
+    const double t9 = t8 - x[2]; /* (s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/Theta scaled - omega_tau */
+    const double t10 = x[0]*t9; /* gamma3*t9 */
+    out[0] = t10;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t1 = 1.0/x[4]; /* 1/s */
-    const double t2 = p[8]*x[0]; /* R*I3*gamma3 */
-    const double t3 = JLT_FMA(x[3], t2, p[6]); /* omega3*R*I3*gamma3 + G_level */
-    const double t4 = p[7]*t3; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
-    const double t5 = t1*t4; /* omega_n = 1/s*1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
-    const double t6 = x[0]*t5; /* gamma3*omega_n */
-    const double t7 = JLT_FMA(x[4], x[3], t6); /* s*omega3 + gamma3*omega_n */
-    const double t8 = p[1]*t7; /* v_tau = R*(s*omega3 + gamma3*omega_n) */
-    const double t9 = JLT_FMA(t8, t8, t0); /* v_tau*v_tau + v_nu*v_nu */
-    const double t10 = t5*t5; /* omega_n*omega_n */
-    const double t11 = JLT_FMA(x[2], x[2], t10); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t12 = p[36]*t11; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t13 = x[3]*x[3]; /* omega3*omega3 */
-    const double t14 = JLT_FMA(p[37], t13, t12); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t15 = JLT_FMA(p[35], t9, t14); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t14 */
-    const double t16 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
-    const double t17 = p[38]*t16; /* m*I1^2*(R*omega_tau + v_nu) */
-    const double t18 = t16*t17; /* (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
-    const double t19 = x[4]*p[10]; /* s*m*R^2*I1 */
-    const double t20 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t21 = JLT_FMA(x[4], t19, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t22 = JLT_FMA(x[0], t20, t21); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t23 = t13*p[39]; /* omega3*omega3*(I1 - I3) */
-    const double t24 = JLT_FMA(t22, t23, t18); /* Theta*omega3*omega3*(I1 - I3) + (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
-    out[0] = t15;
-    out[1] = t24;
+    const double t1 = p[8]*x[0]; /* R*I3*gamma3 */
+    const double t2 = JLT_FMA(x[3], t1, p[6]); /* omega3*R*I3*gamma3 + G_level */
+    const double t3 = p[26]*t2; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
+    const double t4 = t3/x[4]; /* omega_n = 1/(R*I1)*(omega3*R*I3*gamma3 + G_level)/s */
+    const double t5 = x[0]*t4; /* gamma3*omega_n */
+    const double t6 = JLT_FMA(x[4], x[3], t5); /* s*omega3 + gamma3*omega_n */
+    const double t7 = p[1]*t6; /* v_tau = R*(s*omega3 + gamma3*omega_n) */
+    const double t8 = JLT_FMA(t7, t7, t0); /* v_tau*v_tau + v_nu*v_nu */
+    const double t9 = t4*t4; /* omega_n*omega_n */
+    const double t10 = JLT_FMA(x[2], x[2], t9); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t11 = p[30]*t10; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t12 = x[3]*x[3]; /* omega3*omega3 */
+    const double t13 = JLT_FMA(p[31], t12, t11); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t14 = JLT_FMA(p[29], t8, t13); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t13 */
+    const double t15 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
+    const double t16 = p[32]*t15; /* m*I1^2*(R*omega_tau + v_nu) */
+    const double t17 = t15*t16; /* (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
+    const double t18 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t19 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
+    const double t20 = JLT_FMA(x[0], t18, t19); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t21 = t12*p[33]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
+    const double t22 = JLT_FMA(t20, t21, t17); /* Theta scaled*omega3*omega3*m*R^2*I1*(I1 - I3) + (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
+    out[0] = t14;
+    out[1] = t22;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0/x[4]; /* 1/s */
     const double t1 = x[3]*x[0]; /* omega3*gamma3 */
-    const double t2 = JLT_FMA(p[8], t1, p[6]); /* R*I3*omega3*gamma3 + G_level */
-    const double t3 = t0*t2; /* 1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t4 = p[7]*t3; /* omega_n = 1/(R*I1)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t5 = t0*t4; /* 1/s*omega_n */
-    const double t6 = p[5]*x[3]; /* I3*omega3 */
-    const double t7 = t5*t6; /* 1/s*omega_n*I3*omega3 */
-    const double t8 = t4*p[1]; /* omega_n*R */
-    const double t9 = t0*x[0]; /* 1/s*gamma3 */
-    const double t10 = p[16]*t9; /* R*I3/I1*1/s*gamma3 */
-    const double t11 = JLT_FMA(x[3], t10, t8); /* d(v_tau)/d(gamma3) = omega3*R*I3/I1*1/s*gamma3 + omega_n*R */
-    const double t12 = x[3]*x[4]; /* omega3*s */
-    const double t13 = JLT_FMA(x[0], t4, t12); /* gamma3*omega_n + omega3*s */
-    const double t14 = p[25]*t13; /* m*R*(gamma3*omega_n + omega3*s) */
-    const double t15 = JLT_FMA(t11, t14, t7); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)*m*R*(gamma3*omega_n + omega3*s) + 1/s*omega_n*I3*omega3 */
-    const double t16 = p[0]*x[1]; /* m*v_nu */
-    const double t17 = p[4]*x[2]; /* I1*omega_tau */
-    const double t18 = JLT_FMA(t4, t9, x[3]); /* omega_n*1/s*gamma3 + omega3 */
-    const double t19 = p[5]*t18; /* I3*(omega_n*1/s*gamma3 + omega3) */
-    const double t20 = x[4]*p[1]; /* s*R */
-    const double t21 = JLT_FMA(x[0], t10, t20); /* d(v_tau)/d(omega3) = gamma3*R*I3/I1*1/s*gamma3 + s*R */
-    const double t22 = JLT_FMA(t14, t21, t19); /* d(energy)/d(omega3) = m*R*(gamma3*omega_n + omega3*s)*d(v_tau)/d(omega3) + I3*(omega_n*1/s*gamma3 + omega3) */
-    const double t23 = x[3]*p[1]; /* omega3*R */
-    const double t24 = t9*p[40]; /* 1/s*gamma3*1/I1 */
-    const double t25 = JLT_FNMA(t3, t24, t23); /* d(v_tau)/d(s) = omega3*R - 1/s*(R*I3*omega3*gamma3 + G_level)*1/s*gamma3*1/I1 */
-    const double t26 = t14*t25; /* m*R*(gamma3*omega_n + omega3*s)*d(v_tau)/d(s) */
-    const double t27 = t3*p[41]; /* 1/s*(R*I3*omega3*gamma3 + G_level)*1/R */
-    const double t28 = JLT_FNMA(t5, t27, t26); /* d(energy)/d(s) = m*R*(gamma3*omega_n + omega3*s)*d(v_tau)/d(s) - 1/s*omega_n*1/s*(R*I3*omega3*gamma3 + G_level)*1/R */
-    const double t29 = x[3]*p[42]; /* omega3*2*m*R^2*I3*(I1 - I3) */
-    const double t30 = t1*t29; /* omega3*gamma3*omega3*2*m*R^2*I3*(I1 - I3) */
-    const double t31 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
-    const double t32 = p[43]*t31; /* 2*m*I1^2*(R*omega_tau + v_nu) */
-    const double t33 = t31*p[44]; /* (R*omega_tau + v_nu)*2*m*R*I1^2 */
-    const double t34 = x[4]*p[10]; /* s*m*R^2*I1 */
-    const double t35 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t36 = JLT_FMA(x[4], t34, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t37 = JLT_FMA(x[0], t35, t36); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t38 = x[3]*p[45]; /* omega3*(2*I1 - 2*I3) */
-    const double t39 = t37*t38; /* Theta*omega3*(2*I1 - 2*I3) */
-    const double t40 = x[3]*p[46]; /* omega3*2*m*R^2*I1*(I1 - I3) */
-    const double t41 = t12*t40; /* omega3*s*omega3*2*m*R^2*I1*(I1 - I3) */
-    out[0] = t15;
-    out[1] = t16;
-    out[2] = t17;
+    const double t2 = p[8]*t1; /* R*I3*omega3*gamma3 */
+    const double t3 = p[6] + t2; /* G_level + R*I3*omega3*gamma3 */
+    const double t4 = t0*t3; /* 1/s*(G_level + R*I3*omega3*gamma3) */
+    const double t5 = t0*t4; /* 1/s*1/s*(G_level + R*I3*omega3*gamma3) */
+    const double t6 = p[25]*t5; /* I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
+    const double t7 = x[3]*t6; /* omega3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
+    const double t8 = x[3]*x[4]; /* omega3*s */
+    const double t9 = x[0]*p[26]; /* gamma3*1/(R*I1) */
+    const double t10 = JLT_FMA(t4, t9, t8); /* v_tau scaled = 1/s*(G_level + R*I3*omega3*gamma3)*gamma3*1/(R*I1) + omega3*s */
+    const double t11 = JLT_FMA(t0, t2, t4); /* d(v_tau)/d(gamma3) scaled = 1/s*R*I3*omega3*gamma3 + 1/s*(G_level + R*I3*omega3*gamma3) */
+    const double t12 = p[34]*t11; /* m*R/I1*d(v_tau)/d(gamma3) scaled */
+    const double t13 = JLT_FMA(t10, t12, t7); /* d(energy)/d(gamma3) = v_tau scaled*m*R/I1*d(v_tau)/d(gamma3) scaled + omega3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
+    const double t14 = p[0]*x[1]; /* m*v_nu */
+    const double t15 = p[4]*x[2]; /* I1*omega_tau */
+    const double t16 = x[3]*p[5]; /* omega3*I3 */
+    const double t17 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t18 = x[0]*t17; /* gamma3*gamma3*I3/I1 */
+    const double t19 = JLT_FMA(t0, t18, x[4]); /* d(v_tau)/d(omega3) scaled = 1/s*gamma3*gamma3*I3/I1 + s */
+    const double t20 = t10*p[35]; /* v_tau scaled*m*R^2 */
+    const double t21 = JLT_FMA(x[0], t6, t16); /* gamma3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) + omega3*I3 */
+    const double t22 = JLT_FMA(t19, t20, t21); /* d(energy)/d(omega3) = d(v_tau)/d(omega3) scaled*v_tau scaled*m*R^2 + t21 */
+    const double t23 = JLT_FNMA(t5, t9, x[3]); /* d(v_tau)/d(s) scaled = omega3 - 1/s*1/s*(G_level + R*I3*omega3*gamma3)*gamma3*1/(R*I1) */
+    const double t24 = t20*t23; /* v_tau scaled*m*R^2*d(v_tau)/d(s) scaled */
+    const double t25 = t4*p[36]; /* 1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
+    const double t26 = JLT_FNMA(t5, t25, t24); /* d(energy)/d(s) = v_tau scaled*m*R^2*d(v_tau)/d(s) scaled - 1/s*1/s*(G_level + R*I3*omega3*gamma3)*1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
+    const double t27 = x[3]*p[37]; /* omega3*2*m*R^2*I3*(I1 - I3) */
+    const double t28 = t1*t27; /* omega3*gamma3*omega3*2*m*R^2*I3*(I1 - I3) */
+    const double t29 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t30 = p[38]*t29; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t31 = t29*p[39]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t32 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
+    const double t33 = t18 + t32; /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t34 = x[3]*p[40]; /* omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t35 = t33*t34; /* Theta scaled*omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t36 = t8*t34; /* omega3*s*omega3*2*m*R^2*I1*(I1 - I3) */
+    out[0] = t13;
+    out[1] = t14;
+    out[2] = t15;
     out[3] = t22;
-    out[4] = t28;
-    out[5] = t30;
-    out[6] = t32;
-    out[7] = t33;
-    out[8] = t39;
-    out[9] = t41;
+    out[4] = t26;
+    out[5] = t28;
+    out[6] = t30;
+    out[7] = t31;
+    out[8] = t35;
+    out[9] = t36;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -528,12 +478,11 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0/x[4]; /* 1/s */
-    const double t1 = p[8]*x[0]; /* R*I3*gamma3 */
-    const double t2 = JLT_FMA(x[3], t1, p[6]); /* omega3*R*I3*gamma3 + G_level */
-    const double t3 = p[7]*t2; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
-    const double t4 = t0*t3; /* 1/s*1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
-    out[0] = t4;
+    const double t0 = p[8]*x[0]; /* R*I3*gamma3 */
+    const double t1 = JLT_FMA(x[3], t0, p[6]); /* omega3*R*I3*gamma3 + G_level */
+    const double t2 = p[26]*t1; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
+    const double t3 = t2/x[4]; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level)/s */
+    out[0] = t3;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -546,9 +495,10 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x4[JLT_JET_ORDER_MAX + 1];
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
-    double t14[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
@@ -559,21 +509,17 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
-    double t32[JLT_JET_ORDER_MAX + 1];
-    double t33[JLT_JET_ORDER_MAX + 1];
-    double t36[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
-    double t44[JLT_JET_ORDER_MAX + 1];
-    double t45[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -583,40 +529,37 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x4, x2, k);
         t3[k] = jlt_jet_product(x4, t2, k);
-        t10[k] = jlt_jet_product(x0, x3, k);
-        t11[k] = p[8]*t10[k] + (k == 0 ? p[6] : 0);
-        t14[k] = x4[k]*p[10];
+        t9[k] = jlt_jet_product(x0, x3, k);
+        t10[k] = p[8]*t9[k] + (k == 0 ? p[6] : 0);
+        t11[k] = jlt_jet_product(x3, t10, k);
+        t12[k] = p[7]*t11[k];
         t16[k] = x0[k]*p[11];
-        t17[k] = jlt_jet_product(x4, t14, k) + (k == 0 ? p[9] : 0);
+        t17[k] = jlt_jet_product(x4, x4, k) + (k == 0 ? p[10] : 0);
         t18[k] = jlt_jet_product(x0, t16, k) + t17[k];
         t19[k] = jlt_jet_product(x4, t18, k);
         t21[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t19, t21, k);
-        t22[k] = p[7]*t11[k];
-        t23[k] = jlt_jet_product(t18, t22, k);
-        t24[k] = jlt_jet_product(t21, t23, k);
-        t25[k] = jlt_jet_product(x0, t24, k);
-        t26[k] = jlt_jet_product(t24, t25, k);
-        t27[k] = jlt_jet_product(x4, t24, k);
-        t28[k] = jlt_jet_product(x3, t27, k);
-        t29[k] = t26[k] + t28[k];
-        t30[k] = p[1]*t29[k];
-        t32[k] = t28[k]*p[12] + t26[k];
-        t33[k] = -t32[k];
-        t36[k] = t10[k]*p[14];
-        t37[k] = jlt_jet_product(t3, t36, k);
-        t39[k] = x2[k]*p[1] + x1[k];
-        t40[k] = t37[k] - jlt_jet_product(t27, t39, k);
-        t41[k] = x4[k]*p[13];
-        t42[k] = jlt_jet_product(t21, t41, k);
-        t43[k] = jlt_jet_product(t40, t42, k);
-        t44[k] = jlt_jet_product(t2, x0, k);
-        t45[k] = -t44[k];
+        t22[k] = jlt_jet_product(t10, t18, k);
+        t23[k] = jlt_jet_product(t21, t22, k);
+        t24[k] = jlt_jet_product(x0, t23, k);
+        t25[k] = jlt_jet_product(t23, t24, k);
+        t26[k] = p[9]*t25[k] + t12[k];
+        t28[k] = t25[k]*p[12];
+        t30[k] = t11[k]*p[13] + t28[k];
+        t34[k] = x2[k]*p[1] + x1[k];
+        t35[k] = jlt_jet_product(t10, t34, k);
+        t37[k] = t9[k]*p[15];
+        t38[k] = t35[k] - jlt_jet_product(t3, t37, k);
+        t39[k] = x4[k]*p[14];
+        t40[k] = jlt_jet_product(t38, t39, k);
+        t41[k] = jlt_jet_product(t21, t40, k);
+        t42[k] = jlt_jet_product(t2, x0, k);
+        t43[k] = -t42[k];
         double *restrict next = coefficients + (k + 1)*6;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t30[k]/(k + 1);
-        next[2] = x2[k + 1] = t33[k]/(k + 1);
-        next[3] = x3[k + 1] = t43[k]/(k + 1);
-        next[4] = x4[k + 1] = t45[k]/(k + 1);
+        next[1] = x1[k + 1] = t26[k]/(k + 1);
+        next[2] = x2[k + 1] = t30[k]/(k + 1);
+        next[3] = x3[k + 1] = t41[k]/(k + 1);
+        next[4] = x4[k + 1] = t43[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -688,28 +631,28 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G = 
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 47,
+    .state_count = 5, .param_count = 7, .block_count = 41,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 3, 20, 6, 1, 0, 0, 10, 9 }, { 10, 45, 0, 4, 0, 0, 10, 5 },
+    .rhs = { rhs, 5, { 1, 18, 7, 1, 0, 0, 9, 10 }, { 10, 45, 0, 4, 0, 0, 10, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 25, { 5, 48, 19, 1, 0, 0, 12, 13 }, { 42, 208, 0, 29, 0, 0, 13, 8 },
+    .jacobian = { jacobian, 25, { 4, 41, 15, 1, 0, 0, 11, 12 }, { 42, 208, 0, 29, 0, 0, 13, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 7, 54, 21, 1, 0, 0, 13, 17 }, { 48, 236, 0, 32, 0, 0, 13, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 5, 48, 17, 1, 0, 0, 12, 17 }, { 48, 236, 0, 32, 0, 0, 13, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .divergence = { divergence, 1, { 0, 6, 5, 1, 0, 0, 7, 4 }, { 6, 24, 0, 2, 0, 0, 9, 6 },
+    .divergence = { divergence, 1, { 2, 5, 3, 1, 0, 0, 6, 4 }, { 6, 24, 0, 2, 0, 0, 9, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .integral_values = { integral_values, 2, { 0, 14, 10, 1, 0, 0, 9, 5 }, { 11, 43, 0, 1, 0, 0, 12, 6 },
+    .integral_values = { integral_values, 2, { 0, 12, 10, 1, 0, 0, 9, 5 }, { 11, 43, 0, 1, 0, 0, 12, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .integral_gradients = { integral_gradients, 10, { 0, 29, 12, 1, 0, 0, 8, 11 }, { 18, 86, 0, 7, 0, 0, 11, 8 },
+    .integral_gradients = { integral_gradients, 10, { 2, 24, 10, 1, 0, 0, 8, 11 }, { 18, 86, 0, 7, 0, 0, 10, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
-    .eliminated = { eliminated, 1, { 0, 3, 1, 1, 0, 0, 4, 3 }, { 1, 5, 0, 1, 0, 0, 5, 3 },
+    .eliminated = { eliminated, 1, { 0, 2, 1, 1, 0, 0, 4, 2 }, { 1, 5, 0, 1, 0, 0, 5, 3 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,

@@ -8,14 +8,14 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   19    7    1    0    0      9    8   (65)
- *  jacobian            6   40   20    1    0    0     12   16   (286)
- *  rhs_jacobian        7   46   23    1    0    0     13   15   (329)
- *  divergence          1   10    4    1    0    0      8    6   (36)
- *  integral_values     0   14   10    1    0    0      8    5   (55)
- *  integral_gradients  2   32   13    1    0    0      9    9   (138)
+ *  rhs                 3   17    6    1    0    0      8    9   (65)
+ *  jacobian            8   38   16    1    0    0     11   14   (286)
+ *  rhs_jacobian        8   42   19    1    0    0     16   16   (329)
+ *  divergence          0   10    4    1    0    0      7    6   (36)
+ *  integral_values     0   11   10    1    0    0      8    6   (55)
+ *  integral_gradients  1   23   14    1    0    0      7   10   (138)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
- *  eliminated          0    3    1    1    0    0      4    3   (7)
+ *  eliminated          0    1    1    1    0    0      3    2   (7)
  *
  *  Accuracy: divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are.
  */
@@ -52,105 +52,126 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
-    const double t0 = params[1]*params[5]; /* R*I3 */
-    const double t1 = 1.0/t0; /* 1/(R*I3) */
-    const double t2 = params[1]*params[4]; /* R*I1 */
-    const double t3 = params[5]*params[4]; /* I3*I1 */
-    const double t4 = params[1]*params[1]; /* R*R */
-    const double t5 = params[0]*t4; /* m*R*R */
-    const double t6 = params[4]*t5; /* I1*m*R*R */
-    const double t7 = params[5]*t5; /* I3*m*R*R */
-    const double t8 = params[5]/params[4]; /* I3/I1 */
-    const double t9 = params[1]*params[0]; /* R*m */
-    const double t10 = params[5]*t9; /* I3*R*m */
-    const double t11 = params[5]*params[5]; /* I3*I3 */
-    const double t12 = t7 + t11; /* I3*m*R*R + I3*I3 */
-    const double t13 = 1.0/params[5]; /* 1/I3 */
-    const double t14 = params[4]/params[5]; /* I1/I3 */
-    const double t15 = params[1]*2.0; /* R*2 */
-    const double t16 = 1.0/t2; /* 1/(R*I1) */
-    const double t17 = params[5]*t11; /* I3*I3*I3 */
-    const double t18 = t5*t17; /* m*R*R*I3*I3*I3 */
-    const double t19 = 2.0*t18; /* 2*m*R*R*I3*I3*I3 */
-    const double t20 = params[0]*params[0]; /* m*m */
-    const double t21 = t4*t4; /* R*R*R*R */
-    const double t22 = t20*t21; /* m*m*R*R*R*R */
-    const double t23 = t11*t22; /* I3*I3*m*m*R*R*R*R */
-    const double t24 = 2.0*t23; /* 2*I3*I3*m*m*R*R*R*R */
-    const double t25 = t19 + t24; /* 2*m*R*R*I3*I3*I3 + 2*I3*I3*m*m*R*R*R*R */
-    const double t26 = 2.0*t20; /* 2*m*m */
-    const double t27 = params[1]*t4; /* R*R*R */
-    const double t28 = t26*t27; /* 2*m*m*R*R*R */
-    const double t29 = t11*t28; /* I3*I3*2*m*m*R*R*R */
-    const double t30 = params[5]/params[1]; /* I3/R */
-    const double t31 = t9 + t30; /* R*m + I3/R */
-    const double t32 = -t10; /* -I3*R*m */
-    const double t33 = t3 + t6; /* I3*I1 + I1*m*R*R */
-    const double t34 = t6*t11; /* I1*m*R*R*I3*I3 */
-    const double t35 = 2.0*t34; /* 2*I1*m*R*R*I3*I3 */
-    const double t36 = params[4]*t22; /* I1*m*m*R*R*R*R */
-    const double t37 = params[5]*t36; /* I3*I1*m*m*R*R*R*R */
-    const double t38 = 2.0*t37; /* 2*I3*I1*m*m*R*R*R*R */
-    const double t39 = t35 + t38; /* 2*I1*m*R*R*I3*I3 + 2*I3*I1*m*m*R*R*R*R */
-    const double t40 = params[4]*t28; /* I1*2*m*m*R*R*R */
-    const double t41 = params[5]*t40; /* I3*I1*2*m*m*R*R*R */
-    const double t42 = params[0]/2.0; /* m/2 */
-    const double t43 = params[4]/2.0; /* I1/2 */
-    const double t44 = params[5]/2.0; /* I3/2 */
-    const double t45 = params[4]*params[4]; /* I1*I1 */
-    const double t46 = params[0]*t45; /* m*I1*I1 */
-    const double t47 = params[4] - params[5]; /* I1 - I3 */
-    const double t48 = 1.0/params[1]; /* 1/R */
-    const double t49 = t2/params[5]; /* R*I1/I3 */
-    const double t50 = params[0]*2.0; /* m*2 */
-    const double t51 = t4*t50; /* R*R*m*2 */
-    const double t52 = params[5]*t51; /* I3*R*R*m*2 */
-    const double t53 = t47*t52; /* (I1 - I3)*I3*R*R*m*2 */
-    const double t54 = 2.0*t47; /* 2*(I1 - I3) */
-    const double t55 = t54/t0; /* 2*(I1 - I3)/(R*I3) */
-    const double t56 = t45*t50; /* I1*I1*m*2 */
-    const double t57 = params[1]*t50; /* R*m*2 */
-    const double t58 = t45*t57; /* I1*I1*R*m*2 */
-    const double t59 = params[4]*2.0; /* I1*2 */
-    const double t60 = t47*t59; /* (I1 - I3)*I1*2 */
-    const double t61 = t60/params[5]; /* (I1 - I3)*I1*2/I3 */
-    const double t62 = params[4]*t51; /* I1*R*R*m*2 */
-    const double t63 = t47*t62; /* (I1 - I3)*I1*R*R*m*2 */
-    const double t64 = (-1.0)/t0; /* (-1)/(R*I3) */
+    const double t0 = params[1]*params[4]; /* R*I1 */
+    const double t1 = t0/params[5]; /* R*I1/I3 */
+    const double t2 = params[6]/t0; /* G_level/(R*I1) */
+    const double t3 = params[1]*params[1]; /* R*R */
+    const double t4 = params[0]*t3; /* m*R*R */
+    const double t5 = params[5]/t4; /* I3/(m*R*R) */
+    const double t6 = params[5]/params[4]; /* I3/I1 */
+    const double t7 = params[5]/t0; /* I3/(R*I1) */
+    const double t8 = params[5]*t4; /* I3*m*R*R */
+    const double t9 = params[5]*params[5]; /* I3*I3 */
+    const double t10 = t8 + t9; /* I3*m*R*R + I3*I3 */
+    const double t11 = t10/t8; /* (I3*m*R*R + I3*I3)/(I3*m*R*R) */
+    const double t12 = params[1]*2.0; /* R*2 */
+    const double t13 = -t1; /* -R*I1/I3 */
+    const double t14 = params[1]*params[0]; /* R*m */
+    const double t15 = params[5]/params[1]; /* I3/R */
+    const double t16 = t14 + t15; /* R*m + I3/R */
+    const double t17 = t16/t14; /* (R*m + I3/R)/(R*m) */
+    const double t18 = params[0]*params[0]; /* m*m */
+    const double t19 = t3*t3; /* R*R*R*R */
+    const double t20 = t18*t19; /* m*m*R*R*R*R */
+    const double t21 = params[4]*t20; /* I1*m*m*R*R*R*R */
+    const double t22 = params[5]*t21; /* I3*I1*m*m*R*R*R*R */
+    const double t23 = params[5]*t9; /* I3*I3*I3 */
+    const double t24 = t4*t23; /* m*R*R*I3*I3*I3 */
+    const double t25 = t9*t20; /* I3*I3*m*m*R*R*R*R */
+    const double t26 = t24 + t25; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t27 = 2.0*t26; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t28 = t27/t22; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I3*I1*m*m*R*R*R*R) */
+    const double t29 = params[4]*params[4]; /* I1*I1 */
+    const double t30 = params[1]*t29; /* R*I1*I1 */
+    const double t31 = t9*2.0; /* I3*I3*2 */
+    const double t32 = t31/t30; /* I3*I3*2/(R*I1*I1) */
+    const double t33 = -t7; /* -I3/(R*I1) */
+    const double t34 = params[4]*t4; /* I1*m*R*R */
+    const double t35 = params[4]*params[5]; /* I1*I3 */
+    const double t36 = t34 + t35; /* I1*m*R*R + I1*I3 */
+    const double t37 = t36/t34; /* (I1*m*R*R + I1*I3)/(I1*m*R*R) */
+    const double t38 = t9*t34; /* I3*I3*I1*m*R*R */
+    const double t39 = t22 + t38; /* I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R */
+    const double t40 = 2.0*t39; /* 2*(I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R) */
+    const double t41 = t40/t22; /* 2*(I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R)/(I3*I1*m*m*R*R*R*R) */
+    const double t42 = params[5]*2.0; /* I3*2 */
+    const double t43 = t42/t0; /* I3*2/(R*I1) */
+    const double t44 = params[4]*t10; /* I1*(I3*m*R*R + I3*I3) */
+    const double t45 = t44/params[5]; /* I1*(I3*m*R*R + I3*I3)/I3 */
+    const double t46 = params[5]*t14; /* I3*R*m */
+    const double t47 = params[0]*2.0; /* m*2 */
+    const double t48 = t3*t47; /* R*R*m*2 */
+    const double t49 = params[5]*t48; /* I3*R*R*m*2 */
+    const double t50 = t0*t16; /* R*I1*(R*m + I3/R) */
+    const double t51 = -t46; /* -I3*R*m */
+    const double t52 = params[4]*t48; /* I1*R*R*m*2 */
+    const double t53 = t10/t49; /* (I3*m*R*R + I3*I3)/(I3*R*R*m*2) */
+    const double t54 = params[4]/2.0; /* I1/2 */
+    const double t55 = params[0]/params[4]; /* m/I1 */
+    const double t56 = params[4]/params[5]; /* I1/I3 */
+    const double t57 = t4/params[4]; /* m*R*R/I1 */
+    const double t58 = params[0]*t29; /* m*I1*I1 */
+    const double t59 = params[4] - params[5]; /* I1 - I3 */
+    const double t60 = t34*t59; /* I1*m*R*R*(I1 - I3) */
+    const double t61 = t29/params[5]; /* I1*I1/I3 */
+    const double t62 = t34/params[5]; /* I1*m*R*R/I3 */
+    const double t63 = t29*t48; /* I1*I1*R*R*m*2 */
+    const double t64 = t59*t63; /* (I1 - I3)*I1*I1*R*R*m*2 */
+    const double t65 = t64/params[5]; /* (I1 - I3)*I1*I1*R*R*m*2/I3 */
+    const double t66 = params[4]*t29; /* I1*I1*I1 */
+    const double t67 = t48*t66; /* R*R*m*2*I1*I1*I1 */
+    const double t68 = t59*t67; /* (I1 - I3)*R*R*m*2*I1*I1*I1 */
+    const double t69 = t68/t9; /* (I1 - I3)*R*R*m*2*I1*I1*I1/(I3*I3) */
+    const double t70 = t29*t47; /* I1*I1*m*2 */
+    const double t71 = params[1]*t47; /* R*m*2 */
+    const double t72 = t29*t71; /* I1*I1*R*m*2 */
+    const double t73 = params[0]*(-2.0); /* m*(-2) */
+    const double t74 = t3*t73; /* R*R*m*(-2) */
+    const double t75 = t66*t74; /* I1*I1*I1*R*R*m*(-2) */
+    const double t76 = t59*t75; /* (I1 - I3)*I1*I1*I1*R*R*m*(-2) */
+    const double t77 = t76/t9; /* (I1 - I3)*I1*I1*I1*R*R*m*(-2)/(I3*I3) */
+    const double t78 = -t56; /* -I1/I3 */
     out[7] = t1;
     out[8] = t2;
-    out[9] = t3;
+    out[9] = t5;
     out[10] = t6;
     out[11] = t7;
-    out[12] = t8;
-    out[13] = t10;
-    out[14] = t12;
-    out[15] = t13;
-    out[16] = t14;
-    out[17] = t15;
-    out[18] = t16;
-    out[19] = t25;
-    out[20] = t29;
-    out[21] = t31;
-    out[22] = t32;
-    out[23] = t33;
-    out[24] = t39;
-    out[25] = t41;
-    out[26] = t42;
-    out[27] = t43;
-    out[28] = t44;
-    out[29] = t46;
-    out[30] = t47;
-    out[31] = t9;
-    out[32] = t48;
-    out[33] = t49;
-    out[34] = t53;
-    out[35] = t55;
-    out[36] = t56;
+    out[12] = t11;
+    out[13] = t12;
+    out[14] = t13;
+    out[15] = t17;
+    out[16] = t28;
+    out[17] = t32;
+    out[18] = t33;
+    out[19] = t37;
+    out[20] = t41;
+    out[21] = t43;
+    out[22] = t35;
+    out[23] = t34;
+    out[24] = t8;
+    out[25] = t45;
+    out[26] = t46;
+    out[27] = t49;
+    out[28] = t50;
+    out[29] = t51;
+    out[30] = t36;
+    out[31] = t52;
+    out[32] = t53;
+    out[33] = t54;
+    out[34] = t55;
+    out[35] = t56;
+    out[36] = t57;
     out[37] = t58;
-    out[38] = t61;
-    out[39] = t63;
-    out[40] = t64;
+    out[38] = t60;
+    out[39] = t4;
+    out[40] = t61;
+    out[41] = t62;
+    out[42] = t65;
+    out[43] = t69;
+    out[44] = t70;
+    out[45] = t72;
+    out[46] = t77;
+    out[47] = t78;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -159,36 +180,34 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t1 = x[4]*t0; /* s*s*omega_tau */
     const double t2 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t3 = x[3]*t2; /* omega_n*omega_n*gamma3 */
-    const double t4 = x[4]*x[3]; /* s*omega_n */
-    const double t5 = JLT_FNMA(p[8], t4, p[6]); /* G_level - R*I1*s*omega_n */
-    const double t6 = x[4]*p[10]; /* s*m*R^2*I1 */
-    const double t7 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t8 = JLT_FMA(x[4], t6, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t9 = JLT_FMA(x[0], t7, t8); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t10 = x[0]*t9; /* gamma3*Theta */
-    const double t11 = 1.0/t10; /* 1/(gamma3*Theta) */
-    const double t12 = p[7]*t5; /* 1/(R*I3)*(G_level - R*I1*s*omega_n) */
-    const double t13 = t9*t12; /* Theta*1/(R*I3)*(G_level - R*I1*s*omega_n) */
-    const double t14 = t11*t13; /* 1/(gamma3*Theta)*Theta*1/(R*I3)*(G_level - R*I1*s*omega_n) */
-    const double t15 = t4*t14; /* s*omega_n*1/(gamma3*Theta)*Theta*1/(R*I3)*(G_level - R*I1*s*omega_n) */
-    const double t16 = t3 - t15; /* omega_n*omega_n*gamma3 - t15 */
-    const double t17 = p[1]*t16; /* R*(omega_n*omega_n*gamma3 - t15) */
-    const double t18 = JLT_FMS(t15, p[12], t3); /* t15*I3/I1 - omega_n*omega_n*gamma3 */
-    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t20 = x[0]*t11; /* gamma3*1/(gamma3*Theta) */
-    const double t21 = p[13]*t19; /* m*R*I3*V */
-    const double t22 = JLT_FNMA(t20, t21, x[2]); /* omega_tau - gamma3*1/(gamma3*Theta)*m*R*I3*V */
-    const double t23 = t2*t22; /* omega_n*gamma3*(omega_tau - gamma3*1/(gamma3*Theta)*m*R*I3*V) */
-    const double t24 = t0*p[14]; /* s*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t25 = t14*t24; /* 1/(gamma3*Theta)*Theta*1/(R*I3)*(G_level - R*I1*s*omega_n)*s*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t26 = JLT_FNMA(t20, t25, t23); /* t23 - gamma3*1/(gamma3*Theta)*t25 */
-    const double t27 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t28 = -t27; /* -s*omega_tau*gamma3 */
+    const double t4 = p[1]*t3; /* R*omega_n*omega_n*gamma3 */
+    const double t5 = x[4]*x[3]; /* s*omega_n */
+    const double t6 = p[8] - t5; /* G_level/(R*I1) - s*omega_n */
+    const double t7 = x[0]*p[10]; /* gamma3*I3/I1 */
+    const double t8 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
+    const double t9 = JLT_FMA(x[0], t7, t8); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t10 = x[0]*t9; /* gamma3*Theta scaled */
+    const double t11 = 1.0/t10; /* 1/(gamma3*Theta scaled) */
+    const double t12 = t6*t9; /* (G_level/(R*I1) - s*omega_n)*Theta scaled */
+    const double t13 = t11*t12; /* 1/(gamma3*Theta scaled)*(G_level/(R*I1) - s*omega_n)*Theta scaled */
+    const double t14 = t5*t13; /* s*omega_n*t13 */
+    const double t15 = JLT_FNMA(p[7], t14, t4); /* R*omega_n*omega_n*gamma3 - R*I1/I3*s*omega_n*t13 */
+    const double t16 = t14 - t3; /* s*omega_n*t13 - omega_n*omega_n*gamma3 */
+    const double t17 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t18 = x[0]*t11; /* gamma3*1/(gamma3*Theta scaled) */
+    const double t19 = p[11]*t17; /* I3/(R*I1)*V */
+    const double t20 = JLT_FNMA(t18, t19, x[2]); /* omega_tau - gamma3*1/(gamma3*Theta scaled)*I3/(R*I1)*V */
+    const double t21 = t2*t20; /* omega_n*gamma3*(omega_tau - gamma3*1/(gamma3*Theta scaled)*I3/(R*I1)*V) */
+    const double t22 = t0*p[12]; /* s*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
+    const double t23 = t18*t22; /* gamma3*1/(gamma3*Theta scaled)*s*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
+    const double t24 = JLT_FNMA(t13, t23, t21); /* t21 - t13*t23 */
+    const double t25 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t26 = -t25; /* -s*omega_tau*gamma3 */
     out[0] = t1;
-    out[1] = t17;
-    out[2] = t18;
-    out[3] = t26;
-    out[4] = t28;
+    out[1] = t15;
+    out[2] = t16;
+    out[3] = t24;
+    out[4] = t26;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -198,93 +217,89 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
     const double t3 = x[3]*x[3]; /* omega_n*omega_n */
     const double t4 = p[1]*t3; /* R*omega_n*omega_n */
-    const double t5 = x[4]*x[3]; /* s*omega_n */
-    const double t6 = p[11]*x[0]; /* m*R^2*I3*gamma3 */
-    const double t7 = JLT_FMA(t0, p[10], p[9]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t8 = JLT_FMA(x[0], t6, t7); /* Theta = gamma3*m*R^2*I3*gamma3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t9 = x[0]*t8; /* gamma3*Theta */
-    const double t10 = 1.0/t9; /* 1/(gamma3*Theta) */
-    const double t11 = t8*t10; /* Theta*1/(gamma3*Theta) */
-    const double t12 = t5*t11; /* s*omega_n*Theta*1/(gamma3*Theta) */
-    const double t13 = JLT_FNMA(t5, p[8], p[6]); /* G_level - s*omega_n*R*I1 */
-    const double t14 = t11*t13; /* Theta*1/(gamma3*Theta)*(G_level - s*omega_n*R*I1) */
-    const double t15 = t12*t14; /* s*omega_n*Theta*1/(gamma3*Theta)*Theta*1/(gamma3*Theta)*(G_level - s*omega_n*R*I1) */
-    const double t16 = JLT_FMA(p[15], t15, t4); /* 1/I3*t15 + R*omega_n*omega_n */
-    const double t17 = t14*p[7]; /* Theta*1/(gamma3*Theta)*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t18 = JLT_FMS(t12, p[16], t17); /* s*omega_n*Theta*1/(gamma3*Theta)*I1/I3 - Theta*1/(gamma3*Theta)*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t19 = p[1]*t18; /* R*t18 */
-    const double t20 = x[4]*t19; /* s*R*t18 */
-    const double t21 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t22 = JLT_FMA(p[17], t21, t20); /* 2*R*omega_n*gamma3 + s*R*t18 */
-    const double t23 = x[3]*t19; /* omega_n*R*t18 */
-    const double t24 = JLT_FMA(t15, p[18], t3); /* t15*1/(R*I1) + omega_n*omega_n */
-    const double t25 = -t24; /* -(t15*1/(R*I1) + omega_n*omega_n) */
-    const double t26 = 2.0*t21; /* 2*omega_n*gamma3 */
-    const double t27 = JLT_FNMA(t17, p[12], t12); /* s*omega_n*Theta*1/(gamma3*Theta) - Theta*1/(gamma3*Theta)*(G_level - s*omega_n*R*I1)*1/(R*I3)*I3/I1 */
-    const double t28 = JLT_FMA(x[4], t27, t26); /* s*t27 + 2*omega_n*gamma3 */
-    const double t29 = -t28; /* -(s*t27 + 2*omega_n*gamma3) */
-    const double t30 = x[3]*t27; /* omega_n*t27 */
-    const double t31 = -t30; /* -omega_n*t27 */
-    const double t32 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t33 = x[0]*t10; /* gamma3*1/(gamma3*Theta) */
-    const double t34 = p[13]*t32; /* m*R*I3*V */
-    const double t35 = JLT_FNMA(t33, t34, x[2]); /* omega_tau - gamma3*1/(gamma3*Theta)*m*R*I3*V */
-    const double t36 = x[3]*t35; /* omega_n*(omega_tau - gamma3*1/(gamma3*Theta)*m*R*I3*V) */
-    const double t37 = x[4]*t33; /* s*gamma3*1/(gamma3*Theta) */
-    const double t38 = x[2]*t37; /* omega_tau*s*gamma3*1/(gamma3*Theta) */
-    const double t39 = t17*t38; /* Theta*1/(gamma3*Theta)*(G_level - s*omega_n*R*I1)*1/(R*I3)*omega_tau*s*gamma3*1/(gamma3*Theta) */
-    const double t40 = p[19]*t39; /* (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*t39 */
-    const double t41 = t21*t33; /* omega_n*gamma3*gamma3*1/(gamma3*Theta) */
-    const double t42 = t32*t41; /* V*omega_n*gamma3*gamma3*1/(gamma3*Theta) */
-    const double t43 = JLT_FMA(p[20], t42, t40); /* 2*m^2*R^3*I3^2*V*omega_n*gamma3*gamma3*1/(gamma3*Theta) + (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*t39 */
-    const double t44 = x[0]*t33; /* gamma3*gamma3*1/(gamma3*Theta) */
-    const double t45 = t11*t38; /* Theta*1/(gamma3*Theta)*omega_tau*s*gamma3*1/(gamma3*Theta) */
-    const double t46 = t14*p[21]; /* Theta*1/(gamma3*Theta)*(G_level - s*omega_n*R*I1)*(m*R + I3/R) */
-    const double t47 = JLT_FMA(t45, t46, t36); /* Theta*1/(gamma3*Theta)*omega_tau*s*gamma3*1/(gamma3*Theta)*t46 + omega_n*(omega_tau - gamma3*1/(gamma3*Theta)*m*R*I3*V) */
-    const double t48 = JLT_FMA(t43, t44, t47); /* t43*gamma3*gamma3*1/(gamma3*Theta) + t47 */
-    const double t49 = t41*p[22]; /* omega_n*gamma3*gamma3*1/(gamma3*Theta)*(-m*R*I3) */
-    const double t50 = t17*p[14]; /* Theta*1/(gamma3*Theta)*(G_level - s*omega_n*R*I1)*1/(R*I3)*(I3^2 + m*R^2*I3) */
-    const double t51 = JLT_FNMA(p[11], t41, t21); /* omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*gamma3*1/(gamma3*Theta) */
-    const double t52 = JLT_FNMA(t37, t50, t51); /* t51 - s*gamma3*1/(gamma3*Theta)*t50 */
-    const double t53 = x[0]*t35; /* gamma3*(omega_tau - gamma3*1/(gamma3*Theta)*m*R*I3*V) */
-    const double t54 = t45*p[23]; /* Theta*1/(gamma3*Theta)*omega_tau*s*gamma3*1/(gamma3*Theta)*(I1*I3 + m*R^2*I1) */
-    const double t55 = JLT_FMA(x[4], t54, t53); /* s*t54 + gamma3*(omega_tau - gamma3*1/(gamma3*Theta)*m*R*I3*V) */
-    const double t56 = x[2]*t33; /* omega_tau*gamma3*1/(gamma3*Theta) */
-    const double t57 = t50*t56; /* t50*omega_tau*gamma3*1/(gamma3*Theta) */
-    const double t58 = t39*p[24]; /* t39*(2*m*R^2*I1*I3^2 + 2*m^2*R^4*I1*I3) */
-    const double t59 = JLT_FMA(t42, p[25], t58); /* V*omega_n*gamma3*gamma3*1/(gamma3*Theta)*2*m^2*R^3*I1*I3 + t39*(2*m*R^2*I1*I3^2 + 2*m^2*R^4*I1*I3) */
-    const double t60 = JLT_FMS(x[3], t54, t57); /* omega_n*t54 - t50*omega_tau*gamma3*1/(gamma3*Theta) */
-    const double t61 = JLT_FMA(t37, t59, t60); /* s*gamma3*1/(gamma3*Theta)*t59 + omega_n*t54 - t50*omega_tau*gamma3*1/(gamma3*Theta) */
-    const double t62 = -t1; /* -s*omega_tau */
-    const double t63 = x[4]*x[0]; /* s*gamma3 */
-    const double t64 = -t63; /* -s*gamma3 */
-    const double t65 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t66 = -t65; /* -omega_tau*gamma3 */
+    const double t5 = p[10]*x[0]; /* I3/I1*gamma3 */
+    const double t6 = t0 + p[9]; /* s*s + I3/(m*R^2) */
+    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta scaled = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
+    const double t8 = x[0]*t7; /* gamma3*Theta scaled */
+    const double t9 = 1.0/t8; /* 1/(gamma3*Theta scaled) */
+    const double t10 = t7*t9; /* Theta scaled*1/(gamma3*Theta scaled) */
+    const double t11 = x[3]*t10; /* omega_n*Theta scaled*1/(gamma3*Theta scaled) */
+    const double t12 = x[4]*x[3]; /* s*omega_n */
+    const double t13 = p[8] - t12; /* G_level/(R*I1) - s*omega_n */
+    const double t14 = x[4]*t10; /* s*Theta scaled*1/(gamma3*Theta scaled) */
+    const double t15 = t13*t14; /* (G_level/(R*I1) - s*omega_n)*s*Theta scaled*1/(gamma3*Theta scaled) */
+    const double t16 = t11*t15; /* omega_n*Theta scaled*1/(gamma3*Theta scaled)*t15 */
+    const double t17 = JLT_FMA(p[7], t16, t4); /* R*I1/I3*omega_n*Theta scaled*1/(gamma3*Theta scaled)*t15 + R*omega_n*omega_n */
+    const double t18 = JLT_FNMA(t0, t11, t15); /* t15 - s*s*omega_n*Theta scaled*1/(gamma3*Theta scaled) */
+    const double t19 = p[7]*t18; /* R*I1/I3*(t15 - s*s*omega_n*Theta scaled*1/(gamma3*Theta scaled)) */
+    const double t20 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t21 = JLT_FMS(p[13], t20, t19); /* 2*R*omega_n*gamma3 - t19 */
+    const double t22 = t13 - t12; /* G_level/(R*I1) - s*omega_n - s*omega_n */
+    const double t23 = t11*t22; /* omega_n*Theta scaled*1/(gamma3*Theta scaled)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t24 = p[14]*t23; /* (-R*I1/I3)*t23 */
+    const double t25 = t3 + t16; /* omega_n*omega_n + omega_n*Theta scaled*1/(gamma3*Theta scaled)*t15 */
+    const double t26 = -t25; /* -t25 */
+    const double t27 = JLT_FNMA(2.0, t20, t18); /* t15 - s*s*omega_n*Theta scaled*1/(gamma3*Theta scaled) - 2*omega_n*gamma3 */
+    const double t28 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t29 = x[0]*t9; /* gamma3*1/(gamma3*Theta scaled) */
+    const double t30 = t28*t29; /* V*gamma3*1/(gamma3*Theta scaled) */
+    const double t31 = JLT_FNMA(p[11], t30, x[2]); /* omega_tau - I3/(R*I1)*V*gamma3*1/(gamma3*Theta scaled) */
+    const double t32 = x[3]*t31; /* omega_n*(omega_tau - I3/(R*I1)*V*gamma3*1/(gamma3*Theta scaled)) */
+    const double t33 = t13*t29; /* (G_level/(R*I1) - s*omega_n)*gamma3*1/(gamma3*Theta scaled) */
+    const double t34 = x[2]*t10; /* omega_tau*Theta scaled*1/(gamma3*Theta scaled) */
+    const double t35 = p[15]*t34; /* (m*R + I3/R)/(m*R)*omega_tau*Theta scaled*1/(gamma3*Theta scaled) */
+    const double t36 = t14*t35; /* s*Theta scaled*1/(gamma3*Theta scaled)*t35 */
+    const double t37 = t1*t29; /* s*omega_tau*gamma3*1/(gamma3*Theta scaled) */
+    const double t38 = JLT_FMA(p[16], t37, t36); /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1*I3)*s*omega_tau*gamma3*1/(gamma3*Theta scaled) + s*Theta scaled*1/(gamma3*Theta scaled)*t35 */
+    const double t39 = t20*t29; /* omega_n*gamma3*gamma3*1/(gamma3*Theta scaled) */
+    const double t40 = t30*t39; /* V*gamma3*1/(gamma3*Theta scaled)*omega_n*gamma3*gamma3*1/(gamma3*Theta scaled) */
+    const double t41 = x[0]*p[17]; /* gamma3*2*I3^2/(R*I1^2) */
+    const double t42 = JLT_FMA(t40, t41, t32); /* t40*gamma3*2*I3^2/(R*I1^2) + t32 */
+    const double t43 = JLT_FMA(t33, t38, t42); /* (G_level/(R*I1) - s*omega_n)*gamma3*1/(gamma3*Theta scaled)*t38 + t40*gamma3*2*I3^2/(R*I1^2) + t32 */
+    const double t44 = t39*p[18]; /* omega_n*gamma3*gamma3*1/(gamma3*Theta scaled)*(-I3/(R*I1)) */
+    const double t45 = t33*p[12]; /* (G_level/(R*I1) - s*omega_n)*gamma3*1/(gamma3*Theta scaled)*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
+    const double t46 = JLT_FNMA(p[10], t39, t20); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*gamma3*1/(gamma3*Theta scaled) */
+    const double t47 = JLT_FNMA(t14, t45, t46); /* t46 - s*Theta scaled*1/(gamma3*Theta scaled)*t45 */
+    const double t48 = x[0]*t31; /* gamma3*(omega_tau - I3/(R*I1)*V*gamma3*1/(gamma3*Theta scaled)) */
+    const double t49 = t14*t37; /* s*Theta scaled*1/(gamma3*Theta scaled)*s*omega_tau*gamma3*1/(gamma3*Theta scaled) */
+    const double t50 = JLT_FMA(p[19], t49, t48); /* (I1*I3 + m*R^2*I1)/(m*R^2*I1)*t49 + t48 */
+    const double t51 = t37*p[19]; /* s*omega_tau*gamma3*1/(gamma3*Theta scaled)*(I1*I3 + m*R^2*I1)/(m*R^2*I1) */
+    const double t52 = t11*t51; /* omega_n*Theta scaled*1/(gamma3*Theta scaled)*t51 */
+    const double t53 = t34*p[12]; /* omega_tau*Theta scaled*1/(gamma3*Theta scaled)*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
+    const double t54 = JLT_FNMA(t49, p[20], t53); /* t53 - t49*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1*I3) */
+    const double t55 = x[4]*p[21]; /* s*2*I3/(R*I1) */
+    const double t56 = JLT_FMA(t40, t55, t52); /* t40*s*2*I3/(R*I1) + omega_n*Theta scaled*1/(gamma3*Theta scaled)*t51 */
+    const double t57 = JLT_FNMA(t33, t54, t56); /* t56 - (G_level/(R*I1) - s*omega_n)*gamma3*1/(gamma3*Theta scaled)*(t53 - t49*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1*I3)) */
+    const double t58 = -t1; /* -s*omega_tau */
+    const double t59 = x[4]*x[0]; /* s*gamma3 */
+    const double t60 = -t59; /* -s*gamma3 */
+    const double t61 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t62 = -t61; /* -omega_tau*gamma3 */
     out[0] = 0.0;
     out[1] = 0.0;
     out[2] = t0;
     out[3] = 0.0;
     out[4] = t2;
-    out[5] = t16;
+    out[5] = t17;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t22;
-    out[9] = t23;
-    out[10] = t25;
+    out[8] = t21;
+    out[9] = t24;
+    out[10] = t26;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t29;
-    out[14] = t31;
-    out[15] = t48;
-    out[16] = t49;
-    out[17] = t52;
-    out[18] = t55;
-    out[19] = t61;
-    out[20] = t62;
+    out[13] = t27;
+    out[14] = t23;
+    out[15] = t43;
+    out[16] = t44;
+    out[17] = t47;
+    out[18] = t50;
+    out[19] = t57;
+    out[20] = t58;
     out[21] = 0.0;
-    out[22] = t64;
+    out[22] = t60;
     out[23] = 0.0;
-    out[24] = t66;
+    out[24] = t62;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -292,224 +307,204 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t0 = x[4]*x[2]; /* s*omega_tau */
     const double t1 = x[4]*t0; /* s*s*omega_tau */
     const double t2 = x[4]*x[3]; /* s*omega_n */
-    const double t3 = JLT_FNMA(p[8], t2, p[6]); /* G_level - R*I1*s*omega_n */
+    const double t3 = p[8] - t2; /* G_level/(R*I1) - s*omega_n */
     const double t4 = x[4]*x[4]; /* s*s */
-    const double t5 = p[11]*x[0]; /* m*R^2*I3*gamma3 */
-    const double t6 = JLT_FMA(p[10], t4, p[9]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t5 = p[24]*x[0]; /* m*R^2*I3*gamma3 */
+    const double t6 = JLT_FMA(p[23], t4, p[22]); /* m*R^2*I1*s*s + I1*I3 */
     const double t7 = JLT_FMA(x[0], t5, t6); /* Theta = gamma3*m*R^2*I3*gamma3 + m*R^2*I1*s*s + I1*I3 */
     const double t8 = x[0]*t7; /* gamma3*Theta */
     const double t9 = 1.0/t8; /* 1/(gamma3*Theta) */
     const double t10 = t7*t9; /* Theta*1/(gamma3*Theta) */
-    const double t11 = t3*t10; /* (G_level - R*I1*s*omega_n)*Theta*1/(gamma3*Theta) */
-    const double t12 = p[7]*t11; /* 1/(R*I3)*(G_level - R*I1*s*omega_n)*Theta*1/(gamma3*Theta) */
-    const double t13 = t2*t12; /* s*omega_n*1/(R*I3)*(G_level - R*I1*s*omega_n)*Theta*1/(gamma3*Theta) */
-    const double t14 = p[1]*t13; /* R*t13 */
+    const double t11 = x[4]*t10; /* s*Theta*1/(gamma3*Theta) */
+    const double t12 = t3*t11; /* (G_level/(R*I1) - s*omega_n)*s*Theta*1/(gamma3*Theta) */
+    const double t13 = x[3]*t12; /* omega_n*(G_level/(R*I1) - s*omega_n)*s*Theta*1/(gamma3*Theta) */
+    const double t14 = p[7]*t13; /* R*I1/I3*t13 */
     const double t15 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t16 = p[1]*x[3]; /* R*omega_n */
-    const double t17 = JLT_FMS(t15, t16, t14); /* omega_n*gamma3*R*omega_n - R*t13 */
-    const double t18 = x[3]*t15; /* omega_n*omega_n*gamma3 */
-    const double t19 = JLT_FMS(t13, p[12], t18); /* t13*I3/I1 - omega_n*omega_n*gamma3 */
-    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t21 = x[0]*t9; /* gamma3*1/(gamma3*Theta) */
-    const double t22 = t20*t21; /* V*gamma3*1/(gamma3*Theta) */
-    const double t23 = JLT_FNMA(p[13], t22, x[2]); /* omega_tau - m*R*I3*V*gamma3*1/(gamma3*Theta) */
-    const double t24 = t15*t23; /* omega_n*gamma3*(omega_tau - m*R*I3*V*gamma3*1/(gamma3*Theta)) */
-    const double t25 = t0*t21; /* s*omega_tau*gamma3*1/(gamma3*Theta) */
-    const double t26 = p[14]*t25; /* (I3^2 + m*R^2*I3)*s*omega_tau*gamma3*1/(gamma3*Theta) */
-    const double t27 = JLT_FNMA(t12, t26, t24); /* t24 - 1/(R*I3)*(G_level - R*I1*s*omega_n)*Theta*1/(gamma3*Theta)*(I3^2 + m*R^2*I3)*s*omega_tau*gamma3*1/(gamma3*Theta) */
-    const double t28 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t29 = -t28; /* -s*omega_tau*gamma3 */
-    const double t30 = t0*2.0; /* s*omega_tau*2 */
-    const double t31 = x[3]*t16; /* omega_n*R*omega_n */
-    const double t32 = t2*t10; /* s*omega_n*Theta*1/(gamma3*Theta) */
-    const double t33 = t11*t32; /* (G_level - R*I1*s*omega_n)*Theta*1/(gamma3*Theta)*s*omega_n*Theta*1/(gamma3*Theta) */
-    const double t34 = JLT_FMA(p[15], t33, t31); /* 1/I3*t33 + omega_n*R*omega_n */
-    const double t35 = JLT_FMS(t32, p[16], t12); /* s*omega_n*Theta*1/(gamma3*Theta)*I1/I3 - 1/(R*I3)*(G_level - R*I1*s*omega_n)*Theta*1/(gamma3*Theta) */
-    const double t36 = x[4]*p[1]; /* s*R */
-    const double t37 = t35*t36; /* t35*s*R */
-    const double t38 = JLT_FMA(t15, p[17], t37); /* omega_n*gamma3*2*R + t35*s*R */
-    const double t39 = t16*t35; /* R*omega_n*t35 */
-    const double t40 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t41 = JLT_FMA(t33, p[18], t40); /* t33*1/(R*I1) + omega_n*omega_n */
-    const double t42 = -t41; /* -(t33*1/(R*I1) + omega_n*omega_n) */
-    const double t43 = t15*2.0; /* omega_n*gamma3*2 */
-    const double t44 = JLT_FNMA(t12, p[12], t32); /* s*omega_n*Theta*1/(gamma3*Theta) - 1/(R*I3)*(G_level - R*I1*s*omega_n)*Theta*1/(gamma3*Theta)*I3/I1 */
-    const double t45 = JLT_FMA(x[4], t44, t43); /* s*t44 + omega_n*gamma3*2 */
-    const double t46 = -t45; /* -(s*t44 + omega_n*gamma3*2) */
-    const double t47 = x[3]*t44; /* omega_n*t44 */
-    const double t48 = -t47; /* -omega_n*t44 */
-    const double t49 = x[3]*t23; /* omega_n*(omega_tau - m*R*I3*V*gamma3*1/(gamma3*Theta)) */
-    const double t50 = t12*t21; /* 1/(R*I3)*(G_level - R*I1*s*omega_n)*Theta*1/(gamma3*Theta)*gamma3*1/(gamma3*Theta) */
-    const double t51 = t25*t50; /* s*omega_tau*gamma3*1/(gamma3*Theta)*t50 */
-    const double t52 = p[19]*t51; /* (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*s*omega_tau*gamma3*1/(gamma3*Theta)*t50 */
-    const double t53 = t15*t21; /* omega_n*gamma3*gamma3*1/(gamma3*Theta) */
-    const double t54 = t22*t53; /* V*gamma3*1/(gamma3*Theta)*omega_n*gamma3*gamma3*1/(gamma3*Theta) */
-    const double t55 = JLT_FMA(p[20], t54, t52); /* 2*m^2*R^3*I3^2*t54 + t52 */
-    const double t56 = t10*t25; /* Theta*1/(gamma3*Theta)*s*omega_tau*gamma3*1/(gamma3*Theta) */
-    const double t57 = t11*p[21]; /* (G_level - R*I1*s*omega_n)*Theta*1/(gamma3*Theta)*(m*R + I3/R) */
-    const double t58 = JLT_FMA(t56, t57, t49); /* Theta*1/(gamma3*Theta)*s*omega_tau*gamma3*1/(gamma3*Theta)*t57 + omega_n*(omega_tau - m*R*I3*V*gamma3*1/(gamma3*Theta)) */
-    const double t59 = JLT_FMA(x[0], t55, t58); /* gamma3*(2*m^2*R^3*I3^2*t54 + t52) + t58 */
-    const double t60 = t53*p[22]; /* omega_n*gamma3*gamma3*1/(gamma3*Theta)*(-m*R*I3) */
-    const double t61 = p[14]*t50; /* (I3^2 + m*R^2*I3)*t50 */
-    const double t62 = JLT_FNMA(p[11], t53, t15); /* omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*gamma3*1/(gamma3*Theta) */
-    const double t63 = JLT_FNMA(x[4], t61, t62); /* t62 - s*(I3^2 + m*R^2*I3)*t50 */
-    const double t64 = x[0]*t23; /* gamma3*(omega_tau - m*R*I3*V*gamma3*1/(gamma3*Theta)) */
-    const double t65 = t56*p[23]; /* Theta*1/(gamma3*Theta)*s*omega_tau*gamma3*1/(gamma3*Theta)*(I1*I3 + m*R^2*I1) */
-    const double t66 = JLT_FMA(x[4], t65, t64); /* s*t65 + gamma3*(omega_tau - m*R*I3*V*gamma3*1/(gamma3*Theta)) */
-    const double t67 = x[2]*t61; /* omega_tau*(I3^2 + m*R^2*I3)*t50 */
-    const double t68 = t51*p[24]; /* s*omega_tau*gamma3*1/(gamma3*Theta)*t50*(2*m*R^2*I1*I3^2 + 2*m^2*R^4*I1*I3) */
-    const double t69 = JLT_FMA(t54, p[25], t68); /* t54*2*m^2*R^3*I1*I3 + t68 */
-    const double t70 = JLT_FMS(x[3], t65, t67); /* omega_n*t65 - omega_tau*(I3^2 + m*R^2*I3)*t50 */
-    const double t71 = JLT_FMA(x[4], t69, t70); /* s*(t54*2*m^2*R^3*I1*I3 + t68) + omega_n*t65 - omega_tau*(I3^2 + m*R^2*I3)*t50 */
-    const double t72 = -t0; /* -s*omega_tau */
-    const double t73 = x[4]*x[0]; /* s*gamma3 */
-    const double t74 = -t73; /* -s*gamma3 */
-    const double t75 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t76 = -t75; /* -omega_tau*gamma3 */
+    const double t16 = x[3]*t15; /* omega_n*omega_n*gamma3 */
+    const double t17 = JLT_FMS(p[1], t16, t14); /* R*omega_n*omega_n*gamma3 - R*I1/I3*t13 */
+    const double t18 = t13 - t16; /* t13 - omega_n*omega_n*gamma3 */
+    const double t19 = t12*p[25]; /* (G_level/(R*I1) - s*omega_n)*s*Theta*1/(gamma3*Theta)*I1*(I3^2 + m*R^2*I3)/I3 */
+    const double t20 = x[2]*t19; /* omega_tau*t19 */
+    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t22 = p[26]*t21; /* m*R*I3*V */
+    const double t23 = JLT_FMA(t15, t22, t20); /* omega_n*gamma3*m*R*I3*V + omega_tau*t19 */
+    const double t24 = x[0]*t9; /* gamma3*1/(gamma3*Theta) */
+    const double t25 = t23*t24; /* (omega_n*gamma3*m*R*I3*V + omega_tau*t19)*gamma3*1/(gamma3*Theta) */
+    const double t26 = JLT_FMS(x[2], t15, t25); /* omega_tau*omega_n*gamma3 - t25 */
+    const double t27 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t28 = -t27; /* -s*omega_tau*gamma3 */
+    const double t29 = t0*2.0; /* s*omega_tau*2 */
+    const double t30 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t31 = p[1]*t30; /* R*omega_n*omega_n */
+    const double t32 = JLT_FMA(t10, t14, t31); /* Theta*1/(gamma3*Theta)*R*I1/I3*t13 + R*omega_n*omega_n */
+    const double t33 = t3 - t2; /* G_level/(R*I1) - s*omega_n - s*omega_n */
+    const double t34 = t11*t33; /* s*Theta*1/(gamma3*Theta)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t35 = p[7]*t34; /* R*I1/I3*t34 */
+    const double t36 = JLT_FMS(t15, p[13], t35); /* omega_n*gamma3*2*R - R*I1/I3*t34 */
+    const double t37 = x[3]*t33; /* omega_n*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t38 = t10*t37; /* Theta*1/(gamma3*Theta)*omega_n*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t39 = p[14]*t38; /* (-R*I1/I3)*t38 */
+    const double t40 = JLT_FMA(t10, t13, t30); /* Theta*1/(gamma3*Theta)*t13 + omega_n*omega_n */
+    const double t41 = -t40; /* -(Theta*1/(gamma3*Theta)*t13 + omega_n*omega_n) */
+    const double t42 = JLT_FNMA(t15, 2.0, t34); /* t34 - omega_n*gamma3*2 */
+    const double t43 = x[2]*x[3]; /* omega_tau*omega_n */
+    const double t44 = x[0]*p[27]; /* gamma3*2*m*R^2*I3 */
+    const double t45 = x[3]*t22; /* omega_n*m*R*I3*V */
+    const double t46 = x[2]*t10; /* omega_tau*Theta*1/(gamma3*Theta) */
+    const double t47 = p[28]*t46; /* R*I1*(m*R + I3/R)*omega_tau*Theta*1/(gamma3*Theta) */
+    const double t48 = JLT_FMS(t12, t47, t45); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = (G_level/(R*I1) - s*omega_n)*s*Theta*1/(gamma3*Theta)*R*I1*(m*R + I3/R)*omega_tau*Theta*1/(gamma3*Theta) - omega_n*m*R*I3*V */
+    const double t49 = JLT_FMA(t25, t44, t48); /* t25*gamma3*2*m*R^2*I3 + d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
+    const double t50 = JLT_FMA(t24, t49, t43); /* gamma3*1/(gamma3*Theta)*t49 + omega_tau*omega_n */
+    const double t51 = t15*p[29]; /* omega_n*gamma3*(-m*R*I3) */
+    const double t52 = t24*t51; /* gamma3*1/(gamma3*Theta)*omega_n*gamma3*(-m*R*I3) */
+    const double t53 = JLT_FMA(p[24], t15, t19); /* m*R^2*I3*omega_n*gamma3 + t19 */
+    const double t54 = JLT_FNMA(t24, t53, t15); /* omega_n*gamma3 - gamma3*1/(gamma3*Theta)*(m*R^2*I3*omega_n*gamma3 + t19) */
+    const double t55 = x[0]*t22; /* gamma3*m*R*I3*V */
+    const double t56 = t11*p[30]; /* s*Theta*1/(gamma3*Theta)*(I1*I3 + m*R^2*I1) */
+    const double t57 = JLT_FMS(t0, t56, t55); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = s*omega_tau*s*Theta*1/(gamma3*Theta)*(I1*I3 + m*R^2*I1) - gamma3*m*R*I3*V */
+    const double t58 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t59 = JLT_FMA(t24, t57, t58); /* gamma3*1/(gamma3*Theta)*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + omega_tau*gamma3 */
+    const double t60 = t43*t56; /* omega_tau*omega_n*s*Theta*1/(gamma3*Theta)*(I1*I3 + m*R^2*I1) */
+    const double t61 = x[4]*t25; /* s*t25 */
+    const double t62 = t3*p[32]; /* (G_level/(R*I1) - s*omega_n)*1/2*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
+    const double t63 = JLT_FNMA(t46, t62, t61); /* s*t25 - omega_tau*Theta*1/(gamma3*Theta)*t62 */
+    const double t64 = JLT_FMA(p[31], t63, t60); /* 2*m*R^2*I1*(s*t25 - omega_tau*Theta*1/(gamma3*Theta)*t62) + t60 */
+    const double t65 = t24*t64; /* gamma3*1/(gamma3*Theta)*t64 */
+    const double t66 = -t0; /* -s*omega_tau */
+    const double t67 = x[4]*x[0]; /* s*gamma3 */
+    const double t68 = -t67; /* -s*gamma3 */
+    const double t69 = -t58; /* -omega_tau*gamma3 */
     out[0] = t1;
     out[1] = t17;
-    out[2] = t19;
-    out[3] = t27;
-    out[4] = t29;
+    out[2] = t18;
+    out[3] = t26;
+    out[4] = t28;
     out[5] = 0.0;
     out[6] = 0.0;
     out[7] = t4;
     out[8] = 0.0;
-    out[9] = t30;
-    out[10] = t34;
+    out[9] = t29;
+    out[10] = t32;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t38;
+    out[13] = t36;
     out[14] = t39;
-    out[15] = t42;
+    out[15] = t41;
     out[16] = 0.0;
     out[17] = 0.0;
-    out[18] = t46;
-    out[19] = t48;
-    out[20] = t59;
-    out[21] = t60;
-    out[22] = t63;
-    out[23] = t66;
-    out[24] = t71;
-    out[25] = t72;
+    out[18] = t42;
+    out[19] = t38;
+    out[20] = t50;
+    out[21] = t52;
+    out[22] = t54;
+    out[23] = t59;
+    out[24] = t65;
+    out[25] = t66;
     out[26] = 0.0;
-    out[27] = t74;
+    out[27] = t68;
     out[28] = 0.0;
-    out[29] = t76;
+    out[29] = t69;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t1 = x[0]*p[13]; /* gamma3*m*R*I3 */
+    const double t1 = x[0]*p[26]; /* gamma3*m*R*I3 */
     const double t2 = t0*t1; /* V*gamma3*m*R*I3 */
     const double t3 = x[4]*x[4]; /* s*s */
-    const double t4 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t5 = JLT_FMA(p[10], t3, p[9]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t4 = x[0]*p[24]; /* gamma3*m*R^2*I3 */
+    const double t5 = JLT_FMA(p[23], t3, p[22]); /* m*R^2*I1*s*s + I1*I3 */
     const double t6 = JLT_FMA(x[0], t4, t5); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
     const double t7 = x[0]*t6; /* gamma3*Theta */
     const double t8 = 1.0/t7; /* 1/(gamma3*Theta) */
-    const double t9 = x[2]*p[23]; /* omega_tau*(I1*I3 + m*R^2*I1) */
+    const double t9 = x[2]*p[30]; /* omega_tau*(I1*I3 + m*R^2*I1) */
     const double t10 = t3*t9; /* s*s*omega_tau*(I1*I3 + m*R^2*I1) */
     const double t11 = t6*t10; /* Theta*s*s*omega_tau*(I1*I3 + m*R^2*I1) */
-    const double t12 = JLT_FNMA(t8, t11, t2); /* V*gamma3*m*R*I3 - 1/(gamma3*Theta)*Theta*s*s*omega_tau*(I1*I3 + m*R^2*I1) */
+    const double t12 = JLT_FMS(t8, t11, t2); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/(gamma3*Theta)*Theta*s*s*omega_tau*(I1*I3 + m*R^2*I1) - V*gamma3*m*R*I3 */
     const double t13 = x[0]*t8; /* gamma3*1/(gamma3*Theta) */
-    const double t14 = t12*t13; /* t12*gamma3*1/(gamma3*Theta) */
-    const double t15 = -t14; /* -t12*gamma3*1/(gamma3*Theta) */
-    out[0] = t15;
+    const double t14 = t12*t13; /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n)*gamma3*1/(gamma3*Theta) */
+    out[0] = t14;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t1 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t2 = 1.0/x[0]; /* 1/gamma3 */
-    const double t3 = x[3]*p[8]; /* omega_n*R*I1 */
-    const double t4 = JLT_FNMA(x[4], t3, p[6]); /* G_level - s*omega_n*R*I1 */
-    const double t5 = p[7]*t4; /* 1/(R*I3)*(G_level - s*omega_n*R*I1) */
-    const double t6 = t2*t5; /* 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I1) */
-    const double t7 = JLT_FNMA(x[4], t6, t1); /* omega_n*gamma3 - s*1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I1) */
-    const double t8 = p[1]*t7; /* v_tau = R*t7 */
-    const double t9 = JLT_FMA(t8, t8, t0); /* v_tau*v_tau + v_nu*v_nu */
-    const double t10 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t11 = JLT_FMA(x[2], x[2], t10); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t12 = p[27]*t11; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t13 = t6*t6; /* 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I1)*1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I1) */
-    const double t14 = JLT_FMA(p[28], t13, t12); /* 1/2*I3*t13 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t15 = JLT_FMA(p[26], t9, t14); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + 1/2*I3*t13 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t16 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
-    const double t17 = p[29]*t16; /* m*I1^2*(R*omega_tau + v_nu) */
-    const double t18 = t16*t17; /* (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
-    const double t19 = x[4]*p[10]; /* s*m*R^2*I1 */
-    const double t20 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t21 = JLT_FMA(x[4], t19, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t22 = JLT_FMA(x[0], t20, t21); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t23 = p[30]*t22; /* (I1 - I3)*Theta */
-    const double t24 = JLT_FMA(t13, t23, t18); /* t13*(I1 - I3)*Theta + (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
-    out[0] = t15;
-    out[1] = t24;
+    const double t0 = p[34]*x[1]; /* m/I1*v_nu */
+    const double t1 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t2 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
+    const double t3 = p[35]*t2; /* I1/I3*(G_level/(R*I1) - omega_n*s) */
+    const double t4 = t3/x[0]; /* I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
+    const double t5 = t4*t4; /* I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3*I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
+    const double t6 = x[4]*t4; /* s*I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
+    const double t7 = JLT_FMS(x[3], x[0], t6); /* v_tau scaled = omega_n*gamma3 - s*I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
+    const double t8 = p[36]*t7; /* m*R^2/I1*v_tau scaled */
+    const double t9 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t10 = JLT_FMA(x[1], t0, t9); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
+    const double t11 = JLT_FMA(p[10], t5, t10); /* I3/I1*t5 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
+    const double t12 = JLT_FMA(t7, t8, t11); /* energy scaled = v_tau scaled*m*R^2/I1*v_tau scaled + t11 */
+    const double t13 = p[33]*t12; /* 1/2*I1*energy scaled */
+    const double t14 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t15 = p[37]*t14; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t16 = t14*t15; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
+    const double t17 = p[10]*x[0]; /* I3/I1*gamma3 */
+    const double t18 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
+    const double t19 = JLT_FMA(x[0], t17, t18); /* Theta scaled = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
+    const double t20 = p[38]*t19; /* m*R^2*I1*(I1 - I3)*Theta scaled */
+    const double t21 = JLT_FMA(t5, t20, t16); /* t5*m*R^2*I1*(I1 - I3)*Theta scaled + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
+    out[0] = t13;
+    out[1] = t21;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[1]*x[3]; /* R*omega_n */
-    const double t1 = 1.0/x[0]; /* 1/gamma3 */
-    const double t2 = t1*x[4]; /* 1/gamma3*s */
-    const double t3 = x[3]*p[8]; /* omega_n*R*I1 */
-    const double t4 = JLT_FNMA(x[4], t3, p[6]); /* G_level - s*omega_n*R*I1 */
-    const double t5 = t1*t4; /* 1/gamma3*(G_level - s*omega_n*R*I1) */
-    const double t6 = p[15]*t2; /* 1/I3*1/gamma3*s */
-    const double t7 = JLT_FMA(t5, t6, t0); /* d(v_tau)/d(gamma3) = 1/gamma3*(G_level - s*omega_n*R*I1)*1/I3*1/gamma3*s + R*omega_n */
-    const double t8 = t5*p[7]; /* 1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t9 = x[4]*t8; /* s*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t10 = JLT_FMS(x[3], x[0], t9); /* omega_n*gamma3 - s*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t11 = p[31]*t10; /* m*R*t10 */
-    const double t12 = t7*t11; /* d(v_tau)/d(gamma3)*m*R*t10 */
-    const double t13 = t1*t8; /* 1/gamma3*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t14 = t5*t13; /* 1/gamma3*(G_level - s*omega_n*R*I1)*1/gamma3*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t15 = JLT_FNMA(p[32], t14, t12); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)*m*R*t10 - 1/R*t14 */
-    const double t16 = p[0]*x[1]; /* m*v_nu */
-    const double t17 = p[4]*x[2]; /* I1*omega_tau */
-    const double t18 = t2*t8; /* 1/gamma3*s*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t19 = x[3] - t18; /* omega_n - 1/gamma3*s*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t20 = p[4]*t19; /* I1*t19 */
-    const double t21 = p[1]*x[0]; /* R*gamma3 */
-    const double t22 = t2*p[33]; /* 1/gamma3*s*R*I1/I3 */
-    const double t23 = JLT_FMA(x[4], t22, t21); /* d(v_tau)/d(omega_n) = s*1/gamma3*s*R*I1/I3 + R*gamma3 */
-    const double t24 = JLT_FMA(t11, t23, t20); /* d(energy)/d(omega_n) = m*R*t10*d(v_tau)/d(omega_n) + I1*t19 */
-    const double t25 = p[1]*t8; /* R*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t26 = JLT_FMS(x[3], t22, t25); /* d(v_tau)/d(s) = omega_n*1/gamma3*s*R*I1/I3 - R*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t27 = t11*t26; /* m*R*t10*d(v_tau)/d(s) */
-    const double t28 = x[3]*t13; /* omega_n*1/gamma3*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t29 = JLT_FNMA(p[4], t28, t27); /* d(energy)/d(s) = m*R*t10*d(v_tau)/d(s) - I1*t28 */
-    const double t30 = t8*t8; /* 1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3)*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3) */
-    const double t31 = x[0]*p[34]; /* gamma3*2*m*R^2*I3*(I1 - I3) */
-    const double t32 = t30*t31; /* t30*gamma3*2*m*R^2*I3*(I1 - I3) */
-    const double t33 = x[4]*p[10]; /* s*m*R^2*I1 */
-    const double t34 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t35 = JLT_FMA(x[4], t33, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t36 = JLT_FMA(x[0], t34, t35); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t37 = p[35]*t36; /* 2*(I1 - I3)/(R*I3)*Theta */
-    const double t38 = JLT_FNMA(t14, t37, t32); /* t30*gamma3*2*m*R^2*I3*(I1 - I3) - t14*2*(I1 - I3)/(R*I3)*Theta */
-    const double t39 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
-    const double t40 = p[36]*t39; /* 2*m*I1^2*(R*omega_tau + v_nu) */
-    const double t41 = t39*p[37]; /* (R*omega_tau + v_nu)*2*m*R*I1^2 */
-    const double t42 = t36*p[38]; /* Theta*2*I1*(I1 - I3)/I3 */
-    const double t43 = t18*t42; /* 1/gamma3*s*1/gamma3*(G_level - s*omega_n*R*I1)*1/(R*I3)*Theta*2*I1*(I1 - I3)/I3 */
-    const double t44 = -t43; /* -t43 */
-    const double t45 = x[4]*p[39]; /* s*2*m*R^2*I1*(I1 - I3) */
-    const double t46 = t30*t45; /* t30*s*2*m*R^2*I1*(I1 - I3) */
-    const double t47 = JLT_FNMA(t28, t42, t46); /* t30*s*2*m*R^2*I1*(I1 - I3) - t28*Theta*2*I1*(I1 - I3)/I3 */
-    out[0] = t15;
-    out[1] = t16;
-    out[2] = t17;
-    out[3] = t24;
-    out[4] = t29;
-    out[5] = t38;
-    out[6] = t40;
-    out[7] = t41;
-    out[8] = t44;
-    out[9] = t47;
+    const double t0 = 1.0/x[0]; /* 1/gamma3 */
+    const double t1 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
+    const double t2 = t0*t1; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t3 = t0*t2; /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t4 = x[4]*p[35]; /* s*I1/I3 */
+    const double t5 = JLT_FMA(t3, t4, x[3]); /* d(v_tau)/d(gamma3) scaled = 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*s*I1/I3 + omega_n */
+    const double t6 = t2*t4; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*s*I1/I3 */
+    const double t7 = JLT_FMS(x[3], x[0], t6); /* v_tau scaled = omega_n*gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s)*s*I1/I3 */
+    const double t8 = p[39]*t7; /* m*R^2*v_tau scaled */
+    const double t9 = t5*t8; /* d(v_tau)/d(gamma3) scaled*m*R^2*v_tau scaled */
+    const double t10 = t3*p[40]; /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*I1^2/I3 */
+    const double t11 = JLT_FNMA(t2, t10, t9); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3) scaled*m*R^2*v_tau scaled - 1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*I1^2/I3 */
+    const double t12 = p[0]*x[1]; /* m*v_nu */
+    const double t13 = p[4]*x[2]; /* I1*omega_tau */
+    const double t14 = x[3]*p[4]; /* omega_n*I1 */
+    const double t15 = t0*x[4]; /* 1/gamma3*s */
+    const double t16 = JLT_FMA(t4, t15, x[0]); /* d(v_tau)/d(omega_n) scaled = s*I1/I3*1/gamma3*s + gamma3 */
+    const double t17 = JLT_FNMA(x[4], t10, t14); /* omega_n*I1 - s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*I1^2/I3 */
+    const double t18 = JLT_FMA(t8, t16, t17); /* d(energy)/d(omega_n) = m*R^2*v_tau scaled*d(v_tau)/d(omega_n) scaled + t17 */
+    const double t19 = JLT_FMS(x[3], t15, t2); /* omega_n*1/gamma3*s - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t20 = t7*p[41]; /* v_tau scaled*m*R^2*I1/I3 */
+    const double t21 = t19*t20; /* (omega_n*1/gamma3*s - 1/gamma3*(G_level/(R*I1) - omega_n*s))*v_tau scaled*m*R^2*I1/I3 */
+    const double t22 = JLT_FNMA(x[3], t10, t21); /* d(energy)/d(s) = t21 - omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*I1^2/I3 */
+    const double t23 = x[0]*p[10]; /* gamma3*I3/I1 */
+    const double t24 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
+    const double t25 = JLT_FMA(x[0], t23, t24); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t26 = t3*t25; /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*Theta scaled */
+    const double t27 = p[43]*t26; /* 2*m*R^2*I1^3*(I1 - I3)/I3^2*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*Theta scaled */
+    const double t28 = JLT_FMS(t1, p[42], t27); /* (G_level/(R*I1) - omega_n*s)*2*m*R^2*I1^2*(I1 - I3)/I3 - t27 */
+    const double t29 = t2*t28; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*((G_level/(R*I1) - omega_n*s)*2*m*R^2*I1^2*(I1 - I3)/I3 - t27) */
+    const double t30 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t31 = p[44]*t30; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t32 = t30*p[45]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t33 = x[4]*t27; /* s*t27 */
+    const double t34 = -t33; /* -s*t27 */
+    const double t35 = x[3]*t26; /* omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*Theta scaled */
+    const double t36 = x[4]*t2; /* s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t37 = JLT_FNMA(t2, t36, t35); /* t35 - 1/gamma3*(G_level/(R*I1) - omega_n*s)*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t38 = p[46]*t37; /* (-2*m*R^2*I1^3*(I1 - I3)/I3^2)*t37 */
+    out[0] = t11;
+    out[1] = t12;
+    out[2] = t13;
+    out[3] = t18;
+    out[4] = t22;
+    out[5] = t29;
+    out[6] = t31;
+    out[7] = t32;
+    out[8] = t34;
+    out[9] = t38;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -520,12 +515,10 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0/x[0]; /* 1/gamma3 */
-    const double t1 = p[8]*x[3]; /* R*I1*omega_n */
-    const double t2 = JLT_FNMA(x[4], t1, p[6]); /* G_level - s*R*I1*omega_n */
-    const double t3 = p[40]*t2; /* (-1/(R*I3))*(G_level - s*R*I1*omega_n) */
-    const double t4 = t0*t3; /* 1/gamma3*(-1/(R*I3))*(G_level - s*R*I1*omega_n) */
-    out[0] = t4;
+    const double t0 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
+    const double t1 = p[47]*t0; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
+    const double t2 = t1/x[0]; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s)/gamma3 */
+    out[0] = t2;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -542,7 +535,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t8[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
-    double t16[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
@@ -552,19 +547,15 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
-    double t28[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
-    double t40[JLT_JET_ORDER_MAX + 1];
-    double t41[JLT_JET_ORDER_MAX + 1];
-    double t42[JLT_JET_ORDER_MAX + 1];
-    double t43[JLT_JET_ORDER_MAX + 1];
-    double t44[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -574,39 +565,37 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x4, x2, k);
         t3[k] = jlt_jet_product(x4, t2, k);
-        t7[k] = jlt_jet_product(x3, x0, k);
-        t8[k] = jlt_jet_product(x3, t7, k);
-        t12[k] = jlt_jet_product(x4, x3, k);
-        t13[k] = (k == 0 ? p[6] : 0) - p[8]*t12[k];
-        t16[k] = x4[k]*p[10];
-        t18[k] = x0[k]*p[11];
-        t19[k] = jlt_jet_product(x4, t16, k) + (k == 0 ? p[9] : 0);
-        t20[k] = jlt_jet_product(x0, t18, k) + t19[k];
-        t21[k] = jlt_jet_product(x0, t20, k);
-        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t21, t23, k);
-        t24[k] = p[7]*t13[k];
-        t25[k] = jlt_jet_product(t20, t24, k);
-        t26[k] = jlt_jet_product(t23, t25, k);
-        t27[k] = jlt_jet_product(t12, t26, k);
-        t28[k] = t8[k] - t27[k];
-        t29[k] = p[1]*t28[k];
-        t31[k] = t27[k]*p[12] - t8[k];
-        t34[k] = x2[k]*p[1] + x1[k];
-        t35[k] = jlt_jet_product(x0, t23, k);
-        t36[k] = p[13]*t34[k];
-        t37[k] = x2[k] - jlt_jet_product(t35, t36, k);
-        t38[k] = jlt_jet_product(t7, t37, k);
-        t40[k] = t2[k]*p[14];
-        t41[k] = jlt_jet_product(t26, t40, k);
-        t42[k] = t38[k] - jlt_jet_product(t35, t41, k);
-        t43[k] = jlt_jet_product(t2, x0, k);
-        t44[k] = -t43[k];
+        t7[k] = jlt_jet_product(x4, x3, k);
+        t8[k] = (k == 0 ? p[8] : 0) - t7[k];
+        t12[k] = p[10]*x0[k];
+        t13[k] = jlt_jet_product(x4, x4, k) + (k == 0 ? p[9] : 0);
+        t14[k] = jlt_jet_product(x0, t12, k) + t13[k];
+        t15[k] = jlt_jet_product(x0, t14, k);
+        t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t15, t17, k);
+        t18[k] = jlt_jet_product(t8, t14, k);
+        t19[k] = jlt_jet_product(t17, t18, k);
+        t20[k] = jlt_jet_product(t7, t19, k);
+        t21[k] = p[7]*t20[k];
+        t23[k] = jlt_jet_product(x3, x0, k);
+        t24[k] = jlt_jet_product(x3, t23, k);
+        t25[k] = p[1]*t24[k] - t21[k];
+        t26[k] = t20[k] - t24[k];
+        t27[k] = jlt_jet_product(x2, t23, k);
+        t30[k] = x2[k]*p[1] + x1[k];
+        t31[k] = t23[k]*p[11];
+        t32[k] = jlt_jet_product(t30, t31, k);
+        t34[k] = t2[k]*p[12];
+        t35[k] = jlt_jet_product(t19, t34, k) + t32[k];
+        t36[k] = jlt_jet_product(x0, t17, k);
+        t37[k] = t27[k] - jlt_jet_product(t35, t36, k);
+        t38[k] = jlt_jet_product(t2, x0, k);
+        t39[k] = -t38[k];
         double *restrict next = coefficients + (k + 1)*6;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t29[k]/(k + 1);
-        next[2] = x2[k + 1] = t31[k]/(k + 1);
-        next[3] = x3[k + 1] = t42[k]/(k + 1);
-        next[4] = x4[k + 1] = t44[k]/(k + 1);
+        next[1] = x1[k + 1] = t25[k]/(k + 1);
+        next[2] = x2[k + 1] = t26[k]/(k + 1);
+        next[3] = x3[k + 1] = t37[k]/(k + 1);
+        next[4] = x4[k + 1] = t39[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -679,28 +668,28 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G_om
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 41,
+    .state_count = 5, .param_count = 7, .block_count = 48,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 2, 19, 7, 1, 0, 0, 9, 8 }, { 11, 49, 0, 5, 0, 0, 11, 7 },
+    .rhs = { rhs, 5, { 3, 17, 6, 1, 0, 0, 8, 9 }, { 11, 49, 0, 5, 0, 0, 11, 7 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 25, { 6, 40, 20, 1, 0, 0, 12, 16 }, { 41, 216, 0, 29, 0, 0, 15, 8 },
+    .jacobian = { jacobian, 25, { 8, 38, 16, 1, 0, 0, 11, 14 }, { 41, 216, 0, 29, 0, 0, 15, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 7, 46, 23, 1, 0, 0, 13, 15 }, { 48, 248, 0, 33, 0, 0, 15, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 8, 42, 19, 1, 0, 0, 16, 16 }, { 48, 248, 0, 33, 0, 0, 15, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .divergence = { divergence, 1, { 1, 10, 4, 1, 0, 0, 8, 6 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
+    .divergence = { divergence, 1, { 0, 10, 4, 1, 0, 0, 7, 6 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .integral_values = { integral_values, 2, { 0, 14, 10, 1, 0, 0, 8, 5 }, { 11, 43, 0, 1, 0, 0, 13, 6 },
+    .integral_values = { integral_values, 2, { 0, 11, 10, 1, 0, 0, 8, 6 }, { 11, 43, 0, 1, 0, 0, 13, 6 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes" },
-    .integral_gradients = { integral_gradients, 10, { 2, 32, 13, 1, 0, 0, 9, 9 }, { 23, 105, 0, 10, 0, 0, 12, 9 },
+    .integral_gradients = { integral_gradients, 10, { 1, 23, 14, 1, 0, 0, 7, 10 }, { 23, 105, 0, 10, 0, 0, 12, 9 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
-    .eliminated = { eliminated, 1, { 0, 3, 1, 1, 0, 0, 4, 3 }, { 1, 5, 0, 1, 0, 0, 5, 3 },
+    .eliminated = { eliminated, 1, { 0, 1, 1, 1, 0, 0, 3, 2 }, { 1, 5, 0, 1, 0, 0, 5, 3 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,

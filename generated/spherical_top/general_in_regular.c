@@ -6,11 +6,11 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 1   25   15    1    0    0     10   10   (105)
- *  jacobian            9   76   33    1    0    0     13   19   (480)
- *  rhs_jacobian        11   82   40    1    0    0     14   27   (563)
- *  divergence          0   11    9    1    0    0      9    7   (53)
- *  integral_values     0   12    9    0    0    0      5    8   (40)
+ *  rhs                 2   23   14    1    0    0      7   10   (105)
+ *  jacobian            8   70   32    1    0    0      9   19   (480)
+ *  rhs_jacobian        12   72   33    1    0    0     10   27   (563)
+ *  divergence          2    9    7    1    0    0      6    7   (53)
+ *  integral_values     0   12    9    0    0    0      7    9   (40)
  *  integral_gradients  0   15    7    0    0    0      5    7   (46)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
@@ -36,114 +36,102 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = -params[4]; /* -I1 */
-    const double t1 = params[4]*params[5]; /* I1*I3 */
-    const double t2 = params[1]*params[1]; /* R*R */
-    const double t3 = params[0]*t2; /* m*R*R */
-    const double t4 = params[4]*t3; /* I1*m*R*R */
-    const double t5 = params[5]*params[0]; /* I3*m */
-    const double t6 = params[0]*params[2]; /* m*g */
-    const double t7 = t6*params[3]; /* m*g*a3 */
-    const double t8 = t7/params[4]; /* m*g*a3/I1 */
-    const double t9 = params[5]/params[4]; /* I3/I1 */
-    const double t10 = params[3]*params[3]; /* a3*a3 */
-    const double t11 = params[0]*t10; /* m*a3*a3 */
-    const double t12 = t11/params[4]; /* m*a3*a3/I1 */
-    const double t13 = params[5]*params[5]; /* I3*I3 */
-    const double t14 = params[0]*params[1]; /* m*R */
-    const double t15 = params[5]*t14; /* I3*m*R */
-    const double t16 = params[4]*t14; /* I1*m*R */
-    const double t17 = -t16; /* -I1*m*R */
-    const double t18 = 1.0/params[4]; /* 1/I1 */
-    const double t19 = params[5]*params[3]; /* I3*a3 */
-    const double t20 = params[4] - params[5]; /* I1 - I3 */
-    const double t21 = params[1]*t20; /* R*(I1 - I3) */
+    const double t0 = params[4]*params[5]; /* I1*I3 */
+    const double t1 = params[1]*params[1]; /* R*R */
+    const double t2 = params[0]*t1; /* m*R*R */
+    const double t3 = params[4]*t2; /* I1*m*R*R */
+    const double t4 = params[5]*params[0]; /* I3*m */
+    const double t5 = params[3]*params[3]; /* a3*a3 */
+    const double t6 = params[0]*t5; /* m*a3*a3 */
+    const double t7 = t6/params[4]; /* m*a3*a3/I1 */
+    const double t8 = params[5]/params[4]; /* I3/I1 */
+    const double t9 = params[0]*params[2]; /* m*g */
+    const double t10 = params[3]*t9; /* a3*m*g */
+    const double t11 = t10/params[4]; /* a3*m*g/I1 */
+    const double t12 = params[0]*params[1]; /* m*R */
+    const double t13 = params[5]*t12; /* I3*m*R */
+    const double t14 = params[5]/t12; /* I3/(m*R) */
+    const double t15 = params[4]*t12; /* I1*m*R */
+    const double t16 = -t15; /* -I1*m*R */
+    const double t17 = params[5]*params[3]; /* I3*a3 */
+    const double t18 = t17/params[4]; /* I3*a3/I1 */
+    const double t19 = params[4] - params[5]; /* I1 - I3 */
+    const double t20 = params[1]*t19; /* R*(I1 - I3) */
+    const double t21 = t20/params[4]; /* R*(I1 - I3)/I1 */
     const double t22 = params[0]*2.0; /* m*2 */
-    const double t23 = t10*t22; /* a3*a3*m*2 */
+    const double t23 = t5*t22; /* a3*a3*m*2 */
     const double t24 = params[4]*2.0; /* I1*2 */
     const double t25 = -params[5]; /* -I3 */
-    const double t26 = params[4]*t23; /* I1*a3*a3*m*2 */
-    const double t27 = params[5]*t23; /* I3*a3*a3*m*2 */
-    const double t28 = params[3]*t14; /* a3*m*R */
+    const double t26 = params[2]*t22; /* g*m*2 */
+    const double t27 = params[3]*t26; /* a3*g*m*2 */
+    const double t28 = params[3]*t12; /* a3*m*R */
     const double t29 = params[5]*t28; /* I3*a3*m*R */
     const double t30 = params[0]*params[3]; /* m*a3 */
     const double t31 = params[5]*t30; /* I3*m*a3 */
-    const double t32 = t13*t14; /* I3*I3*m*R */
+    const double t32 = params[5]*params[5]; /* I3*I3 */
     const double t33 = params[1]*t22; /* R*m*2 */
-    const double t34 = params[5]*2.0; /* I3*2 */
-    const double t35 = params[5]*t4; /* I3*I1*m*R*R */
-    const double t36 = params[0]*params[0]; /* m*m */
-    const double t37 = 2.0*t36; /* 2*m*m */
-    const double t38 = t2*t37; /* R*R*2*m*m */
-    const double t39 = params[4]*t38; /* I1*R*R*2*m*m */
-    const double t40 = params[5]*t39; /* I3*I1*R*R*2*m*m */
-    const double t41 = params[4]*t28; /* I1*a3*m*R */
-    const double t42 = t3*t20; /* m*R*R*(I1 - I3) */
-    const double t43 = t2*t36; /* R*R*m*m */
-    const double t44 = params[5]*t43; /* I3*R*R*m*m */
-    const double t45 = params[3]*2.0; /* a3*2 */
-    const double t46 = params[5]*t45; /* I3*a3*2 */
-    const double t47 = params[1]*2.0; /* R*2 */
-    const double t48 = t20*t47; /* (I1 - I3)*R*2 */
-    const double t49 = params[1]*t2; /* R*R*R */
-    const double t50 = t37*t49; /* 2*m*m*R*R*R */
-    const double t51 = params[4]*params[4]; /* I1*I1 */
-    const double t52 = t50*t51; /* 2*m*m*R*R*R*I1*I1 */
-    const double t53 = t36*t49; /* m*m*R*R*R */
-    const double t54 = params[4]*t53; /* I1*m*m*R*R*R */
-    const double t55 = t10*2.0; /* a3*a3*2 */
-    const double t56 = t55/params[1]; /* a3*a3*2/R */
-    const double t57 = params[0]/2.0; /* m/2 */
-    const double t58 = params[4]/2.0; /* I1/2 */
-    const double t59 = params[5]/2.0; /* I3/2 */
-    const double t60 = params[4]*params[1]; /* I1*R */
-    const double t61 = params[5]*params[1]; /* I3*R */
-    const double t62 = -t61; /* -I3*R */
+    const double t34 = params[5]*t33; /* I3*R*m*2 */
+    const double t35 = t1*t22; /* R*R*m*2 */
+    const double t36 = params[4]*t35; /* I1*R*R*m*2 */
+    const double t37 = params[4]*t28; /* I1*a3*m*R */
+    const double t38 = t2*t19; /* m*R*R*(I1 - I3) */
+    const double t39 = t19*t35; /* (I1 - I3)*R*R*m*2 */
+    const double t40 = params[3]*t33; /* a3*R*m*2 */
+    const double t41 = params[5]*t40; /* I3*a3*R*m*2 */
+    const double t42 = params[5]/t2; /* I3/(m*R*R) */
+    const double t43 = params[3]/params[1]; /* a3/R */
+    const double t44 = params[4]*params[1]; /* I1*R */
+    const double t45 = params[5]/t44; /* I3/(I1*R) */
+    const double t46 = t17/t44; /* I3*a3/(I1*R) */
+    const double t47 = t19/params[4]; /* (I1 - I3)/I1 */
+    const double t48 = params[0]/2.0; /* m/2 */
+    const double t49 = params[2]*2.0; /* g*2 */
+    const double t50 = params[3]*t49; /* a3*g*2 */
+    const double t51 = 1.0/params[0]; /* 1/m */
+    const double t52 = params[4]/params[0]; /* I1/m */
+    const double t53 = params[5]/params[0]; /* I3/m */
+    const double t54 = params[5]*params[1]; /* I3*R */
+    const double t55 = -t54; /* -I3*R */
     out[6] = t0;
-    out[7] = t1;
+    out[7] = t3;
     out[8] = t4;
-    out[9] = t5;
+    out[9] = t7;
     out[10] = t8;
-    out[11] = t9;
-    out[12] = t12;
-    out[13] = t11;
-    out[14] = t13;
-    out[15] = t15;
-    out[16] = t17;
-    out[17] = t18;
-    out[18] = t19;
-    out[19] = t21;
-    out[20] = t23;
-    out[21] = t24;
-    out[22] = t25;
-    out[23] = t7;
-    out[24] = t26;
-    out[25] = t27;
-    out[26] = t29;
-    out[27] = t31;
-    out[28] = t32;
-    out[29] = t33;
-    out[30] = t22;
-    out[31] = t34;
-    out[32] = t14;
-    out[33] = t35;
-    out[34] = t40;
-    out[35] = t41;
-    out[36] = t42;
-    out[37] = t44;
-    out[38] = t46;
-    out[39] = t48;
-    out[40] = t16;
+    out[11] = t11;
+    out[12] = t13;
+    out[13] = t14;
+    out[14] = t16;
+    out[15] = t18;
+    out[16] = t21;
+    out[17] = t6;
+    out[18] = t23;
+    out[19] = t24;
+    out[20] = t25;
+    out[21] = t10;
+    out[22] = t27;
+    out[23] = t29;
+    out[24] = t31;
+    out[25] = t32;
+    out[26] = t34;
+    out[27] = t36;
+    out[28] = t37;
+    out[29] = t38;
+    out[30] = t15;
+    out[31] = t39;
+    out[32] = t41;
+    out[33] = t42;
+    out[34] = t43;
+    out[35] = t45;
+    out[36] = t46;
+    out[37] = t47;
+    out[38] = t48;
+    out[39] = t50;
+    out[40] = t51;
     out[41] = t52;
-    out[42] = t54;
-    out[43] = t30;
-    out[44] = t47;
-    out[45] = t56;
-    out[46] = t57;
-    out[47] = t58;
-    out[48] = t59;
-    out[49] = t60;
-    out[50] = t62;
+    out[42] = t53;
+    out[43] = t44;
+    out[44] = t12;
+    out[45] = t55;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -156,46 +144,44 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t5 = JLT_FMA(p[1], t4, t3); /* R*s*omega3 + omega_n*b */
     const double t6 = x[3]*t5; /* omega_n*(R*s*omega3 + omega_n*b) */
     const double t7 = x[5]*x[5]; /* s*s */
-    const double t8 = t2*p[9]; /* b*m*I3 */
-    const double t9 = JLT_FMA(p[8], t7, p[7]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t8 = t2*p[8]; /* b*m*I3 */
+    const double t9 = JLT_FMA(p[7], t7, p[6]); /* m*R^2*I1*s*s + I1*I3 */
     const double t10 = JLT_FMA(t2, t8, t9); /* Theta = b*b*m*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t11 = t7*p[10]; /* s*s*m*g*a3/I1 */
-    const double t12 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t13 = JLT_FMA(t4, p[11], t12); /* s*omega3*I3/I1 + omega_n*gamma3 */
-    const double t14 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t15 = t0*p[12]; /* s*omega_tau*m*a3^2/I1 */
-    const double t16 = JLT_FNMA(t14, t15, t11); /* s*s*m*g*a3/I1 - s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 */
-    const double t17 = JLT_FMA(x[3], t13, t16); /* omega_n*(s*omega3*I3/I1 + omega_n*gamma3) + s*s*m*g*a3/I1 - s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 */
-    const double t18 = JLT_FMA(t7, p[13], p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t19 = t10*t18; /* Theta*D */
-    const double t20 = 1.0/t19; /* 1/(Theta*D) */
-    const double t21 = p[6]*t10; /* (-I1)*Theta */
-    const double t22 = t17*t21; /* t17*(-I1)*Theta */
-    const double t23 = t20*t22; /* 1/(Theta*D)*t17*(-I1)*Theta */
-    const double t24 = x[2]*t12; /* omega_tau*omega_n*gamma3 */
-    const double t25 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t26 = JLT_FMA(x[2], t25, x[1]); /* V = omega_tau*e + v_nu */
-    const double t27 = t18*t20; /* D*1/(Theta*D) */
-    const double t28 = x[3]*t26; /* omega_n*V */
-    const double t29 = t27*t28; /* D*1/(Theta*D)*omega_n*V */
-    const double t30 = t0*x[4]; /* s*omega_tau*omega3 */
-    const double t31 = t27*t30; /* D*1/(Theta*D)*s*omega_tau*omega3 */
-    const double t32 = t25*p[15]; /* e*m*R*I3 */
-    const double t33 = JLT_FNMA(t8, t29, t24); /* omega_tau*omega_n*gamma3 - b*m*I3*D*1/(Theta*D)*omega_n*V */
-    const double t34 = JLT_FMA(p[14], t31, t33); /* I3^2*D*1/(Theta*D)*s*omega_tau*omega3 + omega_tau*omega_n*gamma3 - b*m*I3*D*1/(Theta*D)*omega_n*V */
-    const double t35 = JLT_FMA(t31, t32, t34); /* D*1/(Theta*D)*s*omega_tau*omega3*e*m*R*I3 + t34 */
-    const double t36 = JLT_FNMA(x[0], p[19], p[18]); /* a3*I3 - gamma3*R*(I1 - I3) */
-    const double t37 = p[17]*t36; /* 1/I1*(a3*I3 - gamma3*R*(I1 - I3)) */
-    const double t38 = JLT_FMA(t31, t37, t29); /* D*1/(Theta*D)*s*omega_tau*omega3*1/I1*(a3*I3 - gamma3*R*(I1 - I3)) + D*1/(Theta*D)*omega_n*V */
-    const double t39 = x[5]*p[16]; /* s*(-m*R*I1) */
-    const double t40 = t38*t39; /* t38*s*(-m*R*I1) */
-    const double t41 = -t14; /* -s*omega_tau*gamma3 */
+    const double t11 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t12 = t0*p[9]; /* s*omega_tau*m*a3^2/I1 */
+    const double t13 = t11*t12; /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 */
+    const double t14 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t15 = JLT_FMA(t4, p[10], t14); /* s*omega3*I3/I1 + omega_n*gamma3 */
+    const double t16 = JLT_FNMA(t7, p[11], t13); /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 - s*s*m*g*a3/I1 */
+    const double t17 = JLT_FNMA(x[3], t15, t16); /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 - s*s*m*g*a3/I1 - omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
+    const double t18 = JLT_FMA(t7, p[9], 1.0); /* D scaled = s*s*m*a3^2/I1 + 1 */
+    const double t19 = t10*t18; /* Theta*D scaled */
+    const double t20 = 1.0/t19; /* 1/(Theta*D scaled) */
+    const double t21 = t10*t17; /* Theta*t17 */
+    const double t22 = t20*t21; /* 1/(Theta*D scaled)*Theta*t17 */
+    const double t23 = x[2]*t14; /* omega_tau*omega_n*gamma3 */
+    const double t24 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t25 = p[13] + t24; /* I3/(m*R) + e */
+    const double t26 = t0*x[4]; /* s*omega_tau*omega3 */
+    const double t27 = p[12]*t26; /* m*R*I3*s*omega_tau*omega3 */
+    const double t28 = t25*t27; /* (I3/(m*R) + e)*m*R*I3*s*omega_tau*omega3 */
+    const double t29 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t30 = x[3]*t29; /* omega_n*V */
+    const double t31 = JLT_FNMA(t8, t30, t28); /* (I3/(m*R) + e)*m*R*I3*s*omega_tau*omega3 - b*m*I3*omega_n*V */
+    const double t32 = t18*t20; /* D scaled*1/(Theta*D scaled) */
+    const double t33 = JLT_FMA(t31, t32, t23); /* ((I3/(m*R) + e)*m*R*I3*s*omega_tau*omega3 - b*m*I3*omega_n*V)*D scaled*1/(Theta*D scaled) + omega_tau*omega_n*gamma3 */
+    const double t34 = JLT_FNMA(x[0], p[16], p[15]); /* a3*I3/I1 - gamma3*R*(I1 - I3)/I1 */
+    const double t35 = JLT_FMA(t26, t34, t30); /* s*omega_tau*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) + omega_n*V */
+    const double t36 = x[5]*p[14]; /* s*(-m*R*I1) */
+    const double t37 = t35*t36; /* t35*s*(-m*R*I1) */
+    const double t38 = t32*t37; /* D scaled*1/(Theta*D scaled)*t35*s*(-m*R*I1) */
+    const double t39 = -t11; /* -s*omega_tau*gamma3 */
     out[0] = t1;
     out[1] = t6;
-    out[2] = t23;
-    out[3] = t35;
-    out[4] = t40;
-    out[5] = t41;
+    out[2] = t22;
+    out[3] = t33;
+    out[4] = t38;
+    out[5] = t39;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -203,122 +189,114 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = x[5]*x[5]; /* s*s */
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    const double t3 = x[3]*p[1]; /* omega_n*R */
-    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
+    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
     const double t5 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t6 = 2.0*x[3]; /* 2*omega_n */
-    const double t7 = t5*t6; /* b*2*omega_n */
-    const double t8 = x[5]*p[1]; /* s*R */
-    const double t9 = JLT_FMA(x[4], t8, t7); /* omega3*s*R + b*2*omega_n */
-    const double t10 = x[5]*t3; /* s*omega_n*R */
-    const double t11 = t3*x[4]; /* omega_n*R*omega3 */
-    const double t12 = t5*p[9]; /* b*m*I3 */
-    const double t13 = JLT_FMA(t0, p[8], p[7]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t14 = JLT_FMA(t5, t12, t13); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t15 = JLT_FMA(t0, p[13], p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t16 = t14*t15; /* Theta*D */
-    const double t17 = 1.0/t16; /* 1/(Theta*D) */
-    const double t18 = t14*t17; /* Theta*1/(Theta*D) */
-    const double t19 = x[5]*t18; /* s*Theta*1/(Theta*D) */
-    const double t20 = x[2]*p[13]; /* omega_tau*m*a3^2 */
-    const double t21 = t19*t20; /* s*Theta*1/(Theta*D)*omega_tau*m*a3^2 */
-    const double t22 = t1*t21; /* s*omega_tau*s*Theta*1/(Theta*D)*omega_tau*m*a3^2 */
-    const double t23 = x[3]*t18; /* omega_n*Theta*1/(Theta*D) */
-    const double t24 = x[3]*p[4]; /* omega_n*I1 */
-    const double t25 = JLT_FNMA(t23, t24, t22); /* s*omega_tau*s*Theta*1/(Theta*D)*omega_tau*m*a3^2 - omega_n*Theta*1/(Theta*D)*omega_n*I1 */
-    const double t26 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t27 = x[5]*p[20]; /* s*2*m*a3^2 */
-    const double t28 = t19*t27; /* s*Theta*1/(Theta*D)*s*2*m*a3^2 */
-    const double t29 = t26*t28; /* omega_tau*gamma3*s*Theta*1/(Theta*D)*s*2*m*a3^2 */
-    const double t30 = x[0]*p[21]; /* gamma3*2*I1 */
-    const double t31 = t23*t30; /* omega_n*Theta*1/(Theta*D)*gamma3*2*I1 */
-    const double t32 = x[4]*p[5]; /* omega3*I3 */
-    const double t33 = JLT_FMA(t19, t32, t31); /* s*Theta*1/(Theta*D)*omega3*I3 + omega_n*Theta*1/(Theta*D)*gamma3*2*I1 */
-    const double t34 = -t33; /* -t33 */
-    const double t35 = x[3]*t19; /* omega_n*s*Theta*1/(Theta*D) */
-    const double t36 = p[22]*t35; /* (-I3)*omega_n*s*Theta*1/(Theta*D) */
-    const double t37 = 2.0 - t28; /* 2 - s*Theta*1/(Theta*D)*s*2*m*a3^2 */
-    const double t38 = t19*p[23]; /* s*Theta*1/(Theta*D)*m*g*a3 */
-    const double t39 = JLT_FNMA(t21, t26, t38); /* s*Theta*1/(Theta*D)*m*g*a3 - s*Theta*1/(Theta*D)*omega_tau*m*a3^2*omega_tau*gamma3 */
-    const double t40 = t37*t39; /* (2 - s*Theta*1/(Theta*D)*s*2*m*a3^2)*t39 */
-    const double t41 = x[0]*p[24]; /* gamma3*2*m*a3^2*I1 */
-    const double t42 = JLT_FMS(t35, t41, t32); /* omega_n*s*Theta*1/(Theta*D)*gamma3*2*m*a3^2*I1 - omega3*I3 */
-    const double t43 = x[4]*p[25]; /* omega3*2*m*a3^2*I3 */
-    const double t44 = t19*t43; /* s*Theta*1/(Theta*D)*omega3*2*m*a3^2*I3 */
-    const double t45 = JLT_FMS(t35, t44, t40); /* omega_n*s*Theta*1/(Theta*D)*s*Theta*1/(Theta*D)*omega3*2*m*a3^2*I3 - (2 - s*Theta*1/(Theta*D)*s*2*m*a3^2)*t39 */
-    const double t46 = JLT_FMA(t23, t42, t45); /* omega_n*Theta*1/(Theta*D)*(omega_n*s*Theta*1/(Theta*D)*gamma3*2*m*a3^2*I1 - omega3*I3) + t45 */
-    const double t47 = t15*t17; /* D*1/(Theta*D) */
-    const double t48 = x[5]*t47; /* s*D*1/(Theta*D) */
-    const double t49 = x[2]*t48; /* omega_tau*s*D*1/(Theta*D) */
-    const double t50 = x[4]*t49; /* omega3*omega_tau*s*D*1/(Theta*D) */
-    const double t51 = p[26]*t50; /* m*R*a3*I3*omega3*omega_tau*s*D*1/(Theta*D) */
-    const double t52 = t5*t47; /* b*D*1/(Theta*D) */
-    const double t53 = x[3]*t52; /* omega_n*b*D*1/(Theta*D) */
-    const double t54 = JLT_FNMA(p[27], t53, x[3]); /* omega_n - m*a3*I3*omega_n*b*D*1/(Theta*D) */
-    const double t55 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t56 = JLT_FMA(x[2], t55, x[1]); /* V = omega_tau*e + v_nu */
-    const double t57 = t47*t56; /* D*1/(Theta*D)*V */
-    const double t58 = x[3]*p[15]; /* omega_n*m*R*I3 */
-    const double t59 = t55*p[29]; /* e*2*m*R */
-    const double t60 = t50*t59; /* omega3*omega_tau*s*D*1/(Theta*D)*e*2*m*R */
-    const double t61 = t56*p[30]; /* V*2*m */
-    const double t62 = JLT_FNMA(t53, t61, t60); /* omega3*omega_tau*s*D*1/(Theta*D)*e*2*m*R - omega_n*b*D*1/(Theta*D)*V*2*m */
-    const double t63 = JLT_FMA(t50, p[31], t62); /* omega3*omega_tau*s*D*1/(Theta*D)*2*I3 + t62 */
-    const double t64 = t52*p[28]; /* b*D*1/(Theta*D)*m*R*I3^2 */
-    const double t65 = JLT_FNMA(t57, t58, t51); /* m*R*a3*I3*omega3*omega_tau*s*D*1/(Theta*D) - D*1/(Theta*D)*V*omega_n*m*R*I3 */
-    const double t66 = JLT_FMA(x[2], t54, t65); /* omega_tau*(omega_n - m*a3*I3*omega_n*b*D*1/(Theta*D)) + t65 */
-    const double t67 = JLT_FNMA(t63, t64, t66); /* omega_tau*(omega_n - m*a3*I3*omega_n*b*D*1/(Theta*D)) + t65 - (omega3*omega_tau*s*D*1/(Theta*D)*2*I3 + t62)*b*D*1/(Theta*D)*m*R*I3^2 */
-    const double t68 = p[9]*t53; /* m*I3*omega_n*b*D*1/(Theta*D) */
-    const double t69 = -t68; /* -m*I3*omega_n*b*D*1/(Theta*D) */
-    const double t70 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t71 = JLT_FMA(t55, p[32], p[5]); /* e*m*R + I3 */
-    const double t72 = t32*t71; /* omega3*I3*(e*m*R + I3) */
-    const double t73 = JLT_FMA(t48, t72, t70); /* s*D*1/(Theta*D)*omega3*I3*(e*m*R + I3) + omega_n*gamma3 */
-    const double t74 = JLT_FNMA(t55, t68, t73); /* s*D*1/(Theta*D)*omega3*I3*(e*m*R + I3) + omega_n*gamma3 - e*m*I3*omega_n*b*D*1/(Theta*D) */
-    const double t75 = p[9]*t56; /* m*I3*V */
-    const double t76 = JLT_FNMA(t52, t75, t26); /* omega_tau*gamma3 - b*D*1/(Theta*D)*m*I3*V */
-    const double t77 = p[5]*t71; /* I3*(e*m*R + I3) */
-    const double t78 = t49*t77; /* omega_tau*s*D*1/(Theta*D)*I3*(e*m*R + I3) */
-    const double t79 = x[2]*t72; /* omega_tau*omega3*I3*(e*m*R + I3) */
-    const double t80 = t47*t79; /* D*1/(Theta*D)*omega_tau*omega3*I3*(e*m*R + I3) */
-    const double t81 = t48*p[33]; /* s*D*1/(Theta*D)*m*R^2*I1*I3 */
-    const double t82 = JLT_FNMA(t63, t81, t80); /* D*1/(Theta*D)*omega_tau*omega3*I3*(e*m*R + I3) - (omega3*omega_tau*s*D*1/(Theta*D)*2*I3 + t62)*s*D*1/(Theta*D)*m*R^2*I1*I3 */
-    const double t83 = t48*t56; /* s*D*1/(Theta*D)*V */
-    const double t84 = t53*p[34]; /* omega_n*b*D*1/(Theta*D)*2*m^2*R^2*I1*I3 */
-    const double t85 = t83*t84; /* s*D*1/(Theta*D)*V*omega_n*b*D*1/(Theta*D)*2*m^2*R^2*I1*I3 */
-    const double t86 = x[3]*p[35]; /* omega_n*m*R*a3*I1 */
-    const double t87 = x[5]*p[36]; /* s*m*R^2*(I1 - I3) */
-    const double t88 = JLT_FNMA(x[0], p[39], p[38]); /* 2*a3*I3 - gamma3*2*R*(I1 - I3) */
-    const double t89 = t50*t88; /* omega3*omega_tau*s*D*1/(Theta*D)*(2*a3*I3 - gamma3*2*R*(I1 - I3)) */
-    const double t90 = t48*t89; /* s*D*1/(Theta*D)*t89 */
-    const double t91 = t5*p[37]; /* b*m^2*R^2*I3 */
-    const double t92 = JLT_FNMA(t49, t86, t85); /* s*D*1/(Theta*D)*V*omega_n*b*D*1/(Theta*D)*2*m^2*R^2*I1*I3 - omega_tau*s*D*1/(Theta*D)*omega_n*m*R*a3*I1 */
-    const double t93 = JLT_FMA(t50, t87, t92); /* omega3*omega_tau*s*D*1/(Theta*D)*s*m*R^2*(I1 - I3) + t92 */
-    const double t94 = JLT_FMA(t90, t91, t93); /* s*D*1/(Theta*D)*t89*b*m^2*R^2*I3 + omega3*omega_tau*s*D*1/(Theta*D)*s*m*R^2*(I1 - I3) + t92 */
-    const double t95 = x[3]*p[40]; /* omega_n*m*R*I1 */
-    const double t96 = t48*t95; /* s*D*1/(Theta*D)*omega_n*m*R*I1 */
-    const double t97 = -t96; /* -s*D*1/(Theta*D)*omega_n*m*R*I1 */
-    const double t98 = t55*t96; /* e*s*D*1/(Theta*D)*omega_n*m*R*I1 */
-    const double t99 = JLT_FNMA(x[0], p[19], p[18]); /* a3*I3 - gamma3*R*(I1 - I3) */
-    const double t100 = x[5]*p[32]; /* s*m*R */
-    const double t101 = t99*t100; /* (a3*I3 - gamma3*R*(I1 - I3))*s*m*R */
-    const double t102 = x[4]*t101; /* omega3*(a3*I3 - gamma3*R*(I1 - I3))*s*m*R */
-    const double t103 = JLT_FMA(t48, t102, t98); /* s*D*1/(Theta*D)*omega3*(a3*I3 - gamma3*R*(I1 - I3))*s*m*R + e*s*D*1/(Theta*D)*omega_n*m*R*I1 */
-    const double t104 = -t103; /* -t103 */
-    const double t105 = t83*p[16]; /* s*D*1/(Theta*D)*V*(-m*R*I1) */
-    const double t106 = t49*t101; /* omega_tau*s*D*1/(Theta*D)*(a3*I3 - gamma3*R*(I1 - I3))*s*m*R */
-    const double t107 = -t106; /* -omega_tau*s*D*1/(Theta*D)*(a3*I3 - gamma3*R*(I1 - I3))*s*m*R */
-    const double t108 = t57*t95; /* D*1/(Theta*D)*V*omega_n*m*R*I1 */
-    const double t109 = x[3]*p[41]; /* omega_n*2*m^2*R^3*I1^2 */
-    const double t110 = t48*t109; /* s*D*1/(Theta*D)*omega_n*2*m^2*R^3*I1^2 */
-    const double t111 = x[5]*p[42]; /* s*m^2*R^3*I1 */
-    const double t112 = JLT_FMS(t83, t110, t108); /* s*D*1/(Theta*D)*V*s*D*1/(Theta*D)*omega_n*2*m^2*R^3*I1^2 - D*1/(Theta*D)*V*omega_n*m*R*I1 */
-    const double t113 = JLT_FNMA(p[32], t89, t112); /* t112 - m*R*t89 */
-    const double t114 = JLT_FMA(t90, t111, t113); /* s*D*1/(Theta*D)*t89*s*m^2*R^3*I1 + t112 - m*R*t89 */
-    const double t115 = -t1; /* -s*omega_tau */
-    const double t116 = x[5]*x[0]; /* s*gamma3 */
-    const double t117 = -t116; /* -s*gamma3 */
-    const double t118 = -t26; /* -omega_tau*gamma3 */
+    const double t6 = x[3]*t5; /* omega_n*b */
+    const double t7 = 2.0*t6; /* 2*omega_n*b */
+    const double t8 = x[5]*x[4]; /* s*omega3 */
+    const double t9 = JLT_FMA(p[1], t8, t7); /* R*s*omega3 + 2*omega_n*b */
+    const double t10 = x[5]*x[3]; /* s*omega_n */
+    const double t11 = p[1]*t10; /* R*s*omega_n */
+    const double t12 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t13 = p[1]*t12; /* R*omega_n*omega3 */
+    const double t14 = t1*p[9]; /* s*omega_tau*m*a3^2/I1 */
+    const double t15 = JLT_FMS(t1, t14, t3); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
+    const double t16 = p[4]*t15; /* I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
+    const double t17 = t5*p[8]; /* b*m*I3 */
+    const double t18 = JLT_FMA(t0, p[7], p[6]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t19 = JLT_FMA(t5, t17, t18); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t20 = JLT_FMA(t0, p[17], p[4]); /* D = s*s*m*a3^2 + I1 */
+    const double t21 = t19*t20; /* Theta*D */
+    const double t22 = 1.0/t21; /* 1/(Theta*D) */
+    const double t23 = t19*t22; /* Theta*1/(Theta*D) */
+    const double t24 = t16*t23; /* I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n)*Theta*1/(Theta*D) */
+    const double t25 = t1*p[18]; /* s*omega_tau*2*m*a3^2 */
+    const double t26 = x[5]*x[0]; /* s*gamma3 */
+    const double t27 = t25*t26; /* s*omega_tau*2*m*a3^2*s*gamma3 */
+    const double t28 = t23*t27; /* Theta*1/(Theta*D)*s*omega_tau*2*m*a3^2*s*gamma3 */
+    const double t29 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t30 = t8*p[5]; /* s*omega3*I3 */
+    const double t31 = JLT_FMA(p[19], t29, t30); /* 2*I1*omega_n*gamma3 + s*omega3*I3 */
+    const double t32 = t23*t31; /* Theta*1/(Theta*D)*(2*I1*omega_n*gamma3 + s*omega3*I3) */
+    const double t33 = -t32; /* -Theta*1/(Theta*D)*(2*I1*omega_n*gamma3 + s*omega3*I3) */
+    const double t34 = t10*p[20]; /* s*omega_n*(-I3) */
+    const double t35 = t23*t34; /* Theta*1/(Theta*D)*s*omega_n*(-I3) */
+    const double t36 = t0*p[21]; /* s*s*m*g*a3 */
+    const double t37 = JLT_FMA(x[3], t30, t36); /* omega_n*s*omega3*I3 + s*s*m*g*a3 */
+    const double t38 = JLT_FNMA(x[0], t16, t37); /* omega_n*s*omega3*I3 + s*s*m*g*a3 - gamma3*I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
+    const double t39 = x[5]*p[18]; /* s*2*m*a3^2 */
+    const double t40 = t38*t39; /* t38*s*2*m*a3^2 */
+    const double t41 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t42 = t25*t41; /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 */
+    const double t43 = JLT_FNMA(x[5], p[22], t42); /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 */
+    const double t44 = JLT_FNMA(t12, p[5], t43); /* d(numerator of d(omega_tau)/dt over D)/d(s) = s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 - omega_n*omega3*I3 */
+    const double t45 = JLT_FMA(t23, t40, t44); /* Theta*1/(Theta*D)*t38*s*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(s) */
+    const double t46 = t23*t45; /* Theta*1/(Theta*D)*t45 */
+    const double t47 = t1*x[4]; /* s*omega_tau*omega3 */
+    const double t48 = p[23]*t47; /* m*R*a3*I3*s*omega_tau*omega3 */
+    const double t49 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t50 = JLT_FMA(x[2], t49, x[1]); /* V = omega_tau*e + v_nu */
+    const double t51 = x[3]*t50; /* omega_n*V */
+    const double t52 = x[2]*p[24]; /* omega_tau*m*a3*I3 */
+    const double t53 = JLT_FNMA(t6, t52, t48); /* m*R*a3*I3*s*omega_tau*omega3 - omega_n*b*omega_tau*m*a3*I3 */
+    const double t54 = JLT_FNMA(p[12], t51, t53); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*s*omega_tau*omega3 - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
+    const double t55 = t20*t22; /* D*1/(Theta*D) */
+    const double t56 = t54*t55; /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3)*D*1/(Theta*D) */
+    const double t57 = x[3]*t17; /* omega_n*b*m*I3 */
+    const double t58 = t50*t57; /* V*omega_n*b*m*I3 */
+    const double t59 = JLT_FMA(p[12], t49, p[25]); /* m*R*I3*e + I3^2 */
+    const double t60 = JLT_FMS(t47, t59, t58); /* numerator of d(omega_n)/dt over Theta = s*omega_tau*omega3*(m*R*I3*e + I3^2) - V*omega_n*b*m*I3 */
+    const double t61 = t55*t55; /* D*1/(Theta*D)*D*1/(Theta*D) */
+    const double t62 = t5*p[26]; /* b*2*m*R*I3 */
+    const double t63 = t61*t62; /* D*1/(Theta*D)*D*1/(Theta*D)*b*2*m*R*I3 */
+    const double t64 = JLT_FMA(x[2], x[3], t56); /* omega_tau*omega_n + t56 */
+    const double t65 = JLT_FNMA(t60, t63, t64); /* omega_tau*omega_n + t56 - numerator of d(omega_n)/dt over Theta*D*1/(Theta*D)*D*1/(Theta*D)*b*2*m*R*I3 */
+    const double t66 = t55*t57; /* D*1/(Theta*D)*omega_n*b*m*I3 */
+    const double t67 = -t66; /* -D*1/(Theta*D)*omega_n*b*m*I3 */
+    const double t68 = t49*t57; /* e*omega_n*b*m*I3 */
+    const double t69 = JLT_FMS(t8, t59, t68); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*omega_n*b*m*I3 */
+    const double t70 = JLT_FMA(t55, t69, t29); /* D*1/(Theta*D)*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    const double t71 = t50*t55; /* V*D*1/(Theta*D) */
+    const double t72 = JLT_FNMA(t17, t71, t41); /* omega_tau*gamma3 - b*m*I3*V*D*1/(Theta*D) */
+    const double t73 = t55*t59; /* D*1/(Theta*D)*(m*R*I3*e + I3^2) */
+    const double t74 = t1*t73; /* s*omega_tau*D*1/(Theta*D)*(m*R*I3*e + I3^2) */
+    const double t75 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t76 = t73*t75; /* D*1/(Theta*D)*(m*R*I3*e + I3^2)*omega_tau*omega3 */
+    const double t77 = x[5]*p[27]; /* s*2*m*R^2*I1 */
+    const double t78 = t61*t77; /* D*1/(Theta*D)*D*1/(Theta*D)*s*2*m*R^2*I1 */
+    const double t79 = JLT_FNMA(t60, t78, t76); /* D*1/(Theta*D)*(m*R*I3*e + I3^2)*omega_tau*omega3 - numerator of d(omega_n)/dt over Theta*D*1/(Theta*D)*D*1/(Theta*D)*s*2*m*R^2*I1 */
+    const double t80 = x[3]*p[28]; /* omega_n*m*R*a3*I1 */
+    const double t81 = t1*t80; /* s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t82 = t1*t8; /* s*omega_tau*s*omega3 */
+    const double t83 = JLT_FMS(p[29], t82, t81); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = m*R^2*(I1 - I3)*s*omega_tau*s*omega3 - s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t84 = t55*t83; /* D*1/(Theta*D)*d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t85 = t10*p[30]; /* s*omega_n*m*R*I1 */
+    const double t86 = t50*t85; /* V*s*omega_n*m*R*I1 */
+    const double t87 = JLT_FNMA(x[0], p[29], p[23]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t88 = JLT_FMA(t82, t87, t86); /* s*omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*s*omega_n*m*R*I1 */
+    const double t89 = JLT_FMA(t63, t88, t84); /* D*1/(Theta*D)*D*1/(Theta*D)*b*2*m*R*I3*t88 + t84 */
+    const double t90 = t55*t85; /* D*1/(Theta*D)*s*omega_n*m*R*I1 */
+    const double t91 = -t90; /* -D*1/(Theta*D)*s*omega_n*m*R*I1 */
+    const double t92 = t49*t85; /* e*s*omega_n*m*R*I1 */
+    const double t93 = x[5]*t87; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t94 = JLT_FMA(t8, t93, t92); /* s*omega3*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*s*omega_n*m*R*I1 */
+    const double t95 = t55*t94; /* D*1/(Theta*D)*t94 */
+    const double t96 = -t95; /* -D*1/(Theta*D)*t94 */
+    const double t97 = x[5]*p[14]; /* s*(-m*R*I1) */
+    const double t98 = t71*t97; /* V*D*1/(Theta*D)*s*(-m*R*I1) */
+    const double t99 = t1*t93; /* s*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t100 = t55*t99; /* D*1/(Theta*D)*s*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t101 = -t100; /* -t100 */
+    const double t102 = x[0]*p[31]; /* gamma3*2*m*R^2*(I1 - I3) */
+    const double t103 = t47*t102; /* s*omega_tau*omega3*gamma3*2*m*R^2*(I1 - I3) */
+    const double t104 = JLT_FNMA(t47, p[32], t103); /* s*omega_tau*omega3*gamma3*2*m*R^2*(I1 - I3) - s*omega_tau*omega3*2*m*R*a3*I3 */
+    const double t105 = JLT_FNMA(t51, p[30], t104); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t104 - omega_n*V*m*R*I1 */
+    const double t106 = t55*t105; /* D*1/(Theta*D)*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t107 = JLT_FMA(t78, t88, t106); /* D*1/(Theta*D)*D*1/(Theta*D)*s*2*m*R^2*I1*t88 + D*1/(Theta*D)*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t108 = -t1; /* -s*omega_tau */
+    const double t109 = -t26; /* -s*gamma3 */
+    const double t110 = -t41; /* -omega_tau*gamma3 */
     out[0] = 0.0;
     out[1] = 0.0;
     out[2] = t0;
@@ -329,263 +307,245 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[7] = 0.0;
     out[8] = 0.0;
     out[9] = t9;
-    out[10] = t10;
-    out[11] = t11;
-    out[12] = t25;
+    out[10] = t11;
+    out[11] = t13;
+    out[12] = t24;
     out[13] = 0.0;
-    out[14] = t29;
-    out[15] = t34;
-    out[16] = t36;
+    out[14] = t28;
+    out[15] = t33;
+    out[16] = t35;
     out[17] = t46;
-    out[18] = t67;
-    out[19] = t69;
-    out[20] = t74;
-    out[21] = t76;
-    out[22] = t78;
-    out[23] = t82;
-    out[24] = t94;
-    out[25] = t97;
-    out[26] = t104;
-    out[27] = t105;
-    out[28] = t107;
-    out[29] = t114;
-    out[30] = t115;
+    out[18] = t65;
+    out[19] = t67;
+    out[20] = t70;
+    out[21] = t72;
+    out[22] = t74;
+    out[23] = t79;
+    out[24] = t89;
+    out[25] = t91;
+    out[26] = t96;
+    out[27] = t98;
+    out[28] = t101;
+    out[29] = t107;
+    out[30] = t108;
     out[31] = 0.0;
-    out[32] = t117;
+    out[32] = t109;
     out[33] = 0.0;
     out[34] = 0.0;
-    out[35] = t118;
+    out[35] = t110;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[5]*x[2]; /* s*omega_tau */
     const double t1 = x[5]*t0; /* s*s*omega_tau */
-    const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t3 = x[3]*t2; /* omega_n*b */
-    const double t4 = x[3]*t3; /* omega_n*omega_n*b */
-    const double t5 = x[3]*p[1]; /* omega_n*R */
-    const double t6 = x[5]*t5; /* s*omega_n*R */
-    const double t7 = JLT_FMA(x[4], t6, t4); /* omega3*s*omega_n*R + omega_n*omega_n*b */
-    const double t8 = x[5]*x[5]; /* s*s */
-    const double t9 = t2*p[9]; /* b*m*I3 */
-    const double t10 = JLT_FMA(p[8], t8, p[7]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t11 = JLT_FMA(t2, t9, t10); /* Theta = b*b*m*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t12 = JLT_FMA(t8, p[13], p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t13 = t11*t12; /* Theta*D */
-    const double t14 = 1.0/t13; /* 1/(Theta*D) */
-    const double t15 = t11*t14; /* Theta*1/(Theta*D) */
-    const double t16 = x[5]*t15; /* s*Theta*1/(Theta*D) */
-    const double t17 = t0*t16; /* s*omega_tau*s*Theta*1/(Theta*D) */
-    const double t18 = x[2]*p[12]; /* omega_tau*m*a3^2/I1 */
-    const double t19 = t17*t18; /* s*omega_tau*s*Theta*1/(Theta*D)*omega_tau*m*a3^2/I1 */
-    const double t20 = x[3]*t15; /* omega_n*Theta*1/(Theta*D) */
-    const double t21 = JLT_FNMA(x[3], t20, t19); /* s*omega_tau*s*Theta*1/(Theta*D)*omega_tau*m*a3^2/I1 - omega_n*omega_n*Theta*1/(Theta*D) */
-    const double t22 = p[4]*t21; /* I1*t21 */
-    const double t23 = x[0]*t22; /* gamma3*I1*t21 */
-    const double t24 = x[5]*t16; /* s*s*Theta*1/(Theta*D) */
-    const double t25 = x[4]*p[5]; /* omega3*I3 */
-    const double t26 = x[3]*t16; /* omega_n*s*Theta*1/(Theta*D) */
-    const double t27 = JLT_FNMA(p[23], t24, t23); /* gamma3*I1*t21 - m*g*a3*s*s*Theta*1/(Theta*D) */
-    const double t28 = JLT_FNMA(t25, t26, t27); /* gamma3*I1*t21 - m*g*a3*s*s*Theta*1/(Theta*D) - omega3*I3*omega_n*s*Theta*1/(Theta*D) */
-    const double t29 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t30 = x[3]*t29; /* omega_n*omega_tau*gamma3 */
-    const double t31 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t32 = JLT_FMA(x[2], t31, x[1]); /* V = omega_tau*e + v_nu */
-    const double t33 = x[3]*t32; /* omega_n*V */
-    const double t34 = t12*t14; /* D*1/(Theta*D) */
-    const double t35 = t2*t34; /* b*D*1/(Theta*D) */
-    const double t36 = p[9]*t35; /* m*I3*b*D*1/(Theta*D) */
-    const double t37 = x[5]*t34; /* s*D*1/(Theta*D) */
-    const double t38 = x[2]*t37; /* omega_tau*s*D*1/(Theta*D) */
-    const double t39 = x[4]*t38; /* omega3*omega_tau*s*D*1/(Theta*D) */
-    const double t40 = JLT_FMA(t31, p[32], p[5]); /* e*m*R + I3 */
-    const double t41 = p[5]*t40; /* I3*(e*m*R + I3) */
-    const double t42 = JLT_FNMA(t33, t36, t30); /* omega_n*omega_tau*gamma3 - omega_n*V*m*I3*b*D*1/(Theta*D) */
-    const double t43 = JLT_FMA(t39, t41, t42); /* omega3*omega_tau*s*D*1/(Theta*D)*I3*(e*m*R + I3) + omega_n*omega_tau*gamma3 - omega_n*V*m*I3*b*D*1/(Theta*D) */
-    const double t44 = t37*p[40]; /* s*D*1/(Theta*D)*m*R*I1 */
-    const double t45 = t33*t44; /* omega_n*V*s*D*1/(Theta*D)*m*R*I1 */
-    const double t46 = JLT_FNMA(x[0], p[19], p[18]); /* a3*I3 - gamma3*R*(I1 - I3) */
-    const double t47 = x[5]*p[32]; /* s*m*R */
-    const double t48 = t46*t47; /* (a3*I3 - gamma3*R*(I1 - I3))*s*m*R */
-    const double t49 = JLT_FMA(t39, t48, t45); /* omega3*omega_tau*s*D*1/(Theta*D)*(a3*I3 - gamma3*R*(I1 - I3))*s*m*R + omega_n*V*s*D*1/(Theta*D)*m*R*I1 */
-    const double t50 = -t49; /* -t49 */
-    const double t51 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t52 = -t51; /* -s*omega_tau*gamma3 */
-    const double t53 = t0*2.0; /* s*omega_tau*2 */
-    const double t54 = x[3]*t5; /* omega_n*omega_n*R */
-    const double t55 = t3*2.0; /* omega_n*b*2 */
-    const double t56 = x[5]*p[1]; /* s*R */
-    const double t57 = JLT_FMA(x[4], t56, t55); /* omega3*s*R + omega_n*b*2 */
-    const double t58 = x[4]*t5; /* omega3*omega_n*R */
-    const double t59 = x[0]*p[20]; /* gamma3*2*m*a3^2 */
-    const double t60 = t17*t59; /* s*omega_tau*s*Theta*1/(Theta*D)*gamma3*2*m*a3^2 */
-    const double t61 = x[0]*p[21]; /* gamma3*2*I1 */
-    const double t62 = t20*t61; /* omega_n*Theta*1/(Theta*D)*gamma3*2*I1 */
-    const double t63 = JLT_FMA(t16, t25, t62); /* s*Theta*1/(Theta*D)*omega3*I3 + omega_n*Theta*1/(Theta*D)*gamma3*2*I1 */
-    const double t64 = -t63; /* -t63 */
-    const double t65 = t26*p[22]; /* omega_n*s*Theta*1/(Theta*D)*(-I3) */
-    const double t66 = x[4]*p[38]; /* omega3*2*a3*I3 */
-    const double t67 = t26*t66; /* omega_n*s*Theta*1/(Theta*D)*omega3*2*a3*I3 */
-    const double t68 = JLT_FNMA(t24, p[20], 2.0); /* 2 - s*s*Theta*1/(Theta*D)*2*m*a3^2 */
-    const double t69 = x[2]*p[3]; /* omega_tau*a3 */
-    const double t70 = JLT_FNMA(t29, t69, p[2]); /* g - omega_tau*gamma3*omega_tau*a3 */
-    const double t71 = JLT_FNMA(t68, t70, t67); /* omega_n*s*Theta*1/(Theta*D)*omega3*2*a3*I3 - (2 - s*s*Theta*1/(Theta*D)*2*m*a3^2)*(g - omega_tau*gamma3*omega_tau*a3) */
-    const double t72 = t16*p[43]; /* s*Theta*1/(Theta*D)*m*a3 */
-    const double t73 = t71*t72; /* t71*s*Theta*1/(Theta*D)*m*a3 */
-    const double t74 = x[0]*p[24]; /* gamma3*2*m*a3^2*I1 */
-    const double t75 = JLT_FMS(t26, t74, t25); /* omega_n*s*Theta*1/(Theta*D)*gamma3*2*m*a3^2*I1 - omega3*I3 */
-    const double t76 = JLT_FMA(t20, t75, t73); /* omega_n*Theta*1/(Theta*D)*(omega_n*s*Theta*1/(Theta*D)*gamma3*2*m*a3^2*I1 - omega3*I3) + t71*s*Theta*1/(Theta*D)*m*a3 */
-    const double t77 = t39*p[26]; /* omega3*omega_tau*s*D*1/(Theta*D)*m*R*a3*I3 */
-    const double t78 = JLT_FNMA(t35, p[27], 1.0); /* 1 - b*D*1/(Theta*D)*m*a3*I3 */
-    const double t79 = x[2]*x[3]; /* omega_tau*omega_n */
-    const double t80 = t33*t34; /* omega_n*V*D*1/(Theta*D) */
-    const double t81 = t39*p[31]; /* omega3*omega_tau*s*D*1/(Theta*D)*2*I3 */
-    const double t82 = t31*p[44]; /* e*2*R */
-    const double t83 = t39*t82; /* omega3*omega_tau*s*D*1/(Theta*D)*e*2*R */
-    const double t84 = t33*t35; /* omega_n*V*b*D*1/(Theta*D) */
-    const double t85 = JLT_FNMA(2.0, t84, t83); /* omega3*omega_tau*s*D*1/(Theta*D)*e*2*R - 2*omega_n*V*b*D*1/(Theta*D) */
-    const double t86 = JLT_FMA(p[0], t85, t81); /* m*t85 + omega3*omega_tau*s*D*1/(Theta*D)*2*I3 */
-    const double t87 = t35*p[28]; /* b*D*1/(Theta*D)*m*R*I3^2 */
-    const double t88 = JLT_FNMA(p[15], t80, t77); /* omega3*omega_tau*s*D*1/(Theta*D)*m*R*a3*I3 - m*R*I3*omega_n*V*D*1/(Theta*D) */
-    const double t89 = JLT_FMA(t78, t79, t88); /* (1 - b*D*1/(Theta*D)*m*a3*I3)*omega_tau*omega_n + t88 */
-    const double t90 = JLT_FNMA(t86, t87, t89); /* (1 - b*D*1/(Theta*D)*m*a3*I3)*omega_tau*omega_n + t88 - (m*t85 + omega3*omega_tau*s*D*1/(Theta*D)*2*I3)*b*D*1/(Theta*D)*m*R*I3^2 */
-    const double t91 = x[3]*t36; /* omega_n*m*I3*b*D*1/(Theta*D) */
-    const double t92 = -t91; /* -omega_n*m*I3*b*D*1/(Theta*D) */
-    const double t93 = JLT_FNMA(t31, t36, x[0]); /* gamma3 - e*m*I3*b*D*1/(Theta*D) */
-    const double t94 = x[3]*t93; /* omega_n*(gamma3 - e*m*I3*b*D*1/(Theta*D)) */
-    const double t95 = t25*t40; /* omega3*I3*(e*m*R + I3) */
-    const double t96 = JLT_FMA(t37, t95, t94); /* s*D*1/(Theta*D)*omega3*I3*(e*m*R + I3) + omega_n*(gamma3 - e*m*I3*b*D*1/(Theta*D)) */
-    const double t97 = JLT_FNMA(t32, t36, t29); /* omega_tau*gamma3 - V*m*I3*b*D*1/(Theta*D) */
-    const double t98 = t38*t41; /* omega_tau*s*D*1/(Theta*D)*I3*(e*m*R + I3) */
-    const double t99 = x[2]*t95; /* omega_tau*omega3*I3*(e*m*R + I3) */
-    const double t100 = t34*t99; /* D*1/(Theta*D)*omega_tau*omega3*I3*(e*m*R + I3) */
-    const double t101 = t37*p[33]; /* s*D*1/(Theta*D)*m*R^2*I1*I3 */
-    const double t102 = JLT_FNMA(t86, t101, t100); /* D*1/(Theta*D)*omega_tau*omega3*I3*(e*m*R + I3) - (m*t85 + omega3*omega_tau*s*D*1/(Theta*D)*2*I3)*s*D*1/(Theta*D)*m*R^2*I1*I3 */
-    const double t103 = JLT_FNMA(x[0], p[39], p[38]); /* 2*a3*I3 - gamma3*2*R*(I1 - I3) */
-    const double t104 = t39*t103; /* omega3*omega_tau*s*D*1/(Theta*D)*(2*a3*I3 - gamma3*2*R*(I1 - I3)) */
-    const double t105 = t2*t104; /* b*t104 */
-    const double t106 = JLT_FMA(p[21], t84, t105); /* 2*I1*omega_n*V*b*D*1/(Theta*D) + b*t104 */
-    const double t107 = t37*p[37]; /* s*D*1/(Theta*D)*m^2*R^2*I3 */
-    const double t108 = x[3]*p[35]; /* omega_n*m*R*a3*I1 */
-    const double t109 = t38*t108; /* omega_tau*s*D*1/(Theta*D)*omega_n*m*R*a3*I1 */
-    const double t110 = x[5]*p[36]; /* s*m*R^2*(I1 - I3) */
-    const double t111 = JLT_FMS(t39, t110, t109); /* omega3*omega_tau*s*D*1/(Theta*D)*s*m*R^2*(I1 - I3) - omega_tau*s*D*1/(Theta*D)*omega_n*m*R*a3*I1 */
-    const double t112 = JLT_FMA(t106, t107, t111); /* (2*I1*omega_n*V*b*D*1/(Theta*D) + b*t104)*s*D*1/(Theta*D)*m^2*R^2*I3 + t111 */
-    const double t113 = x[3]*t44; /* omega_n*s*D*1/(Theta*D)*m*R*I1 */
-    const double t114 = -t113; /* -omega_n*s*D*1/(Theta*D)*m*R*I1 */
-    const double t115 = t31*t113; /* e*omega_n*s*D*1/(Theta*D)*m*R*I1 */
-    const double t116 = x[4]*t48; /* omega3*(a3*I3 - gamma3*R*(I1 - I3))*s*m*R */
-    const double t117 = JLT_FMA(t37, t116, t115); /* s*D*1/(Theta*D)*omega3*(a3*I3 - gamma3*R*(I1 - I3))*s*m*R + e*omega_n*s*D*1/(Theta*D)*m*R*I1 */
-    const double t118 = -t117; /* -t117 */
-    const double t119 = t32*t44; /* V*s*D*1/(Theta*D)*m*R*I1 */
-    const double t120 = -t119; /* -V*s*D*1/(Theta*D)*m*R*I1 */
-    const double t121 = t38*t48; /* omega_tau*s*D*1/(Theta*D)*(a3*I3 - gamma3*R*(I1 - I3))*s*m*R */
-    const double t122 = -t121; /* -omega_tau*s*D*1/(Theta*D)*(a3*I3 - gamma3*R*(I1 - I3))*s*m*R */
-    const double t123 = p[40]*t80; /* m*R*I1*omega_n*V*D*1/(Theta*D) */
-    const double t124 = x[5]*t104; /* s*t104 */
-    const double t125 = t33*p[21]; /* omega_n*V*2*I1 */
-    const double t126 = JLT_FMA(t37, t125, t124); /* s*D*1/(Theta*D)*omega_n*V*2*I1 + s*t104 */
-    const double t127 = t37*p[42]; /* s*D*1/(Theta*D)*m^2*R^3*I1 */
-    const double t128 = JLT_FMS(t126, t127, t123); /* (s*D*1/(Theta*D)*omega_n*V*2*I1 + s*t104)*s*D*1/(Theta*D)*m^2*R^3*I1 - m*R*I1*omega_n*V*D*1/(Theta*D) */
-    const double t129 = JLT_FNMA(p[32], t104, t128); /* t128 - m*R*t104 */
-    const double t130 = -t0; /* -s*omega_tau */
-    const double t131 = x[5]*x[0]; /* s*gamma3 */
-    const double t132 = -t131; /* -s*gamma3 */
-    const double t133 = -t29; /* -omega_tau*gamma3 */
+    const double t2 = x[5]*x[4]; /* s*omega3 */
+    const double t3 = p[1]*t2; /* R*s*omega3 */
+    const double t4 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t5 = x[3]*t4; /* omega_n*b */
+    const double t6 = t3 + t5; /* R*s*omega3 + omega_n*b */
+    const double t7 = x[3]*t6; /* omega_n*(R*s*omega3 + omega_n*b) */
+    const double t8 = t0*p[17]; /* s*omega_tau*m*a3^2 */
+    const double t9 = t0*t8; /* s*omega_tau*s*omega_tau*m*a3^2 */
+    const double t10 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t11 = JLT_FNMA(p[4], t10, t9); /* s*omega_tau*s*omega_tau*m*a3^2 - I1*omega_n*omega_n */
+    const double t12 = x[5]*x[5]; /* s*s */
+    const double t13 = p[21]*t12; /* m*g*a3*s*s */
+    const double t14 = t2*p[5]; /* s*omega3*I3 */
+    const double t15 = JLT_FMA(x[3], t14, t13); /* omega_n*s*omega3*I3 + m*g*a3*s*s */
+    const double t16 = JLT_FNMA(x[0], t11, t15); /* omega_n*s*omega3*I3 + m*g*a3*s*s - gamma3*(s*omega_tau*s*omega_tau*m*a3^2 - I1*omega_n*omega_n) */
+    const double t17 = t4*p[8]; /* b*m*I3 */
+    const double t18 = JLT_FMA(t12, p[7], p[6]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t19 = JLT_FMA(t4, t17, t18); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t20 = JLT_FMA(p[17], t12, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t21 = t19*t20; /* Theta*D */
+    const double t22 = 1.0/t21; /* 1/(Theta*D) */
+    const double t23 = t19*t22; /* Theta*1/(Theta*D) */
+    const double t24 = t16*t23; /* t16*Theta*1/(Theta*D) */
+    const double t25 = -t24; /* -t16*Theta*1/(Theta*D) */
+    const double t26 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t27 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t28 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
+    const double t29 = t5*p[8]; /* omega_n*b*m*I3 */
+    const double t30 = t28*t29; /* V*omega_n*b*m*I3 */
+    const double t31 = JLT_FMA(t27, p[12], p[25]); /* e*m*R*I3 + I3^2 */
+    const double t32 = t0*x[4]; /* s*omega_tau*omega3 */
+    const double t33 = JLT_FMS(t31, t32, t30); /* numerator of d(omega_n)/dt over Theta = (e*m*R*I3 + I3^2)*s*omega_tau*omega3 - V*omega_n*b*m*I3 */
+    const double t34 = t20*t22; /* D*1/(Theta*D) */
+    const double t35 = t33*t34; /* numerator of d(omega_n)/dt over Theta*D*1/(Theta*D) */
+    const double t36 = JLT_FMA(x[3], t26, t35); /* omega_n*omega_tau*gamma3 + numerator of d(omega_n)/dt over Theta*D*1/(Theta*D) */
+    const double t37 = x[3]*t28; /* omega_n*V */
+    const double t38 = p[30]*t37; /* m*R*I1*omega_n*V */
+    const double t39 = x[5]*t38; /* s*m*R*I1*omega_n*V */
+    const double t40 = x[5]*p[23]; /* s*m*R*a3*I3 */
+    const double t41 = x[5]*p[29]; /* s*m*R^2*(I1 - I3) */
+    const double t42 = JLT_FNMA(x[0], t41, t40); /* s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3) */
+    const double t43 = JLT_FMA(t32, t42, t39); /* s*omega_tau*omega3*(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3)) + s*m*R*I1*omega_n*V */
+    const double t44 = t34*t43; /* D*1/(Theta*D)*t43 */
+    const double t45 = -t44; /* -D*1/(Theta*D)*t43 */
+    const double t46 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t47 = -t46; /* -s*omega_tau*gamma3 */
+    const double t48 = t0*2.0; /* s*omega_tau*2 */
+    const double t49 = p[1]*t10; /* R*omega_n*omega_n */
+    const double t50 = JLT_FMA(t5, 2.0, t3); /* omega_n*b*2 + R*s*omega3 */
+    const double t51 = x[5]*x[3]; /* s*omega_n */
+    const double t52 = p[1]*t51; /* R*s*omega_n */
+    const double t53 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t54 = p[1]*t53; /* R*omega_n*omega3 */
+    const double t55 = t11*t23; /* (s*omega_tau*s*omega_tau*m*a3^2 - I1*omega_n*omega_n)*Theta*1/(Theta*D) */
+    const double t56 = t46*p[18]; /* s*omega_tau*gamma3*2*m*a3^2 */
+    const double t57 = x[5]*t23; /* s*Theta*1/(Theta*D) */
+    const double t58 = t56*t57; /* s*omega_tau*gamma3*2*m*a3^2*s*Theta*1/(Theta*D) */
+    const double t59 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t60 = JLT_FMA(p[19], t59, t14); /* 2*I1*omega_n*gamma3 + s*omega3*I3 */
+    const double t61 = t23*t60; /* Theta*1/(Theta*D)*(2*I1*omega_n*gamma3 + s*omega3*I3) */
+    const double t62 = -t61; /* -Theta*1/(Theta*D)*(2*I1*omega_n*gamma3 + s*omega3*I3) */
+    const double t63 = t51*p[20]; /* s*omega_n*(-I3) */
+    const double t64 = t23*t63; /* Theta*1/(Theta*D)*s*omega_n*(-I3) */
+    const double t65 = p[18]*t57; /* 2*m*a3^2*s*Theta*1/(Theta*D) */
+    const double t66 = t24*t65; /* t16*Theta*1/(Theta*D)*2*m*a3^2*s*Theta*1/(Theta*D) */
+    const double t67 = x[2]*t56; /* omega_tau*s*omega_tau*gamma3*2*m*a3^2 */
+    const double t68 = JLT_FNMA(x[5], p[22], t67); /* omega_tau*s*omega_tau*gamma3*2*m*a3^2 - s*2*m*g*a3 */
+    const double t69 = JLT_FNMA(p[5], t53, t68); /* d(numerator of d(omega_tau)/dt over D)/d(s) = omega_tau*s*omega_tau*gamma3*2*m*a3^2 - s*2*m*g*a3 - I3*omega_n*omega3 */
+    const double t70 = JLT_FMA(t23, t69, t66); /* Theta*1/(Theta*D)*d(numerator of d(omega_tau)/dt over D)/d(s) + t16*Theta*1/(Theta*D)*2*m*a3^2*s*Theta*1/(Theta*D) */
+    const double t71 = t4*p[26]; /* b*2*m*R*I3 */
+    const double t72 = t32*p[23]; /* s*omega_tau*omega3*m*R*a3*I3 */
+    const double t73 = x[2]*p[24]; /* omega_tau*m*a3*I3 */
+    const double t74 = JLT_FNMA(t5, t73, t72); /* s*omega_tau*omega3*m*R*a3*I3 - omega_n*b*omega_tau*m*a3*I3 */
+    const double t75 = JLT_FNMA(p[12], t37, t74); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = s*omega_tau*omega3*m*R*a3*I3 - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
+    const double t76 = JLT_FMS(t35, t71, t75); /* numerator of d(omega_n)/dt over Theta*D*1/(Theta*D)*b*2*m*R*I3 - d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
+    const double t77 = t34*t76; /* D*1/(Theta*D)*t76 */
+    const double t78 = JLT_FMS(x[2], x[3], t77); /* omega_tau*omega_n - D*1/(Theta*D)*t76 */
+    const double t79 = t29*t34; /* omega_n*b*m*I3*D*1/(Theta*D) */
+    const double t80 = -t79; /* -omega_n*b*m*I3*D*1/(Theta*D) */
+    const double t81 = t27*t29; /* e*omega_n*b*m*I3 */
+    const double t82 = JLT_FMS(t2, t31, t81); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(e*m*R*I3 + I3^2) - e*omega_n*b*m*I3 */
+    const double t83 = JLT_FMA(t34, t82, t59); /* D*1/(Theta*D)*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    const double t84 = t28*t34; /* V*D*1/(Theta*D) */
+    const double t85 = JLT_FNMA(t17, t84, t26); /* omega_tau*gamma3 - b*m*I3*V*D*1/(Theta*D) */
+    const double t86 = t0*t34; /* s*omega_tau*D*1/(Theta*D) */
+    const double t87 = t31*t86; /* (e*m*R*I3 + I3^2)*s*omega_tau*D*1/(Theta*D) */
+    const double t88 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t89 = t31*t88; /* (e*m*R*I3 + I3^2)*omega_tau*omega3 */
+    const double t90 = x[5]*p[27]; /* s*2*m*R^2*I1 */
+    const double t91 = JLT_FNMA(t35, t90, t89); /* (e*m*R*I3 + I3^2)*omega_tau*omega3 - numerator of d(omega_n)/dt over Theta*D*1/(Theta*D)*s*2*m*R^2*I1 */
+    const double t92 = t34*t91; /* D*1/(Theta*D)*t91 */
+    const double t93 = x[3]*p[28]; /* omega_n*m*R*a3*I1 */
+    const double t94 = t0*t93; /* s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t95 = JLT_FMS(t32, t41, t94); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = s*omega_tau*omega3*s*m*R^2*(I1 - I3) - s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t96 = JLT_FMA(t44, t71, t95); /* D*1/(Theta*D)*t43*b*2*m*R*I3 + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t97 = t34*t96; /* D*1/(Theta*D)*t96 */
+    const double t98 = p[30]*t51; /* m*R*I1*s*omega_n */
+    const double t99 = t34*t98; /* D*1/(Theta*D)*m*R*I1*s*omega_n */
+    const double t100 = -t99; /* -D*1/(Theta*D)*m*R*I1*s*omega_n */
+    const double t101 = t27*t98; /* e*m*R*I1*s*omega_n */
+    const double t102 = JLT_FMA(t2, t42, t101); /* s*omega3*(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3)) + e*m*R*I1*s*omega_n */
+    const double t103 = t34*t102; /* D*1/(Theta*D)*t102 */
+    const double t104 = -t103; /* -D*1/(Theta*D)*t102 */
+    const double t105 = x[5]*p[14]; /* s*(-m*R*I1) */
+    const double t106 = t84*t105; /* V*D*1/(Theta*D)*s*(-m*R*I1) */
+    const double t107 = t42*t86; /* (s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3))*s*omega_tau*D*1/(Theta*D) */
+    const double t108 = -t107; /* -t107 */
+    const double t109 = x[0]*p[31]; /* gamma3*2*m*R^2*(I1 - I3) */
+    const double t110 = JLT_FMS(t32, t109, t38); /* s*omega_tau*omega3*gamma3*2*m*R^2*(I1 - I3) - m*R*I1*omega_n*V */
+    const double t111 = JLT_FNMA(t32, p[32], t110); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t110 - s*omega_tau*omega3*2*m*R*a3*I3 */
+    const double t112 = JLT_FMA(t44, t90, t111); /* D*1/(Theta*D)*t43*s*2*m*R^2*I1 + d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t113 = t34*t112; /* D*1/(Theta*D)*t112 */
+    const double t114 = -t0; /* -s*omega_tau */
+    const double t115 = x[5]*x[0]; /* s*gamma3 */
+    const double t116 = -t115; /* -s*gamma3 */
+    const double t117 = -t26; /* -omega_tau*gamma3 */
     out[0] = t1;
     out[1] = t7;
-    out[2] = t28;
-    out[3] = t43;
-    out[4] = t50;
-    out[5] = t52;
+    out[2] = t25;
+    out[3] = t36;
+    out[4] = t45;
+    out[5] = t47;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t8;
+    out[8] = t12;
     out[9] = 0.0;
     out[10] = 0.0;
-    out[11] = t53;
-    out[12] = t54;
+    out[11] = t48;
+    out[12] = t49;
     out[13] = 0.0;
     out[14] = 0.0;
-    out[15] = t57;
-    out[16] = t6;
-    out[17] = t58;
-    out[18] = t22;
+    out[15] = t50;
+    out[16] = t52;
+    out[17] = t54;
+    out[18] = t55;
     out[19] = 0.0;
-    out[20] = t60;
-    out[21] = t64;
-    out[22] = t65;
-    out[23] = t76;
-    out[24] = t90;
-    out[25] = t92;
-    out[26] = t96;
-    out[27] = t97;
-    out[28] = t98;
-    out[29] = t102;
-    out[30] = t112;
-    out[31] = t114;
-    out[32] = t118;
-    out[33] = t120;
-    out[34] = t122;
-    out[35] = t129;
-    out[36] = t130;
+    out[20] = t58;
+    out[21] = t62;
+    out[22] = t64;
+    out[23] = t70;
+    out[24] = t78;
+    out[25] = t80;
+    out[26] = t83;
+    out[27] = t85;
+    out[28] = t87;
+    out[29] = t92;
+    out[30] = t97;
+    out[31] = t100;
+    out[32] = t104;
+    out[33] = t106;
+    out[34] = t108;
+    out[35] = t113;
+    out[36] = t114;
     out[37] = 0.0;
-    out[38] = t132;
+    out[38] = t116;
     out[39] = 0.0;
     out[40] = 0.0;
-    out[41] = t133;
+    out[41] = t117;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[5]*x[5]; /* s*s */
-    const double t1 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t2 = t1*p[9]; /* b*m*I3 */
-    const double t3 = JLT_FMA(t0, p[8], p[7]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t4 = JLT_FMA(t1, t2, t3); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t5 = JLT_FMA(t0, p[13], p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t6 = t4*t5; /* Theta*D */
-    const double t7 = 1.0/t6; /* 1/(Theta*D) */
-    const double t8 = p[45]*x[0]; /* 2*a3^2/R*gamma3 */
-    const double t9 = t4*t8; /* Theta*2*a3^2/R*gamma3 */
-    const double t10 = t7*t9; /* 1/(Theta*D)*Theta*2*a3^2/R*gamma3 */
-    const double t11 = JLT_FNMA(x[0], p[19], p[18]); /* a3*I3 - gamma3*R*(I1 - I3) */
-    const double t12 = t5*t7; /* D*1/(Theta*D) */
-    const double t13 = JLT_FNMA(t11, t12, t10); /* 1/(Theta*D)*Theta*2*a3^2/R*gamma3 - (a3*I3 - gamma3*R*(I1 - I3))*D*1/(Theta*D) */
-    const double t14 = p[32]*x[2]; /* m*R*omega_tau */
-    const double t15 = t0*t14; /* s*s*m*R*omega_tau */
-    const double t16 = t13*t15; /* t13*s*s*m*R*omega_tau */
-    const double t17 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t18 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
-    const double t19 = t2*t18; /* b*m*I3*V */
-    const double t20 = JLT_FNMA(t12, t19, t16); /* t13*s*s*m*R*omega_tau - D*1/(Theta*D)*b*m*I3*V */
-    out[0] = t20;
+    const double t1 = JLT_FMA(p[17], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t2 = p[34] + x[0]; /* b scaled = a3/R + gamma3 */
+    const double t3 = p[10]*t2; /* I3/I1*b scaled */
+    const double t4 = t0 + p[33]; /* s*s + I3/(m*R^2) */
+    const double t5 = JLT_FMA(t2, t3, t4); /* Theta scaled = b scaled*I3/I1*b scaled + s*s + I3/(m*R^2) */
+    const double t6 = t1*t5; /* D*Theta scaled */
+    const double t7 = t0*x[2]; /* s*s*omega_tau */
+    const double t8 = x[0]*p[18]; /* gamma3*2*m*a3^2 */
+    const double t9 = t7*t8; /* s*s*omega_tau*gamma3*2*m*a3^2 */
+    const double t10 = t5*t9; /* Theta scaled*s*s*omega_tau*gamma3*2*m*a3^2 */
+    const double t11 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t12 = JLT_FMA(x[2], t11, x[1]); /* V = omega_tau*e + v_nu */
+    const double t13 = t2*p[35]; /* b scaled*I3/(R*I1) */
+    const double t14 = t12*t13; /* V*b scaled*I3/(R*I1) */
+    const double t15 = JLT_FNMA(x[0], p[37], p[36]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t16 = JLT_FMA(t7, t15, t14); /* s*s*omega_tau*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + V*b scaled*I3/(R*I1) */
+    const double t17 = JLT_FNMA(t1, t16, t10); /* Theta scaled*s*s*omega_tau*gamma3*2*m*a3^2 - D*t16 */
+    const double t18 = t17/t6; /* (Theta scaled*s*s*omega_tau*gamma3*2*m*a3^2 - D*t16)/(D*Theta scaled) */
+    out[0] = t18;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[23]*x[0]; /* m*g*a3*gamma3 */
-    const double t1 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t2 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t3 = x[3]*t2; /* omega_n*b */
-    const double t4 = p[1]*x[5]; /* R*s */
-    const double t5 = JLT_FMA(x[4], t4, t3); /* v_tau = omega3*R*s + omega_n*b */
-    const double t6 = JLT_FMA(t5, t5, t1); /* v_tau*v_tau + v_nu*v_nu */
-    const double t7 = x[5]*p[13]; /* s*m*a3^2 */
-    const double t8 = JLT_FMA(x[5], t7, p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t9 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
-    const double t10 = x[2]*t9; /* omega_tau*1/2*omega_tau */
-    const double t11 = x[3]*p[47]; /* omega_n*1/2*I1 */
-    const double t12 = x[4]*p[48]; /* omega3*1/2*I3 */
-    const double t13 = JLT_FMA(x[3], t11, t0); /* omega_n*omega_n*1/2*I1 + m*g*a3*gamma3 */
-    const double t14 = JLT_FMA(x[4], t12, t13); /* omega3*omega3*1/2*I3 + omega_n*omega_n*1/2*I1 + m*g*a3*gamma3 */
-    const double t15 = JLT_FMA(t8, t10, t14); /* D*omega_tau*1/2*omega_tau + t14 */
-    const double t16 = JLT_FMA(p[46], t6, t15); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + D*omega_tau*1/2*omega_tau + t14 */
-    const double t17 = x[5]*p[49]; /* s*R*I1 */
+    const double t0 = p[39]*x[0]; /* 2*g*a3*gamma3 */
+    const double t1 = p[17]*x[5]; /* m*a3^2*s */
+    const double t2 = JLT_FMA(x[5], t1, p[4]); /* D = s*m*a3^2*s + I1 */
+    const double t3 = p[40]*x[2]; /* 1/m*omega_tau */
+    const double t4 = x[2]*t3; /* omega_tau*1/m*omega_tau */
+    const double t5 = p[41]*x[3]; /* I1/m*omega_n */
+    const double t6 = p[42]*x[4]; /* I3/m*omega3 */
+    const double t7 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t8 = x[3]*t7; /* omega_n*b */
+    const double t9 = x[5]*p[1]; /* s*R */
+    const double t10 = JLT_FMA(x[4], t9, t8); /* v_tau = omega3*s*R + omega_n*b */
+    const double t11 = JLT_FMA(x[1], x[1], t0); /* v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t12 = JLT_FMA(x[3], t5, t11); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t13 = JLT_FMA(x[4], t6, t12); /* omega3*I3/m*omega3 + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t14 = JLT_FMA(t2, t4, t13); /* D*omega_tau*1/m*omega_tau + t13 */
+    const double t15 = JLT_FMA(t10, t10, t14); /* energy scaled = v_tau*v_tau + D*omega_tau*1/m*omega_tau + t13 */
+    const double t16 = p[38]*t15; /* 1/2*m*energy scaled */
+    const double t17 = x[5]*p[43]; /* s*R*I1 */
     const double t18 = x[3]*t17; /* omega_n*s*R*I1 */
     const double t19 = x[4]*p[5]; /* omega3*I3 */
-    const double t20 = JLT_FNMA(t2, t19, t18); /* omega_n*s*R*I1 - b*omega3*I3 */
+    const double t20 = JLT_FNMA(t7, t19, t18); /* omega_n*s*R*I1 - b*omega3*I3 */
     out[0] = t16;
     out[1] = t20;
 }
@@ -596,10 +556,10 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t1 = x[3]*t0; /* omega_n*b */
     const double t2 = p[1]*x[4]; /* R*omega3 */
     const double t3 = JLT_FMA(x[5], t2, t1); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t4 = p[32]*t3; /* m*R*v_tau */
-    const double t5 = JLT_FMA(x[3], t4, p[23]); /* d(energy)/d(gamma3) = omega_n*m*R*v_tau + m*g*a3 */
+    const double t4 = p[44]*t3; /* m*R*v_tau */
+    const double t5 = JLT_FMA(x[3], t4, p[21]); /* d(energy)/d(gamma3) = omega_n*m*R*v_tau + m*g*a3 */
     const double t6 = p[0]*x[1]; /* m*v_nu */
-    const double t7 = x[5]*p[13]; /* s*m*a3^2 */
+    const double t7 = x[5]*p[17]; /* s*m*a3^2 */
     const double t8 = JLT_FMA(x[5], t7, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t9 = x[2]*t8; /* omega_tau*D */
     const double t10 = x[3]*p[4]; /* omega_n*I1 */
@@ -610,10 +570,10 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t15 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t16 = t7*t15; /* s*m*a3^2*omega_tau*omega_tau */
     const double t17 = JLT_FMA(x[4], t4, t16); /* d(energy)/d(s) = omega3*m*R*v_tau + s*m*a3^2*omega_tau*omega_tau */
-    const double t18 = x[4]*p[50]; /* omega3*(-R*I3) */
-    const double t19 = x[5]*p[49]; /* s*R*I1 */
-    const double t20 = t0*p[22]; /* b*(-I3) */
-    const double t21 = x[3]*p[49]; /* omega_n*R*I1 */
+    const double t18 = x[4]*p[45]; /* omega3*(-R*I3) */
+    const double t19 = x[5]*p[43]; /* s*R*I1 */
+    const double t20 = t0*p[20]; /* b*(-I3) */
+    const double t21 = x[3]*p[43]; /* omega_n*R*I1 */
     out[0] = t5;
     out[1] = t6;
     out[2] = t9;
@@ -645,47 +605,44 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x5[JLT_JET_ORDER_MAX + 1];
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
     double t9[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
-    double t14[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
-    double t38[JLT_JET_ORDER_MAX + 1];
-    double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
     double t44[JLT_JET_ORDER_MAX + 1];
-    double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
     double t48[JLT_JET_ORDER_MAX + 1];
     double t49[JLT_JET_ORDER_MAX + 1];
     double t50[JLT_JET_ORDER_MAX + 1];
-    double t52[JLT_JET_ORDER_MAX + 1];
-    double t53[JLT_JET_ORDER_MAX + 1];
     double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
     double t56[JLT_JET_ORDER_MAX + 1];
     double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
     double t59[JLT_JET_ORDER_MAX + 1];
-    double t60[JLT_JET_ORDER_MAX + 1];
-    double t62[JLT_JET_ORDER_MAX + 1];
-    double t63[JLT_JET_ORDER_MAX + 1];
-    double t64[JLT_JET_ORDER_MAX + 1];
-    double t65[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -696,54 +653,51 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x5, x2, k);
         t3[k] = jlt_jet_product(x5, t2, k);
-        t7[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
-        t9[k] = jlt_jet_product(x3, x3, k);
-        t10[k] = jlt_jet_product(t7, t9, k);
-        t12[k] = jlt_jet_product(x5, x3, k);
-        t13[k] = jlt_jet_product(x4, t12, k);
-        t14[k] = p[1]*t13[k] + t10[k];
-        t18[k] = jlt_jet_product(x5, x5, k);
-        t20[k] = t7[k]*p[9];
-        t21[k] = p[8]*t18[k] + (k == 0 ? p[7] : 0);
-        t22[k] = jlt_jet_product(t7, t20, k) + t21[k];
-        t24[k] = t18[k]*p[10];
-        t26[k] = t2[k]*p[12];
-        t27[k] = t9[k] - jlt_jet_product(t2, t26, k);
-        t29[k] = t13[k]*p[11] + t24[k];
-        t30[k] = jlt_jet_product(x0, t27, k) + t29[k];
-        t33[k] = t18[k]*p[13] + (k == 0 ? p[4] : 0);
-        t34[k] = jlt_jet_product(t22, t33, k);
-        t36[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t34, t36, k);
-        t37[k] = p[6]*t22[k];
-        t38[k] = jlt_jet_product(t30, t37, k);
-        t39[k] = jlt_jet_product(t36, t38, k);
-        t40[k] = jlt_jet_product(x2, x0, k);
-        t42[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
-        t43[k] = jlt_jet_product(x2, t42, k) + x1[k];
-        t44[k] = jlt_jet_product(t33, t36, k);
-        t45[k] = jlt_jet_product(t43, t44, k);
-        t46[k] = t40[k] - jlt_jet_product(t20, t45, k);
-        t48[k] = jlt_jet_product(t2, x4, k);
-        t49[k] = jlt_jet_product(t44, t48, k);
-        t50[k] = p[14]*t49[k];
-        t52[k] = t42[k]*p[15];
-        t53[k] = jlt_jet_product(t49, t52, k) + t50[k];
-        t54[k] = jlt_jet_product(x3, t46, k) + t53[k];
-        t56[k] = t12[k]*p[40];
-        t57[k] = jlt_jet_product(t45, t56, k);
-        t59[k] = jlt_jet_product(x5, t49, k);
-        t60[k] = x0[k]*p[36];
-        t62[k] = jlt_jet_product(t59, t60, k) - t57[k];
-        t63[k] = t62[k] - t59[k]*p[26];
-        t64[k] = jlt_jet_product(t2, x0, k);
-        t65[k] = -t64[k];
+        t8[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
+        t9[k] = jlt_jet_product(x3, t8, k);
+        t11[k] = jlt_jet_product(x5, x4, k);
+        t12[k] = p[1]*t11[k] + t9[k];
+        t13[k] = jlt_jet_product(x3, t12, k);
+        t16[k] = jlt_jet_product(x5, x5, k);
+        t18[k] = t8[k]*p[8];
+        t19[k] = p[7]*t16[k] + (k == 0 ? p[6] : 0);
+        t20[k] = jlt_jet_product(t8, t18, k) + t19[k];
+        t22[k] = jlt_jet_product(t2, x0, k);
+        t23[k] = t2[k]*p[9];
+        t24[k] = jlt_jet_product(t22, t23, k);
+        t26[k] = jlt_jet_product(x3, x0, k);
+        t27[k] = t11[k]*p[10] + t26[k];
+        t29[k] = t24[k] - t16[k]*p[11];
+        t30[k] = t29[k] - jlt_jet_product(x3, t27, k);
+        t32[k] = t16[k]*p[9] + (k == 0 ? 1.0 : 0);
+        t33[k] = jlt_jet_product(t20, t32, k);
+        t34[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t33, t34, k);
+        t35[k] = jlt_jet_product(t20, t30, k);
+        t36[k] = jlt_jet_product(t34, t35, k);
+        t37[k] = jlt_jet_product(x2, t26, k);
+        t40[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
+        t41[k] = (k == 0 ? p[13] : 0) + t40[k];
+        t42[k] = jlt_jet_product(t2, x4, k);
+        t43[k] = p[12]*t42[k];
+        t44[k] = jlt_jet_product(t41, t43, k);
+        t46[k] = jlt_jet_product(x2, t40, k) + x1[k];
+        t47[k] = jlt_jet_product(x3, t46, k);
+        t48[k] = t44[k] - jlt_jet_product(t18, t47, k);
+        t49[k] = jlt_jet_product(t32, t34, k);
+        t50[k] = jlt_jet_product(t48, t49, k) + t37[k];
+        t54[k] = (k == 0 ? p[15] : 0) - x0[k]*p[16];
+        t55[k] = jlt_jet_product(t42, t54, k) + t47[k];
+        t56[k] = x5[k]*p[14];
+        t57[k] = jlt_jet_product(t55, t56, k);
+        t58[k] = jlt_jet_product(t49, t57, k);
+        t59[k] = -t22[k];
         double *restrict next = coefficients + (k + 1)*7;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t14[k]/(k + 1);
-        next[2] = x2[k + 1] = t39[k]/(k + 1);
-        next[3] = x3[k + 1] = t54[k]/(k + 1);
-        next[4] = x4[k + 1] = t63[k]/(k + 1);
-        next[5] = x5[k + 1] = t65[k]/(k + 1);
+        next[1] = x1[k + 1] = t13[k]/(k + 1);
+        next[2] = x2[k + 1] = t36[k]/(k + 1);
+        next[3] = x3[k + 1] = t50[k]/(k + 1);
+        next[4] = x4[k + 1] = t58[k]/(k + 1);
+        next[5] = x5[k + 1] = t59[k]/(k + 1);
         next[6] = x5[k]/(k + 1);
     }
 }
@@ -818,19 +772,19 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 6, .param_count = 6, .block_count = 51,
+    .state_count = 6, .param_count = 6, .block_count = 46,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 6, { 1, 25, 15, 1, 0, 0, 10, 10 }, { 17, 78, 0, 10, 0, 0, 10, 7 },
+    .rhs = { rhs, 6, { 2, 23, 14, 1, 0, 0, 7, 10 }, { 17, 78, 0, 10, 0, 0, 10, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .jacobian = { jacobian, 36, { 9, 76, 33, 1, 0, 0, 13, 19 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
+    .jacobian = { jacobian, 36, { 8, 70, 32, 1, 0, 0, 9, 19 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 11, 82, 40, 1, 0, 0, 14, 27 }, { 67, 437, 0, 59, 0, 0, 14, 9 },
+    .rhs_jacobian = { rhs_jacobian, 42, { 12, 72, 33, 1, 0, 0, 10, 27 }, { 67, 437, 0, 59, 0, 0, 14, 9 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .divergence = { divergence, 1, { 0, 11, 9, 1, 0, 0, 9, 7 }, { 10, 39, 0, 4, 0, 0, 10, 7 },
+    .divergence = { divergence, 1, { 2, 9, 7, 1, 0, 0, 6, 7 }, { 10, 39, 0, 4, 0, 0, 10, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .integral_values = { integral_values, 2, { 0, 12, 9, 0, 0, 0, 5, 8 }, { 9, 31, 0, 0, 0, 0, 10, 5 },
+    .integral_values = { integral_values, 2, { 0, 12, 9, 0, 0, 0, 7, 9 }, { 9, 31, 0, 0, 0, 0, 10, 5 },
         "" },
     .integral_gradients = { integral_gradients, 12, { 0, 15, 7, 0, 0, 0, 5, 7 }, { 9, 37, 0, 0, 0, 0, 6, 6 },
         "" },

@@ -6,13 +6,13 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   26   13    1    1    0     15   11   (83)
- *  jacobian            7   57   31    1    1    0     18   21   (327)
- *  rhs_jacobian        7   64   34    1    1    0     18   28   (379)
- *  divergence          2   15   10    1    1    0     15    8   (57)
- *  integral_values     2   12    9    1    1    0      9    8   (43)
- *  integral_gradients  2   19   13    1    1    0     10   13   (72)
- *  eliminated          2    4    2    1    1    0      5    4   (11)
+ *  rhs                 4   23   12    1    1    0     16   10   (83)
+ *  jacobian            7   52   31    1    1    0     17   21   (327)
+ *  rhs_jacobian        12   57   29    1    1    0     16   27   (379)
+ *  divergence          4   14    8    1    1    0     11    8   (57)
+ *  integral_values     3   11    8    1    1    0      8   10   (43)
+ *  integral_gradients  3   17   12    1    1    0     10   12   (72)
+ *  eliminated          3    3    1    1    1    0      4    4   (11)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
  */
@@ -41,91 +41,112 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t1 = 1.0/t0; /* 1/(R*I1) */
     const double t2 = params[3]*params[3]; /* a3*a3 */
     const double t3 = params[0]*t2; /* m*a3*a3 */
-    const double t4 = params[4]*params[5]; /* I1*I3 */
+    const double t4 = t3/params[4]; /* m*a3*a3/I1 */
     const double t5 = params[1]*params[1]; /* R*R */
     const double t6 = params[0]*t5; /* m*R*R */
-    const double t7 = params[4]*t6; /* I1*m*R*R */
-    const double t8 = params[0]*params[5]; /* m*I3 */
-    const double t9 = -params[4]; /* -I1 */
+    const double t7 = params[5]/t6; /* I3/(m*R*R) */
+    const double t8 = params[4]*t5; /* I1*R*R */
+    const double t9 = params[5]/t8; /* I3/(I1*R*R) */
     const double t10 = params[0]*params[2]; /* m*g */
     const double t11 = params[3]*t10; /* a3*m*g */
     const double t12 = t11/params[4]; /* a3*m*g/I1 */
-    const double t13 = t3/params[4]; /* m*a3*a3/I1 */
-    const double t14 = params[5]/params[4]; /* I3/I1 */
-    const double t15 = params[1]*params[0]; /* R*m */
-    const double t16 = params[4]*t15; /* I1*R*m */
-    const double t17 = -t16; /* -I1*R*m */
-    const double t18 = 1.0/params[4]; /* 1/I1 */
-    const double t19 = params[3]*params[5]; /* a3*I3 */
-    const double t20 = params[4] - params[5]; /* I1 - I3 */
-    const double t21 = params[1]*t20; /* R*(I1 - I3) */
-    const double t22 = params[5]/t0; /* I3/(R*I1) */
-    const double t23 = params[5]*2.0; /* I3*2 */
-    const double t24 = t23/t0; /* I3*2/(R*I1) */
-    const double t25 = params[0]*2.0; /* m*2 */
-    const double t26 = t2*t25; /* a3*a3*m*2 */
-    const double t27 = params[0]*params[0]; /* m*m */
-    const double t28 = 2.0*t27; /* 2*m*m */
-    const double t29 = params[2]*t28; /* g*2*m*m */
-    const double t30 = params[3]*t2; /* a3*a3*a3 */
-    const double t31 = t29*t30; /* g*2*m*m*a3*a3*a3 */
-    const double t32 = t31/params[4]; /* g*2*m*m*a3*a3*a3/I1 */
-    const double t33 = -params[5]; /* -I3 */
-    const double t34 = 2.0/params[1]; /* 2/R */
-    const double t35 = params[4]*params[3]; /* I1*a3 */
-    const double t36 = t5*t25; /* R*R*m*2 */
-    const double t37 = params[4]*t36; /* I1*R*R*m*2 */
-    const double t38 = params[1]*t25; /* R*m*2 */
-    const double t39 = params[5]*t38; /* I3*R*m*2 */
-    const double t40 = params[1]*params[5]; /* R*I3 */
-    const double t41 = params[5]*t26; /* I3*a3*a3*m*2 */
-    const double t42 = t41/params[4]; /* I3*a3*a3*m*2/I1 */
-    const double t43 = params[5]*(-2.0); /* I3*(-2) */
-    const double t44 = t43/params[1]; /* I3*(-2)/R */
-    const double t45 = t6*t20; /* m*R*R*(I1 - I3) */
-    const double t46 = params[3]*t15; /* a3*R*m */
-    const double t47 = params[4]*t46; /* I1*a3*R*m */
-    const double t48 = params[5]*t46; /* I3*a3*R*m */
-    const double t49 = params[0]/2.0; /* m/2 */
-    const double t50 = params[4]/2.0; /* I1/2 */
-    const double t51 = params[5]/2.0; /* I3/2 */
-    const double t52 = params[5]/params[1]; /* I3/R */
+    const double t13 = params[5]/params[4]; /* I3/I1 */
+    const double t14 = params[3]*params[5]; /* a3*I3 */
+    const double t15 = t14/t0; /* a3*I3/(R*I1) */
+    const double t16 = params[4] - params[5]; /* I1 - I3 */
+    const double t17 = t16/params[4]; /* (I1 - I3)/I1 */
+    const double t18 = 1.0/params[1]; /* 1/R */
+    const double t19 = params[4]*params[5]; /* I1*I3 */
+    const double t20 = params[4]*t6; /* I1*m*R*R */
+    const double t21 = params[0]*params[5]; /* m*I3 */
+    const double t22 = 1.0/params[4]; /* 1/I1 */
+    const double t23 = 2.0/t8; /* 2/(I1*R*R) */
+    const double t24 = params[4]*params[4]; /* I1*I1 */
+    const double t25 = t5*t24; /* R*R*I1*I1 */
+    const double t26 = params[5]*2.0; /* I3*2 */
+    const double t27 = t26/t25; /* I3*2/(R*R*I1*I1) */
+    const double t28 = 1.0/t8; /* 1/(I1*R*R) */
+    const double t29 = params[4]*2.0; /* I1*2 */
+    const double t30 = params[0]*2.0; /* m*2 */
+    const double t31 = t2*t30; /* a3*a3*m*2 */
+    const double t32 = params[5]/t0; /* I3/(R*I1) */
+    const double t33 = t26/params[1]; /* I3*2/R */
+    const double t34 = t5*t30; /* R*R*m*2 */
+    const double t35 = params[4]*t34; /* I1*R*R*m*2 */
+    const double t36 = params[1]*t30; /* R*m*2 */
+    const double t37 = params[5]*t36; /* I3*R*m*2 */
+    const double t38 = params[1]*params[0]; /* R*m */
+    const double t39 = params[3]*t38; /* a3*R*m */
+    const double t40 = params[5]*t39; /* I3*a3*R*m */
+    const double t41 = t6*t16; /* m*R*R*(I1 - I3) */
+    const double t42 = params[0]*params[3]; /* m*a3 */
+    const double t43 = params[4]*t38; /* I1*R*m */
+    const double t44 = params[3]/params[1]; /* a3/R */
+    const double t45 = params[1]*params[5]; /* R*I3 */
+    const double t46 = t6*params[5]; /* m*R*R*I3 */
+    const double t47 = params[1]*t24; /* R*I1*I1 */
+    const double t48 = 1.0/t47; /* 1/(R*I1*I1) */
+    const double t49 = 2.0/t0; /* 2/(R*I1) */
+    const double t50 = t26/t24; /* I3*2/(I1*I1) */
+    const double t51 = t45/params[4]; /* R*I3/I1 */
+    const double t52 = t45/2.0; /* R*I3/2 */
+    const double t53 = t26/t0; /* I3*2/(R*I1) */
+    const double t54 = params[5]*params[5]; /* I3*I3 */
+    const double t55 = t54/params[4]; /* I3*I3/I1 */
+    const double t56 = params[5]*t34; /* I3*R*R*m*2 */
+    const double t57 = params[5]*t38; /* I3*R*m */
+    const double t58 = params[0]/2.0; /* m/2 */
+    const double t59 = params[2]*2.0; /* g*2 */
+    const double t60 = params[3]*t59; /* a3*g*2 */
+    const double t61 = 1.0/params[0]; /* 1/m */
+    const double t62 = 1.0/t20; /* 1/(I1*m*R*R) */
+    const double t63 = params[5]/params[0]; /* I3/m */
     out[7] = t1;
-    out[8] = t3;
-    out[9] = t4;
-    out[10] = t7;
-    out[11] = t8;
-    out[12] = t9;
-    out[13] = t12;
-    out[14] = t13;
-    out[15] = t14;
-    out[16] = t17;
-    out[17] = t18;
-    out[18] = t19;
+    out[8] = t4;
+    out[9] = t7;
+    out[10] = t9;
+    out[11] = t12;
+    out[12] = t13;
+    out[13] = t15;
+    out[14] = t17;
+    out[15] = t18;
+    out[16] = t3;
+    out[17] = t19;
+    out[18] = t20;
     out[19] = t21;
     out[20] = t22;
-    out[21] = t24;
-    out[22] = t26;
-    out[23] = t32;
-    out[24] = t33;
-    out[25] = t34;
-    out[26] = t15;
-    out[27] = t35;
-    out[28] = t37;
-    out[29] = t39;
-    out[30] = t16;
-    out[31] = t11;
-    out[32] = t40;
+    out[21] = t23;
+    out[22] = t27;
+    out[23] = t11;
+    out[24] = t28;
+    out[25] = t29;
+    out[26] = t31;
+    out[27] = t32;
+    out[28] = t33;
+    out[29] = t35;
+    out[30] = t37;
+    out[31] = t40;
+    out[32] = t41;
     out[33] = t42;
-    out[34] = t31;
+    out[34] = t43;
     out[35] = t44;
     out[36] = t45;
-    out[37] = t47;
+    out[37] = t46;
     out[38] = t48;
     out[39] = t49;
     out[40] = t50;
     out[41] = t51;
     out[42] = t52;
+    out[43] = t53;
+    out[44] = t55;
+    out[45] = t56;
+    out[46] = t57;
+    out[47] = t58;
+    out[48] = t60;
+    out[49] = t61;
+    out[50] = t62;
+    out[51] = t63;
+    out[52] = t6;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -138,162 +159,155 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t6 = p[5]*x[3]; /* I3*omega3 */
     const double t7 = JLT_FMA(t5, t6, p[6]); /* b*I3*omega3 + G_level */
-    const double t8 = JLT_FMA(t2, p[8], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
-    const double t9 = t5*p[11]; /* b*m*I3 */
-    const double t10 = JLT_FMA(t2, p[10], p[9]); /* (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
-    const double t11 = JLT_FMA(t5, t9, t10); /* Theta = b*b*m*I3 + (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
-    const double t12 = t8*t11; /* D*Theta */
-    const double t13 = t3*t12; /* s*D*Theta */
-    const double t14 = 1.0/t13; /* 1/(s*D*Theta) */
-    const double t15 = t11*t14; /* Theta*1/(s*D*Theta) */
-    const double t16 = t8*t15; /* D*Theta*1/(s*D*Theta) */
+    const double t8 = JLT_FMA(t2, p[8], 1.0); /* D scaled = (1 - gamma3)*(1 + gamma3)*m*a3^2/I1 + 1 */
+    const double t9 = t5*p[10]; /* b*I3/(R^2*I1) */
+    const double t10 = t2 + p[9]; /* (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
+    const double t11 = JLT_FMA(t5, t9, t10); /* Theta scaled = b*b*I3/(R^2*I1) + (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
+    const double t12 = t3*t8; /* s*D scaled */
+    const double t13 = t11*t12; /* Theta scaled*s*D scaled */
+    const double t14 = 1.0/t13; /* 1/(Theta scaled*s*D scaled) */
+    const double t15 = t11*t14; /* Theta scaled*1/(Theta scaled*s*D scaled) */
+    const double t16 = t8*t15; /* D scaled*Theta scaled*1/(Theta scaled*s*D scaled) */
     const double t17 = p[7]*t7; /* 1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t18 = t16*t17; /* omega_n = D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t19 = t16*t18; /* D*Theta*1/(s*D*Theta)*omega_n */
-    const double t20 = t18*t19; /* omega_n*D*Theta*1/(s*D*Theta)*omega_n */
-    const double t21 = t5*t20; /* b*omega_n*D*Theta*1/(s*D*Theta)*omega_n */
+    const double t18 = t16*t17; /* omega_n = D scaled*Theta scaled*1/(Theta scaled*s*D scaled)*1/(R*I1)*(b*I3*omega3 + G_level) */
+    const double t19 = t16*t18; /* D scaled*Theta scaled*1/(Theta scaled*s*D scaled)*omega_n */
+    const double t20 = t18*t19; /* omega_n*D scaled*Theta scaled*1/(Theta scaled*s*D scaled)*omega_n */
+    const double t21 = t5*t20; /* b*t20 */
     const double t22 = x[3]*t18; /* omega3*omega_n */
-    const double t23 = JLT_FMA(p[1], t22, t21); /* R*omega3*omega_n + b*omega_n*D*Theta*1/(s*D*Theta)*omega_n */
-    const double t24 = t3*p[13]; /* s*m*g*a3/I1 */
-    const double t25 = x[2]*p[14]; /* omega_tau*m*a3^2/I1 */
-    const double t26 = JLT_FMS(t4, t25, t20); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*D*Theta*1/(s*D*Theta)*omega_n */
-    const double t27 = JLT_FMA(t22, p[15], t24); /* omega3*omega_n*I3/I1 + s*m*g*a3/I1 */
-    const double t28 = JLT_FNMA(x[0], t26, t27); /* omega3*omega_n*I3/I1 + s*m*g*a3/I1 - gamma3*t26 */
-    const double t29 = t3*p[12]; /* s*(-I1) */
-    const double t30 = t15*t29; /* Theta*1/(s*D*Theta)*s*(-I1) */
-    const double t31 = t28*t30; /* (omega3*omega_n*I3/I1 + s*m*g*a3/I1 - gamma3*t26)*Theta*1/(s*D*Theta)*s*(-I1) */
-    const double t32 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t33 = JLT_FMA(x[2], t32, x[1]); /* V = omega_tau*e + v_nu */
-    const double t34 = t18*t33; /* omega_n*V */
-    const double t35 = JLT_FNMA(x[0], p[19], p[18]); /* a3*I3 - gamma3*R*(I1 - I3) */
-    const double t36 = x[3]*p[17]; /* omega3*1/I1 */
-    const double t37 = t35*t36; /* (a3*I3 - gamma3*R*(I1 - I3))*omega3*1/I1 */
-    const double t38 = JLT_FMA(t4, t37, t34); /* omega_tau*s*(a3*I3 - gamma3*R*(I1 - I3))*omega3*1/I1 + omega_n*V */
-    const double t39 = t8*p[16]; /* D*(-m*R*I1) */
-    const double t40 = t3*t39; /* s*D*(-m*R*I1) */
-    const double t41 = t14*t40; /* 1/(s*D*Theta)*s*D*(-m*R*I1) */
-    const double t42 = t38*t41; /* t38*1/(s*D*Theta)*s*D*(-m*R*I1) */
+    const double t23 = JLT_FMA(p[1], t22, t21); /* R*omega3*omega_n + b*t20 */
+    const double t24 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t25 = JLT_FMS(t4, t24, t20); /* omega_tau*s*omega_tau*m*a3^2/I1 - t20 */
+    const double t26 = x[0]*t25; /* gamma3*(omega_tau*s*omega_tau*m*a3^2/I1 - t20) */
+    const double t27 = JLT_FNMA(t3, p[11], t26); /* gamma3*(omega_tau*s*omega_tau*m*a3^2/I1 - t20) - s*m*g*a3/I1 */
+    const double t28 = JLT_FNMA(t22, p[12], t27); /* gamma3*(omega_tau*s*omega_tau*m*a3^2/I1 - t20) - s*m*g*a3/I1 - omega3*omega_n*I3/I1 */
+    const double t29 = t3*t15; /* s*Theta scaled*1/(Theta scaled*s*D scaled) */
+    const double t30 = t28*t29; /* t28*s*Theta scaled*1/(Theta scaled*s*D scaled) */
+    const double t31 = JLT_FNMA(x[0], p[14], p[13]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t32 = x[3]*t31; /* omega3*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t33 = t4*t32; /* omega_tau*s*omega3*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t34 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t35 = JLT_FMA(x[2], t34, x[1]); /* V = omega_tau*e + v_nu */
+    const double t36 = p[15]*t35; /* 1/R*V */
+    const double t37 = JLT_FMA(t18, t36, t33); /* omega_n*1/R*V + omega_tau*s*omega3*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t38 = t12*t14; /* s*D scaled*1/(Theta scaled*s*D scaled) */
+    const double t39 = t37*t38; /* t37*s*D scaled*1/(Theta scaled*s*D scaled) */
+    const double t40 = -t39; /* -t37*s*D scaled*1/(Theta scaled*s*D scaled) */
     out[0] = t4;
     out[1] = t23;
-    out[2] = t31;
-    out[3] = t42;
+    out[2] = t30;
+    out[3] = t40;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[8], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = p[11]*t4; /* m*I3*b */
-    const double t6 = JLT_FMA(t2, p[10], p[9]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
-    const double t7 = JLT_FMA(t4, t5, t6); /* Theta = b*m*I3*b + (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
-    const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t9 = t3*t7; /* D*Theta */
-    const double t10 = t8*t9; /* s*D*Theta */
-    const double t11 = 1.0/t10; /* 1/(s*D*Theta) */
-    const double t12 = t7*t11; /* Theta*1/(s*D*Theta) */
-    const double t13 = t3*t12; /* D*Theta*1/(s*D*Theta) */
-    const double t14 = x[0]*t13; /* gamma3*D*Theta*1/(s*D*Theta) */
-    const double t15 = x[2]*t14; /* omega_tau*gamma3*D*Theta*1/(s*D*Theta) */
-    const double t16 = -t15; /* -omega_tau*gamma3*D*Theta*1/(s*D*Theta) */
-    const double t17 = p[5]*x[3]; /* I3*omega3 */
-    const double t18 = JLT_FMA(t4, t17, p[6]); /* b*I3*omega3 + G_level */
-    const double t19 = p[7]*t18; /* 1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t20 = t13*t19; /* D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t21 = t13*t20; /* D*Theta*1/(s*D*Theta)*D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t22 = t20*t21; /* D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level)*t21 */
-    const double t23 = x[3]*p[15]; /* omega3*I3/I1 */
-    const double t24 = JLT_FMA(t14, t20, t23); /* gamma3*D*Theta*1/(s*D*Theta)*D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level) + omega3*I3/I1 */
-    const double t25 = t13*t24; /* d(omega_n)/d(gamma3) = D*Theta*1/(s*D*Theta)*t24 */
-    const double t26 = JLT_FMA(x[3], t25, t22); /* omega3*d(omega_n)/d(gamma3) + D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level)*t21 */
-    const double t27 = p[1]*t26; /* R*t26 */
-    const double t28 = t14*t21; /* gamma3*D*Theta*1/(s*D*Theta)*t21 */
-    const double t29 = JLT_FMA(t25, 2.0, t28); /* d(omega_n)/d(gamma3)*2 + gamma3*D*Theta*1/(s*D*Theta)*t21 */
-    const double t30 = t4*t13; /* b*D*Theta*1/(s*D*Theta) */
-    const double t31 = t20*t30; /* D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level)*b*D*Theta*1/(s*D*Theta) */
-    const double t32 = JLT_FMA(t29, t31, t27); /* (d(omega_n)/d(gamma3)*2 + gamma3*D*Theta*1/(s*D*Theta)*t21)*t31 + R*t26 */
-    const double t33 = x[3]*p[20]; /* omega3*I3/(R*I1) */
-    const double t34 = JLT_FMA(t30, t33, t20); /* b*D*Theta*1/(s*D*Theta)*omega3*I3/(R*I1) + D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t35 = p[1]*t34; /* R*t34 */
-    const double t36 = t30*p[21]; /* b*D*Theta*1/(s*D*Theta)*2*I3/(R*I1) */
-    const double t37 = JLT_FMA(t31, t36, t35); /* t31*b*D*Theta*1/(s*D*Theta)*2*I3/(R*I1) + R*t34 */
-    const double t38 = x[0]*t14; /* gamma3*gamma3*D*Theta*1/(s*D*Theta) */
-    const double t39 = t8*t12; /* s*Theta*1/(s*D*Theta) */
-    const double t40 = x[0]*t39; /* gamma3*s*Theta*1/(s*D*Theta) */
-    const double t41 = p[22]*t40; /* 2*m*a3^2*gamma3*s*Theta*1/(s*D*Theta) */
-    const double t42 = JLT_FMA(x[0], t41, 1.0); /* gamma3*2*m*a3^2*gamma3*s*Theta*1/(s*D*Theta) + 1 */
-    const double t43 = JLT_FNMA(t8, t42, t38); /* gamma3*gamma3*D*Theta*1/(s*D*Theta) - s*(gamma3*2*m*a3^2*gamma3*s*Theta*1/(s*D*Theta) + 1) */
-    const double t44 = x[2]*p[8]; /* omega_tau*m*a3^2 */
-    const double t45 = x[2]*t44; /* omega_tau*omega_tau*m*a3^2 */
-    const double t46 = t43*t45; /* t43*omega_tau*omega_tau*m*a3^2 */
-    const double t47 = JLT_FMA(t20, t41, t25); /* D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level)*2*m*a3^2*gamma3*s*Theta*1/(s*D*Theta) + d(omega_n)/d(gamma3) */
-    const double t48 = t8*p[23]; /* s*2*m^2*g*a3^3/I1 */
-    const double t49 = t40*t48; /* gamma3*s*Theta*1/(s*D*Theta)*s*2*m^2*g*a3^3/I1 */
-    const double t50 = t21*t42; /* t21*(gamma3*2*m*a3^2*gamma3*s*Theta*1/(s*D*Theta) + 1) */
-    const double t51 = JLT_FMA(t14, t29, t50); /* gamma3*D*Theta*1/(s*D*Theta)*(d(omega_n)/d(gamma3)*2 + gamma3*D*Theta*1/(s*D*Theta)*t21) + t21*(gamma3*2*m*a3^2*gamma3*s*Theta*1/(s*D*Theta) + 1) */
-    const double t52 = JLT_FNMA(t14, p[13], t49); /* gamma3*s*Theta*1/(s*D*Theta)*s*2*m^2*g*a3^3/I1 - gamma3*D*Theta*1/(s*D*Theta)*m*g*a3/I1 */
-    const double t53 = JLT_FMA(t20, t51, t52); /* D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level)*t51 + t52 */
-    const double t54 = JLT_FMA(t17, t47, t46); /* I3*omega3*t47 + t43*omega_tau*omega_tau*m*a3^2 */
-    const double t55 = JLT_FMA(p[4], t53, t54); /* I1*t53 + I3*omega3*t47 + t43*omega_tau*omega_tau*m*a3^2 */
-    const double t56 = t39*t55; /* s*Theta*1/(s*D*Theta)*(I1*t53 + I3*omega3*t47 + t43*omega_tau*omega_tau*m*a3^2) */
-    const double t57 = -t56; /* -t56 */
-    const double t58 = x[2]*t8; /* omega_tau*s */
-    const double t59 = t41*t58; /* 2*m*a3^2*gamma3*s*Theta*1/(s*D*Theta)*omega_tau*s */
-    const double t60 = t14*p[25]; /* gamma3*D*Theta*1/(s*D*Theta)*2/R */
-    const double t61 = JLT_FMA(t31, t60, t34); /* t31*gamma3*D*Theta*1/(s*D*Theta)*2/R + t34 */
-    const double t62 = t39*p[24]; /* s*Theta*1/(s*D*Theta)*(-I3) */
-    const double t63 = t61*t62; /* (t31*gamma3*D*Theta*1/(s*D*Theta)*2/R + t34)*s*Theta*1/(s*D*Theta)*(-I3) */
-    const double t64 = t20*p[27]; /* D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level)*a3*I1 */
-    const double t65 = x[0]*p[28]; /* gamma3*2*m*R^2*I1 */
-    const double t66 = JLT_FMS(t4, p[29], t65); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t67 = JLT_FNMA(x[0], p[19], p[18]); /* a3*I3 - gamma3*R*(I1 - I3) */
-    const double t68 = t3*t8; /* D*s */
-    const double t69 = t11*t68; /* 1/(s*D*Theta)*D*s */
-    const double t70 = t67*t69; /* (a3*I3 - gamma3*R*(I1 - I3))*1/(s*D*Theta)*D*s */
-    const double t71 = JLT_FMA(t66, t70, p[19]); /* d(Theta)/d(gamma3)*(a3*I3 - gamma3*R*(I1 - I3))*1/(s*D*Theta)*D*s + R*(I1 - I3) */
-    const double t72 = t8*t71; /* s*t71 */
-    const double t73 = JLT_FMA(t14, t67, t72); /* gamma3*D*Theta*1/(s*D*Theta)*(a3*I3 - gamma3*R*(I1 - I3)) + s*t71 */
-    const double t74 = JLT_FNMA(x[3], t73, t64); /* D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level)*a3*I1 - omega3*t73 */
-    const double t75 = x[2]*p[26]; /* omega_tau*m*R */
-    const double t76 = t69*t75; /* 1/(s*D*Theta)*D*s*omega_tau*m*R */
-    const double t77 = t74*t76; /* t74*1/(s*D*Theta)*D*s*omega_tau*m*R */
-    const double t78 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t79 = JLT_FMA(x[2], t78, x[1]); /* V = omega_tau*e + v_nu */
-    const double t80 = t69*p[30]; /* 1/(s*D*Theta)*D*s*m*R*I1 */
-    const double t81 = t66*t69; /* d(Theta)/d(gamma3)*1/(s*D*Theta)*D*s */
-    const double t82 = JLT_FMS(t20, t81, t25); /* D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level)*d(Theta)/d(gamma3)*1/(s*D*Theta)*D*s - d(omega_n)/d(gamma3) */
-    const double t83 = t79*t80; /* V*1/(s*D*Theta)*D*s*m*R*I1 */
-    const double t84 = JLT_FMS(t82, t83, t77); /* t82*V*1/(s*D*Theta)*D*s*m*R*I1 - t74*1/(s*D*Theta)*D*s*omega_tau*m*R */
-    const double t85 = t20*t80; /* D*Theta*1/(s*D*Theta)*1/(R*I1)*(b*I3*omega3 + G_level)*1/(s*D*Theta)*D*s*m*R*I1 */
-    const double t86 = -t85; /* -t85 */
-    const double t87 = t8*p[26]; /* s*m*R */
-    const double t88 = t70*t87; /* (a3*I3 - gamma3*R*(I1 - I3))*1/(s*D*Theta)*D*s*s*m*R */
-    const double t89 = x[3]*t88; /* omega3*(a3*I3 - gamma3*R*(I1 - I3))*1/(s*D*Theta)*D*s*s*m*R */
-    const double t90 = JLT_FMA(t78, t85, t89); /* e*t85 + omega3*(a3*I3 - gamma3*R*(I1 - I3))*1/(s*D*Theta)*D*s*s*m*R */
-    const double t91 = -t90; /* -t90 */
-    const double t92 = p[11]*t79; /* m*I3*V */
-    const double t93 = t69*t92; /* 1/(s*D*Theta)*D*s*m*I3*V */
-    const double t94 = t30*t93; /* b*D*Theta*1/(s*D*Theta)*1/(s*D*Theta)*D*s*m*I3*V */
-    const double t95 = JLT_FMA(x[2], t88, t94); /* omega_tau*(a3*I3 - gamma3*R*(I1 - I3))*1/(s*D*Theta)*D*s*s*m*R + b*D*Theta*1/(s*D*Theta)*1/(s*D*Theta)*D*s*m*I3*V */
-    const double t96 = -t95; /* -t95 */
+    const double t0 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = JLT_FMA(p[16], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t6 = p[19]*t5; /* m*I3*b */
+    const double t7 = JLT_FMA(t3, p[18], p[17]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
+    const double t8 = JLT_FMA(t5, t6, t7); /* Theta = b*m*I3*b + (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
+    const double t9 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t10 = t4*t9; /* D*s */
+    const double t11 = t8*t10; /* Theta*D*s */
+    const double t12 = 1.0/t11; /* 1/(Theta*D*s) */
+    const double t13 = t8*t12; /* Theta*1/(Theta*D*s) */
+    const double t14 = t4*t13; /* D*Theta*1/(Theta*D*s) */
+    const double t15 = t0*t14; /* gamma3*omega_tau*D*Theta*1/(Theta*D*s) */
+    const double t16 = -t15; /* -gamma3*omega_tau*D*Theta*1/(Theta*D*s) */
+    const double t17 = t5*t14; /* b*D*Theta*1/(Theta*D*s) */
+    const double t18 = p[5]*x[3]; /* I3*omega3 */
+    const double t19 = JLT_FMA(t5, t18, p[6]); /* b*I3*omega3 + G_level */
+    const double t20 = t14*t19; /* D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level) */
+    const double t21 = t14*t20; /* D*Theta*1/(Theta*D*s)*D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level) */
+    const double t22 = p[7]*t21; /* 1/(R*I1)*t21 */
+    const double t23 = x[0]*t22; /* gamma3*1/(R*I1)*t21 */
+    const double t24 = t17*t23; /* b*D*Theta*1/(Theta*D*s)*gamma3*1/(R*I1)*t21 */
+    const double t25 = JLT_FMA(t20, p[20], t24); /* D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*1/I1 + b*D*Theta*1/(Theta*D*s)*gamma3*1/(R*I1)*t21 */
+    const double t26 = t22*t25; /* 1/(R*I1)*t21*t25 */
+    const double t27 = JLT_FMA(x[3], p[12], t23); /* omega3*I3/I1 + gamma3*1/(R*I1)*t21 */
+    const double t28 = t14*t27; /* d(omega_n)/d(gamma3) = D*Theta*1/(Theta*D*s)*(omega3*I3/I1 + gamma3*1/(R*I1)*t21) */
+    const double t29 = t17*t20; /* b*D*Theta*1/(Theta*D*s)*D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level) */
+    const double t30 = JLT_FMA(p[21], t29, x[3]); /* 2/(R^2*I1)*t29 + omega3 */
+    const double t31 = p[1]*t30; /* R*(2/(R^2*I1)*t29 + omega3) */
+    const double t32 = JLT_FMA(t28, t31, t26); /* d(omega_n)/d(gamma3)*R*(2/(R^2*I1)*t29 + omega3) + 1/(R*I1)*t21*t25 */
+    const double t33 = JLT_FMA(t17, t18, t20); /* b*D*Theta*1/(Theta*D*s)*I3*omega3 + D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level) */
+    const double t34 = p[20]*t33; /* 1/I1*t33 */
+    const double t35 = t17*p[22]; /* b*D*Theta*1/(Theta*D*s)*2*I3/(R^2*I1^2) */
+    const double t36 = JLT_FMA(t29, t35, t34); /* t29*b*D*Theta*1/(Theta*D*s)*2*I3/(R^2*I1^2) + 1/I1*t33 */
+    const double t37 = x[2]*p[16]; /* omega_tau*m*a3^2 */
+    const double t38 = JLT_FNMA(t0, t37, p[23]); /* m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2 */
+    const double t39 = x[0]*t38; /* gamma3*(m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
+    const double t40 = t21*p[24]; /* t21*1/(R^2*I1) */
+    const double t41 = JLT_FNMA(t21, t40, t39); /* gamma3*(m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) - t21*t21*1/(R^2*I1) */
+    const double t42 = x[2]*t9; /* omega_tau*s */
+    const double t43 = t37*t42; /* omega_tau*m*a3^2*omega_tau*s */
+    const double t44 = JLT_FMA(t23, p[25], t18); /* gamma3*1/(R*I1)*t21*2*I1 + I3*omega3 */
+    const double t45 = JLT_FMA(t14, t41, t43); /* D*Theta*1/(Theta*D*s)*t41 + omega_tau*m*a3^2*omega_tau*s */
+    const double t46 = JLT_FNMA(t28, t44, t45); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = D*Theta*1/(Theta*D*s)*t41 + omega_tau*m*a3^2*omega_tau*s - d(omega_n)/d(gamma3)*(gamma3*1/(R*I1)*t21*2*I1 + I3*omega3) */
+    const double t47 = x[0]*t43; /* gamma3*omega_tau*m*a3^2*omega_tau*s */
+    const double t48 = t20*p[15]; /* D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*1/R */
+    const double t49 = JLT_FNMA(t9, p[23], t47); /* gamma3*omega_tau*m*a3^2*omega_tau*s - s*m*g*a3 */
+    const double t50 = JLT_FNMA(t27, t48, t49); /* numerator of d(omega_tau)/dt over D = gamma3*omega_tau*m*a3^2*omega_tau*s - s*m*g*a3 - (omega3*I3/I1 + gamma3*1/(R*I1)*t21)*D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*1/R */
+    const double t51 = t9*t13; /* s*Theta*1/(Theta*D*s) */
+    const double t52 = x[0]*p[26]; /* gamma3*2*m*a3^2 */
+    const double t53 = t51*t52; /* s*Theta*1/(Theta*D*s)*gamma3*2*m*a3^2 */
+    const double t54 = JLT_FMA(t50, t53, t46); /* numerator of d(omega_tau)/dt over D*s*Theta*1/(Theta*D*s)*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t55 = t51*t54; /* s*Theta*1/(Theta*D*s)*t54 */
+    const double t56 = t42*t53; /* omega_tau*s*s*Theta*1/(Theta*D*s)*gamma3*2*m*a3^2 */
+    const double t57 = t33*p[27]; /* t33*I3/(R*I1) */
+    const double t58 = JLT_FMA(t24, p[28], t57); /* b*D*Theta*1/(Theta*D*s)*gamma3*1/(R*I1)*t21*2*I3/R + t33*I3/(R*I1) */
+    const double t59 = t51*t58; /* s*Theta*1/(Theta*D*s)*t58 */
+    const double t60 = -t59; /* -s*Theta*1/(Theta*D*s)*t58 */
+    const double t61 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
+    const double t62 = JLT_FMS(t5, p[30], t61); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t63 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t64 = JLT_FMA(x[2], t63, x[1]); /* V = omega_tau*e + v_nu */
+    const double t65 = t20*p[0]; /* D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*m */
+    const double t66 = t64*t65; /* V*D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*m */
+    const double t67 = JLT_FNMA(x[0], p[32], p[31]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t68 = x[3]*t67; /* omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t69 = JLT_FMA(t42, t68, t66); /* omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*m */
+    const double t70 = t10*t12; /* D*s*1/(Theta*D*s) */
+    const double t71 = t62*t70; /* d(Theta)/d(gamma3)*D*s*1/(Theta*D*s) */
+    const double t72 = x[2]*p[33]; /* omega_tau*m*a3 */
+    const double t73 = t20*t72; /* D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*omega_tau*m*a3 */
+    const double t74 = x[3]*p[32]; /* omega3*m*R^2*(I1 - I3) */
+    const double t75 = t64*p[34]; /* V*m*R*I1 */
+    const double t76 = JLT_FMS(t42, t74, t73); /* omega_tau*s*omega3*m*R^2*(I1 - I3) - D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*omega_tau*m*a3 */
+    const double t77 = JLT_FMA(t15, t68, t76); /* gamma3*omega_tau*D*Theta*1/(Theta*D*s)*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t76 */
+    const double t78 = JLT_FNMA(t28, t75, t77); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = t77 - d(omega_n)/d(gamma3)*V*m*R*I1 */
+    const double t79 = JLT_FMA(t69, t71, t78); /* t69*d(Theta)/d(gamma3)*D*s*1/(Theta*D*s) + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t80 = t70*t79; /* D*s*1/(Theta*D*s)*t79 */
+    const double t81 = t65*t70; /* D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*m*D*s*1/(Theta*D*s) */
+    const double t82 = -t81; /* -t81 */
+    const double t83 = t63*t65; /* e*D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*m */
+    const double t84 = JLT_FMA(t9, t68, t83); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*D*Theta*1/(Theta*D*s)*(b*I3*omega3 + G_level)*m */
+    const double t85 = t70*t84; /* D*s*1/(Theta*D*s)*t84 */
+    const double t86 = -t85; /* -D*s*1/(Theta*D*s)*t84 */
+    const double t87 = p[19]*t64; /* m*I3*V */
+    const double t88 = t17*t87; /* b*D*Theta*1/(Theta*D*s)*m*I3*V */
+    const double t89 = JLT_FMA(t42, t67, t88); /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + b*D*Theta*1/(Theta*D*s)*m*I3*V */
+    const double t90 = t70*t89; /* D*s*1/(Theta*D*s)*t89 */
+    const double t91 = -t90; /* -D*s*1/(Theta*D*s)*t89 */
     out[0] = t16;
     out[1] = 0.0;
-    out[2] = t8;
+    out[2] = t9;
     out[3] = 0.0;
     out[4] = t32;
     out[5] = 0.0;
     out[6] = 0.0;
-    out[7] = t37;
-    out[8] = t57;
+    out[7] = t36;
+    out[8] = t55;
     out[9] = 0.0;
-    out[10] = t59;
-    out[11] = t63;
-    out[12] = t84;
-    out[13] = t86;
-    out[14] = t91;
-    out[15] = t96;
+    out[10] = t56;
+    out[11] = t60;
+    out[12] = t80;
+    out[13] = t82;
+    out[14] = t86;
+    out[15] = t91;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -303,128 +317,121 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = x[2]*t3; /* omega_tau*s */
-    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = p[5]*x[3]; /* I3*omega3 */
-    const double t7 = JLT_FMA(t5, t6, p[6]); /* b*I3*omega3 + G_level */
-    const double t8 = JLT_FMA(t2, p[8], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
-    const double t9 = t5*p[11]; /* b*m*I3 */
-    const double t10 = JLT_FMA(t2, p[10], p[9]); /* (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
-    const double t11 = JLT_FMA(t5, t9, t10); /* Theta = b*b*m*I3 + (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
-    const double t12 = t8*t11; /* D*Theta */
-    const double t13 = t3*t12; /* s*D*Theta */
-    const double t14 = 1.0/t13; /* 1/(s*D*Theta) */
-    const double t15 = t11*t14; /* Theta*1/(s*D*Theta) */
-    const double t16 = t8*t15; /* D*Theta*1/(s*D*Theta) */
-    const double t17 = p[7]*t16; /* 1/(R*I1)*D*Theta*1/(s*D*Theta) */
-    const double t18 = t7*t17; /* omega_n = (b*I3*omega3 + G_level)*1/(R*I1)*D*Theta*1/(s*D*Theta) */
-    const double t19 = t16*t18; /* D*Theta*1/(s*D*Theta)*omega_n */
-    const double t20 = t5*t19; /* b*D*Theta*1/(s*D*Theta)*omega_n */
-    const double t21 = t18*t20; /* omega_n*b*D*Theta*1/(s*D*Theta)*omega_n */
-    const double t22 = x[3]*t18; /* omega3*omega_n */
-    const double t23 = JLT_FMA(p[1], t22, t21); /* R*omega3*omega_n + omega_n*b*D*Theta*1/(s*D*Theta)*omega_n */
-    const double t24 = t3*t15; /* s*Theta*1/(s*D*Theta) */
-    const double t25 = x[0]*t24; /* gamma3*s*Theta*1/(s*D*Theta) */
-    const double t26 = x[2]*p[14]; /* omega_tau*m*a3^2/I1 */
-    const double t27 = t18*t19; /* omega_n*D*Theta*1/(s*D*Theta)*omega_n */
-    const double t28 = JLT_FMS(t4, t26, t27); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*D*Theta*1/(s*D*Theta)*omega_n */
-    const double t29 = p[4]*t28; /* I1*t28 */
-    const double t30 = t25*t29; /* gamma3*s*Theta*1/(s*D*Theta)*I1*t28 */
-    const double t31 = t3*p[31]; /* s*m*g*a3 */
-    const double t32 = JLT_FMA(t6, t18, t31); /* I3*omega3*omega_n + s*m*g*a3 */
-    const double t33 = JLT_FNMA(t24, t32, t30); /* gamma3*s*Theta*1/(s*D*Theta)*I1*t28 - s*Theta*1/(s*D*Theta)*(I3*omega3*omega_n + s*m*g*a3) */
-    const double t34 = JLT_FNMA(x[0], p[19], p[18]); /* a3*I3 - gamma3*R*(I1 - I3) */
-    const double t35 = t4*x[3]; /* omega_tau*s*omega3 */
-    const double t36 = t34*t35; /* (a3*I3 - gamma3*R*(I1 - I3))*omega_tau*s*omega3 */
-    const double t37 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t38 = JLT_FMA(x[2], t37, x[1]); /* V = omega_tau*e + v_nu */
-    const double t39 = p[4]*t38; /* I1*V */
-    const double t40 = JLT_FMA(t18, t39, t36); /* omega_n*I1*V + (a3*I3 - gamma3*R*(I1 - I3))*omega_tau*s*omega3 */
-    const double t41 = t3*t8; /* s*D */
-    const double t42 = t14*t41; /* 1/(s*D*Theta)*s*D */
-    const double t43 = p[26]*t42; /* m*R*1/(s*D*Theta)*s*D */
-    const double t44 = t40*t43; /* t40*m*R*1/(s*D*Theta)*s*D */
-    const double t45 = -t44; /* -t40*m*R*1/(s*D*Theta)*s*D */
-    const double t46 = x[0]*t16; /* gamma3*D*Theta*1/(s*D*Theta) */
-    const double t47 = x[2]*t46; /* omega_tau*gamma3*D*Theta*1/(s*D*Theta) */
-    const double t48 = -t47; /* -omega_tau*gamma3*D*Theta*1/(s*D*Theta) */
-    const double t49 = t7*t16; /* (b*I3*omega3 + G_level)*D*Theta*1/(s*D*Theta) */
-    const double t50 = t46*t49; /* gamma3*D*Theta*1/(s*D*Theta)*(b*I3*omega3 + G_level)*D*Theta*1/(s*D*Theta) */
-    const double t51 = JLT_FMA(x[3], p[32], t50); /* omega3*R*I3 + t50 */
-    const double t52 = t17*t51; /* d(omega_n)/d(gamma3) = 1/(R*I1)*D*Theta*1/(s*D*Theta)*(omega3*R*I3 + t50) */
-    const double t53 = JLT_FMA(x[3], t52, t27); /* omega3*d(omega_n)/d(gamma3) + omega_n*D*Theta*1/(s*D*Theta)*omega_n */
-    const double t54 = p[1]*t53; /* R*t53 */
-    const double t55 = t19*t46; /* D*Theta*1/(s*D*Theta)*omega_n*gamma3*D*Theta*1/(s*D*Theta) */
-    const double t56 = JLT_FMA(t52, 2.0, t55); /* d(omega_n)/d(gamma3)*2 + D*Theta*1/(s*D*Theta)*omega_n*gamma3*D*Theta*1/(s*D*Theta) */
-    const double t57 = JLT_FMA(t20, t56, t54); /* b*D*Theta*1/(s*D*Theta)*omega_n*t56 + R*t53 */
-    const double t58 = t5*t16; /* b*D*Theta*1/(s*D*Theta) */
-    const double t59 = x[3]*p[20]; /* omega3*I3/(R*I1) */
-    const double t60 = JLT_FMA(t58, t59, t18); /* b*D*Theta*1/(s*D*Theta)*omega3*I3/(R*I1) + omega_n */
-    const double t61 = p[1]*t60; /* R*(b*D*Theta*1/(s*D*Theta)*omega3*I3/(R*I1) + omega_n) */
-    const double t62 = t58*p[21]; /* b*D*Theta*1/(s*D*Theta)*2*I3/(R*I1) */
-    const double t63 = JLT_FMA(t20, t62, t61); /* b*D*Theta*1/(s*D*Theta)*omega_n*b*D*Theta*1/(s*D*Theta)*2*I3/(R*I1) + R*(b*D*Theta*1/(s*D*Theta)*omega3*I3/(R*I1) + omega_n) */
-    const double t64 = t25*p[22]; /* gamma3*s*Theta*1/(s*D*Theta)*2*m*a3^2 */
-    const double t65 = JLT_FMA(t25, t64, t24); /* gamma3*s*Theta*1/(s*D*Theta)*gamma3*s*Theta*1/(s*D*Theta)*2*m*a3^2 + s*Theta*1/(s*D*Theta) */
-    const double t66 = t29*t65; /* I1*t28*t65 */
-    const double t67 = t26*t47; /* omega_tau*m*a3^2/I1*omega_tau*gamma3*D*Theta*1/(s*D*Theta) */
-    const double t68 = t24*p[33]; /* s*Theta*1/(s*D*Theta)*2*m*a3^2*I3/I1 */
-    const double t69 = JLT_FNMA(t16, p[13], t67); /* omega_tau*m*a3^2/I1*omega_tau*gamma3*D*Theta*1/(s*D*Theta) - D*Theta*1/(s*D*Theta)*m*g*a3/I1 */
-    const double t70 = JLT_FMA(t22, t68, t69); /* omega3*omega_n*s*Theta*1/(s*D*Theta)*2*m*a3^2*I3/I1 + t69 */
-    const double t71 = JLT_FMA(t19, t56, t70); /* D*Theta*1/(s*D*Theta)*omega_n*t56 + omega3*omega_n*s*Theta*1/(s*D*Theta)*2*m*a3^2*I3/I1 + t69 */
-    const double t72 = p[4]*t25; /* I1*gamma3*s*Theta*1/(s*D*Theta) */
-    const double t73 = t3*p[34]; /* s*2*m^2*g*a3^3 */
-    const double t74 = t25*t73; /* gamma3*s*Theta*1/(s*D*Theta)*s*2*m^2*g*a3^3 */
-    const double t75 = JLT_FMA(t6, t52, t74); /* I3*omega3*d(omega_n)/d(gamma3) + gamma3*s*Theta*1/(s*D*Theta)*s*2*m^2*g*a3^3 */
-    const double t76 = JLT_FNMA(t24, t75, t66); /* I1*t28*t65 - s*Theta*1/(s*D*Theta)*t75 */
-    const double t77 = JLT_FNMA(t71, t72, t76); /* I1*t28*t65 - s*Theta*1/(s*D*Theta)*t75 - t71*I1*gamma3*s*Theta*1/(s*D*Theta) */
-    const double t78 = t4*t64; /* omega_tau*s*gamma3*s*Theta*1/(s*D*Theta)*2*m*a3^2 */
-    const double t79 = t24*p[24]; /* s*Theta*1/(s*D*Theta)*(-I3) */
-    const double t80 = t60*t79; /* (b*D*Theta*1/(s*D*Theta)*omega3*I3/(R*I1) + omega_n)*s*Theta*1/(s*D*Theta)*(-I3) */
-    const double t81 = t25*p[35]; /* gamma3*s*Theta*1/(s*D*Theta)*(-2*I3/R) */
-    const double t82 = t58*t81; /* b*D*Theta*1/(s*D*Theta)*gamma3*s*Theta*1/(s*D*Theta)*(-2*I3/R) */
-    const double t83 = JLT_FMA(t19, t82, t80); /* D*Theta*1/(s*D*Theta)*omega_n*t82 + t80 */
-    const double t84 = t35*p[36]; /* omega_tau*s*omega3*m*R^2*(I1 - I3) */
-    const double t85 = x[2]*p[37]; /* omega_tau*m*R*a3*I1 */
-    const double t86 = x[0]*p[28]; /* gamma3*2*m*R^2*I1 */
-    const double t87 = JLT_FMS(t5, p[29], t86); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t88 = JLT_FNMA(t18, t85, t84); /* omega_tau*s*omega3*m*R^2*(I1 - I3) - omega_n*omega_tau*m*R*a3*I1 */
-    const double t89 = JLT_FMA(t44, t87, t88); /* t40*m*R*1/(s*D*Theta)*s*D*d(Theta)/d(gamma3) + t88 */
-    const double t90 = t34*t43; /* (a3*I3 - gamma3*R*(I1 - I3))*m*R*1/(s*D*Theta)*s*D */
-    const double t91 = x[3]*t90; /* omega3*(a3*I3 - gamma3*R*(I1 - I3))*m*R*1/(s*D*Theta)*s*D */
-    const double t92 = t47*t91; /* omega_tau*gamma3*D*Theta*1/(s*D*Theta)*omega3*(a3*I3 - gamma3*R*(I1 - I3))*m*R*1/(s*D*Theta)*s*D */
-    const double t93 = t42*p[30]; /* 1/(s*D*Theta)*s*D*m*R*I1 */
-    const double t94 = t38*t93; /* V*1/(s*D*Theta)*s*D*m*R*I1 */
-    const double t95 = JLT_FNMA(t52, t94, t92); /* t92 - d(omega_n)/d(gamma3)*V*1/(s*D*Theta)*s*D*m*R*I1 */
-    const double t96 = JLT_FMA(t42, t89, t95); /* 1/(s*D*Theta)*s*D*(t40*m*R*1/(s*D*Theta)*s*D*d(Theta)/d(gamma3) + t88) + t92 - d(omega_n)/d(gamma3)*V*1/(s*D*Theta)*s*D*m*R*I1 */
-    const double t97 = t18*t93; /* omega_n*1/(s*D*Theta)*s*D*m*R*I1 */
-    const double t98 = -t97; /* -omega_n*1/(s*D*Theta)*s*D*m*R*I1 */
-    const double t99 = t3*t91; /* s*omega3*(a3*I3 - gamma3*R*(I1 - I3))*m*R*1/(s*D*Theta)*s*D */
-    const double t100 = JLT_FMA(t37, t97, t99); /* e*omega_n*1/(s*D*Theta)*s*D*m*R*I1 + s*omega3*(a3*I3 - gamma3*R*(I1 - I3))*m*R*1/(s*D*Theta)*s*D */
-    const double t101 = -t100; /* -t100 */
-    const double t102 = p[11]*t38; /* m*I3*V */
-    const double t103 = t42*t102; /* 1/(s*D*Theta)*s*D*m*I3*V */
-    const double t104 = t58*t103; /* b*D*Theta*1/(s*D*Theta)*1/(s*D*Theta)*s*D*m*I3*V */
-    const double t105 = JLT_FMA(t4, t90, t104); /* omega_tau*s*(a3*I3 - gamma3*R*(I1 - I3))*m*R*1/(s*D*Theta)*s*D + b*D*Theta*1/(s*D*Theta)*1/(s*D*Theta)*s*D*m*I3*V */
-    const double t106 = -t105; /* -t105 */
+    const double t5 = x[0] + p[35]; /* b scaled = gamma3 + a3/R */
+    const double t6 = p[36]*x[3]; /* R*I3*omega3 */
+    const double t7 = JLT_FMA(t5, t6, p[6]); /* b scaled*R*I3*omega3 + G_level */
+    const double t8 = JLT_FMA(t2, p[16], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t9 = t5*p[37]; /* b scaled*m*R^2*I3 */
+    const double t10 = JLT_FMA(t2, p[18], p[17]); /* (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
+    const double t11 = JLT_FMA(t5, t9, t10); /* Theta = b scaled*b scaled*m*R^2*I3 + (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
+    const double t12 = t3*t8; /* s*D */
+    const double t13 = t11*t12; /* Theta*s*D */
+    const double t14 = 1.0/t13; /* 1/(Theta*s*D) */
+    const double t15 = t11*t14; /* Theta*1/(Theta*s*D) */
+    const double t16 = t8*t15; /* D*Theta*1/(Theta*s*D) */
+    const double t17 = t7*t16; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
+    const double t18 = p[20]*t17; /* 1/I1*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
+    const double t19 = t16*t17; /* D*Theta*1/(Theta*s*D)*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
+    const double t20 = t5*t19; /* b scaled*t19 */
+    const double t21 = JLT_FMA(p[7], t20, x[3]); /* 1/(R*I1)*b scaled*t19 + omega3 */
+    const double t22 = t18*t21; /* 1/I1*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*(1/(R*I1)*b scaled*t19 + omega3) */
+    const double t23 = x[2]*p[16]; /* omega_tau*m*a3^2 */
+    const double t24 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t25 = JLT_FNMA(t23, t24, p[23]); /* m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3 */
+    const double t26 = t3*t25; /* s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
+    const double t27 = x[0]*t16; /* gamma3*D*Theta*1/(Theta*s*D) */
+    const double t28 = t17*t27; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*gamma3*D*Theta*1/(Theta*s*D) */
+    const double t29 = t6 + t28; /* R*I3*omega3 + t28 */
+    const double t30 = t17*p[24]; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*1/(R^2*I1) */
+    const double t31 = JLT_FMA(t29, t30, t26); /* (R*I3*omega3 + t28)*t30 + s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
+    const double t32 = t3*t15; /* s*Theta*1/(Theta*s*D) */
+    const double t33 = t31*t32; /* t31*s*Theta*1/(Theta*s*D) */
+    const double t34 = -t33; /* -t31*s*Theta*1/(Theta*s*D) */
+    const double t35 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t36 = JLT_FMA(x[2], t35, x[1]); /* V = omega_tau*e + v_nu */
+    const double t37 = t17*p[0]; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m */
+    const double t38 = t36*t37; /* V*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m */
+    const double t39 = JLT_FNMA(x[0], p[32], p[31]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t40 = x[3]*t39; /* omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t41 = JLT_FMA(t4, t40, t38); /* omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m */
+    const double t42 = t12*t14; /* s*D*1/(Theta*s*D) */
+    const double t43 = t41*t42; /* t41*s*D*1/(Theta*s*D) */
+    const double t44 = -t43; /* -t41*s*D*1/(Theta*s*D) */
+    const double t45 = x[2]*t27; /* omega_tau*gamma3*D*Theta*1/(Theta*s*D) */
+    const double t46 = -t45; /* -omega_tau*gamma3*D*Theta*1/(Theta*s*D) */
+    const double t47 = t20*t27; /* b scaled*t19*gamma3*D*Theta*1/(Theta*s*D) */
+    const double t48 = t17 + t47; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) + b scaled*t19*gamma3*D*Theta*1/(Theta*s*D) */
+    const double t49 = t19*p[38]; /* t19*1/(R*I1^2) */
+    const double t50 = t48*t49; /* t48*t19*1/(R*I1^2) */
+    const double t51 = t16*t29; /* d(omega_n)/d(gamma3) scaled = D*Theta*1/(Theta*s*D)*(R*I3*omega3 + t28) */
+    const double t52 = JLT_FMA(t20, p[39], x[3]); /* b scaled*t19*2/(R*I1) + omega3 */
+    const double t53 = p[20]*t51; /* 1/I1*d(omega_n)/d(gamma3) scaled */
+    const double t54 = JLT_FMA(t52, t53, t50); /* (b scaled*t19*2/(R*I1) + omega3)*1/I1*d(omega_n)/d(gamma3) scaled + t48*t19*1/(R*I1^2) */
+    const double t55 = t5*t16; /* b scaled*D*Theta*1/(Theta*s*D) */
+    const double t56 = p[40]*t55; /* 2*I3/I1^2*b scaled*D*Theta*1/(Theta*s*D) */
+    const double t57 = x[3]*t55; /* omega3*b scaled*D*Theta*1/(Theta*s*D) */
+    const double t58 = JLT_FMA(p[41], t57, t18); /* R*I3/I1*omega3*b scaled*D*Theta*1/(Theta*s*D) + 1/I1*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
+    const double t59 = JLT_FMA(t20, t56, t58); /* b scaled*t19*2*I3/I1^2*b scaled*D*Theta*1/(Theta*s*D) + t58 */
+    const double t60 = t25*t27; /* (m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3)*gamma3*D*Theta*1/(Theta*s*D) */
+    const double t61 = t16*p[24]; /* D*Theta*1/(Theta*s*D)*1/(R^2*I1) */
+    const double t62 = t19*t61; /* t19*D*Theta*1/(Theta*s*D)*1/(R^2*I1) */
+    const double t63 = JLT_FMA(x[3], p[42], t28); /* omega3*1/2*R*I3 + t28 */
+    const double t64 = p[21]*t63; /* 2/(R^2*I1)*(omega3*1/2*R*I3 + t28) */
+    const double t65 = JLT_FMA(t4, t23, t60); /* omega_tau*s*omega_tau*m*a3^2 + t60 */
+    const double t66 = JLT_FNMA(t19, t62, t65); /* omega_tau*s*omega_tau*m*a3^2 + t60 - t19*t19*D*Theta*1/(Theta*s*D)*1/(R^2*I1) */
+    const double t67 = JLT_FNMA(t51, t64, t66); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = t66 - d(omega_n)/d(gamma3) scaled*2/(R^2*I1)*(omega3*1/2*R*I3 + t28) */
+    const double t68 = t32*t67; /* s*Theta*1/(Theta*s*D)*d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t69 = x[0]*p[26]; /* gamma3*2*m*a3^2 */
+    const double t70 = t32*t69; /* s*Theta*1/(Theta*s*D)*gamma3*2*m*a3^2 */
+    const double t71 = JLT_FNMA(t33, t70, t68); /* t68 - t31*s*Theta*1/(Theta*s*D)*s*Theta*1/(Theta*s*D)*gamma3*2*m*a3^2 */
+    const double t72 = t4*t70; /* omega_tau*s*s*Theta*1/(Theta*s*D)*gamma3*2*m*a3^2 */
+    const double t73 = t17*p[27]; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*I3/(R*I1) */
+    const double t74 = JLT_FMA(t57, p[44], t73); /* omega3*b scaled*D*Theta*1/(Theta*s*D)*I3^2/I1 + t73 */
+    const double t75 = JLT_FMA(t47, p[43], t74); /* b scaled*t19*gamma3*D*Theta*1/(Theta*s*D)*2*I3/(R*I1) + omega3*b scaled*D*Theta*1/(Theta*s*D)*I3^2/I1 + t73 */
+    const double t76 = t32*t75; /* s*Theta*1/(Theta*s*D)*t75 */
+    const double t77 = -t76; /* -s*Theta*1/(Theta*s*D)*t75 */
+    const double t78 = t27*t40; /* gamma3*D*Theta*1/(Theta*s*D)*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t79 = JLT_FNMA(t17, p[33], t78); /* t78 - (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m*a3 */
+    const double t80 = x[2]*t79; /* omega_tau*t79 */
+    const double t81 = x[3]*p[32]; /* omega3*m*R^2*(I1 - I3) */
+    const double t82 = t36*p[0]; /* V*m */
+    const double t83 = JLT_FMA(t4, t81, t80); /* omega_tau*s*omega3*m*R^2*(I1 - I3) + omega_tau*t79 */
+    const double t84 = JLT_FNMA(t51, t82, t83); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = omega_tau*s*omega3*m*R^2*(I1 - I3) + omega_tau*t79 - d(omega_n)/d(gamma3) scaled*V*m */
+    const double t85 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
+    const double t86 = JLT_FMS(t5, p[45], t85); /* d(Theta)/d(gamma3) = b scaled*2*m*R^2*I3 - gamma3*2*m*R^2*I1 */
+    const double t87 = JLT_FMA(t43, t86, t84); /* t41*s*D*1/(Theta*s*D)*d(Theta)/d(gamma3) + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t88 = t42*t87; /* s*D*1/(Theta*s*D)*t87 */
+    const double t89 = t37*t42; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m*s*D*1/(Theta*s*D) */
+    const double t90 = -t89; /* -t89 */
+    const double t91 = t35*t37; /* e*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m */
+    const double t92 = JLT_FMA(t3, t40, t91); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m */
+    const double t93 = t42*t92; /* s*D*1/(Theta*s*D)*t92 */
+    const double t94 = -t93; /* -s*D*1/(Theta*s*D)*t92 */
+    const double t95 = t36*p[46]; /* V*m*R*I3 */
+    const double t96 = t55*t95; /* b scaled*D*Theta*1/(Theta*s*D)*V*m*R*I3 */
+    const double t97 = JLT_FMA(t4, t39, t96); /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + b scaled*D*Theta*1/(Theta*s*D)*V*m*R*I3 */
+    const double t98 = t42*t97; /* s*D*1/(Theta*s*D)*t97 */
+    const double t99 = -t98; /* -s*D*1/(Theta*s*D)*t97 */
     out[0] = t4;
-    out[1] = t23;
-    out[2] = t33;
-    out[3] = t45;
-    out[4] = t48;
+    out[1] = t22;
+    out[2] = t34;
+    out[3] = t44;
+    out[4] = t46;
     out[5] = 0.0;
     out[6] = t3;
     out[7] = 0.0;
-    out[8] = t57;
+    out[8] = t54;
     out[9] = 0.0;
     out[10] = 0.0;
-    out[11] = t63;
-    out[12] = t77;
+    out[11] = t59;
+    out[12] = t71;
     out[13] = 0.0;
-    out[14] = t78;
-    out[15] = t83;
-    out[16] = t96;
-    out[17] = t98;
-    out[18] = t101;
-    out[19] = t106;
+    out[14] = t72;
+    out[15] = t77;
+    out[16] = t88;
+    out[17] = t90;
+    out[18] = t94;
+    out[19] = t99;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -432,107 +439,103 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = t4*p[11]; /* b*m*I3 */
-    const double t6 = JLT_FMA(t2, p[10], p[9]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
-    const double t7 = JLT_FMA(t4, t5, t6); /* Theta = b*b*m*I3 + (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
-    const double t8 = JLT_FMA(t2, p[8], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
-    const double t9 = t7*t8; /* Theta*D */
-    const double t10 = t3*t9; /* s*Theta*D */
-    const double t11 = 1.0/t10; /* 1/(s*Theta*D) */
-    const double t12 = t7*t11; /* Theta*1/(s*Theta*D) */
-    const double t13 = p[22]*t3; /* 2*m*a3^2*s */
-    const double t14 = t3*t13; /* s*2*m*a3^2*s */
-    const double t15 = t3*t8; /* s*D */
-    const double t16 = t11*t15; /* 1/(s*Theta*D)*s*D */
-    const double t17 = t3*t16; /* s*1/(s*Theta*D)*s*D */
-    const double t18 = t8*t12; /* D*Theta*1/(s*Theta*D) */
-    const double t19 = JLT_FMS(t12, t14, t18); /* Theta*1/(s*Theta*D)*s*2*m*a3^2*s - D*Theta*1/(s*Theta*D) */
-    const double t20 = JLT_FMA(p[36], t17, t19); /* m*R^2*(I1 - I3)*s*1/(s*Theta*D)*s*D + Theta*1/(s*Theta*D)*s*2*m*a3^2*s - D*Theta*1/(s*Theta*D) */
-    const double t21 = x[0]*t20; /* gamma3*t20 */
-    const double t22 = JLT_FNMA(t17, p[38], t21); /* gamma3*t20 - s*1/(s*Theta*D)*s*D*m*R*a3*I3 */
-    const double t23 = x[2]*t22; /* omega_tau*(gamma3*t20 - s*1/(s*Theta*D)*s*D*m*R*a3*I3) */
-    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t25 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
-    const double t26 = t5*t25; /* b*m*I3*V */
-    const double t27 = t16*t26; /* 1/(s*Theta*D)*s*D*b*m*I3*V */
-    const double t28 = JLT_FNMA(t18, t27, t23); /* omega_tau*(gamma3*t20 - s*1/(s*Theta*D)*s*D*m*R*a3*I3) - D*Theta*1/(s*Theta*D)*1/(s*Theta*D)*s*D*b*m*I3*V */
-    out[0] = t28;
+    const double t3 = x[0] + p[35]; /* b scaled = gamma3 + a3/R */
+    const double t4 = p[12]*t3; /* I3/I1*b scaled */
+    const double t5 = t2 + p[9]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta scaled = b scaled*I3/I1*b scaled + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t7 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t8 = JLT_FMA(t2, p[16], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
+    const double t9 = t7*t8; /* s*D */
+    const double t10 = t6*t9; /* Theta scaled*s*D */
+    const double t11 = 1.0/t10; /* 1/(Theta scaled*s*D) */
+    const double t12 = t6*t11; /* Theta scaled*1/(Theta scaled*s*D) */
+    const double t13 = p[26]*t2; /* 2*m*a3^2*(1 - gamma3)*(gamma3 + 1) */
+    const double t14 = t8*t12; /* D*Theta scaled*1/(Theta scaled*s*D) */
+    const double t15 = JLT_FMS(t12, t13, t14); /* Theta scaled*1/(Theta scaled*s*D)*2*m*a3^2*(1 - gamma3)*(gamma3 + 1) - D*Theta scaled*1/(Theta scaled*s*D) */
+    const double t16 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t17 = t15*t16; /* t15*gamma3*omega_tau */
+    const double t18 = JLT_FNMA(x[0], p[14], p[13]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t19 = x[2]*t18; /* omega_tau*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t20 = t7*t19; /* s*omega_tau*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t22 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
+    const double t23 = t3*p[27]; /* b scaled*I3/(R*I1) */
+    const double t24 = t22*t23; /* V*b scaled*I3/(R*I1) */
+    const double t25 = JLT_FMA(t14, t24, t20); /* D*Theta scaled*1/(Theta scaled*s*D)*V*b scaled*I3/(R*I1) + s*omega_tau*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t26 = t9*t11; /* s*D*1/(Theta scaled*s*D) */
+    const double t27 = JLT_FNMA(t25, t26, t17); /* t15*gamma3*omega_tau - t25*s*D*1/(Theta scaled*s*D) */
+    out[0] = t27;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[31]*x[0]; /* m*g*a3*gamma3 */
-    const double t1 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t6 = 1.0/t5; /* 1/s */
-    const double t7 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t8 = p[5]*x[3]; /* I3*omega3 */
-    const double t9 = JLT_FMA(t7, t8, p[6]); /* b*I3*omega3 + G_level */
-    const double t10 = p[7]*t9; /* 1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t11 = t6*t10; /* omega_n = 1/s*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t12 = t7*t11; /* b*omega_n */
-    const double t13 = x[3]*p[1]; /* omega3*R */
-    const double t14 = JLT_FMA(t5, t13, t12); /* v_tau = s*omega3*R + b*omega_n */
-    const double t15 = JLT_FMA(t14, t14, t1); /* v_tau*v_tau + v_nu*v_nu */
-    const double t16 = JLT_FMA(t4, p[8], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
-    const double t17 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
-    const double t18 = x[2]*t17; /* omega_tau*1/2*omega_tau */
-    const double t19 = t11*p[40]; /* omega_n*1/2*I1 */
-    const double t20 = x[3]*p[41]; /* omega3*1/2*I3 */
-    const double t21 = JLT_FMA(x[3], t20, t0); /* omega3*omega3*1/2*I3 + m*g*a3*gamma3 */
-    const double t22 = JLT_FMA(t16, t18, t21); /* D*omega_tau*1/2*omega_tau + omega3*omega3*1/2*I3 + m*g*a3*gamma3 */
-    const double t23 = JLT_FMA(t11, t19, t22); /* omega_n*omega_n*1/2*I1 + t22 */
-    const double t24 = JLT_FMA(p[39], t15, t23); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + omega_n*omega_n*1/2*I1 + t22 */
-    out[0] = t24;
+    const double t0 = p[48]*x[0]; /* 2*g*a3*gamma3 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = JLT_FMA(p[16], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t5 = p[49]*x[2]; /* 1/m*omega_tau */
+    const double t6 = x[2]*t5; /* omega_tau*1/m*omega_tau */
+    const double t7 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t8 = x[0] + p[35]; /* b scaled = gamma3 + a3/R */
+    const double t9 = p[36]*x[3]; /* R*I3*omega3 */
+    const double t10 = JLT_FMA(t8, t9, p[6]); /* b scaled*R*I3*omega3 + G_level */
+    const double t11 = t10/t7; /* (b scaled*R*I3*omega3 + G_level)/s */
+    const double t12 = p[50]*t11; /* 1/(m*R^2*I1)*(b scaled*R*I3*omega3 + G_level)/s */
+    const double t13 = x[3]*p[51]; /* omega3*I3/m */
+    const double t14 = t8*p[20]; /* b scaled*1/I1 */
+    const double t15 = t11*t14; /* (b scaled*R*I3*omega3 + G_level)/s*b scaled*1/I1 */
+    const double t16 = x[3]*p[1]; /* omega3*R */
+    const double t17 = JLT_FMA(t7, t16, t15); /* v_tau = s*omega3*R + (b scaled*R*I3*omega3 + G_level)/s*b scaled*1/I1 */
+    const double t18 = JLT_FMA(x[1], x[1], t0); /* v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t19 = JLT_FMA(x[3], t13, t18); /* omega3*omega3*I3/m + v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t20 = JLT_FMA(t4, t6, t19); /* D*omega_tau*1/m*omega_tau + omega3*omega3*I3/m + v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t21 = JLT_FMA(t11, t12, t20); /* (b scaled*R*I3*omega3 + G_level)/s*1/(m*R^2*I1)*(b scaled*R*I3*omega3 + G_level)/s + t20 */
+    const double t22 = JLT_FMA(t17, t17, t21); /* energy scaled = v_tau*v_tau + t21 */
+    const double t23 = p[47]*t22; /* 1/2*m*energy scaled */
+    out[0] = t23;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[8]*x[0]; /* m*a3^2*gamma3 */
+    const double t0 = p[16]*x[0]; /* m*a3^2*gamma3 */
     const double t1 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t3 = x[0] + 1.0; /* gamma3 + 1 */
     const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
     const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t6 = 1.0/t5; /* 1/s */
-    const double t7 = x[0]*t6; /* gamma3*1/s */
-    const double t8 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t9 = p[5]*x[3]; /* I3*omega3 */
-    const double t10 = JLT_FMA(t8, t9, p[6]); /* b*I3*omega3 + G_level */
-    const double t11 = p[7]*t10; /* 1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t12 = t6*t11; /* 1/s*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t13 = t7*t12; /* gamma3*1/s*1/s*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t14 = JLT_FMA(x[3], p[15], t13); /* omega3*I3/I1 + gamma3*1/s*1/s*1/(R*I1)*(b*I3*omega3 + G_level) */
+    const double t7 = p[12]*x[3]; /* I3/I1*omega3 */
+    const double t8 = x[0] + p[35]; /* b scaled = gamma3 + a3/R */
+    const double t9 = x[3]*p[36]; /* omega3*R*I3 */
+    const double t10 = JLT_FMA(t8, t9, p[6]); /* b scaled*omega3*R*I3 + G_level */
+    const double t11 = t6*t10; /* 1/s*(b scaled*omega3*R*I3 + G_level) */
+    const double t12 = p[7]*t11; /* 1/(R*I1)*1/s*(b scaled*omega3*R*I3 + G_level) */
+    const double t13 = x[0]*t6; /* gamma3*1/s */
+    const double t14 = JLT_FMA(t12, t13, t7); /* 1/(R*I1)*1/s*(b scaled*omega3*R*I3 + G_level)*gamma3*1/s + I3/I1*omega3 */
     const double t15 = t6*t14; /* d(omega_n)/d(gamma3) = 1/s*t14 */
-    const double t16 = p[4]*t12; /* I1*1/s*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t17 = JLT_FMS(t7, x[3], t12); /* gamma3*1/s*omega3 - 1/s*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t18 = p[1]*t17; /* R*(gamma3*1/s*omega3 - 1/s*1/(R*I1)*(b*I3*omega3 + G_level)) */
-    const double t19 = JLT_FMS(t8, t15, t18); /* d(v_tau)/d(gamma3) = b*d(omega_n)/d(gamma3) - R*(gamma3*1/s*omega3 - 1/s*1/(R*I1)*(b*I3*omega3 + G_level)) */
-    const double t20 = t8*t12; /* b*1/s*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t21 = t5*p[1]; /* s*R */
-    const double t22 = JLT_FMA(x[3], t21, t20); /* v_tau = omega3*s*R + b*1/s*1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t23 = p[0]*t22; /* m*v_tau */
-    const double t24 = JLT_FNMA(t0, t1, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t25 = JLT_FMA(t15, t16, t24); /* d(omega_n)/d(gamma3)*I1*1/s*1/(R*I1)*(b*I3*omega3 + G_level) + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t26 = JLT_FMA(t19, t23, t25); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)*m*v_tau + t25 */
-    const double t27 = p[0]*x[1]; /* m*v_nu */
-    const double t28 = JLT_FMA(p[8], t4, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t29 = x[2]*t28; /* omega_tau*D */
-    const double t30 = t6*p[42]; /* 1/s*I3/R */
-    const double t31 = t8*p[20]; /* b*I3/(R*I1) */
-    const double t32 = t8*t31; /* b*b*I3/(R*I1) */
-    const double t33 = JLT_FMA(t6, t32, t21); /* d(v_tau)/d(omega3) = 1/s*b*b*I3/(R*I1) + s*R */
-    const double t34 = JLT_FMA(t20, t30, t9); /* b*1/s*1/(R*I1)*(b*I3*omega3 + G_level)*1/s*I3/R + I3*omega3 */
-    const double t35 = JLT_FMA(t23, t33, t34); /* d(energy)/d(omega3) = m*v_tau*d(v_tau)/d(omega3) + b*1/s*1/(R*I1)*(b*I3*omega3 + G_level)*1/s*I3/R + I3*omega3 */
-    out[0] = t26;
-    out[1] = t27;
-    out[2] = t29;
-    out[3] = t35;
+    const double t16 = p[15]*t11; /* 1/R*1/s*(b scaled*omega3*R*I3 + G_level) */
+    const double t17 = JLT_FNMA(x[3], t13, t12); /* 1/(R*I1)*1/s*(b scaled*omega3*R*I3 + G_level) - omega3*gamma3*1/s */
+    const double t18 = JLT_FMA(t8, t15, t17); /* d(v_tau)/d(gamma3) scaled = b scaled*d(omega_n)/d(gamma3) + t17 */
+    const double t19 = t8*t12; /* b scaled*1/(R*I1)*1/s*(b scaled*omega3*R*I3 + G_level) */
+    const double t20 = JLT_FMA(t5, x[3], t19); /* v_tau scaled = s*omega3 + b scaled*1/(R*I1)*1/s*(b scaled*omega3*R*I3 + G_level) */
+    const double t21 = p[52]*t20; /* m*R^2*v_tau scaled */
+    const double t22 = JLT_FNMA(t0, t1, p[23]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t23 = JLT_FMA(t15, t16, t22); /* d(omega_n)/d(gamma3)*1/R*1/s*(b scaled*omega3*R*I3 + G_level) + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t24 = JLT_FMA(t18, t21, t23); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3) scaled*m*R^2*v_tau scaled + t23 */
+    const double t25 = p[0]*x[1]; /* m*v_nu */
+    const double t26 = JLT_FMA(p[16], t4, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t27 = x[2]*t26; /* omega_tau*D */
+    const double t28 = t6*t8; /* 1/s*b scaled */
+    const double t29 = JLT_FMA(t12, t28, x[3]); /* 1/(R*I1)*1/s*(b scaled*omega3*R*I3 + G_level)*1/s*b scaled + omega3 */
+    const double t30 = p[5]*t29; /* I3*t29 */
+    const double t31 = p[12]*t8; /* I3/I1*b scaled */
+    const double t32 = JLT_FMA(t28, t31, t5); /* d(v_tau)/d(omega3) scaled = 1/s*b scaled*I3/I1*b scaled + s */
+    const double t33 = JLT_FMA(t21, t32, t30); /* d(energy)/d(omega3) = m*R^2*v_tau scaled*d(v_tau)/d(omega3) scaled + I3*t29 */
+    out[0] = t24;
+    out[1] = t25;
+    out[2] = t27;
+    out[3] = t33;
 }
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
@@ -541,13 +544,12 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = 1.0/t3; /* 1/s */
-    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = p[5]*x[3]; /* I3*omega3 */
-    const double t7 = JLT_FMA(t5, t6, p[6]); /* b*I3*omega3 + G_level */
-    const double t8 = p[7]*t7; /* 1/(R*I1)*(b*I3*omega3 + G_level) */
-    const double t9 = t4*t8; /* 1/s*1/(R*I1)*(b*I3*omega3 + G_level) */
-    out[0] = t9;
+    const double t4 = x[0] + p[35]; /* b scaled = gamma3 + a3/R */
+    const double t5 = p[36]*x[3]; /* R*I3*omega3 */
+    const double t6 = JLT_FMA(t4, t5, p[6]); /* b scaled*R*I3*omega3 + G_level */
+    const double t7 = p[7]*t6; /* 1/(R*I1)*(b scaled*R*I3*omega3 + G_level) */
+    const double t8 = t7/t3; /* 1/(R*I1)*(b scaled*R*I3*omega3 + G_level)/s */
+    out[0] = t8;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -565,7 +567,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t10[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
-    double t19[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
@@ -581,25 +585,21 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
-    double t40[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
-    double t45[JLT_JET_ORDER_MAX + 1];
-    double t46[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
     double t48[JLT_JET_ORDER_MAX + 1];
     double t49[JLT_JET_ORDER_MAX + 1];
     double t52[JLT_JET_ORDER_MAX + 1];
     double t53[JLT_JET_ORDER_MAX + 1];
     double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
     double t58[JLT_JET_ORDER_MAX + 1];
-    double t59[JLT_JET_ORDER_MAX + 1];
-    double t60[JLT_JET_ORDER_MAX + 1];
-    double t61[JLT_JET_ORDER_MAX + 1];
-    double t62[JLT_JET_ORDER_MAX + 1];
-    double t63[JLT_JET_ORDER_MAX + 1];
-    double t64[JLT_JET_ORDER_MAX + 1];
-    double t65[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -613,46 +613,44 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t10[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
         t15[k] = p[5]*x3[k];
         t16[k] = jlt_jet_product(t10, t15, k) + (k == 0 ? p[6] : 0);
-        t19[k] = t5[k]*p[8] + (k == 0 ? p[4] : 0);
-        t23[k] = t10[k]*p[11];
-        t24[k] = t5[k]*p[10] + (k == 0 ? p[9] : 0);
-        t25[k] = jlt_jet_product(t10, t23, k) + t24[k];
-        t26[k] = jlt_jet_product(t19, t25, k);
-        t27[k] = jlt_jet_product(t6, t26, k);
-        t28[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t27, t28, k);
-        t29[k] = jlt_jet_product(t25, t28, k);
-        t30[k] = jlt_jet_product(t19, t29, k);
-        t31[k] = p[7]*t16[k];
+        t18[k] = t5[k]*p[8] + (k == 0 ? 1.0 : 0);
+        t21[k] = t10[k]*p[10];
+        t22[k] = t5[k] + (k == 0 ? p[9] : 0);
+        t23[k] = jlt_jet_product(t10, t21, k) + t22[k];
+        t24[k] = jlt_jet_product(t6, t18, k);
+        t25[k] = jlt_jet_product(t23, t24, k);
+        t26[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t25, t26, k);
+        t27[k] = jlt_jet_product(t23, t26, k);
+        t28[k] = jlt_jet_product(t18, t27, k);
+        t29[k] = p[7]*t16[k];
+        t30[k] = jlt_jet_product(t28, t29, k);
+        t31[k] = jlt_jet_product(t28, t30, k);
         t32[k] = jlt_jet_product(t30, t31, k);
-        t33[k] = jlt_jet_product(t30, t32, k);
-        t34[k] = jlt_jet_product(t32, t33, k);
-        t35[k] = jlt_jet_product(t10, t34, k);
-        t36[k] = jlt_jet_product(x3, t32, k);
-        t37[k] = p[1]*t36[k] + t35[k];
-        t40[k] = t6[k]*p[13];
-        t42[k] = x2[k]*p[14];
-        t43[k] = jlt_jet_product(t7, t42, k) - t34[k];
-        t45[k] = t36[k]*p[15] + t40[k];
-        t46[k] = t45[k] - jlt_jet_product(x0, t43, k);
-        t47[k] = t6[k]*p[12];
-        t48[k] = jlt_jet_product(t29, t47, k);
-        t49[k] = jlt_jet_product(t46, t48, k);
+        t33[k] = jlt_jet_product(t10, t32, k);
+        t34[k] = jlt_jet_product(x3, t30, k);
+        t35[k] = p[1]*t34[k] + t33[k];
+        t36[k] = x2[k]*p[8];
+        t37[k] = jlt_jet_product(t7, t36, k) - t32[k];
+        t38[k] = jlt_jet_product(x0, t37, k);
+        t41[k] = t38[k] - t6[k]*p[11];
+        t42[k] = t41[k] - t34[k]*p[12];
+        t43[k] = jlt_jet_product(t6, t27, k);
+        t44[k] = jlt_jet_product(t42, t43, k);
+        t47[k] = (k == 0 ? p[13] : 0) - x0[k]*p[14];
+        t48[k] = jlt_jet_product(x3, t47, k);
+        t49[k] = jlt_jet_product(t7, t48, k);
         t52[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
         t53[k] = jlt_jet_product(x2, t52, k) + x1[k];
-        t54[k] = jlt_jet_product(t32, t53, k);
-        t58[k] = (k == 0 ? p[18] : 0) - x0[k]*p[19];
-        t59[k] = x3[k]*p[17];
-        t60[k] = jlt_jet_product(t58, t59, k);
-        t61[k] = jlt_jet_product(t7, t60, k) + t54[k];
-        t62[k] = t19[k]*p[16];
-        t63[k] = jlt_jet_product(t6, t62, k);
-        t64[k] = jlt_jet_product(t28, t63, k);
-        t65[k] = jlt_jet_product(t61, t64, k);
+        t54[k] = p[15]*t53[k];
+        t55[k] = jlt_jet_product(t30, t54, k) + t49[k];
+        t56[k] = jlt_jet_product(t24, t26, k);
+        t57[k] = jlt_jet_product(t55, t56, k);
+        t58[k] = -t57[k];
         double *restrict next = coefficients + (k + 1)*4;
         next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t37[k]/(k + 1);
-        next[2] = x2[k + 1] = t49[k]/(k + 1);
-        next[3] = x3[k + 1] = t65[k]/(k + 1);
+        next[1] = x1[k + 1] = t35[k]/(k + 1);
+        next[2] = x2[k + 1] = t44[k]/(k + 1);
+        next[3] = x3[k + 1] = t58[k]/(k + 1);
     }
 }
 
@@ -720,26 +718,26 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G = {
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 43,
+    .state_count = 4, .param_count = 7, .block_count = 53,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 2, 26, 13, 1, 1, 0, 15, 11 }, { 15, 58, 0, 9, 1, 0, 10, 8 },
+    .rhs = { rhs, 4, { 4, 23, 12, 1, 1, 0, 16, 10 }, { 15, 58, 0, 9, 1, 0, 10, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 7, 57, 31, 1, 1, 0, 18, 21 }, { 47, 240, 0, 39, 1, 0, 18, 12 },
+    .jacobian = { jacobian, 16, { 7, 52, 31, 1, 1, 0, 17, 21 }, { 47, 240, 0, 39, 1, 0, 18, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 7, 64, 34, 1, 1, 0, 18, 28 }, { 54, 277, 0, 47, 1, 0, 18, 13 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 12, 57, 29, 1, 1, 0, 16, 27 }, { 54, 277, 0, 47, 1, 0, 18, 13 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 2, 15, 10, 1, 1, 0, 15, 8 }, { 12, 39, 0, 5, 1, 0, 12, 8 },
+    .divergence = { divergence, 1, { 4, 14, 8, 1, 1, 0, 11, 8 }, { 12, 39, 0, 5, 1, 0, 12, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_values = { integral_values, 1, { 2, 12, 9, 1, 1, 0, 9, 8 }, { 10, 31, 0, 1, 1, 0, 12, 6 },
+    .integral_values = { integral_values, 1, { 3, 11, 8, 1, 1, 0, 8, 10 }, { 10, 31, 0, 1, 1, 0, 12, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 4, { 2, 19, 13, 1, 1, 0, 10, 13 }, { 15, 50, 0, 6, 1, 0, 12, 10 },
+    .integral_gradients = { integral_gradients, 4, { 3, 17, 12, 1, 1, 0, 10, 12 }, { 15, 50, 0, 6, 1, 0, 12, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
-    .eliminated = { eliminated, 1, { 2, 4, 2, 1, 1, 0, 5, 4 }, { 3, 6, 0, 1, 1, 0, 5, 4 },
+    .eliminated = { eliminated, 1, { 3, 3, 1, 1, 1, 0, 4, 4 }, { 3, 6, 0, 1, 1, 0, 5, 4 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,

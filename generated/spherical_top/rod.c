@@ -6,14 +6,14 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   18    8    1    1    0     11    7   (50)
- *  jacobian            4   37   15    1    1    0     12   14   (170)
- *  rhs_jacobian        4   42   19    1    1    0     14   19   (206)
- *  divergence          2    7    2    1    1    0      8    5   (18)
+ *  rhs                 2   17    8    1    1    0     10    8   (50)
+ *  jacobian            6   37   13    1    1    0     13   14   (170)
+ *  rhs_jacobian        5   39   17    1    1    0     12   20   (206)
+ *  divergence          2    4    2    1    1    0      6    4   (18)
  *  integral_values     3   11    6    0    1    0      7    6   (54)
- *  integral_gradients  4   19    5    1    1    0      8   10   (64)
+ *  integral_gradients  4   16    5    1    1    0      7    9   (64)
  *  measure_values      2    2    1    0    1    0      4    3   (9)
- *  measure_divergences 2    9    4    1    1    0     10    8   (41)
+ *  measure_divergences 3    5    1    1    0    0      6    4   (41)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
  */
@@ -57,40 +57,43 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t6 = 1.0/params[1]; /* 1/R */
     const double t7 = params[0]*2.0; /* m*2 */
     const double t8 = t0*t7; /* a3*a3*m*2 */
-    const double t9 = params[4]*(-2.0); /* I1*(-2) */
-    const double t10 = 2.0/params[1]; /* 2/R */
-    const double t11 = params[3]/2.0; /* a3/2 */
+    const double t9 = t8/params[4]; /* a3*a3*m*2/I1 */
+    const double t10 = params[3]/params[1]; /* a3/R */
+    const double t11 = 2.0/params[1]; /* 2/R */
     const double t12 = (-1.0)/params[1]; /* (-1)/R */
     const double t13 = params[0]*params[0]; /* m*m */
     const double t14 = 2.0*t13; /* 2*m*m */
     const double t15 = params[2]*t14; /* g*2*m*m */
     const double t16 = params[3]*t0; /* a3*a3*a3 */
     const double t17 = t15*t16; /* g*2*m*m*a3*a3*a3 */
-    const double t18 = t17/params[4]; /* g*2*m*m*a3*a3*a3/I1 */
-    const double t19 = params[2]*t7; /* g*m*2 */
-    const double t20 = params[3]*t19; /* a3*g*m*2 */
-    const double t21 = params[0]/2.0; /* m/2 */
-    const double t22 = params[4]*params[1]; /* I1*R */
-    const double t23 = params[0]*params[3]; /* m*a3 */
+    const double t18 = params[4]*params[4]; /* I1*I1 */
+    const double t19 = t17/t18; /* g*2*m*m*a3*a3*a3/(I1*I1) */
+    const double t20 = params[3]/2.0; /* a3/2 */
+    const double t21 = params[4]/2.0; /* I1/2 */
+    const double t22 = params[0]/2.0; /* m/2 */
+    const double t23 = params[4]*params[1]; /* I1*R */
     const double t24 = params[0]*params[1]; /* m*R */
-    const double t25 = -t22; /* -I1*R */
-    out[6] = t1;
-    out[7] = t2;
-    out[8] = t5;
-    out[9] = t6;
-    out[10] = t8;
-    out[11] = t4;
-    out[12] = t9;
-    out[13] = t10;
-    out[14] = t11;
-    out[15] = t12;
-    out[16] = t18;
-    out[17] = t20;
+    const double t25 = -t23; /* -I1*R */
+    const double t26 = params[0]*(-2.0); /* m*(-2) */
+    const double t27 = t0*t26; /* a3*a3*m*(-2) */
+    out[6] = t2;
+    out[7] = t5;
+    out[8] = t6;
+    out[9] = t9;
+    out[10] = t10;
+    out[11] = t11;
+    out[12] = t12;
+    out[13] = t19;
+    out[14] = t20;
+    out[15] = t1;
+    out[16] = t8;
+    out[17] = t4;
     out[18] = t21;
     out[19] = t22;
     out[20] = t23;
     out[21] = t24;
     out[22] = t25;
+    out[23] = t27;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -101,35 +104,34 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = x[2]*t3; /* omega_tau*s */
     const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = JLT_FMA(t2, p[6], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
-    const double t7 = t3*t6; /* s*D */
-    const double t8 = 1.0/t7; /* 1/(s*D) */
-    const double t9 = t6*t8; /* D*1/(s*D) */
-    const double t10 = x[3]*t9; /* omega_n*D*1/(s*D) */
-    const double t11 = t5*t10; /* b*omega_n*D*1/(s*D) */
-    const double t12 = JLT_FMA(p[1], x[4], t11); /* R*omega3 + b*omega_n*D*1/(s*D) */
-    const double t13 = x[3]*t12; /* omega_n*(R*omega3 + b*omega_n*D*1/(s*D)) */
-    const double t14 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t15 = t4*t14; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t16 = JLT_FNMA(x[3], t10, t15); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*D*1/(s*D) */
-    const double t17 = x[0]*t16; /* gamma3*(omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*D*1/(s*D)) */
-    const double t18 = JLT_FNMA(t3, p[8], t17); /* t17 - s*m*g*a3/I1 */
-    const double t19 = t3*p[4]; /* s*I1 */
-    const double t20 = t8*t19; /* 1/(s*D)*s*I1 */
-    const double t21 = t18*t20; /* (t17 - s*m*g*a3/I1)*1/(s*D)*s*I1 */
-    const double t22 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t23 = t10*t22; /* omega_n*D*1/(s*D)*omega_tau*gamma3 */
-    const double t24 = x[4]*t22; /* omega3*omega_tau*gamma3 */
-    const double t25 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t26 = JLT_FMA(x[2], t25, x[1]); /* V = omega_tau*e + v_nu */
-    const double t27 = p[9]*t26; /* 1/R*V */
-    const double t28 = JLT_FNMA(t10, t27, t24); /* omega3*omega_tau*gamma3 - omega_n*D*1/(s*D)*1/R*V */
-    const double t29 = t9*t28; /* D*1/(s*D)*(omega3*omega_tau*gamma3 - omega_n*D*1/(s*D)*1/R*V) */
+    const double t6 = JLT_FMA(t2, p[6], 1.0); /* D scaled = (1 - gamma3)*(1 + gamma3)*m*a3^2/I1 + 1 */
+    const double t7 = t3*t6; /* s*D scaled */
+    const double t8 = 1.0/t7; /* 1/(s*D scaled) */
+    const double t9 = t6*t8; /* D scaled*1/(s*D scaled) */
+    const double t10 = x[3]*t9; /* omega_n*D scaled*1/(s*D scaled) */
+    const double t11 = t5*t10; /* b*omega_n*D scaled*1/(s*D scaled) */
+    const double t12 = JLT_FMA(p[1], x[4], t11); /* R*omega3 + b*omega_n*D scaled*1/(s*D scaled) */
+    const double t13 = x[3]*t12; /* omega_n*(R*omega3 + b*omega_n*D scaled*1/(s*D scaled)) */
+    const double t14 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t15 = p[6]*t14; /* m*a3^2/I1*omega_tau*gamma3 */
+    const double t16 = t4*t15; /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 */
+    const double t17 = x[0]*x[3]; /* gamma3*omega_n */
+    const double t18 = JLT_FNMA(t3, p[7], t16); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - s*m*g*a3/I1 */
+    const double t19 = JLT_FNMA(t10, t17, t18); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - s*m*g*a3/I1 - omega_n*D scaled*1/(s*D scaled)*gamma3*omega_n */
+    const double t20 = t3*t8; /* s*1/(s*D scaled) */
+    const double t21 = t19*t20; /* t19*s*1/(s*D scaled) */
+    const double t22 = t10*t14; /* omega_n*D scaled*1/(s*D scaled)*omega_tau*gamma3 */
+    const double t23 = x[4]*t14; /* omega3*omega_tau*gamma3 */
+    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t25 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t26 = p[8]*t25; /* 1/R*V */
+    const double t27 = JLT_FNMA(t10, t26, t23); /* omega3*omega_tau*gamma3 - omega_n*D scaled*1/(s*D scaled)*1/R*V */
+    const double t28 = t9*t27; /* D scaled*1/(s*D scaled)*t27 */
     out[0] = t4;
     out[1] = t13;
     out[2] = t21;
-    out[3] = t23;
-    out[4] = t29;
+    out[3] = t22;
+    out[4] = t28;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -137,84 +139,84 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[6], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D scaled = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
     const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = t3*t4; /* D*s */
-    const double t6 = 1.0/t5; /* 1/(D*s) */
-    const double t7 = t3*t6; /* D*1/(D*s) */
-    const double t8 = x[0]*t7; /* gamma3*D*1/(D*s) */
-    const double t9 = x[2]*t8; /* omega_tau*gamma3*D*1/(D*s) */
-    const double t10 = -t9; /* -omega_tau*gamma3*D*1/(D*s) */
-    const double t11 = t7*x[3]; /* D*1/(D*s)*omega_n */
-    const double t12 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t13 = t11*t12; /* D*1/(D*s)*omega_n*b */
-    const double t14 = x[3]*p[1]; /* omega_n*R */
-    const double t15 = JLT_FMA(t8, t13, t14); /* gamma3*D*1/(D*s)*D*1/(D*s)*omega_n*b + omega_n*R */
-    const double t16 = t11*t15; /* D*1/(D*s)*omega_n*(gamma3*D*1/(D*s)*D*1/(D*s)*omega_n*b + omega_n*R) */
-    const double t17 = p[1]*x[4]; /* R*omega3 */
-    const double t18 = JLT_FMA(t13, 2.0, t17); /* D*1/(D*s)*omega_n*b*2 + R*omega3 */
-    const double t19 = x[0]*p[10]; /* gamma3*2*m*a3^2 */
-    const double t20 = t4*t19; /* s*gamma3*2*m*a3^2 */
-    const double t21 = t4*t6; /* s*1/(D*s) */
-    const double t22 = JLT_FMS(t20, t21, t8); /* s*gamma3*2*m*a3^2*s*1/(D*s) - gamma3*D*1/(D*s) */
-    const double t23 = JLT_FMA(x[0], t22, t4); /* gamma3*(s*gamma3*2*m*a3^2*s*1/(D*s) - gamma3*D*1/(D*s)) + s */
-    const double t24 = x[2]*t21; /* omega_tau*s*1/(D*s) */
-    const double t25 = x[2]*p[6]; /* omega_tau*m*a3^2 */
-    const double t26 = t24*t25; /* omega_tau*s*1/(D*s)*omega_tau*m*a3^2 */
-    const double t27 = t23*t26; /* (gamma3*(s*gamma3*2*m*a3^2*s*1/(D*s) - gamma3*D*1/(D*s)) + s)*omega_tau*s*1/(D*s)*omega_tau*m*a3^2 */
-    const double t28 = t21*p[11]; /* s*1/(D*s)*m*g*a3 */
-    const double t29 = x[3]*t21; /* omega_n*s*1/(D*s) */
-    const double t30 = t8*t29; /* gamma3*D*1/(D*s)*omega_n*s*1/(D*s) */
-    const double t31 = JLT_FMA(t8, t8, 1.0); /* gamma3*D*1/(D*s)*gamma3*D*1/(D*s) + 1 */
-    const double t32 = t11*t31; /* D*1/(D*s)*omega_n*(gamma3*D*1/(D*s)*gamma3*D*1/(D*s) + 1) */
-    const double t33 = JLT_FMA(t19, t30, t32); /* gamma3*2*m*a3^2*gamma3*D*1/(D*s)*omega_n*s*1/(D*s) + D*1/(D*s)*omega_n*(gamma3*D*1/(D*s)*gamma3*D*1/(D*s) + 1) */
-    const double t34 = p[4]*t29; /* I1*omega_n*s*1/(D*s) */
-    const double t35 = JLT_FNMA(t22, t28, t27); /* t27 - (s*gamma3*2*m*a3^2*s*1/(D*s) - gamma3*D*1/(D*s))*s*1/(D*s)*m*g*a3 */
-    const double t36 = JLT_FNMA(t33, t34, t35); /* t35 - t33*I1*omega_n*s*1/(D*s) */
-    const double t37 = t20*t24; /* s*gamma3*2*m*a3^2*omega_tau*s*1/(D*s) */
-    const double t38 = t30*p[12]; /* gamma3*D*1/(D*s)*omega_n*s*1/(D*s)*(-2*I1) */
-    const double t39 = x[2]*t32; /* omega_tau*D*1/(D*s)*omega_n*(gamma3*D*1/(D*s)*gamma3*D*1/(D*s) + 1) */
-    const double t40 = t8*x[3]; /* gamma3*D*1/(D*s)*omega_n */
-    const double t41 = t7*t11; /* D*1/(D*s)*D*1/(D*s)*omega_n */
-    const double t42 = x[2]*p[14]; /* omega_tau*1/2*a3 */
-    const double t43 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t44 = JLT_FMA(x[2], t43, x[1]); /* V = omega_tau*e + v_nu */
-    const double t45 = t7*t44; /* D*1/(D*s)*V */
-    const double t46 = JLT_FMA(t8, t45, t42); /* gamma3*D*1/(D*s)*D*1/(D*s)*V + omega_tau*1/2*a3 */
-    const double t47 = p[13]*t41; /* 2/R*D*1/(D*s)*D*1/(D*s)*omega_n */
-    const double t48 = t46*t47; /* (gamma3*D*1/(D*s)*D*1/(D*s)*V + omega_tau*1/2*a3)*2/R*D*1/(D*s)*D*1/(D*s)*omega_n */
-    const double t49 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t50 = t7*t49; /* D*1/(D*s)*omega_tau*omega3 */
-    const double t51 = JLT_FMS(t31, t50, t48); /* (gamma3*D*1/(D*s)*gamma3*D*1/(D*s) + 1)*D*1/(D*s)*omega_tau*omega3 - t48 */
-    const double t52 = t41*p[9]; /* D*1/(D*s)*D*1/(D*s)*omega_n*1/R */
-    const double t53 = -t52; /* -D*1/(D*s)*D*1/(D*s)*omega_n*1/R */
-    const double t54 = t43*t52; /* e*D*1/(D*s)*D*1/(D*s)*omega_n*1/R */
-    const double t55 = JLT_FMS(t8, x[4], t54); /* gamma3*D*1/(D*s)*omega3 - e*D*1/(D*s)*D*1/(D*s)*omega_n*1/R */
-    const double t56 = t7*p[15]; /* D*1/(D*s)*(-1/R) */
-    const double t57 = t45*t56; /* D*1/(D*s)*V*D*1/(D*s)*(-1/R) */
+    const double t5 = t3*t4; /* D scaled*s */
+    const double t6 = 1.0/t5; /* 1/(D scaled*s) */
+    const double t7 = t3*t6; /* D scaled*1/(D scaled*s) */
+    const double t8 = x[2]*t7; /* omega_tau*D scaled*1/(D scaled*s) */
+    const double t9 = x[0]*t8; /* gamma3*omega_tau*D scaled*1/(D scaled*s) */
+    const double t10 = -t9; /* -gamma3*omega_tau*D scaled*1/(D scaled*s) */
+    const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t12 = t7*x[3]; /* D scaled*1/(D scaled*s)*omega_n */
+    const double t13 = t7*t12; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n */
+    const double t14 = x[0]*t13; /* gamma3*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n */
+    const double t15 = p[1]*x[3]; /* R*omega_n */
+    const double t16 = JLT_FMA(t11, t14, t15); /* b*t14 + R*omega_n */
+    const double t17 = t12*t16; /* D scaled*1/(D scaled*s)*omega_n*(b*t14 + R*omega_n) */
+    const double t18 = p[1]*x[4]; /* R*omega3 */
+    const double t19 = t12*2.0; /* D scaled*1/(D scaled*s)*omega_n*2 */
+    const double t20 = JLT_FMA(t11, t19, t18); /* b*D scaled*1/(D scaled*s)*omega_n*2 + R*omega3 */
+    const double t21 = t4*t6; /* s*1/(D scaled*s) */
+    const double t22 = x[0]*t21; /* gamma3*s*1/(D scaled*s) */
+    const double t23 = t4*t21; /* s*s*1/(D scaled*s) */
+    const double t24 = p[9]*t23; /* 2*m*a3^2/I1*s*s*1/(D scaled*s) */
+    const double t25 = t7 - t24; /* D scaled*1/(D scaled*s) - 2*m*a3^2/I1*s*s*1/(D scaled*s) */
+    const double t26 = t22*t25; /* gamma3*s*1/(D scaled*s)*(D scaled*1/(D scaled*s) - 2*m*a3^2/I1*s*s*1/(D scaled*s)) */
+    const double t27 = JLT_FMS(x[0], t26, t23); /* gamma3*t26 - s*s*1/(D scaled*s) */
+    const double t28 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t29 = x[2]*t28; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t30 = t26*p[7]; /* t26*m*g*a3/I1 */
+    const double t31 = x[3]*p[9]; /* omega_n*2*m*a3^2/I1 */
+    const double t32 = t22*t31; /* gamma3*s*1/(D scaled*s)*omega_n*2*m*a3^2/I1 */
+    const double t33 = t22*t32; /* gamma3*s*1/(D scaled*s)*gamma3*s*1/(D scaled*s)*omega_n*2*m*a3^2/I1 */
+    const double t34 = JLT_FMA(t13, t21, t33); /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*s*1/(D scaled*s) + t33 */
+    const double t35 = JLT_FNMA(t12, t34, t30); /* t26*m*g*a3/I1 - D scaled*1/(D scaled*s)*omega_n*t34 */
+    const double t36 = JLT_FNMA(t27, t29, t35); /* t26*m*g*a3/I1 - D scaled*1/(D scaled*s)*omega_n*t34 - (gamma3*t26 - s*s*1/(D scaled*s))*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t37 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t38 = t24*t37; /* 2*m*a3^2/I1*s*s*1/(D scaled*s)*gamma3*omega_tau */
+    const double t39 = t19*t22; /* D scaled*1/(D scaled*s)*omega_n*2*gamma3*s*1/(D scaled*s) */
+    const double t40 = -t39; /* -D scaled*1/(D scaled*s)*omega_n*2*gamma3*s*1/(D scaled*s) */
+    const double t41 = t8*t13; /* omega_tau*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n */
+    const double t42 = x[0]*t12; /* gamma3*D scaled*1/(D scaled*s)*omega_n */
+    const double t43 = t7*x[4]; /* D scaled*1/(D scaled*s)*omega3 */
+    const double t44 = t7*t7; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s) */
+    const double t45 = t43*t44; /* D scaled*1/(D scaled*s)*omega3*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s) */
+    const double t46 = JLT_FNMA(t13, p[10], t45); /* t45 - D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*a3/R */
+    const double t47 = x[2]*t46; /* omega_tau*t46 */
+    const double t48 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t49 = JLT_FMA(x[2], t48, x[1]); /* V = omega_tau*e + v_nu */
+    const double t50 = t44*t49; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*V */
+    const double t51 = p[11]*t50; /* 2/R*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*V */
+    const double t52 = JLT_FNMA(t14, t51, t47); /* omega_tau*t46 - t14*2/R*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*V */
+    const double t53 = t13*p[8]; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*1/R */
+    const double t54 = -t53; /* -D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*1/R */
+    const double t55 = t48*t53; /* e*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*1/R */
+    const double t56 = JLT_FMS(x[0], t43, t55); /* gamma3*D scaled*1/(D scaled*s)*omega3 - t55 */
+    const double t57 = t50*p[12]; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*V*(-1/R) */
     out[0] = t10;
     out[1] = 0.0;
     out[2] = t4;
     out[3] = 0.0;
     out[4] = 0.0;
-    out[5] = t16;
+    out[5] = t17;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t18;
-    out[9] = t14;
+    out[8] = t20;
+    out[9] = t15;
     out[10] = t36;
     out[11] = 0.0;
-    out[12] = t37;
-    out[13] = t38;
+    out[12] = t38;
+    out[13] = t40;
     out[14] = 0.0;
-    out[15] = t39;
+    out[15] = t41;
     out[16] = 0.0;
-    out[17] = t40;
+    out[17] = t42;
     out[18] = t9;
     out[19] = 0.0;
-    out[20] = t51;
-    out[21] = t53;
-    out[22] = t55;
+    out[20] = t52;
+    out[21] = t54;
+    out[22] = t56;
     out[23] = t57;
     out[24] = t9;
 }
@@ -227,73 +229,69 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = x[2]*t3; /* omega_tau*s */
     const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = JLT_FMA(t2, p[6], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
-    const double t7 = t3*t6; /* s*D */
-    const double t8 = 1.0/t7; /* 1/(s*D) */
-    const double t9 = t6*t8; /* D*1/(s*D) */
-    const double t10 = x[3]*t9; /* omega_n*D*1/(s*D) */
-    const double t11 = t5*t10; /* b*omega_n*D*1/(s*D) */
-    const double t12 = x[3]*t11; /* omega_n*b*omega_n*D*1/(s*D) */
-    const double t13 = x[3]*p[1]; /* omega_n*R */
-    const double t14 = JLT_FMA(x[4], t13, t12); /* omega3*omega_n*R + omega_n*b*omega_n*D*1/(s*D) */
-    const double t15 = t3*t8; /* s*1/(s*D) */
-    const double t16 = x[0]*t15; /* gamma3*s*1/(s*D) */
-    const double t17 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t18 = t4*t17; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t19 = JLT_FNMA(x[3], t10, t18); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*D*1/(s*D) */
-    const double t20 = p[4]*t16; /* I1*gamma3*s*1/(s*D) */
-    const double t21 = t19*t20; /* (omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*D*1/(s*D))*I1*gamma3*s*1/(s*D) */
-    const double t22 = t15*p[11]; /* s*1/(s*D)*m*g*a3 */
-    const double t23 = JLT_FNMA(t3, t22, t21); /* t21 - s*s*1/(s*D)*m*g*a3 */
-    const double t24 = x[0]*t10; /* gamma3*omega_n*D*1/(s*D) */
-    const double t25 = x[2]*t24; /* omega_tau*gamma3*omega_n*D*1/(s*D) */
-    const double t26 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t27 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
-    const double t28 = t9*t10; /* D*1/(s*D)*omega_n*D*1/(s*D) */
-    const double t29 = p[9]*t28; /* 1/R*D*1/(s*D)*omega_n*D*1/(s*D) */
-    const double t30 = t27*t29; /* V*1/R*D*1/(s*D)*omega_n*D*1/(s*D) */
-    const double t31 = x[0]*t9; /* gamma3*D*1/(s*D) */
-    const double t32 = x[2]*t31; /* omega_tau*gamma3*D*1/(s*D) */
-    const double t33 = JLT_FMS(x[4], t32, t30); /* omega3*omega_tau*gamma3*D*1/(s*D) - V*1/R*D*1/(s*D)*omega_n*D*1/(s*D) */
-    const double t34 = -t32; /* -omega_tau*gamma3*D*1/(s*D) */
-    const double t35 = JLT_FMA(t11, t31, t13); /* b*omega_n*D*1/(s*D)*gamma3*D*1/(s*D) + omega_n*R */
-    const double t36 = t10*t35; /* omega_n*D*1/(s*D)*(b*omega_n*D*1/(s*D)*gamma3*D*1/(s*D) + omega_n*R) */
-    const double t37 = p[1]*x[4]; /* R*omega3 */
-    const double t38 = JLT_FMA(t11, 2.0, t37); /* b*omega_n*D*1/(s*D)*2 + R*omega3 */
-    const double t39 = t3*p[16]; /* s*2*m^2*g*a3^3/I1 */
-    const double t40 = t15*t39; /* s*1/(s*D)*s*2*m^2*g*a3^3/I1 */
-    const double t41 = t10*t10; /* omega_n*D*1/(s*D)*omega_n*D*1/(s*D) */
-    const double t42 = JLT_FMA(t17, t32, t40); /* omega_tau*m*a3^2/I1*omega_tau*gamma3*D*1/(s*D) + s*1/(s*D)*s*2*m^2*g*a3^3/I1 */
-    const double t43 = JLT_FMA(t31, t41, t42); /* gamma3*D*1/(s*D)*omega_n*D*1/(s*D)*omega_n*D*1/(s*D) + t42 */
-    const double t44 = t16*t43; /* gamma3*s*1/(s*D)*(gamma3*D*1/(s*D)*omega_n*D*1/(s*D)*omega_n*D*1/(s*D) + t42) */
-    const double t45 = t16*p[10]; /* gamma3*s*1/(s*D)*2*m*a3^2 */
-    const double t46 = JLT_FMA(t16, t45, t15); /* gamma3*s*1/(s*D)*gamma3*s*1/(s*D)*2*m*a3^2 + s*1/(s*D) */
-    const double t47 = JLT_FNMA(t19, t46, t44); /* t44 - (omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*D*1/(s*D))*(gamma3*s*1/(s*D)*gamma3*s*1/(s*D)*2*m*a3^2 + s*1/(s*D)) */
-    const double t48 = p[4]*t47; /* I1*t47 */
-    const double t49 = JLT_FMS(t22, t31, t48); /* s*1/(s*D)*m*g*a3*gamma3*D*1/(s*D) - I1*t47 */
-    const double t50 = t4*t45; /* omega_tau*s*gamma3*s*1/(s*D)*2*m*a3^2 */
-    const double t51 = t10*p[12]; /* omega_n*D*1/(s*D)*(-2*I1) */
-    const double t52 = t16*t51; /* gamma3*s*1/(s*D)*omega_n*D*1/(s*D)*(-2*I1) */
-    const double t53 = JLT_FMA(t31, t32, x[2]); /* gamma3*D*1/(s*D)*omega_tau*gamma3*D*1/(s*D) + omega_tau */
-    const double t54 = t10*t53; /* omega_n*D*1/(s*D)*(gamma3*D*1/(s*D)*omega_tau*gamma3*D*1/(s*D) + omega_tau) */
-    const double t55 = x[2]*p[14]; /* omega_tau*1/2*a3 */
-    const double t56 = t9*t27; /* D*1/(s*D)*V */
-    const double t57 = JLT_FMA(t31, t56, t55); /* gamma3*D*1/(s*D)*D*1/(s*D)*V + omega_tau*1/2*a3 */
-    const double t58 = t28*p[13]; /* D*1/(s*D)*omega_n*D*1/(s*D)*2/R */
-    const double t59 = t57*t58; /* (gamma3*D*1/(s*D)*D*1/(s*D)*V + omega_tau*1/2*a3)*D*1/(s*D)*omega_n*D*1/(s*D)*2/R */
-    const double t60 = t9*x[4]; /* D*1/(s*D)*omega3 */
-    const double t61 = JLT_FMS(t53, t60, t59); /* (gamma3*D*1/(s*D)*omega_tau*gamma3*D*1/(s*D) + omega_tau)*D*1/(s*D)*omega3 - t59 */
-    const double t62 = -t29; /* -1/R*D*1/(s*D)*omega_n*D*1/(s*D) */
-    const double t63 = t26*t29; /* e*1/R*D*1/(s*D)*omega_n*D*1/(s*D) */
-    const double t64 = JLT_FMS(x[4], t31, t63); /* omega3*gamma3*D*1/(s*D) - e*1/R*D*1/(s*D)*omega_n*D*1/(s*D) */
-    const double t65 = t9*p[15]; /* D*1/(s*D)*(-1/R) */
-    const double t66 = t56*t65; /* D*1/(s*D)*V*D*1/(s*D)*(-1/R) */
+    const double t6 = JLT_FMA(t2, p[6], 1.0); /* D scaled = (1 - gamma3)*(1 + gamma3)*m*a3^2/I1 + 1 */
+    const double t7 = t3*t6; /* s*D scaled */
+    const double t8 = 1.0/t7; /* 1/(s*D scaled) */
+    const double t9 = t6*t8; /* D scaled*1/(s*D scaled) */
+    const double t10 = x[3]*t9; /* omega_n*D scaled*1/(s*D scaled) */
+    const double t11 = t5*t10; /* b*omega_n*D scaled*1/(s*D scaled) */
+    const double t12 = p[1]*x[4]; /* R*omega3 */
+    const double t13 = t11 + t12; /* b*omega_n*D scaled*1/(s*D scaled) + R*omega3 */
+    const double t14 = x[3]*t13; /* omega_n*(b*omega_n*D scaled*1/(s*D scaled) + R*omega3) */
+    const double t15 = t3*t8; /* s*1/(s*D scaled) */
+    const double t16 = t3*t15; /* s*s*1/(s*D scaled) */
+    const double t17 = x[0]*t15; /* gamma3*s*1/(s*D scaled) */
+    const double t18 = t4*t17; /* omega_tau*s*gamma3*s*1/(s*D scaled) */
+    const double t19 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t20 = t18*t19; /* omega_tau*s*gamma3*s*1/(s*D scaled)*omega_tau*m*a3^2/I1 */
+    const double t21 = t10*t17; /* omega_n*D scaled*1/(s*D scaled)*gamma3*s*1/(s*D scaled) */
+    const double t22 = JLT_FNMA(x[3], t21, t20); /* omega_tau*s*gamma3*s*1/(s*D scaled)*omega_tau*m*a3^2/I1 - omega_n*omega_n*D scaled*1/(s*D scaled)*gamma3*s*1/(s*D scaled) */
+    const double t23 = JLT_FNMA(p[7], t16, t22); /* t22 - m*g*a3/I1*s*s*1/(s*D scaled) */
+    const double t24 = x[0]*t9; /* gamma3*D scaled*1/(s*D scaled) */
+    const double t25 = x[2]*t24; /* omega_tau*gamma3*D scaled*1/(s*D scaled) */
+    const double t26 = x[3]*t25; /* omega_n*omega_tau*gamma3*D scaled*1/(s*D scaled) */
+    const double t27 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t28 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
+    const double t29 = t9*t10; /* D scaled*1/(s*D scaled)*omega_n*D scaled*1/(s*D scaled) */
+    const double t30 = p[8]*t29; /* 1/R*D scaled*1/(s*D scaled)*omega_n*D scaled*1/(s*D scaled) */
+    const double t31 = t28*t30; /* V*1/R*D scaled*1/(s*D scaled)*omega_n*D scaled*1/(s*D scaled) */
+    const double t32 = JLT_FMS(x[4], t25, t31); /* omega3*omega_tau*gamma3*D scaled*1/(s*D scaled) - t31 */
+    const double t33 = -t25; /* -omega_tau*gamma3*D scaled*1/(s*D scaled) */
+    const double t34 = x[3]*p[1]; /* omega_n*R */
+    const double t35 = JLT_FMA(t11, t24, t34); /* b*omega_n*D scaled*1/(s*D scaled)*gamma3*D scaled*1/(s*D scaled) + omega_n*R */
+    const double t36 = t10*t35; /* omega_n*D scaled*1/(s*D scaled)*t35 */
+    const double t37 = JLT_FMA(t11, 2.0, t12); /* b*omega_n*D scaled*1/(s*D scaled)*2 + R*omega3 */
+    const double t38 = t4*t19; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t39 = JLT_FMA(p[7], t24, t38); /* m*g*a3/I1*gamma3*D scaled*1/(s*D scaled) + omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t40 = JLT_FNMA(t10, t29, t39); /* t39 - omega_n*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*omega_n*D scaled*1/(s*D scaled) */
+    const double t41 = t15*t40; /* s*1/(s*D scaled)*t40 */
+    const double t42 = t16*p[13]; /* s*s*1/(s*D scaled)*2*m^2*g*a3^3/I1^2 */
+    const double t43 = JLT_FMA(t19, t25, t42); /* omega_tau*m*a3^2/I1*omega_tau*gamma3*D scaled*1/(s*D scaled) + s*s*1/(s*D scaled)*2*m^2*g*a3^3/I1^2 */
+    const double t44 = JLT_FNMA(t22, p[9], t43); /* t43 - t22*2*m*a3^2/I1 */
+    const double t45 = JLT_FNMA(t17, t44, t41); /* s*1/(s*D scaled)*t40 - gamma3*s*1/(s*D scaled)*(t43 - t22*2*m*a3^2/I1) */
+    const double t46 = t18*p[9]; /* omega_tau*s*gamma3*s*1/(s*D scaled)*2*m*a3^2/I1 */
+    const double t47 = t21*(-2.0); /* omega_n*D scaled*1/(s*D scaled)*gamma3*s*1/(s*D scaled)*(-2) */
+    const double t48 = x[2]*t9; /* omega_tau*D scaled*1/(s*D scaled) */
+    const double t49 = t29*t48; /* D scaled*1/(s*D scaled)*omega_n*D scaled*1/(s*D scaled)*omega_tau*D scaled*1/(s*D scaled) */
+    const double t50 = x[0]*t10; /* gamma3*omega_n*D scaled*1/(s*D scaled) */
+    const double t51 = t9*t9; /* D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
+    const double t52 = x[4]*t48; /* omega3*omega_tau*D scaled*1/(s*D scaled) */
+    const double t53 = t51*t52; /* D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*omega3*omega_tau*D scaled*1/(s*D scaled) */
+    const double t54 = x[2]*p[14]; /* omega_tau*1/2*a3 */
+    const double t55 = t28*t51; /* V*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
+    const double t56 = JLT_FMA(x[0], t55, t54); /* gamma3*V*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) + omega_tau*1/2*a3 */
+    const double t57 = t29*p[11]; /* D scaled*1/(s*D scaled)*omega_n*D scaled*1/(s*D scaled)*2/R */
+    const double t58 = JLT_FNMA(t56, t57, t53); /* t53 - t56*D scaled*1/(s*D scaled)*omega_n*D scaled*1/(s*D scaled)*2/R */
+    const double t59 = -t30; /* -1/R*D scaled*1/(s*D scaled)*omega_n*D scaled*1/(s*D scaled) */
+    const double t60 = t27*t30; /* e*1/R*D scaled*1/(s*D scaled)*omega_n*D scaled*1/(s*D scaled) */
+    const double t61 = JLT_FMS(x[4], t24, t60); /* omega3*gamma3*D scaled*1/(s*D scaled) - t60 */
+    const double t62 = t55*p[12]; /* V*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*(-1/R) */
     out[0] = t4;
     out[1] = t14;
     out[2] = t23;
-    out[3] = t25;
-    out[4] = t33;
-    out[5] = t34;
+    out[3] = t26;
+    out[4] = t32;
+    out[5] = t33;
     out[6] = 0.0;
     out[7] = t3;
     out[8] = 0.0;
@@ -301,23 +299,23 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[10] = t36;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t38;
-    out[14] = t13;
-    out[15] = t49;
+    out[13] = t37;
+    out[14] = t34;
+    out[15] = t45;
     out[16] = 0.0;
-    out[17] = t50;
-    out[18] = t52;
+    out[17] = t46;
+    out[18] = t47;
     out[19] = 0.0;
-    out[20] = t54;
+    out[20] = t49;
     out[21] = 0.0;
-    out[22] = t24;
-    out[23] = t32;
+    out[22] = t50;
+    out[23] = t25;
     out[24] = 0.0;
-    out[25] = t61;
-    out[26] = t62;
-    out[27] = t64;
-    out[28] = t66;
-    out[29] = t32;
+    out[25] = t58;
+    out[26] = t59;
+    out[27] = t61;
+    out[28] = t62;
+    out[29] = t25;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -326,30 +324,27 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(t2, p[6], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
+    const double t4 = JLT_FMA(t2, p[15], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
     const double t5 = t3*t4; /* s*D */
-    const double t6 = 1.0/t5; /* 1/(s*D) */
-    const double t7 = p[10]*t3; /* 2*m*a3^2*s */
-    const double t8 = t3*t7; /* s*2*m*a3^2*s */
-    const double t9 = t6*t8; /* 1/(s*D)*s*2*m*a3^2*s */
-    const double t10 = JLT_FMA(t4, t6, t9); /* D*1/(s*D) + 1/(s*D)*s*2*m*a3^2*s */
-    const double t11 = x[0]*x[2]; /* gamma3*omega_tau */
-    const double t12 = t10*t11; /* (D*1/(s*D) + 1/(s*D)*s*2*m*a3^2*s)*gamma3*omega_tau */
-    out[0] = t12;
+    const double t6 = JLT_FMA(t2, p[16], t4); /* (1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D */
+    const double t7 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t8 = t6*t7; /* ((1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D)*gamma3*omega_tau */
+    const double t9 = t8/t5; /* ((1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D)*gamma3*omega_tau/(s*D) */
+    out[0] = t9;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[17]*x[0]; /* 2*m*g*a3*gamma3 */
+    const double t0 = p[17]*x[0]; /* m*g*a3*gamma3 */
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
     const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = JLT_FMA(p[6], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t5 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t6 = p[4]*x[3]; /* I1*omega_n */
-    const double t7 = JLT_FMA(x[3], t6, t0); /* omega_n*I1*omega_n + 2*m*g*a3*gamma3 */
-    const double t8 = JLT_FMA(t4, t5, t7); /* D*omega_tau*omega_tau + omega_n*I1*omega_n + 2*m*g*a3*gamma3 */
-    const double t9 = (1.0 / 2.0)*t8; /* 1/2*(D*omega_tau*omega_tau + omega_n*I1*omega_n + 2*m*g*a3*gamma3) */
+    const double t4 = JLT_FMA(p[15], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t5 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
+    const double t6 = x[2]*t5; /* omega_tau*1/2*omega_tau */
+    const double t7 = p[18]*x[3]; /* 1/2*I1*omega_n */
+    const double t8 = JLT_FMA(x[3], t7, t0); /* omega_n*1/2*I1*omega_n + m*g*a3*gamma3 */
+    const double t9 = JLT_FMA(t4, t6, t8); /* D*omega_tau*1/2*omega_tau + omega_n*1/2*I1*omega_n + m*g*a3*gamma3 */
     const double t10 = x[1]*x[1]; /* v_nu*v_nu */
     const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t12 = x[3]*t11; /* omega_n*b */
@@ -357,9 +352,9 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t14 = p[1]*x[4]; /* R*omega3 */
     const double t15 = JLT_FMA(t13, t14, t12); /* v_tau = s*R*omega3 + omega_n*b */
     const double t16 = JLT_FMA(t15, t15, t10); /* v_tau*v_tau + v_nu*v_nu */
-    const double t17 = p[18]*t16; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t17 = p[19]*t16; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     const double t18 = t9 + t17; /* energy = t9 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
-    const double t19 = x[3]*p[19]; /* omega_n*R*I1 */
+    const double t19 = x[3]*p[20]; /* omega_n*R*I1 */
     const double t20 = t13*t19; /* s*omega_n*R*I1 */
     out[0] = t18;
     out[1] = t20;
@@ -369,55 +364,52 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[3]*x[0]; /* a3*gamma3 */
+    const double t0 = p[15]*x[0]; /* m*a3^2*gamma3 */
     const double t1 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t2 = JLT_FNMA(t0, t1, p[2]); /* g - a3*gamma3*omega_tau*omega_tau */
-    const double t3 = p[20]*t2; /* m*a3*(g - a3*gamma3*omega_tau*omega_tau) */
-    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = x[3]*t4; /* omega_n*b */
-    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t7 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t8 = t6*t7; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t9 = sqrt(t8); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t10 = p[1]*x[4]; /* R*omega3 */
-    const double t11 = JLT_FMA(t9, t10, t5); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t12 = p[0]*t11; /* m*v_tau */
-    const double t13 = 1.0/t9; /* 1/s */
-    const double t14 = x[0]*t13; /* gamma3*1/s */
-    const double t15 = JLT_FNMA(x[4], t14, x[3]); /* omega_n - omega3*gamma3*1/s */
-    const double t16 = p[1]*t12; /* R*m*v_tau */
-    const double t17 = t15*t16; /* (omega_n - omega3*gamma3*1/s)*R*m*v_tau */
-    const double t18 = t3 + t17; /* d(energy)/d(gamma3) = m*a3*(g - a3*gamma3*omega_tau*omega_tau) + (omega_n - omega3*gamma3*1/s)*R*m*v_tau */
-    const double t19 = p[0]*x[1]; /* m*v_nu */
-    const double t20 = JLT_FMA(t8, p[6], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
-    const double t21 = x[2]*t20; /* omega_tau*D */
-    const double t22 = x[3]*p[4]; /* omega_n*I1 */
-    const double t23 = t4*t12; /* b*m*v_tau */
-    const double t24 = t22 + t23; /* d(energy)/d(omega_n) = omega_n*I1 + b*m*v_tau */
-    const double t25 = t9*p[21]; /* s*m*R */
-    const double t26 = t11*t25; /* v_tau*s*m*R */
-    const double t27 = x[3]*p[22]; /* omega_n*(-R*I1) */
-    const double t28 = t14*t27; /* gamma3*1/s*omega_n*(-R*I1) */
-    const double t29 = t9*p[19]; /* s*R*I1 */
-    out[0] = t18;
-    out[1] = t19;
-    out[2] = t21;
-    out[3] = t24;
-    out[4] = t26;
-    out[5] = t28;
+    const double t2 = JLT_FNMA(t0, t1, p[17]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t4 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t6 = sqrt(t5); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t7 = x[0]/t6; /* gamma3/s */
+    const double t8 = JLT_FNMA(x[4], t7, x[3]); /* d(v_tau)/d(gamma3) scaled = omega_n - omega3*gamma3/s */
+    const double t9 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t10 = x[3]*t9; /* omega_n*b */
+    const double t11 = x[4]*p[1]; /* omega3*R */
+    const double t12 = JLT_FMA(t6, t11, t10); /* v_tau = s*omega3*R + omega_n*b */
+    const double t13 = p[21]*t12; /* m*R*v_tau */
+    const double t14 = t8*t13; /* d(v_tau)/d(gamma3) scaled*m*R*v_tau */
+    const double t15 = t2 + t14; /* d(energy)/d(gamma3) = m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau + d(v_tau)/d(gamma3) scaled*m*R*v_tau */
+    const double t16 = p[0]*x[1]; /* m*v_nu */
+    const double t17 = JLT_FMA(p[15], t5, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t18 = x[2]*t17; /* omega_tau*D */
+    const double t19 = x[3]*p[4]; /* omega_n*I1 */
+    const double t20 = t9*p[0]; /* b*m */
+    const double t21 = t12*t20; /* v_tau*b*m */
+    const double t22 = t19 + t21; /* d(energy)/d(omega_n) = omega_n*I1 + v_tau*b*m */
+    const double t23 = t6*t13; /* s*m*R*v_tau */
+    const double t24 = x[3]*p[22]; /* omega_n*(-R*I1) */
+    const double t25 = t7*t24; /* gamma3/s*omega_n*(-R*I1) */
+    const double t26 = t6*p[20]; /* s*R*I1 */
+    out[0] = t15;
+    out[1] = t16;
+    out[2] = t18;
+    out[3] = t22;
+    out[4] = t23;
+    out[5] = t25;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t29;
+    out[8] = t26;
     out[9] = 0.0;
-    out[10] = t17;
-    out[11] = t19;
+    out[10] = t14;
+    out[11] = t16;
     out[12] = 0.0;
-    out[13] = t23;
-    out[14] = t26;
-    out[15] = t3;
+    out[13] = t21;
+    out[14] = t23;
+    out[15] = t2;
     out[16] = 0.0;
-    out[17] = t21;
-    out[18] = t22;
+    out[17] = t18;
+    out[18] = t19;
     out[19] = 0.0;
 }
 
@@ -427,7 +419,7 @@ static void measure_values(const double *restrict x, const double *restrict p, d
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = JLT_FMA(t2, p[6], p[4]); /* (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t4 = JLT_FMA(t2, p[15], p[4]); /* (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
     const double t5 = t3*t4; /* s*((1 - gamma3)*(1 + gamma3)*m*a3^2 + I1) */
     out[0] = t5;
 }
@@ -437,21 +429,14 @@ static void measure_divergences(const double *restrict x, const double *restrict
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = JLT_FMA(t2, p[6], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
-    const double t5 = t3*p[10]; /* s*2*m*a3^2 */
-    const double t6 = t3*t4; /* s*D */
-    const double t7 = 1.0/t6; /* 1/(s*D) */
-    const double t8 = t3*t5; /* s*s*2*m*a3^2 */
-    const double t9 = t4*t7; /* D*1/(s*D) */
-    const double t10 = JLT_FMA(t7, t8, t9); /* 1/(s*D)*s*s*2*m*a3^2 + D*1/(s*D) */
-    const double t11 = x[0]*x[2]; /* gamma3*omega_tau */
-    const double t12 = t4*t11; /* D*gamma3*omega_tau */
-    const double t13 = t10*t12; /* (1/(s*D)*s*s*2*m*a3^2 + D*1/(s*D))*D*gamma3*omega_tau */
-    const double t14 = JLT_FMA(t4, t9, t5); /* D*D*1/(s*D) + s*2*m*a3^2 */
-    const double t15 = JLT_FNMA(t11, t14, t13); /* (1/(s*D)*s*s*2*m*a3^2 + D*1/(s*D))*D*gamma3*omega_tau - gamma3*omega_tau*(D*D*1/(s*D) + s*2*m*a3^2) */
-    const double t16 = t3*t15; /* s*t15 */
-    out[0] = t16;
+    const double t3 = JLT_FMA(t2, p[15], p[4]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t4 = t3/t3; /* D/D */
+    const double t5 = 1.0 - t4; /* 1 - D/D */
+    const double t6 = p[23]*x[0]; /* (-2*m*a3^2)*gamma3 */
+    const double t7 = x[2]*t6; /* omega_tau*(-2*m*a3^2)*gamma3 */
+    const double t8 = t2*t7; /* (1 - gamma3)*(1 + gamma3)*omega_tau*(-2*m*a3^2)*gamma3 */
+    const double t9 = t5*t8; /* (1 - D/D)*(1 - gamma3)*(1 + gamma3)*omega_tau*(-2*m*a3^2)*gamma3 */
+    out[0] = t9;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -468,30 +453,29 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t6[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
-    double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
-    double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
-    double t33[JLT_JET_ORDER_MAX + 1];
-    double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
-    double t40[JLT_JET_ORDER_MAX + 1];
-    double t41[JLT_JET_ORDER_MAX + 1];
-    double t42[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -504,36 +488,35 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t6[k] = jlt_jet_root(t5[k], t6, k);
         t7[k] = jlt_jet_product(x2, t6, k);
         t11[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
-        t14[k] = t5[k]*p[6] + (k == 0 ? p[4] : 0);
-        t15[k] = jlt_jet_product(t6, t14, k);
-        t16[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t15, t16, k);
-        t17[k] = jlt_jet_product(t14, t16, k);
-        t18[k] = jlt_jet_product(x3, t17, k);
-        t19[k] = jlt_jet_product(t11, t18, k);
-        t21[k] = p[1]*x4[k] + t19[k];
-        t22[k] = jlt_jet_product(x3, t21, k);
-        t24[k] = x2[k]*p[7];
-        t25[k] = jlt_jet_product(t7, t24, k);
-        t26[k] = t25[k] - jlt_jet_product(x3, t18, k);
-        t27[k] = jlt_jet_product(x0, t26, k);
-        t29[k] = t27[k] - t6[k]*p[8];
-        t30[k] = t6[k]*p[4];
-        t31[k] = jlt_jet_product(t16, t30, k);
-        t32[k] = jlt_jet_product(t29, t31, k);
-        t33[k] = jlt_jet_product(x2, x0, k);
-        t34[k] = jlt_jet_product(t18, t33, k);
-        t35[k] = jlt_jet_product(x4, t33, k);
-        t38[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t39[k] = jlt_jet_product(x2, t38, k) + x1[k];
-        t40[k] = p[9]*t39[k];
-        t41[k] = t35[k] - jlt_jet_product(t18, t40, k);
-        t42[k] = jlt_jet_product(t17, t41, k);
+        t13[k] = t5[k]*p[6] + (k == 0 ? 1.0 : 0);
+        t14[k] = jlt_jet_product(t6, t13, k);
+        t15[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t14, t15, k);
+        t16[k] = jlt_jet_product(t13, t15, k);
+        t17[k] = jlt_jet_product(x3, t16, k);
+        t18[k] = jlt_jet_product(t11, t17, k);
+        t20[k] = p[1]*x4[k] + t18[k];
+        t21[k] = jlt_jet_product(x3, t20, k);
+        t22[k] = jlt_jet_product(x2, x0, k);
+        t23[k] = p[6]*t22[k];
+        t24[k] = jlt_jet_product(t7, t23, k);
+        t25[k] = jlt_jet_product(x0, x3, k);
+        t27[k] = t24[k] - t6[k]*p[7];
+        t28[k] = t27[k] - jlt_jet_product(t17, t25, k);
+        t29[k] = jlt_jet_product(t6, t15, k);
+        t30[k] = jlt_jet_product(t28, t29, k);
+        t31[k] = jlt_jet_product(t17, t22, k);
+        t32[k] = jlt_jet_product(x4, t22, k);
+        t35[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t36[k] = jlt_jet_product(x2, t35, k) + x1[k];
+        t37[k] = p[8]*t36[k];
+        t38[k] = t32[k] - jlt_jet_product(t17, t37, k);
+        t39[k] = jlt_jet_product(t16, t38, k);
         double *restrict next = coefficients + (k + 1)*5;
         next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t22[k]/(k + 1);
-        next[2] = x2[k + 1] = t32[k]/(k + 1);
-        next[3] = x3[k + 1] = t34[k]/(k + 1);
-        next[4] = x4[k + 1] = t42[k]/(k + 1);
+        next[1] = x1[k + 1] = t21[k]/(k + 1);
+        next[2] = x2[k + 1] = t30[k]/(k + 1);
+        next[3] = x3[k + 1] = t31[k]/(k + 1);
+        next[4] = x4[k + 1] = t39[k]/(k + 1);
     }
 }
 
@@ -611,26 +594,26 @@ const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 6, .block_count = 23,
+    .state_count = 5, .param_count = 6, .block_count = 24,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 2, 18, 8, 1, 1, 0, 11, 7 }, { 9, 33, 0, 7, 1, 0, 9, 6 },
+    .rhs = { rhs, 5, { 2, 17, 8, 1, 1, 0, 10, 8 }, { 9, 33, 0, 7, 1, 0, 9, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 25, { 4, 37, 15, 1, 1, 0, 12, 14 }, { 23, 119, 0, 27, 1, 0, 15, 7 },
+    .jacobian = { jacobian, 25, { 6, 37, 13, 1, 1, 0, 13, 14 }, { 23, 119, 0, 27, 1, 0, 15, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 4, 42, 19, 1, 1, 0, 14, 19 }, { 27, 144, 0, 34, 1, 0, 15, 9 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 5, 39, 17, 1, 1, 0, 12, 20 }, { 27, 144, 0, 34, 1, 0, 15, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 2, 7, 2, 1, 1, 0, 8, 5 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
+    .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { integral_values, 4, { 3, 11, 6, 0, 1, 0, 7, 6 }, { 11, 42, 0, 0, 1, 0, 11, 6 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 20, { 4, 19, 5, 1, 1, 0, 8, 10 }, { 10, 51, 0, 2, 1, 0, 8, 8 },
+    .integral_gradients = { integral_gradients, 20, { 4, 16, 5, 1, 1, 0, 7, 9 }, { 10, 51, 0, 2, 1, 0, 8, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { measure_values, 1, { 2, 2, 1, 0, 1, 0, 4, 3 }, { 2, 6, 0, 0, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .measure_divergences = { measure_divergences, 1, { 2, 9, 4, 1, 1, 0, 10, 8 }, { 7, 30, 0, 3, 1, 0, 11, 7 },
+    .measure_divergences = { measure_divergences, 1, { 3, 5, 1, 1, 0, 0, 6, 4 }, { 7, 30, 0, 3, 1, 0, 11, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },

@@ -555,14 +555,14 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     (void)prec;
     arb_set_si(t + 0, 0);
     arb_set_si(t + 1, 1);
-    arb_mul(t + 4, params + 0, params + 2, prec);
-    arb_mul(t + 6, t + 4, params + 3, prec);
-    arb_mul(t + 7, params + 3, params + 3, prec);
-    arb_mul(t + 8, params + 0, t + 7, prec);
-    arb_mul(t + 10, t + 8, x + 0, prec);
-    arb_mul(t + 12, x + 2, x + 2, prec);
-    arb_mul(t + 13, t + 10, t + 12, prec);
-    arb_sub(t + 14, t + 6, t + 13, prec);
+    arb_mul(t + 4, params + 3, params + 3, prec);
+    arb_mul(t + 5, params + 0, t + 4, prec);
+    arb_mul(t + 7, t + 5, x + 0, prec);
+    arb_mul(t + 9, x + 2, x + 2, prec);
+    arb_mul(t + 10, t + 7, t + 9, prec);
+    arb_mul(t + 12, params + 0, params + 2, prec);
+    arb_mul(t + 13, params + 3, t + 12, prec);
+    arb_sub(t + 14, t + 13, t + 10, prec);
     arb_mul(t + 17, x + 0, params + 1, prec);
     arb_add(t + 18, params + 3, t + 17, prec); /* b */
     arb_mul(t + 19, x + 3, t + 18, prec);
@@ -581,7 +581,7 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     arb_add(t + 33, t + 14, t + 32, prec); /* d(energy)/d(gamma3) */
     arb_mul(t + 35, params + 0, x + 1, prec);
     arb_mul(t + 37, t + 24, t + 24, prec);
-    arb_mul(t + 38, t + 8, t + 37, prec);
+    arb_mul(t + 38, t + 5, t + 37, prec);
     arb_add(t + 39, params + 4, t + 38, prec); /* D */
     arb_mul(t + 40, x + 2, t + 39, prec);
     arb_mul(t + 41, x + 3, params + 4, prec);
@@ -1269,14 +1269,14 @@ static void general_on_level_G_integral_gradients(arb_ptr out, arb_srcptr x, arb
     (void)prec;
     arb_set_si(t + 0, 0);
     arb_set_si(t + 1, 1);
-    arb_mul(t + 4, params + 0, params + 2, prec);
-    arb_mul(t + 6, t + 4, params + 3, prec);
-    arb_mul(t + 7, params + 3, params + 3, prec);
-    arb_mul(t + 8, params + 0, t + 7, prec);
-    arb_mul(t + 10, t + 8, x + 0, prec);
-    arb_mul(t + 12, x + 2, x + 2, prec);
-    arb_mul(t + 13, t + 10, t + 12, prec);
-    arb_sub(t + 14, t + 6, t + 13, prec);
+    arb_mul(t + 4, params + 3, params + 3, prec);
+    arb_mul(t + 5, params + 0, t + 4, prec);
+    arb_mul(t + 7, t + 5, x + 0, prec);
+    arb_mul(t + 9, x + 2, x + 2, prec);
+    arb_mul(t + 10, t + 7, t + 9, prec);
+    arb_mul(t + 12, params + 0, params + 2, prec);
+    arb_mul(t + 13, params + 3, t + 12, prec);
+    arb_sub(t + 14, t + 13, t + 10, prec);
     arb_mul(t + 17, params + 4, params + 1, prec);
     arb_mul(t + 18, x + 0, x + 0, prec);
     arb_sub(t + 19, t + 1, t + 18, prec);
@@ -1313,7 +1313,7 @@ static void general_on_level_G_integral_gradients(arb_ptr out, arb_srcptr x, arb
     arb_mul(t + 53, t + 46, t + 52, prec);
     arb_add(t + 54, t + 41, t + 53, prec); /* d(energy)/d(gamma3) */
     arb_mul(t + 56, params + 0, x + 1, prec);
-    arb_mul(t + 57, t + 8, t + 34, prec);
+    arb_mul(t + 57, t + 5, t + 34, prec);
     arb_add(t + 58, params + 4, t + 57, prec); /* D */
     arb_mul(t + 59, x + 2, t + 58, prec);
     arb_mul(t + 60, params + 5, t + 30, prec);
@@ -1898,71 +1898,71 @@ static void general_on_level_G_omega3_integral_gradients(arb_ptr out, arb_srcptr
     (void)prec;
     arb_set_si(t + 0, 0);
     arb_set_si(t + 1, 1);
-    arb_mul(t + 4, params + 0, params + 2, prec);
-    arb_mul(t + 6, t + 4, params + 3, prec);
-    arb_mul(t + 7, params + 3, params + 3, prec);
-    arb_mul(t + 8, params + 0, t + 7, prec);
-    arb_mul(t + 10, t + 8, x + 0, prec);
-    arb_mul(t + 12, x + 2, x + 2, prec);
-    arb_mul(t + 13, t + 10, t + 12, prec);
-    arb_sub(t + 14, t + 6, t + 13, prec);
+    arb_mul(t + 4, params + 3, params + 3, prec);
+    arb_mul(t + 5, params + 0, t + 4, prec);
+    arb_mul(t + 7, t + 5, x + 0, prec);
+    arb_mul(t + 9, x + 2, x + 2, prec);
+    arb_mul(t + 10, t + 7, t + 9, prec);
+    arb_mul(t + 12, params + 0, params + 2, prec);
+    arb_mul(t + 13, params + 3, t + 12, prec);
+    arb_sub(t + 14, t + 13, t + 10, prec);
     arb_mul(t + 17, x + 0, params + 1, prec);
     arb_add(t + 18, params + 3, t + 17, prec); /* b */
-    arb_mul(t + 19, x + 3, t + 18, prec);
-    arb_mul(t + 21, t + 18, params + 5, prec);
-    arb_mul(t + 24, params + 1, params + 4, prec);
-    arb_mul(t + 25, x + 3, t + 24, prec);
-    arb_mul(t + 26, x + 0, x + 0, prec);
-    arb_sub(t + 27, t + 1, t + 26, prec);
-    arb_sqrt(t + 28, t + 27, prec); /* s */
-    arb_mul(t + 29, t + 25, t + 28, prec);
-    arb_sub(t + 30, params + 6, t + 29, prec);
-    arb_sub(t + 31, t + 29, params + 6, prec);
-    arb_div(t + 32, t + 31, t + 21, prec); /* omega3 */
-    arb_mul(t + 33, params + 1, t + 32, prec);
-    arb_mul(t + 34, t + 28, t + 33, prec);
-    arb_add(t + 35, t + 19, t + 34, prec); /* v_tau */
-    arb_mul(t + 36, params + 0, t + 35, prec);
-    arb_mul(t + 37, x + 3, params + 1, prec);
-    arb_mul(t + 38, t + 17, t + 32, prec);
-    arb_div(t + 39, t + 38, t + 28, prec);
-    arb_sub(t + 40, t + 37, t + 39, prec);
-    arb_mul(t + 41, params + 1, t + 28, prec);
-    arb_mul(t + 42, t + 18, t + 18, prec);
-    arb_mul(t + 43, params + 5, t + 42, prec);
-    arb_mul(t + 44, params + 1, t + 30, prec);
-    arb_div(t + 45, t + 44, t + 43, prec);
-    arb_mul(t + 46, x + 0, t + 24, prec);
-    arb_mul(t + 47, x + 3, t + 46, prec);
-    arb_mul(t + 48, params + 5, t + 28, prec);
-    arb_mul(t + 49, t + 18, t + 48, prec);
-    arb_div(t + 50, t + 47, t + 49, prec);
-    arb_sub(t + 51, t + 45, t + 50, prec); /* d(omega3)/d(gamma3) */
-    arb_mul(t + 52, t + 41, t + 51, prec);
-    arb_add(t + 53, t + 40, t + 52, prec); /* d(v_tau)/d(gamma3) */
-    arb_mul(t + 54, t + 36, t + 53, prec);
-    arb_add(t + 55, t + 14, t + 54, prec);
-    arb_mul(t + 56, params + 5, t + 32, prec);
-    arb_mul(t + 57, t + 51, t + 56, prec);
-    arb_add(t + 58, t + 55, t + 57, prec); /* d(energy)/d(gamma3) */
+    arb_mul(t + 19, params + 5, t + 18, prec);
+    arb_mul(t + 22, params + 1, params + 4, prec);
+    arb_mul(t + 24, t + 22, x + 3, prec);
+    arb_mul(t + 25, x + 0, x + 0, prec);
+    arb_sub(t + 26, t + 1, t + 25, prec);
+    arb_sqrt(t + 27, t + 26, prec); /* s */
+    arb_mul(t + 28, t + 24, t + 27, prec);
+    arb_sub(t + 29, params + 6, t + 28, prec);
+    arb_sub(t + 30, t + 28, params + 6, prec);
+    arb_div(t + 31, t + 30, t + 19, prec); /* omega3 */
+    arb_mul(t + 32, params + 5, t + 31, prec);
+    arb_mul(t + 33, t + 18, t + 18, prec);
+    arb_mul(t + 34, params + 5, t + 33, prec);
+    arb_mul(t + 35, params + 1, t + 29, prec);
+    arb_div(t + 36, t + 35, t + 34, prec);
+    arb_mul(t + 37, x + 0, t + 22, prec);
+    arb_mul(t + 38, x + 3, t + 37, prec);
+    arb_mul(t + 39, params + 5, t + 27, prec);
+    arb_mul(t + 40, t + 18, t + 39, prec);
+    arb_div(t + 41, t + 38, t + 40, prec);
+    arb_sub(t + 42, t + 36, t + 41, prec); /* d(omega3)/d(gamma3) */
+    arb_mul(t + 43, t + 32, t + 42, prec);
+    arb_add(t + 44, t + 14, t + 43, prec);
+    arb_mul(t + 45, t + 18, x + 3, prec);
+    arb_mul(t + 46, params + 1, t + 31, prec);
+    arb_mul(t + 47, t + 27, t + 46, prec);
+    arb_add(t + 48, t + 45, t + 47, prec); /* v_tau */
+    arb_mul(t + 49, params + 0, t + 48, prec);
+    arb_mul(t + 50, params + 1, x + 3, prec);
+    arb_mul(t + 51, t + 17, t + 31, prec);
+    arb_div(t + 52, t + 51, t + 27, prec);
+    arb_sub(t + 53, t + 50, t + 52, prec);
+    arb_mul(t + 54, params + 1, t + 27, prec);
+    arb_mul(t + 55, t + 42, t + 54, prec);
+    arb_add(t + 56, t + 53, t + 55, prec); /* d(v_tau)/d(gamma3) */
+    arb_mul(t + 57, t + 49, t + 56, prec);
+    arb_add(t + 58, t + 44, t + 57, prec); /* d(energy)/d(gamma3) */
     arb_mul(t + 60, params + 0, x + 1, prec);
-    arb_mul(t + 61, t + 28, t + 28, prec);
-    arb_mul(t + 62, t + 8, t + 61, prec);
+    arb_mul(t + 61, t + 27, t + 27, prec);
+    arb_mul(t + 62, t + 5, t + 61, prec);
     arb_add(t + 63, params + 4, t + 62, prec); /* D */
     arb_mul(t + 64, x + 2, t + 63, prec);
-    arb_mul(t + 65, x + 3, params + 4, prec);
+    arb_mul(t + 65, params + 4, x + 3, prec);
     arb_mul(t + 66, params + 1, params + 1, prec);
     arb_mul(t + 67, params + 4, t + 66, prec);
     arb_mul(t + 68, t + 61, t + 67, prec);
-    arb_div(t + 69, t + 68, t + 21, prec);
+    arb_div(t + 69, t + 68, t + 19, prec);
     arb_add(t + 70, t + 18, t + 69, prec); /* d(v_tau)/d(omega_n) */
-    arb_mul(t + 71, t + 36, t + 70, prec);
+    arb_mul(t + 71, t + 49, t + 70, prec);
     arb_add(t + 72, t + 65, t + 71, prec);
-    arb_mul(t + 73, t + 24, t + 32, prec);
-    arb_mul(t + 74, t + 28, t + 73, prec);
+    arb_mul(t + 73, t + 22, t + 31, prec);
+    arb_mul(t + 74, t + 27, t + 73, prec);
     arb_div(t + 75, t + 74, t + 18, prec);
     arb_add(t + 76, t + 72, t + 75, prec); /* d(energy)/d(omega_n) */
-    arb_mul(t + 77, t + 32, t + 32, prec);
+    arb_mul(t + 77, t + 31, t + 31, prec);
     arb_sub(t + 78, params + 4, params + 5, prec);
     arb_mul(t + 79, t + 77, t + 78, prec);
     arb_mul(t + 80, params + 0, t + 66, prec);
@@ -1980,11 +1980,11 @@ static void general_on_level_G_omega3_integral_gradients(arb_ptr out, arb_srcptr
     arb_mul(t + 92, t + 61, t + 81, prec);
     arb_add(t + 93, t + 91, t + 92, prec);
     arb_mul(t + 94, params + 0, params + 5, prec);
-    arb_mul(t + 95, t + 42, t + 94, prec);
+    arb_mul(t + 95, t + 33, t + 94, prec);
     arb_add(t + 96, t + 93, t + 95, prec); /* Theta */
-    arb_mul(t + 97, t + 32, t + 96, prec);
+    arb_mul(t + 97, t + 31, t + 96, prec);
     arb_mul(t + 98, t + 78, t + 97, prec);
-    arb_mul(t + 99, t + 51, t + 98, prec);
+    arb_mul(t + 99, t + 42, t + 98, prec);
     arb_mul(t + 100, t + 83, t + 99, prec);
     arb_add(t + 101, t + 90, t + 100, prec);
     arb_mul(t + 102, params + 0, t + 83, prec);
@@ -1998,11 +1998,11 @@ static void general_on_level_G_omega3_integral_gradients(arb_ptr out, arb_srcptr
     arb_mul(t + 110, t + 106, t + 109, prec);
     arb_mul(t + 111, params + 1, t + 83, prec);
     arb_mul(t + 112, params + 4, t + 111, prec);
-    arb_mul(t + 113, t + 32, t + 112, prec);
-    arb_mul(t + 114, t + 28, t + 113, prec);
+    arb_mul(t + 113, t + 31, t + 112, prec);
+    arb_mul(t + 114, t + 27, t + 113, prec);
     arb_mul(t + 115, t + 96, t + 114, prec);
     arb_mul(t + 116, t + 78, t + 115, prec);
-    arb_div(t + 117, t + 116, t + 21, prec);
+    arb_div(t + 117, t + 116, t + 19, prec);
     arb_set(out + 0, t + 58);
     arb_set(out + 1, t + 60);
     arb_set(out + 2, t + 64);
@@ -2015,7 +2015,7 @@ static void general_on_level_G_omega3_integral_gradients(arb_ptr out, arb_srcptr
     arb_set(out + 9, t + 1);
     arb_set(out + 10, params + 1);
     arb_set(out + 11, t + 0);
-    arb_set(out + 12, t + 54);
+    arb_set(out + 12, t + 57);
     arb_set(out + 13, t + 60);
     arb_set(out + 14, t + 0);
     arb_set(out + 15, t + 71);
@@ -3346,29 +3346,29 @@ static void general_in_regular_on_level_G_integral_gradients(arb_ptr out, arb_sr
     arb_set_si(t + 1, 1);
     arb_mul(t + 4, params + 0, params + 2, prec);
     arb_mul(t + 6, t + 4, params + 3, prec);
-    arb_mul(t + 10, params + 1, params + 4, prec);
-    arb_mul(t + 12, t + 10, x + 4, prec);
+    arb_mul(t + 9, params + 1, params + 4, prec);
+    arb_mul(t + 11, t + 9, x + 4, prec);
     arb_mul(t + 15, params + 5, x + 3, prec);
     arb_mul(t + 17, params + 1, x + 0, prec);
     arb_add(t + 18, params + 3, t + 17, prec); /* b */
     arb_mul(t + 19, t + 15, t + 18, prec);
     arb_add(t + 20, params + 6, t + 19, prec);
-    arb_div(t + 21, t + 20, t + 12, prec); /* omega_n */
-    arb_mul(t + 22, params + 5, t + 21, prec);
-    arb_mul(t + 23, x + 3, t + 22, prec);
-    arb_div(t + 24, t + 23, x + 4, prec);
-    arb_add(t + 25, t + 6, t + 24, prec);
-    arb_mul(t + 26, t + 18, t + 21, prec);
-    arb_mul(t + 27, params + 1, x + 3, prec);
-    arb_mul(t + 28, x + 4, t + 27, prec);
-    arb_add(t + 29, t + 26, t + 28, prec); /* v_tau */
-    arb_mul(t + 30, params + 0, t + 29, prec);
-    arb_mul(t + 31, params + 1, t + 21, prec);
-    arb_mul(t + 32, params + 4, x + 4, prec);
-    arb_div(t + 33, t + 19, t + 32, prec);
-    arb_add(t + 34, t + 31, t + 33, prec); /* d(v_tau)/d(gamma3) */
-    arb_mul(t + 35, t + 30, t + 34, prec);
-    arb_add(t + 36, t + 25, t + 35, prec); /* d(energy)/d(gamma3) */
+    arb_div(t + 21, t + 20, t + 11, prec); /* omega_n */
+    arb_mul(t + 22, t + 18, t + 21, prec);
+    arb_mul(t + 23, params + 1, x + 3, prec);
+    arb_mul(t + 24, x + 4, t + 23, prec);
+    arb_add(t + 25, t + 22, t + 24, prec); /* v_tau */
+    arb_mul(t + 26, params + 0, t + 25, prec);
+    arb_mul(t + 27, params + 1, t + 21, prec);
+    arb_mul(t + 28, params + 4, x + 4, prec);
+    arb_div(t + 29, t + 19, t + 28, prec);
+    arb_add(t + 30, t + 27, t + 29, prec); /* d(v_tau)/d(gamma3) */
+    arb_mul(t + 31, t + 26, t + 30, prec);
+    arb_add(t + 32, t + 6, t + 31, prec);
+    arb_mul(t + 33, params + 5, t + 21, prec);
+    arb_mul(t + 34, x + 3, t + 33, prec);
+    arb_div(t + 35, t + 34, x + 4, prec);
+    arb_add(t + 36, t + 32, t + 35, prec); /* d(energy)/d(gamma3) */
     arb_mul(t + 38, params + 0, x + 1, prec);
     arb_mul(t + 40, params + 3, params + 3, prec);
     arb_mul(t + 41, params + 0, t + 40, prec);
@@ -3377,28 +3377,28 @@ static void general_in_regular_on_level_G_integral_gradients(arb_ptr out, arb_sr
     arb_add(t + 44, params + 4, t + 43, prec); /* D */
     arb_mul(t + 45, x + 2, t + 44, prec);
     arb_mul(t + 46, params + 1, x + 4, prec);
-    arb_mul(t + 47, t + 18, t + 18, prec);
-    arb_mul(t + 48, params + 5, t + 47, prec);
-    arb_div(t + 49, t + 48, t + 12, prec);
-    arb_add(t + 50, t + 46, t + 49, prec); /* d(v_tau)/d(omega3) */
-    arb_mul(t + 51, t + 30, t + 50, prec);
-    arb_add(t + 52, t + 15, t + 51, prec);
-    arb_mul(t + 53, t + 18, t + 22, prec);
-    arb_div(t + 54, t + 53, t + 46, prec);
-    arb_add(t + 55, t + 52, t + 54, prec); /* d(energy)/d(omega3) */
-    arb_mul(t + 56, t + 10, t + 42, prec);
-    arb_mul(t + 57, t + 18, t + 20, prec);
-    arb_div(t + 58, t + 57, t + 56, prec);
-    arb_sub(t + 59, t + 27, t + 58, prec); /* d(v_tau)/d(s) */
-    arb_mul(t + 60, t + 30, t + 59, prec);
-    arb_mul(t + 61, x + 2, x + 2, prec);
-    arb_mul(t + 62, t + 41, t + 61, prec);
-    arb_mul(t + 63, x + 4, t + 62, prec);
-    arb_add(t + 64, t + 60, t + 63, prec);
-    arb_mul(t + 65, params + 1, t + 42, prec);
-    arb_mul(t + 66, t + 20, t + 21, prec);
-    arb_div(t + 67, t + 66, t + 65, prec);
-    arb_sub(t + 68, t + 64, t + 67, prec); /* d(energy)/d(s) */
+    arb_mul(t + 47, t + 18, t + 33, prec);
+    arb_div(t + 48, t + 47, t + 46, prec);
+    arb_add(t + 49, t + 15, t + 48, prec);
+    arb_mul(t + 50, t + 18, t + 18, prec);
+    arb_mul(t + 51, params + 5, t + 50, prec);
+    arb_div(t + 52, t + 51, t + 11, prec);
+    arb_add(t + 53, t + 46, t + 52, prec); /* d(v_tau)/d(omega3) */
+    arb_mul(t + 54, t + 26, t + 53, prec);
+    arb_add(t + 55, t + 49, t + 54, prec); /* d(energy)/d(omega3) */
+    arb_mul(t + 56, x + 2, x + 2, prec);
+    arb_mul(t + 57, t + 41, t + 56, prec);
+    arb_mul(t + 58, x + 4, t + 57, prec);
+    arb_mul(t + 59, params + 1, t + 42, prec);
+    arb_mul(t + 60, t + 20, t + 21, prec);
+    arb_div(t + 61, t + 60, t + 59, prec);
+    arb_sub(t + 62, t + 58, t + 61, prec);
+    arb_mul(t + 63, t + 9, t + 42, prec);
+    arb_mul(t + 64, t + 18, t + 20, prec);
+    arb_div(t + 65, t + 64, t + 63, prec);
+    arb_sub(t + 66, t + 23, t + 65, prec); /* d(v_tau)/d(s) */
+    arb_mul(t + 67, t + 26, t + 66, prec);
+    arb_add(t + 68, t + 62, t + 67, prec); /* d(energy)/d(s) */
     arb_set_si(t + 69, 2);
     arb_mul(t + 70, params + 0, t + 69, prec);
     arb_mul(t + 71, params + 1, t + 70, prec);
@@ -3416,14 +3416,14 @@ static void general_in_regular_on_level_G_integral_gradients(arb_ptr out, arb_sr
     arb_mul(t + 83, t + 71, t + 78, prec);
     arb_mul(t + 84, t + 81, t + 83, prec);
     arb_mul(t + 85, x + 3, t + 69, prec);
-    arb_mul(t + 86, params + 5, params + 4, prec);
+    arb_mul(t + 86, params + 4, params + 5, prec);
     arb_mul(t + 87, params + 1, params + 1, prec);
     arb_mul(t + 88, params + 0, t + 87, prec);
     arb_mul(t + 89, params + 4, t + 88, prec);
     arb_mul(t + 90, t + 42, t + 89, prec);
     arb_add(t + 91, t + 86, t + 90, prec);
     arb_mul(t + 92, params + 0, params + 5, prec);
-    arb_mul(t + 93, t + 47, t + 92, prec);
+    arb_mul(t + 93, t + 50, t + 92, prec);
     arb_add(t + 94, t + 91, t + 93, prec); /* Theta */
     arb_mul(t + 95, t + 85, t + 94, prec);
     arb_mul(t + 96, t + 76, t + 95, prec);
@@ -3432,7 +3432,7 @@ static void general_in_regular_on_level_G_integral_gradients(arb_ptr out, arb_sr
     arb_mul(t + 99, t + 73, t + 98, prec);
     arb_mul(t + 100, x + 4, t + 99, prec);
     arb_mul(t + 101, t + 76, t + 100, prec);
-    arb_sub(t + 102, t + 63, t + 67, prec);
+    arb_add(t + 102, t + 6, t + 35, prec);
     arb_set(out + 0, t + 36);
     arb_set(out + 1, t + 38);
     arb_set(out + 2, t + 45);
@@ -3448,16 +3448,16 @@ static void general_in_regular_on_level_G_integral_gradients(arb_ptr out, arb_sr
     arb_set(out + 12, params + 1);
     arb_set(out + 13, t + 0);
     arb_set(out + 14, t + 0);
-    arb_set(out + 15, t + 35);
+    arb_set(out + 15, t + 31);
     arb_set(out + 16, t + 38);
     arb_set(out + 17, t + 0);
-    arb_set(out + 18, t + 51);
-    arb_set(out + 19, t + 60);
-    arb_set(out + 20, t + 25);
+    arb_set(out + 18, t + 54);
+    arb_set(out + 19, t + 67);
+    arb_set(out + 20, t + 102);
     arb_set(out + 21, t + 0);
     arb_set(out + 22, t + 45);
-    arb_set(out + 23, t + 54);
-    arb_set(out + 24, t + 102);
+    arb_set(out + 23, t + 48);
+    arb_set(out + 24, t + 62);
     _arb_vec_clear(t, 103);
 }
 
@@ -4069,15 +4069,15 @@ static void general_in_regular_on_level_G_omega3_integral_gradients(arb_ptr out,
     arb_mul(t + 58, x + 4, t + 57, prec);
     arb_div(t + 59, t + 58, t + 11, prec);
     arb_add(t + 60, t + 56, t + 59, prec); /* d(energy)/d(omega_n) */
-    arb_mul(t + 61, x + 3, t + 51, prec);
-    arb_mul(t + 62, x + 4, t + 61, prec);
-    arb_div(t + 63, t + 62, t + 14, prec);
-    arb_add(t + 64, t + 24, t + 63, prec); /* d(v_tau)/d(s) */
-    arb_mul(t + 65, t + 27, t + 64, prec);
-    arb_mul(t + 66, x + 2, x + 2, prec);
-    arb_mul(t + 67, t + 45, t + 66, prec);
-    arb_mul(t + 68, x + 4, t + 67, prec);
-    arb_add(t + 69, t + 65, t + 68, prec);
+    arb_mul(t + 61, x + 2, x + 2, prec);
+    arb_mul(t + 62, t + 45, t + 61, prec);
+    arb_mul(t + 63, x + 4, t + 62, prec);
+    arb_mul(t + 64, x + 3, t + 51, prec);
+    arb_mul(t + 65, x + 4, t + 64, prec);
+    arb_div(t + 66, t + 65, t + 14, prec);
+    arb_add(t + 67, t + 24, t + 66, prec); /* d(v_tau)/d(s) */
+    arb_mul(t + 68, t + 27, t + 67, prec);
+    arb_add(t + 69, t + 63, t + 68, prec);
     arb_mul(t + 70, t + 18, t + 23, prec);
     arb_div(t + 71, t + 70, t + 11, prec);
     arb_add(t + 72, t + 69, t + 71, prec); /* d(energy)/d(s) */
@@ -4148,12 +4148,12 @@ static void general_in_regular_on_level_G_omega3_integral_gradients(arb_ptr out,
     arb_set(out + 16, t + 42);
     arb_set(out + 17, t + 0);
     arb_set(out + 18, t + 55);
-    arb_set(out + 19, t + 65);
+    arb_set(out + 19, t + 68);
     arb_set(out + 20, t + 6);
     arb_set(out + 21, t + 0);
     arb_set(out + 22, t + 49);
     arb_set(out + 23, t + 50);
-    arb_set(out + 24, t + 68);
+    arb_set(out + 24, t + 63);
     _arb_vec_clear(t, 121);
 }
 

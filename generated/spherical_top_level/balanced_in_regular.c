@@ -7,12 +7,12 @@
  *  Command:    ttc generate --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   23    8    1    0    0     12    7   (93)
- *  jacobian            6   60   31    1    0    0     14   22   (644)
- *  rhs_jacobian        11   62   30    1    0    0     15   29   (723)
- *  divergence          1   11    6    1    0    0     12    7   (41)
- *  integral_values     0   15    8    1    0    0      7    7   (47)
- *  integral_gradients  0   29    9    1    0    0     10    7   (195)
+ *  rhs                 4   22    7    1    0    0     12    7   (93)
+ *  jacobian            8   55   30    1    0    0     13   23   (644)
+ *  rhs_jacobian        13   60   26    1    0    0     14   29   (723)
+ *  divergence          3    8    4    1    0    0     10    5   (41)
+ *  integral_values     1   12    7    1    0    0      7    5   (47)
+ *  integral_gradients  0   25    9    1    0    0     11    5   (195)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are.
@@ -56,97 +56,124 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t3 = t2*params[3]; /* R*R*I1 */
     const double t4 = params[4]*t2; /* I3*R*R */
     const double t5 = params[4]*params[3]; /* I3*I1 */
-    const double t6 = params[4]/params[3]; /* I3/I1 */
-    const double t7 = params[1]*params[3]; /* R*I1 */
-    const double t8 = params[3] - params[4]; /* I1 - I3 */
-    const double t9 = t1*t8; /* R*I3*(I1 - I3) */
-    const double t10 = t2*2.0; /* R*R*2 */
-    const double t11 = params[4]*t10; /* I3*R*R*2 */
-    const double t12 = params[3]*t10; /* I1*R*R*2 */
-    const double t13 = t2*4.0; /* R*R*4 */
-    const double t14 = params[4]*t13; /* I3*R*R*4 */
-    const double t15 = params[4]*params[4]; /* I3*I3 */
-    const double t16 = t13*t15; /* R*R*4*I3*I3 */
-    const double t17 = t16/params[3]; /* R*R*4*I3*I3/I1 */
-    const double t18 = params[6]*t1; /* G*R*I3 */
-    const double t19 = t18/params[3]; /* G*R*I3/I1 */
-    const double t20 = params[1]*(-2.0); /* R*(-2) */
-    const double t21 = params[4]*t20; /* I3*R*(-2) */
-    const double t22 = params[1]*t15; /* R*I3*I3 */
-    const double t23 = t22/params[3]; /* R*I3*I3/I1 */
-    const double t24 = -t23; /* -R*I3*I3/I1 */
-    const double t25 = -t1; /* -R*I3 */
-    const double t26 = params[3]*t13; /* I1*R*R*4 */
-    const double t27 = params[3]*params[3]; /* I1*I1 */
-    const double t28 = t13*t27; /* R*R*4*I1*I1 */
-    const double t29 = params[4]/t28; /* I3/(R*R*4*I1*I1) */
-    const double t30 = t2*t15; /* R*R*I3*I3 */
-    const double t31 = params[1]*2.0; /* R*2 */
-    const double t32 = t8*t31; /* (I1 - I3)*R*2 */
-    const double t33 = params[3]*2.0; /* I1*2 */
-    const double t34 = params[6]*t4; /* G*I3*R*R */
-    const double t35 = t8*t34; /* (I1 - I3)*G*I3*R*R */
-    const double t36 = params[4]*t7; /* I3*R*I1 */
-    const double t37 = params[4]*t3; /* I3*R*R*I1 */
-    const double t38 = t8*t37; /* (I1 - I3)*I3*R*R*I1 */
-    const double t39 = t7*t8; /* R*I1*(I1 - I3) */
-    const double t40 = params[0]/2.0; /* m/2 */
-    const double t41 = params[6]*params[6]; /* G*G */
-    const double t42 = params[3]/2.0; /* I1/2 */
-    const double t43 = t27*params[0]; /* I1*I1*m */
-    const double t44 = 1.0/params[0]; /* 1/m */
-    const double t45 = t2*params[0]; /* R*R*m */
-    const double t46 = params[3]*t45; /* I1*R*R*m */
-    const double t47 = t4*t8; /* I3*R*R*(I1 - I3) */
-    const double t48 = 2.0*params[0]; /* 2*m */
-    const double t49 = params[6]*t31; /* G*R*2 */
-    const double t50 = t8*t49; /* (I1 - I3)*G*R*2 */
-    const double t51 = t27*t48; /* I1*I1*2*m */
-    const double t52 = params[1]*t48; /* R*2*m */
-    const double t53 = t27*t52; /* I1*I1*R*2*m */
-    const double t54 = params[3]*t31; /* I1*R*2 */
-    const double t55 = t8*t54; /* (I1 - I3)*I1*R*2 */
-    const double t56 = t3*t8; /* R*R*I1*(I1 - I3) */
+    const double t6 = t5/params[0]; /* I3*I1/m */
+    const double t7 = params[6]/params[3]; /* G/I1 */
+    const double t8 = params[4]*t3; /* I3*R*R*I1 */
+    const double t9 = params[3] - params[4]; /* I1 - I3 */
+    const double t10 = t8*t9; /* I3*R*R*I1*(I1 - I3) */
+    const double t11 = t10/params[0]; /* I3*R*R*I1*(I1 - I3)/m */
+    const double t12 = t2*2.0; /* R*R*2 */
+    const double t13 = params[4]*t12; /* I3*R*R*2 */
+    const double t14 = params[3]*t12; /* I1*R*R*2 */
+    const double t15 = t2*4.0; /* R*R*4 */
+    const double t16 = params[4]*t15; /* I3*R*R*4 */
+    const double t17 = params[1]*2.0; /* R*2 */
+    const double t18 = params[4]*t17; /* I3*R*2 */
+    const double t19 = params[6]*t1; /* G*R*I3 */
+    const double t20 = t19/params[3]; /* G*R*I3/I1 */
+    const double t21 = params[1]*(-2.0); /* R*(-2) */
+    const double t22 = params[4]*t21; /* I3*R*(-2) */
+    const double t23 = params[4]*params[4]; /* I3*I3 */
+    const double t24 = t2*t23; /* R*R*I3*I3 */
+    const double t25 = -t24; /* -R*R*I3*I3 */
+    const double t26 = -t1; /* -R*I3 */
+    const double t27 = params[3]*t15; /* I1*R*R*4 */
+    const double t28 = params[3]*t17; /* I1*R*2 */
+    const double t29 = params[6]/t28; /* G/(I1*R*2) */
+    const double t30 = params[1]*t2; /* R*R*R */
+    const double t31 = 4.0*t30; /* 4*R*R*R */
+    const double t32 = params[3]*t31; /* I1*4*R*R*R */
+    const double t33 = params[4]*t32; /* I3*I1*4*R*R*R */
+    const double t34 = t14*t23; /* I1*R*R*2*I3*I3 */
+    const double t35 = t34/params[0]; /* I1*R*R*2*I3*I3/m */
+    const double t36 = t2*t9; /* R*R*(I1 - I3) */
+    const double t37 = params[1]*params[3]; /* R*I1 */
+    const double t38 = params[4]*t37; /* I3*R*I1 */
+    const double t39 = t38/params[0]; /* I3*R*I1/m */
+    const double t40 = params[3]*params[3]; /* I1*I1 */
+    const double t41 = t12*t40; /* R*R*2*I1*I1 */
+    const double t42 = params[4]*t41; /* I3*R*R*2*I1*I1 */
+    const double t43 = t42/params[0]; /* I3*R*R*2*I1*I1/m */
+    const double t44 = t23*t31; /* I3*I3*4*R*R*R */
+    const double t45 = params[6]*t4; /* G*I3*R*R */
+    const double t46 = t9*t45; /* (I1 - I3)*G*I3*R*R */
+    const double t47 = t46/params[0]; /* (I1 - I3)*G*I3*R*R/m */
+    const double t48 = t9*t37; /* (I1 - I3)*R*I1 */
+    const double t49 = t48/params[0]; /* (I1 - I3)*R*I1/m */
+    const double t50 = params[0]/2.0; /* m/2 */
+    const double t51 = params[4]/params[3]; /* I3/I1 */
+    const double t52 = t2*params[0]; /* R*R*m */
+    const double t53 = params[3]*t52; /* I1*R*R*m */
+    const double t54 = params[6]*params[6]; /* G*G */
+    const double t55 = t54/t53; /* G*G/(I1*R*R*m) */
+    const double t56 = params[4]/t52; /* I3/(R*R*m) */
+    const double t57 = params[3]/2.0; /* I1/2 */
+    const double t58 = params[0]*t40; /* m*I1*I1 */
+    const double t59 = params[3]*params[0]; /* I1*m */
+    const double t60 = t9*t59; /* (I1 - I3)*I1*m */
+    const double t61 = params[4]*t52; /* I3*R*R*m */
+    const double t62 = 1.0/params[0]; /* 1/m */
+    const double t63 = t54/params[0]; /* G*G/m */
+    const double t64 = params[0]*2.0; /* m*2 */
+    const double t65 = t2*t2; /* R*R*R*R */
+    const double t66 = t64*t65; /* m*2*R*R*R*R */
+    const double t67 = t40*t66; /* I1*I1*m*2*R*R*R*R */
+    const double t68 = params[4]*t67; /* I3*I1*I1*m*2*R*R*R*R */
+    const double t69 = t9*t68; /* (I1 - I3)*I3*I1*I1*m*2*R*R*R*R */
+    const double t70 = 2.0/params[0]; /* 2/m */
+    const double t71 = params[6]*t14; /* G*I1*R*R*2 */
+    const double t72 = t9*t71; /* (I1 - I3)*G*I1*R*R*2 */
+    const double t73 = t40*t64; /* I1*I1*m*2 */
+    const double t74 = params[1]*t64; /* R*m*2 */
+    const double t75 = t40*t74; /* I1*I1*R*m*2 */
+    const double t76 = t9*t41; /* (I1 - I3)*R*R*2*I1*I1 */
+    const double t77 = params[3]*t40; /* I1*I1*I1 */
+    const double t78 = t66*t77; /* m*2*R*R*R*R*I1*I1*I1 */
+    const double t79 = t9*t78; /* (I1 - I3)*m*2*R*R*R*R*I1*I1*I1 */
     out[7] = t0;
     out[8] = t1;
     out[9] = t3;
     out[10] = t4;
-    out[11] = t5;
-    out[12] = t6;
-    out[13] = t7;
-    out[14] = t9;
-    out[15] = t11;
-    out[16] = t12;
-    out[17] = t14;
-    out[18] = t17;
-    out[19] = t19;
-    out[20] = t21;
-    out[21] = t24;
-    out[22] = t25;
-    out[23] = t26;
-    out[24] = t29;
-    out[25] = t30;
-    out[26] = t32;
-    out[27] = t33;
-    out[28] = t35;
-    out[29] = t36;
-    out[30] = t38;
-    out[31] = t37;
-    out[32] = t39;
-    out[33] = t40;
-    out[34] = t41;
-    out[35] = t42;
-    out[36] = t43;
-    out[37] = t8;
-    out[38] = t44;
-    out[39] = t46;
-    out[40] = t47;
-    out[41] = t48;
-    out[42] = t50;
-    out[43] = t51;
-    out[44] = t53;
-    out[45] = t55;
-    out[46] = t56;
+    out[11] = t6;
+    out[12] = t7;
+    out[13] = t11;
+    out[14] = t13;
+    out[15] = t14;
+    out[16] = t16;
+    out[17] = t18;
+    out[18] = t20;
+    out[19] = t22;
+    out[20] = t25;
+    out[21] = t26;
+    out[22] = t27;
+    out[23] = t29;
+    out[24] = t33;
+    out[25] = t35;
+    out[26] = t36;
+    out[27] = t39;
+    out[28] = t43;
+    out[29] = t44;
+    out[30] = t47;
+    out[31] = t49;
+    out[32] = t50;
+    out[33] = t51;
+    out[34] = t55;
+    out[35] = t56;
+    out[36] = t57;
+    out[37] = t58;
+    out[38] = t60;
+    out[39] = t61;
+    out[40] = t62;
+    out[41] = t5;
+    out[42] = t63;
+    out[43] = t53;
+    out[44] = t69;
+    out[45] = t70;
+    out[46] = t72;
+    out[47] = t73;
+    out[48] = t75;
+    out[49] = t76;
+    out[50] = t79;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -160,37 +187,36 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t6 = x[4]*t5; /* s*s*R^2*I1 */
     const double t7 = x[0]*p[10]; /* gamma3*R^2*I3 */
     const double t8 = JLT_FMA(x[0], t7, t6); /* K = gamma3*gamma3*R^2*I3 + s*s*R^2*I1 */
-    const double t9 = JLT_FMA(p[0], t8, p[11]); /* Theta = m*K + I1*I3 */
-    const double t10 = t8*t9; /* K*Theta */
-    const double t11 = 1.0/t10; /* 1/(K*Theta) */
-    const double t12 = t9*t11; /* Theta*1/(K*Theta) */
-    const double t13 = t4*t12; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta) */
-    const double t14 = x[3]*t13; /* v_tau*(gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta) */
-    const double t15 = x[4]*p[13]; /* s*R*I1 */
-    const double t16 = x[3]*t15; /* v_tau*s*R*I1 */
-    const double t17 = JLT_FNMA(p[7], x[0], t16); /* v_tau*s*R*I1 - R*G*gamma3 */
-    const double t18 = t12*t17; /* Theta*1/(K*Theta)*(v_tau*s*R*I1 - R*G*gamma3) */
-    const double t19 = x[4]*p[12]; /* s*I3/I1 */
-    const double t20 = t18*t19; /* Theta*1/(K*Theta)*(v_tau*s*R*I1 - R*G*gamma3)*s*I3/I1 */
-    const double t21 = JLT_FMA(x[0], t13, t20); /* gamma3*(gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta) + Theta*1/(K*Theta)*(v_tau*s*R*I1 - R*G*gamma3)*s*I3/I1 */
-    const double t22 = t13*t21; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*t21 */
-    const double t23 = -t22; /* -(gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*t21 */
-    const double t24 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t25 = t8*t11; /* K*1/(K*Theta) */
-    const double t26 = p[11]*t24; /* I1*I3*V */
-    const double t27 = JLT_FNMA(t25, t26, x[1]); /* v_nu - K*1/(K*Theta)*I1*I3*V */
-    const double t28 = t13*t27; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*(v_nu - K*1/(K*Theta)*I1*I3*V) */
-    const double t29 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t30 = p[14]*t29; /* R*I3*(I1 - I3)*s*omega_tau*gamma3 */
-    const double t31 = t25*t30; /* K*1/(K*Theta)*R*I3*(I1 - I3)*s*omega_tau*gamma3 */
-    const double t32 = JLT_FMA(t18, t31, t28); /* Theta*1/(K*Theta)*(v_tau*s*R*I1 - R*G*gamma3)*K*1/(K*Theta)*R*I3*(I1 - I3)*s*omega_tau*gamma3 + t28 */
-    const double t33 = -t32; /* -t32 */
-    const double t34 = -t29; /* -s*omega_tau*gamma3 */
+    const double t9 = t8 + p[11]; /* Theta scaled = K + I1*I3/m */
+    const double t10 = t8*t9; /* K*Theta scaled */
+    const double t11 = 1.0/t10; /* 1/(K*Theta scaled) */
+    const double t12 = t9*t11; /* Theta scaled*1/(K*Theta scaled) */
+    const double t13 = t4*t12; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled) */
+    const double t14 = x[3]*t13; /* v_tau*(gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled) */
+    const double t15 = x[4]*x[3]; /* s*v_tau */
+    const double t16 = JLT_FNMA(x[0], p[12], t15); /* s*v_tau - gamma3*G/I1 */
+    const double t17 = t12*t16; /* Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1) */
+    const double t18 = x[4]*p[8]; /* s*R*I3 */
+    const double t19 = t17*t18; /* Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1)*s*R*I3 */
+    const double t20 = JLT_FMA(x[0], t13, t19); /* gamma3*(gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled) + t19 */
+    const double t21 = t13*t20; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled)*t20 */
+    const double t22 = -t21; /* -t21 */
+    const double t23 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t24 = t8*t11; /* K*1/(K*Theta scaled) */
+    const double t25 = p[11]*t23; /* I1*I3/m*V */
+    const double t26 = JLT_FNMA(t24, t25, x[1]); /* v_nu - K*1/(K*Theta scaled)*I1*I3/m*V */
+    const double t27 = t13*t26; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled)*(v_nu - K*1/(K*Theta scaled)*I1*I3/m*V) */
+    const double t28 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t29 = p[13]*t28; /* R^2*I1*I3*(I1 - I3)/m*s*omega_tau*gamma3 */
+    const double t30 = t24*t29; /* K*1/(K*Theta scaled)*R^2*I1*I3*(I1 - I3)/m*s*omega_tau*gamma3 */
+    const double t31 = JLT_FMA(t17, t30, t27); /* Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1)*t30 + t27 */
+    const double t32 = -t31; /* -t31 */
+    const double t33 = -t28; /* -s*omega_tau*gamma3 */
     out[0] = t1;
     out[1] = t14;
-    out[2] = t23;
-    out[3] = t33;
-    out[4] = t34;
+    out[2] = t22;
+    out[3] = t32;
+    out[4] = t33;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -202,97 +228,93 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t4 = t0*p[9]; /* s*s*R^2*I1 */
     const double t5 = p[10]*x[0]; /* R^2*I3*gamma3 */
     const double t6 = JLT_FMA(x[0], t5, t4); /* K = gamma3*R^2*I3*gamma3 + s*s*R^2*I1 */
-    const double t7 = JLT_FMA(p[0], t6, p[11]); /* Theta = m*K + I1*I3 */
-    const double t8 = t6*t7; /* K*Theta */
-    const double t9 = 1.0/t8; /* 1/(K*Theta) */
-    const double t10 = t7*t9; /* Theta*1/(K*Theta) */
-    const double t11 = t3*t10; /* v_tau*R*I3*Theta*1/(K*Theta) */
+    const double t7 = t6 + p[11]; /* Theta scaled = K + I1*I3/m */
+    const double t8 = t6*t7; /* K*Theta scaled */
+    const double t9 = 1.0/t8; /* 1/(K*Theta scaled) */
+    const double t10 = t7*t9; /* Theta scaled*1/(K*Theta scaled) */
+    const double t11 = t3*t10; /* v_tau*R*I3*Theta scaled*1/(K*Theta scaled) */
     const double t12 = x[4]*p[7]; /* s*R*G */
     const double t13 = JLT_FMA(t3, x[0], t12); /* v_tau*R*I3*gamma3 + s*R*G */
-    const double t14 = t10*t13; /* Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t15 = x[0]*t10; /* gamma3*Theta*1/(K*Theta) */
-    const double t16 = t14*t15; /* Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*Theta*1/(K*Theta) */
-    const double t17 = p[15]*t16; /* 2*R^2*I3*t16 */
-    const double t18 = t11 - t17; /* v_tau*R*I3*Theta*1/(K*Theta) - 2*R^2*I3*t16 */
-    const double t19 = x[3]*t18; /* v_tau*(v_tau*R*I3*Theta*1/(K*Theta) - 2*R^2*I3*t16) */
-    const double t20 = JLT_FMA(t3, t15, t14); /* v_tau*R*I3*gamma3*Theta*1/(K*Theta) + Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t21 = t10*p[7]; /* Theta*1/(K*Theta)*R*G */
-    const double t22 = x[4]*t10; /* s*Theta*1/(K*Theta) */
-    const double t23 = t14*t22; /* Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G)*s*Theta*1/(K*Theta) */
-    const double t24 = p[16]*t23; /* 2*R^2*I1*t23 */
-    const double t25 = t21 - t24; /* Theta*1/(K*Theta)*R*G - 2*R^2*I1*t23 */
-    const double t26 = x[3]*t25; /* v_tau*(Theta*1/(K*Theta)*R*G - 2*R^2*I1*t23) */
+    const double t14 = t10*t13; /* Theta scaled*1/(K*Theta scaled)*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t15 = x[0]*t10; /* gamma3*Theta scaled*1/(K*Theta scaled) */
+    const double t16 = t14*t15; /* Theta scaled*1/(K*Theta scaled)*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*Theta scaled*1/(K*Theta scaled) */
+    const double t17 = p[14]*t16; /* 2*R^2*I3*t16 */
+    const double t18 = t11 - t17; /* v_tau*R*I3*Theta scaled*1/(K*Theta scaled) - 2*R^2*I3*t16 */
+    const double t19 = x[3]*t18; /* v_tau*(v_tau*R*I3*Theta scaled*1/(K*Theta scaled) - 2*R^2*I3*t16) */
+    const double t20 = JLT_FMA(t3, t15, t14); /* v_tau*R*I3*gamma3*Theta scaled*1/(K*Theta scaled) + Theta scaled*1/(K*Theta scaled)*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t21 = t10*p[7]; /* Theta scaled*1/(K*Theta scaled)*R*G */
+    const double t22 = x[4]*t10; /* s*Theta scaled*1/(K*Theta scaled) */
+    const double t23 = t14*t22; /* Theta scaled*1/(K*Theta scaled)*(v_tau*R*I3*gamma3 + s*R*G)*s*Theta scaled*1/(K*Theta scaled) */
+    const double t24 = p[15]*t23; /* 2*R^2*I1*t23 */
+    const double t25 = t21 - t24; /* Theta scaled*1/(K*Theta scaled)*R*G - 2*R^2*I1*t23 */
+    const double t26 = x[3]*t25; /* v_tau*(Theta scaled*1/(K*Theta scaled)*R*G - 2*R^2*I1*t23) */
     const double t27 = x[0]*t16; /* gamma3*t16 */
-    const double t28 = JLT_FMS(p[17], t27, t14); /* 4*R^2*I3*gamma3*t16 - Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t29 = x[4]*p[13]; /* s*R*I1 */
-    const double t30 = x[3]*t29; /* v_tau*s*R*I1 */
-    const double t31 = JLT_FNMA(x[0], p[7], t30); /* v_tau*s*R*I1 - gamma3*R*G */
-    const double t32 = t22*t31; /* s*Theta*1/(K*Theta)*(v_tau*s*R*I1 - gamma3*R*G) */
-    const double t33 = t10*p[12]; /* Theta*1/(K*Theta)*I3/I1 */
-    const double t34 = t32*t33; /* s*Theta*1/(K*Theta)*(v_tau*s*R*I1 - gamma3*R*G)*Theta*1/(K*Theta)*I3/I1 */
-    const double t35 = JLT_FMA(2.0, t16, t34); /* 2*t16 + t34 */
-    const double t36 = t16*p[18]; /* t16*4*R^2*I3^2/I1 */
-    const double t37 = t32*t36; /* s*Theta*1/(K*Theta)*(v_tau*s*R*I1 - gamma3*R*G)*t16*4*R^2*I3^2/I1 */
-    const double t38 = JLT_FMA(t23, p[19], t37); /* t23*R*I3*G/I1 + t37 */
-    const double t39 = JLT_FNMA(t3, t35, t38); /* t23*R*I3*G/I1 + t37 - v_tau*R*I3*(2*t16 + t34) */
-    const double t40 = JLT_FMA(t14, t28, t39); /* Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G)*t28 + t23*R*I3*G/I1 + t37 - v_tau*R*I3*(2*t16 + t34) */
-    const double t41 = t15*p[21]; /* gamma3*Theta*1/(K*Theta)*(-R*I3^2/I1) */
-    const double t42 = t32*t41; /* s*Theta*1/(K*Theta)*(v_tau*s*R*I1 - gamma3*R*G)*gamma3*Theta*1/(K*Theta)*(-R*I3^2/I1) */
-    const double t43 = x[4]*p[22]; /* s*(-R*I3) */
-    const double t44 = JLT_FMA(t23, t43, t42); /* t23*s*(-R*I3) + t42 */
-    const double t45 = JLT_FMA(t27, p[20], t44); /* gamma3*t16*(-2*R*I3) + t23*s*(-R*I3) + t42 */
-    const double t46 = x[4]*t16; /* s*t16 */
-    const double t47 = t31*p[24]; /* (v_tau*s*R*I1 - gamma3*R*G)*1/4*I3/(R^2*I1^2) */
-    const double t48 = JLT_FNMA(t10, t47, t46); /* s*t16 - Theta*1/(K*Theta)*(v_tau*s*R*I1 - gamma3*R*G)*1/4*I3/(R^2*I1^2) */
-    const double t49 = t14*p[23]; /* Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G)*4*R^2*I1 */
-    const double t50 = t48*t49; /* t48*Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G)*4*R^2*I1 */
-    const double t51 = JLT_FMS(p[17], t32, t3); /* 4*R^2*I3*s*Theta*1/(K*Theta)*(v_tau*s*R*I1 - gamma3*R*G) - v_tau*R*I3 */
-    const double t52 = JLT_FNMA(p[7], t35, t50); /* t48*Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G)*4*R^2*I1 - R*G*(2*t16 + t34) */
-    const double t53 = JLT_FMA(t23, t51, t52); /* t23*t51 + t52 */
-    const double t54 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t55 = t6*t9; /* K*1/(K*Theta) */
-    const double t56 = p[11]*t54; /* I1*I3*V */
-    const double t57 = JLT_FNMA(t55, t56, x[1]); /* v_nu - K*1/(K*Theta)*I1*I3*V */
-    const double t58 = t11*t57; /* v_tau*R*I3*Theta*1/(K*Theta)*(v_nu - K*1/(K*Theta)*I1*I3*V) */
-    const double t59 = t15*t55; /* gamma3*Theta*1/(K*Theta)*K*1/(K*Theta) */
-    const double t60 = x[0]*p[26]; /* gamma3*2*R*(I1 - I3) */
-    const double t61 = t1*t60; /* s*omega_tau*gamma3*2*R*(I1 - I3) */
-    const double t62 = t31*t61; /* (v_tau*s*R*I1 - gamma3*R*G)*s*omega_tau*gamma3*2*R*(I1 - I3) */
-    const double t63 = t54*p[27]; /* V*2*I1 */
-    const double t64 = JLT_FNMA(t13, t63, t62); /* (v_tau*s*R*I1 - gamma3*R*G)*s*omega_tau*gamma3*2*R*(I1 - I3) - (v_tau*R*I3*gamma3 + s*R*G)*V*2*I1 */
-    const double t65 = JLT_FMA(p[0], t55, t10); /* m*K*1/(K*Theta) + Theta*1/(K*Theta) */
-    const double t66 = t64*t65; /* t64*(m*K*1/(K*Theta) + Theta*1/(K*Theta)) */
-    const double t67 = p[25]*t59; /* R^2*I3^2*gamma3*Theta*1/(K*Theta)*K*1/(K*Theta) */
-    const double t68 = x[2]*p[14]; /* omega_tau*R*I3*(I1 - I3) */
-    const double t69 = t55*t68; /* K*1/(K*Theta)*omega_tau*R*I3*(I1 - I3) */
-    const double t70 = t1*t59; /* s*omega_tau*gamma3*Theta*1/(K*Theta)*K*1/(K*Theta) */
-    const double t71 = JLT_FMS(t17, x[1], t58); /* 2*R^2*I3*t16*v_nu - v_tau*R*I3*Theta*1/(K*Theta)*(v_nu - K*1/(K*Theta)*I1*I3*V) */
-    const double t72 = JLT_FNMA(t32, t69, t71); /* t71 - s*Theta*1/(K*Theta)*(v_tau*s*R*I1 - gamma3*R*G)*K*1/(K*Theta)*omega_tau*R*I3*(I1 - I3) */
-    const double t73 = JLT_FMA(t66, t67, t72); /* t64*(m*K*1/(K*Theta) + Theta*1/(K*Theta))*R^2*I3^2*gamma3*Theta*1/(K*Theta)*K*1/(K*Theta) + t72 */
-    const double t74 = JLT_FMA(p[28], t70, t73); /* R^2*I3*G*(I1 - I3)*s*omega_tau*gamma3*Theta*1/(K*Theta)*K*1/(K*Theta) + t73 */
-    const double t75 = t14*t55; /* Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G)*K*1/(K*Theta) */
-    const double t76 = JLT_FMS(p[11], t75, t14); /* I1*I3*Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G)*K*1/(K*Theta) - Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G) */
-    const double t77 = t75*p[29]; /* Theta*1/(K*Theta)*(v_tau*R*I3*gamma3 + s*R*G)*K*1/(K*Theta)*R*I1*I3 */
-    const double t78 = t31*t59; /* (v_tau*s*R*I1 - gamma3*R*G)*gamma3*Theta*1/(K*Theta)*K*1/(K*Theta) */
-    const double t79 = x[4]*p[14]; /* s*R*I3*(I1 - I3) */
-    const double t80 = JLT_FNMA(t78, t79, t77); /* t77 - t78*s*R*I3*(I1 - I3) */
-    const double t81 = p[8]*t15; /* R*I3*gamma3*Theta*1/(K*Theta) */
-    const double t82 = t57*t81; /* (v_nu - K*1/(K*Theta)*I1*I3*V)*R*I3*gamma3*Theta*1/(K*Theta) */
-    const double t83 = t70*p[30]; /* s*omega_tau*gamma3*Theta*1/(K*Theta)*K*1/(K*Theta)*R^2*I1*I3*(I1 - I3) */
-    const double t84 = JLT_FMA(x[4], t83, t82); /* s*t83 + (v_nu - K*1/(K*Theta)*I1*I3*V)*R*I3*gamma3*Theta*1/(K*Theta) */
-    const double t85 = -t84; /* -t84 */
-    const double t86 = t21*t57; /* Theta*1/(K*Theta)*R*G*(v_nu - K*1/(K*Theta)*I1*I3*V) */
-    const double t87 = t55*p[31]; /* K*1/(K*Theta)*R^2*I1*I3 */
-    const double t88 = t22*t87; /* s*Theta*1/(K*Theta)*K*1/(K*Theta)*R^2*I1*I3 */
-    const double t89 = JLT_FMS(t24, x[1], t86); /* 2*R^2*I1*t23*v_nu - Theta*1/(K*Theta)*R*G*(v_nu - K*1/(K*Theta)*I1*I3*V) */
-    const double t90 = JLT_FNMA(t68, t78, t89); /* t89 - omega_tau*R*I3*(I1 - I3)*t78 */
-    const double t91 = JLT_FMA(t66, t88, t90); /* t64*(m*K*1/(K*Theta) + Theta*1/(K*Theta))*s*Theta*1/(K*Theta)*K*1/(K*Theta)*R^2*I1*I3 + t89 - omega_tau*R*I3*(I1 - I3)*t78 */
-    const double t92 = JLT_FNMA(x[3], t83, t91); /* t91 - v_tau*t83 */
-    const double t93 = -t1; /* -s*omega_tau */
-    const double t94 = x[4]*x[0]; /* s*gamma3 */
-    const double t95 = -t94; /* -s*gamma3 */
-    const double t96 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t97 = -t96; /* -omega_tau*gamma3 */
+    const double t28 = JLT_FMS(p[16], t27, t14); /* 4*R^2*I3*gamma3*t16 - Theta scaled*1/(K*Theta scaled)*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t29 = x[4]*x[3]; /* s*v_tau */
+    const double t30 = JLT_FNMA(x[0], p[12], t29); /* s*v_tau - gamma3*G/I1 */
+    const double t31 = t22*t30; /* s*Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1) */
+    const double t32 = JLT_FNMA(t16, p[16], t11); /* v_tau*R*I3*Theta scaled*1/(K*Theta scaled) - t16*4*R^2*I3 */
+    const double t33 = p[8]*t31; /* R*I3*s*Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1) */
+    const double t34 = x[3]*p[17]; /* v_tau*2*R*I3 */
+    const double t35 = t16*t34; /* t16*v_tau*2*R*I3 */
+    const double t36 = JLT_FMS(t23, p[18], t35); /* t23*R*I3*G/I1 - t16*v_tau*2*R*I3 */
+    const double t37 = JLT_FNMA(t32, t33, t36); /* t23*R*I3*G/I1 - t16*v_tau*2*R*I3 - (v_tau*R*I3*Theta scaled*1/(K*Theta scaled) - t16*4*R^2*I3)*t33 */
+    const double t38 = JLT_FMA(t14, t28, t37); /* Theta scaled*1/(K*Theta scaled)*(v_tau*R*I3*gamma3 + s*R*G)*t28 + t37 */
+    const double t39 = t15*p[20]; /* gamma3*Theta scaled*1/(K*Theta scaled)*(-R^2*I3^2) */
+    const double t40 = t31*t39; /* s*Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1)*gamma3*Theta scaled*1/(K*Theta scaled)*(-R^2*I3^2) */
+    const double t41 = x[4]*p[21]; /* s*(-R*I3) */
+    const double t42 = JLT_FMA(t23, t41, t40); /* t23*s*(-R*I3) + t40 */
+    const double t43 = JLT_FMA(t27, p[19], t42); /* gamma3*t16*(-2*R*I3) + t23*s*(-R*I3) + t40 */
+    const double t44 = JLT_FNMA(x[4], t14, p[23]); /* 1/2*G/(R*I1) - s*Theta scaled*1/(K*Theta scaled)*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t45 = t16*p[22]; /* t16*4*R^2*I1 */
+    const double t46 = t44*t45; /* t44*t16*4*R^2*I1 */
+    const double t47 = JLT_FMA(p[7], t22, t14); /* R*G*s*Theta scaled*1/(K*Theta scaled) + Theta scaled*1/(K*Theta scaled)*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t48 = t10*t30; /* Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1) */
+    const double t49 = p[8]*t48; /* R*I3*Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1) */
+    const double t50 = JLT_FMS(t31, p[24], t3); /* s*Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1)*4*R^3*I1*I3 - v_tau*R*I3 */
+    const double t51 = JLT_FMS(t23, t50, t46); /* t23*t50 - t44*t16*4*R^2*I1 */
+    const double t52 = JLT_FNMA(t47, t49, t51); /* t23*t50 - t44*t16*4*R^2*I1 - t47*R*I3*Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1) */
+    const double t53 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t54 = t6*t9; /* K*1/(K*Theta scaled) */
+    const double t55 = p[11]*t53; /* I1*I3/m*V */
+    const double t56 = JLT_FNMA(t54, t55, x[1]); /* v_nu - K*1/(K*Theta scaled)*I1*I3/m*V */
+    const double t57 = t11*t56; /* v_tau*R*I3*Theta scaled*1/(K*Theta scaled)*(v_nu - K*1/(K*Theta scaled)*I1*I3/m*V) */
+    const double t58 = t10 + t54; /* Theta scaled*1/(K*Theta scaled) + K*1/(K*Theta scaled) */
+    const double t59 = x[0]*p[26]; /* gamma3*R^2*(I1 - I3) */
+    const double t60 = t1*t59; /* s*omega_tau*gamma3*R^2*(I1 - I3) */
+    const double t61 = t30*t60; /* (s*v_tau - gamma3*G/I1)*s*omega_tau*gamma3*R^2*(I1 - I3) */
+    const double t62 = JLT_FNMA(t13, t53, t61); /* (s*v_tau - gamma3*G/I1)*s*omega_tau*gamma3*R^2*(I1 - I3) - (v_tau*R*I3*gamma3 + s*R*G)*V */
+    const double t63 = t54*t62; /* K*1/(K*Theta scaled)*t62 */
+    const double t64 = t58*t63; /* (Theta scaled*1/(K*Theta scaled) + K*1/(K*Theta scaled))*K*1/(K*Theta scaled)*t62 */
+    const double t65 = t15*p[25]; /* gamma3*Theta scaled*1/(K*Theta scaled)*2*R^2*I1*I3^2/m */
+    const double t66 = t54*p[13]; /* K*1/(K*Theta scaled)*R^2*I1*I3*(I1 - I3)/m */
+    const double t67 = t1*t48; /* s*omega_tau*Theta scaled*1/(K*Theta scaled)*(s*v_tau - gamma3*G/I1) */
+    const double t68 = t15*t66; /* gamma3*Theta scaled*1/(K*Theta scaled)*K*1/(K*Theta scaled)*R^2*I1*I3*(I1 - I3)/m */
+    const double t69 = t1*t68; /* s*omega_tau*t68 */
+    const double t70 = JLT_FMS(t64, t65, t57); /* t64*gamma3*Theta scaled*1/(K*Theta scaled)*2*R^2*I1*I3^2/m - t57 */
+    const double t71 = JLT_FNMA(t66, t67, t70); /* t70 - K*1/(K*Theta scaled)*R^2*I1*I3*(I1 - I3)/m*t67 */
+    const double t72 = JLT_FMA(t17, x[1], t71); /* 2*R^2*I3*t16*v_nu + t70 - K*1/(K*Theta scaled)*R^2*I1*I3*(I1 - I3)/m*t67 */
+    const double t73 = JLT_FMA(p[12], t69, t72); /* G/I1*s*omega_tau*t68 + t72 */
+    const double t74 = t14*t54; /* Theta scaled*1/(K*Theta scaled)*(v_tau*R*I3*gamma3 + s*R*G)*K*1/(K*Theta scaled) */
+    const double t75 = JLT_FMS(p[11], t74, t14); /* I1*I3/m*t74 - Theta scaled*1/(K*Theta scaled)*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t76 = t74*p[27]; /* t74*R*I1*I3/m */
+    const double t77 = t30*t68; /* (s*v_tau - gamma3*G/I1)*t68 */
+    const double t78 = JLT_FNMA(x[4], t77, t76); /* t74*R*I1*I3/m - s*(s*v_tau - gamma3*G/I1)*t68 */
+    const double t79 = p[8]*t15; /* R*I3*gamma3*Theta scaled*1/(K*Theta scaled) */
+    const double t80 = t56*t79; /* (v_nu - K*1/(K*Theta scaled)*I1*I3/m*V)*R*I3*gamma3*Theta scaled*1/(K*Theta scaled) */
+    const double t81 = JLT_FMA(x[4], t69, t80); /* s*s*omega_tau*t68 + t80 */
+    const double t82 = -t81; /* -(s*s*omega_tau*t68 + t80) */
+    const double t83 = t21*t56; /* Theta scaled*1/(K*Theta scaled)*R*G*(v_nu - K*1/(K*Theta scaled)*I1*I3/m*V) */
+    const double t84 = t22*p[28]; /* s*Theta scaled*1/(K*Theta scaled)*2*R^2*I1^2*I3/m */
+    const double t85 = JLT_FMS(t64, t84, t83); /* t64*s*Theta scaled*1/(K*Theta scaled)*2*R^2*I1^2*I3/m - t83 */
+    const double t86 = JLT_FNMA(x[2], t77, t85); /* t64*s*Theta scaled*1/(K*Theta scaled)*2*R^2*I1^2*I3/m - t83 - omega_tau*(s*v_tau - gamma3*G/I1)*t68 */
+    const double t87 = JLT_FNMA(x[3], t69, t86); /* t86 - v_tau*s*omega_tau*t68 */
+    const double t88 = JLT_FMA(t24, x[1], t87); /* 2*R^2*I1*t23*v_nu + t86 - v_tau*s*omega_tau*t68 */
+    const double t89 = -t1; /* -s*omega_tau */
+    const double t90 = x[4]*x[0]; /* s*gamma3 */
+    const double t91 = -t90; /* -s*gamma3 */
+    const double t92 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t93 = -t92; /* -omega_tau*gamma3 */
     out[0] = 0.0;
     out[1] = 0.0;
     out[2] = t0;
@@ -303,159 +325,155 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[7] = 0.0;
     out[8] = t20;
     out[9] = t26;
-    out[10] = t40;
+    out[10] = t38;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t45;
-    out[14] = t53;
-    out[15] = t74;
-    out[16] = t76;
-    out[17] = t80;
-    out[18] = t85;
-    out[19] = t92;
-    out[20] = t93;
+    out[13] = t43;
+    out[14] = t52;
+    out[15] = t73;
+    out[16] = t75;
+    out[17] = t78;
+    out[18] = t82;
+    out[19] = t88;
+    out[20] = t89;
     out[21] = 0.0;
-    out[22] = t95;
+    out[22] = t91;
     out[23] = 0.0;
-    out[24] = t97;
+    out[24] = t93;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = x[2]*t0; /* omega_tau*s*s */
+    const double t0 = x[4]*x[2]; /* s*omega_tau */
+    const double t1 = x[4]*t0; /* s*s*omega_tau */
     const double t2 = x[4]*p[7]; /* s*R*G */
     const double t3 = x[3]*p[8]; /* v_tau*R*I3 */
     const double t4 = JLT_FMA(x[0], t3, t2); /* gamma3*v_tau*R*I3 + s*R*G */
-    const double t5 = t0*p[9]; /* s*s*R^2*I1 */
-    const double t6 = x[0]*p[10]; /* gamma3*R^2*I3 */
-    const double t7 = JLT_FMA(x[0], t6, t5); /* K = gamma3*gamma3*R^2*I3 + s*s*R^2*I1 */
-    const double t8 = JLT_FMA(p[0], t7, p[11]); /* Theta = m*K + I1*I3 */
-    const double t9 = t7*t8; /* K*Theta */
-    const double t10 = 1.0/t9; /* 1/(K*Theta) */
-    const double t11 = t8*t10; /* Theta*1/(K*Theta) */
-    const double t12 = t4*t11; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta) */
-    const double t13 = x[3]*t12; /* v_tau*(gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta) */
-    const double t14 = x[0]*t12; /* gamma3*(gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta) */
-    const double t15 = x[4]*t11; /* s*Theta*1/(K*Theta) */
-    const double t16 = x[4]*p[13]; /* s*R*I1 */
-    const double t17 = x[3]*t16; /* v_tau*s*R*I1 */
-    const double t18 = JLT_FNMA(p[7], x[0], t17); /* v_tau*s*R*I1 - R*G*gamma3 */
-    const double t19 = p[12]*t18; /* I3/I1*(v_tau*s*R*I1 - R*G*gamma3) */
-    const double t20 = t15*t19; /* s*Theta*1/(K*Theta)*I3/I1*(v_tau*s*R*I1 - R*G*gamma3) */
-    const double t21 = t14 + t20; /* gamma3*(gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta) + s*Theta*1/(K*Theta)*I3/I1*(v_tau*s*R*I1 - R*G*gamma3) */
-    const double t22 = t12*t21; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*t21 */
-    const double t23 = -t22; /* -(gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*t21 */
+    const double t5 = x[4]*x[4]; /* s*s */
+    const double t6 = p[9]*t5; /* R^2*I1*s*s */
+    const double t7 = x[0]*p[10]; /* gamma3*R^2*I3 */
+    const double t8 = JLT_FMA(x[0], t7, t6); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s*s */
+    const double t9 = t8 + p[11]; /* Theta scaled = K + I1*I3/m */
+    const double t10 = t8*t9; /* K*Theta scaled */
+    const double t11 = 1.0/t10; /* 1/(K*Theta scaled) */
+    const double t12 = t9*t11; /* Theta scaled*1/(K*Theta scaled) */
+    const double t13 = t4*t12; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled) */
+    const double t14 = x[3]*t13; /* v_tau*(gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled) */
+    const double t15 = x[4]*x[3]; /* s*v_tau */
+    const double t16 = JLT_FNMA(x[0], p[12], t15); /* s*v_tau - gamma3*G/I1 */
+    const double t17 = x[4]*t12; /* s*Theta scaled*1/(K*Theta scaled) */
+    const double t18 = t16*t17; /* (s*v_tau - gamma3*G/I1)*s*Theta scaled*1/(K*Theta scaled) */
+    const double t19 = p[8]*t18; /* R*I3*(s*v_tau - gamma3*G/I1)*s*Theta scaled*1/(K*Theta scaled) */
+    const double t20 = x[0]*t13; /* gamma3*(gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled) */
+    const double t21 = t19 + t20; /* t19 + t20 */
+    const double t22 = t13*t21; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled)*(t19 + t20) */
+    const double t23 = -t22; /* -t22 */
     const double t24 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t25 = t7*t10; /* K*1/(K*Theta) */
-    const double t26 = p[11]*t25; /* I1*I3*K*1/(K*Theta) */
-    const double t27 = JLT_FNMA(t24, t26, x[1]); /* v_nu - V*I1*I3*K*1/(K*Theta) */
-    const double t28 = t12*t27; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*(v_nu - V*I1*I3*K*1/(K*Theta)) */
+    const double t25 = t8*t11; /* K*1/(K*Theta scaled) */
+    const double t26 = p[11]*t25; /* I1*I3/m*K*1/(K*Theta scaled) */
+    const double t27 = JLT_FNMA(t24, t26, x[1]); /* v_nu - V*I1*I3/m*K*1/(K*Theta scaled) */
+    const double t28 = t13*t27; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled)*(v_nu - V*I1*I3/m*K*1/(K*Theta scaled)) */
     const double t29 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t30 = t15*t25; /* s*Theta*1/(K*Theta)*K*1/(K*Theta) */
-    const double t31 = t29*t30; /* omega_tau*gamma3*s*Theta*1/(K*Theta)*K*1/(K*Theta) */
-    const double t32 = t18*p[14]; /* (v_tau*s*R*I1 - R*G*gamma3)*R*I3*(I1 - I3) */
-    const double t33 = JLT_FMA(t31, t32, t28); /* omega_tau*gamma3*s*Theta*1/(K*Theta)*K*1/(K*Theta)*(v_tau*s*R*I1 - R*G*gamma3)*R*I3*(I1 - I3) + t28 */
-    const double t34 = -t33; /* -t33 */
+    const double t30 = t17*t25; /* s*Theta scaled*1/(K*Theta scaled)*K*1/(K*Theta scaled) */
+    const double t31 = p[13]*t30; /* R^2*I1*I3*(I1 - I3)/m*s*Theta scaled*1/(K*Theta scaled)*K*1/(K*Theta scaled) */
+    const double t32 = t16*t31; /* (s*v_tau - gamma3*G/I1)*t31 */
+    const double t33 = JLT_FMA(t29, t32, t28); /* omega_tau*gamma3*(s*v_tau - gamma3*G/I1)*t31 + t28 */
+    const double t34 = -t33; /* -(omega_tau*gamma3*(s*v_tau - gamma3*G/I1)*t31 + t28) */
     const double t35 = x[4]*t29; /* s*omega_tau*gamma3 */
     const double t36 = -t35; /* -s*omega_tau*gamma3 */
-    const double t37 = x[2]*x[4]; /* omega_tau*s */
-    const double t38 = 2.0*t37; /* 2*omega_tau*s */
-    const double t39 = t3*t11; /* v_tau*R*I3*Theta*1/(K*Theta) */
-    const double t40 = x[0]*t11; /* gamma3*Theta*1/(K*Theta) */
-    const double t41 = t12*t40; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*gamma3*Theta*1/(K*Theta) */
-    const double t42 = p[15]*t41; /* 2*R^2*I3*t41 */
-    const double t43 = t39 - t42; /* v_tau*R*I3*Theta*1/(K*Theta) - 2*R^2*I3*t41 */
-    const double t44 = x[3]*t43; /* v_tau*(v_tau*R*I3*Theta*1/(K*Theta) - 2*R^2*I3*t41) */
-    const double t45 = JLT_FMA(t3, t40, t12); /* v_tau*R*I3*gamma3*Theta*1/(K*Theta) + (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta) */
-    const double t46 = p[7]*t11; /* R*G*Theta*1/(K*Theta) */
-    const double t47 = t12*t15; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*s*Theta*1/(K*Theta) */
-    const double t48 = p[16]*t47; /* 2*R^2*I1*t47 */
-    const double t49 = t46 - t48; /* R*G*Theta*1/(K*Theta) - 2*R^2*I1*t47 */
-    const double t50 = x[3]*t49; /* v_tau*(R*G*Theta*1/(K*Theta) - 2*R^2*I1*t47) */
-    const double t51 = t12*t12; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*(gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta) */
-    const double t52 = JLT_FMA(t14, 2.0, t20); /* gamma3*(gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*2 + s*Theta*1/(K*Theta)*I3/I1*(v_tau*s*R*I1 - R*G*gamma3) */
-    const double t53 = t14*p[17]; /* gamma3*(gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*4*R^2*I3 */
-    const double t54 = t18*p[18]; /* (v_tau*s*R*I1 - R*G*gamma3)*4*R^2*I3^2/I1 */
-    const double t55 = t40*t54; /* gamma3*Theta*1/(K*Theta)*(v_tau*s*R*I1 - R*G*gamma3)*4*R^2*I3^2/I1 */
-    const double t56 = JLT_FMS(t47, t55, t51); /* t47*t55 - t51 */
-    const double t57 = JLT_FMA(t47, p[19], t56); /* t47*R*I3*G/I1 + t47*t55 - t51 */
-    const double t58 = JLT_FMA(t41, t53, t57); /* t41*t53 + t47*R*I3*G/I1 + t47*t55 - t51 */
-    const double t59 = JLT_FNMA(t39, t52, t58); /* t41*t53 + t47*R*I3*G/I1 + t47*t55 - t51 - v_tau*R*I3*Theta*1/(K*Theta)*t52 */
-    const double t60 = p[8]*t40; /* R*I3*gamma3*Theta*1/(K*Theta) */
-    const double t61 = t52*t60; /* t52*R*I3*gamma3*Theta*1/(K*Theta) */
-    const double t62 = x[4]*p[8]; /* s*R*I3 */
-    const double t63 = JLT_FMA(t47, t62, t61); /* t47*s*R*I3 + t52*R*I3*gamma3*Theta*1/(K*Theta) */
-    const double t64 = -t63; /* -(t47*s*R*I3 + t52*R*I3*gamma3*Theta*1/(K*Theta)) */
-    const double t65 = t11*t19; /* Theta*1/(K*Theta)*I3/I1*(v_tau*s*R*I1 - R*G*gamma3) */
-    const double t66 = t12*t65; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*Theta*1/(K*Theta)*I3/I1*(v_tau*s*R*I1 - R*G*gamma3) */
-    const double t67 = t47*p[23]; /* t47*4*R^2*I1 */
-    const double t68 = JLT_FMS(t21, t67, t66); /* t21*t47*4*R^2*I1 - t66 */
-    const double t69 = JLT_FNMA(t3, t47, t68); /* t21*t47*4*R^2*I1 - t66 - v_tau*R*I3*t47 */
-    const double t70 = JLT_FNMA(t46, t52, t69); /* t21*t47*4*R^2*I1 - t66 - v_tau*R*I3*t47 - R*G*Theta*1/(K*Theta)*t52 */
-    const double t71 = x[1]*t42; /* v_nu*2*R^2*I3*t41 */
-    const double t72 = t35*p[26]; /* s*omega_tau*gamma3*2*R*(I1 - I3) */
-    const double t73 = t18*t72; /* (v_tau*s*R*I1 - R*G*gamma3)*s*omega_tau*gamma3*2*R*(I1 - I3) */
-    const double t74 = t24*p[27]; /* V*2*I1 */
-    const double t75 = JLT_FNMA(t4, t74, t73); /* (v_tau*s*R*I1 - R*G*gamma3)*s*omega_tau*gamma3*2*R*(I1 - I3) - (gamma3*v_tau*R*I3 + s*R*G)*V*2*I1 */
-    const double t76 = JLT_FMA(p[0], t25, t11); /* m*K*1/(K*Theta) + Theta*1/(K*Theta) */
-    const double t77 = t75*t76; /* t75*(m*K*1/(K*Theta) + Theta*1/(K*Theta)) */
-    const double t78 = t25*t40; /* K*1/(K*Theta)*gamma3*Theta*1/(K*Theta) */
-    const double t79 = p[25]*t78; /* R^2*I3^2*K*1/(K*Theta)*gamma3*Theta*1/(K*Theta) */
-    const double t80 = x[2]*t32; /* omega_tau*(v_tau*s*R*I1 - R*G*gamma3)*R*I3*(I1 - I3) */
-    const double t81 = JLT_FNMA(t30, t80, t71); /* v_nu*2*R^2*I3*t41 - s*Theta*1/(K*Theta)*K*1/(K*Theta)*omega_tau*(v_tau*s*R*I1 - R*G*gamma3)*R*I3*(I1 - I3) */
-    const double t82 = JLT_FNMA(t27, t39, t81); /* t81 - (v_nu - V*I1*I3*K*1/(K*Theta))*v_tau*R*I3*Theta*1/(K*Theta) */
-    const double t83 = JLT_FMA(t77, t79, t82); /* t75*(m*K*1/(K*Theta) + Theta*1/(K*Theta))*R^2*I3^2*K*1/(K*Theta)*gamma3*Theta*1/(K*Theta) + t82 */
-    const double t84 = JLT_FMA(t31, p[28], t83); /* omega_tau*gamma3*s*Theta*1/(K*Theta)*K*1/(K*Theta)*R^2*I3*G*(I1 - I3) + t83 */
-    const double t85 = JLT_FMS(t12, t26, t12); /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*I1*I3*K*1/(K*Theta) - (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta) */
-    const double t86 = t25*p[29]; /* K*1/(K*Theta)*R*I1*I3 */
-    const double t87 = t12*t86; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta*1/(K*Theta)*K*1/(K*Theta)*R*I1*I3 */
-    const double t88 = x[0]*t32; /* gamma3*(v_tau*s*R*I1 - R*G*gamma3)*R*I3*(I1 - I3) */
-    const double t89 = JLT_FNMA(t30, t88, t87); /* t87 - s*Theta*1/(K*Theta)*K*1/(K*Theta)*gamma3*(v_tau*s*R*I1 - R*G*gamma3)*R*I3*(I1 - I3) */
-    const double t90 = t27*t60; /* (v_nu - V*I1*I3*K*1/(K*Theta))*R*I3*gamma3*Theta*1/(K*Theta) */
-    const double t91 = t31*p[30]; /* omega_tau*gamma3*s*Theta*1/(K*Theta)*K*1/(K*Theta)*R^2*I1*I3*(I1 - I3) */
-    const double t92 = JLT_FMA(x[4], t91, t90); /* s*t91 + (v_nu - V*I1*I3*K*1/(K*Theta))*R*I3*gamma3*Theta*1/(K*Theta) */
-    const double t93 = -t92; /* -t92 */
-    const double t94 = t78*t80; /* K*1/(K*Theta)*gamma3*Theta*1/(K*Theta)*omega_tau*(v_tau*s*R*I1 - R*G*gamma3)*R*I3*(I1 - I3) */
-    const double t95 = t30*p[31]; /* s*Theta*1/(K*Theta)*K*1/(K*Theta)*R^2*I1*I3 */
-    const double t96 = JLT_FMS(x[1], t48, t94); /* v_nu*2*R^2*I1*t47 - t94 */
-    const double t97 = JLT_FNMA(t27, t46, t96); /* v_nu*2*R^2*I1*t47 - t94 - (v_nu - V*I1*I3*K*1/(K*Theta))*R*G*Theta*1/(K*Theta) */
-    const double t98 = JLT_FMA(t77, t95, t97); /* t75*(m*K*1/(K*Theta) + Theta*1/(K*Theta))*s*Theta*1/(K*Theta)*K*1/(K*Theta)*R^2*I1*I3 + t97 */
-    const double t99 = JLT_FNMA(x[3], t91, t98); /* t98 - v_tau*t91 */
-    const double t100 = -t37; /* -omega_tau*s */
-    const double t101 = x[4]*x[0]; /* s*gamma3 */
-    const double t102 = -t101; /* -s*gamma3 */
-    const double t103 = -t29; /* -omega_tau*gamma3 */
+    const double t37 = t0*2.0; /* s*omega_tau*2 */
+    const double t38 = t3*t12; /* v_tau*R*I3*Theta scaled*1/(K*Theta scaled) */
+    const double t39 = x[0]*t12; /* gamma3*Theta scaled*1/(K*Theta scaled) */
+    const double t40 = t13*t39; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled)*gamma3*Theta scaled*1/(K*Theta scaled) */
+    const double t41 = p[14]*t40; /* 2*R^2*I3*t40 */
+    const double t42 = t38 - t41; /* v_tau*R*I3*Theta scaled*1/(K*Theta scaled) - 2*R^2*I3*t40 */
+    const double t43 = x[3]*t42; /* v_tau*(v_tau*R*I3*Theta scaled*1/(K*Theta scaled) - 2*R^2*I3*t40) */
+    const double t44 = JLT_FMA(t3, t39, t13); /* v_tau*R*I3*gamma3*Theta scaled*1/(K*Theta scaled) + (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled) */
+    const double t45 = p[7]*t12; /* R*G*Theta scaled*1/(K*Theta scaled) */
+    const double t46 = t13*t17; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled)*s*Theta scaled*1/(K*Theta scaled) */
+    const double t47 = p[15]*t46; /* 2*R^2*I1*t46 */
+    const double t48 = t45 - t47; /* R*G*Theta scaled*1/(K*Theta scaled) - 2*R^2*I1*t46 */
+    const double t49 = x[3]*t48; /* v_tau*(R*G*Theta scaled*1/(K*Theta scaled) - 2*R^2*I1*t46) */
+    const double t50 = t39*p[29]; /* gamma3*Theta scaled*1/(K*Theta scaled)*4*R^3*I3^2 */
+    const double t51 = JLT_FMS(t18, t50, t13); /* (s*v_tau - gamma3*G/I1)*s*Theta scaled*1/(K*Theta scaled)*gamma3*Theta scaled*1/(K*Theta scaled)*4*R^3*I3^2 - (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled) */
+    const double t52 = JLT_FMA(t20, 2.0, t19); /* t20*2 + t19 */
+    const double t53 = t20*p[16]; /* t20*4*R^2*I3 */
+    const double t54 = t40*t53; /* t40*t20*4*R^2*I3 */
+    const double t55 = JLT_FMA(t46, p[18], t54); /* t46*R*I3*G/I1 + t40*t20*4*R^2*I3 */
+    const double t56 = JLT_FMA(t13, t51, t55); /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled)*t51 + t46*R*I3*G/I1 + t40*t20*4*R^2*I3 */
+    const double t57 = JLT_FNMA(t38, t52, t56); /* t56 - v_tau*R*I3*Theta scaled*1/(K*Theta scaled)*(t20*2 + t19) */
+    const double t58 = x[4]*t46; /* s*t46 */
+    const double t59 = JLT_FMA(t39, t52, t58); /* gamma3*Theta scaled*1/(K*Theta scaled)*(t20*2 + t19) + s*t46 */
+    const double t60 = p[21]*t59; /* (-R*I3)*(gamma3*Theta scaled*1/(K*Theta scaled)*(t20*2 + t19) + s*t46) */
+    const double t61 = t15 + t16; /* s*v_tau + s*v_tau - gamma3*G/I1 */
+    const double t62 = t12*t61; /* Theta scaled*1/(K*Theta scaled)*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t63 = p[8]*t62; /* R*I3*t62 */
+    const double t64 = t13*t63; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled)*R*I3*t62 */
+    const double t65 = t46*p[22]; /* t46*4*R^2*I1 */
+    const double t66 = JLT_FMS(t21, t65, t64); /* (t19 + t20)*t46*4*R^2*I1 - t64 */
+    const double t67 = JLT_FNMA(t45, t52, t66); /* (t19 + t20)*t46*4*R^2*I1 - t64 - R*G*Theta scaled*1/(K*Theta scaled)*(t20*2 + t19) */
+    const double t68 = t12 + t25; /* Theta scaled*1/(K*Theta scaled) + K*1/(K*Theta scaled) */
+    const double t69 = t4*t24; /* (gamma3*v_tau*R*I3 + s*R*G)*V */
+    const double t70 = t16*p[26]; /* (s*v_tau - gamma3*G/I1)*R^2*(I1 - I3) */
+    const double t71 = JLT_FNMA(t35, t70, t69); /* (gamma3*v_tau*R*I3 + s*R*G)*V - s*omega_tau*gamma3*(s*v_tau - gamma3*G/I1)*R^2*(I1 - I3) */
+    const double t72 = t25*t71; /* K*1/(K*Theta scaled)*t71 */
+    const double t73 = t68*t72; /* (Theta scaled*1/(K*Theta scaled) + K*1/(K*Theta scaled))*K*1/(K*Theta scaled)*t71 */
+    const double t74 = t39*p[25]; /* gamma3*Theta scaled*1/(K*Theta scaled)*2*R^2*I1*I3^2/m */
+    const double t75 = t73*t74; /* t73*gamma3*Theta scaled*1/(K*Theta scaled)*2*R^2*I1*I3^2/m */
+    const double t76 = t29*p[30]; /* omega_tau*gamma3*R^2*I3*G*(I1 - I3)/m */
+    const double t77 = JLT_FMS(t30, t76, t75); /* s*Theta scaled*1/(K*Theta scaled)*K*1/(K*Theta scaled)*omega_tau*gamma3*R^2*I3*G*(I1 - I3)/m - t73*gamma3*Theta scaled*1/(K*Theta scaled)*2*R^2*I1*I3^2/m */
+    const double t78 = JLT_FNMA(t27, t38, t77); /* t77 - (v_nu - V*I1*I3/m*K*1/(K*Theta scaled))*v_tau*R*I3*Theta scaled*1/(K*Theta scaled) */
+    const double t79 = JLT_FMA(x[1], t41, t78); /* v_nu*2*R^2*I3*t40 + t78 */
+    const double t80 = JLT_FNMA(x[2], t32, t79); /* v_nu*2*R^2*I3*t40 + t78 - omega_tau*(s*v_tau - gamma3*G/I1)*t31 */
+    const double t81 = JLT_FMS(t13, t26, t13); /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled)*I1*I3/m*K*1/(K*Theta scaled) - (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled) */
+    const double t82 = t25*p[27]; /* K*1/(K*Theta scaled)*R*I1*I3/m */
+    const double t83 = t13*t82; /* (gamma3*v_tau*R*I3 + s*R*G)*Theta scaled*1/(K*Theta scaled)*K*1/(K*Theta scaled)*R*I1*I3/m */
+    const double t84 = JLT_FNMA(x[0], t32, t83); /* t83 - gamma3*(s*v_tau - gamma3*G/I1)*t31 */
+    const double t85 = p[8]*t39; /* R*I3*gamma3*Theta scaled*1/(K*Theta scaled) */
+    const double t86 = t27*t85; /* (v_nu - V*I1*I3/m*K*1/(K*Theta scaled))*R*I3*gamma3*Theta scaled*1/(K*Theta scaled) */
+    const double t87 = JLT_FMA(t31, t35, t86); /* t31*s*omega_tau*gamma3 + t86 */
+    const double t88 = -t87; /* -(t31*s*omega_tau*gamma3 + t86) */
+    const double t89 = t29*p[13]; /* omega_tau*gamma3*R^2*I1*I3*(I1 - I3)/m */
+    const double t90 = t25*t89; /* K*1/(K*Theta scaled)*omega_tau*gamma3*R^2*I1*I3*(I1 - I3)/m */
+    const double t91 = t62*t90; /* t62*K*1/(K*Theta scaled)*omega_tau*gamma3*R^2*I1*I3*(I1 - I3)/m */
+    const double t92 = t17*p[28]; /* s*Theta scaled*1/(K*Theta scaled)*2*R^2*I1^2*I3/m */
+    const double t93 = JLT_FMS(x[1], t47, t91); /* v_nu*2*R^2*I1*t46 - t91 */
+    const double t94 = JLT_FNMA(t73, t92, t93); /* v_nu*2*R^2*I1*t46 - t91 - t73*s*Theta scaled*1/(K*Theta scaled)*2*R^2*I1^2*I3/m */
+    const double t95 = JLT_FNMA(t27, t45, t94); /* t94 - (v_nu - V*I1*I3/m*K*1/(K*Theta scaled))*R*G*Theta scaled*1/(K*Theta scaled) */
+    const double t96 = -t0; /* -s*omega_tau */
+    const double t97 = x[4]*x[0]; /* s*gamma3 */
+    const double t98 = -t97; /* -s*gamma3 */
+    const double t99 = -t29; /* -omega_tau*gamma3 */
     out[0] = t1;
-    out[1] = t13;
+    out[1] = t14;
     out[2] = t23;
     out[3] = t34;
     out[4] = t36;
     out[5] = 0.0;
     out[6] = 0.0;
-    out[7] = t0;
+    out[7] = t5;
     out[8] = 0.0;
-    out[9] = t38;
-    out[10] = t44;
+    out[9] = t37;
+    out[10] = t43;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t45;
-    out[14] = t50;
-    out[15] = t59;
+    out[13] = t44;
+    out[14] = t49;
+    out[15] = t57;
     out[16] = 0.0;
     out[17] = 0.0;
-    out[18] = t64;
-    out[19] = t70;
-    out[20] = t84;
-    out[21] = t85;
-    out[22] = t89;
-    out[23] = t93;
-    out[24] = t99;
-    out[25] = t100;
+    out[18] = t60;
+    out[19] = t67;
+    out[20] = t80;
+    out[21] = t81;
+    out[22] = t84;
+    out[23] = t88;
+    out[24] = t95;
+    out[25] = t96;
     out[26] = 0.0;
-    out[27] = t102;
+    out[27] = t98;
     out[28] = 0.0;
-    out[29] = t103;
+    out[29] = t99;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -464,52 +482,46 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = p[9]*t0; /* R^2*I1*s*s */
     const double t2 = x[0]*p[10]; /* gamma3*R^2*I3 */
     const double t3 = JLT_FMA(x[0], t2, t1); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s*s */
-    const double t4 = JLT_FMA(p[0], t3, p[11]); /* Theta = m*K + I1*I3 */
-    const double t5 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t6 = t3*t4; /* K*Theta */
-    const double t7 = 1.0/t6; /* 1/(K*Theta) */
-    const double t8 = t3*t7; /* K*1/(K*Theta) */
-    const double t9 = p[11]*t5; /* I1*I3*V */
-    const double t10 = x[2]*p[32]; /* omega_tau*R*I1*(I1 - I3) */
-    const double t11 = t0*t10; /* s*s*omega_tau*R*I1*(I1 - I3) */
-    const double t12 = JLT_FMS(t8, t9, x[1]); /* K*1/(K*Theta)*I1*I3*V - v_nu */
-    const double t13 = JLT_FNMA(t8, t11, t12); /* K*1/(K*Theta)*I1*I3*V - v_nu - K*1/(K*Theta)*s*s*omega_tau*R*I1*(I1 - I3) */
-    const double t14 = p[8]*t4; /* R*I3*Theta */
-    const double t15 = t7*t14; /* 1/(K*Theta)*R*I3*Theta */
-    const double t16 = JLT_FNMA(t13, t15, x[2]); /* omega_tau - t13*1/(K*Theta)*R*I3*Theta */
-    const double t17 = x[0]*t16; /* gamma3*(omega_tau - t13*1/(K*Theta)*R*I3*Theta) */
-    const double t18 = -t17; /* -gamma3*(omega_tau - t13*1/(K*Theta)*R*I3*Theta) */
-    out[0] = t18;
+    const double t4 = t3 + p[11]; /* Theta scaled = K + I1*I3/m */
+    const double t5 = t3*t4; /* K*Theta scaled */
+    const double t6 = x[2]*p[31]; /* omega_tau*R*I1*(I1 - I3)/m */
+    const double t7 = t0*t6; /* s*s*omega_tau*R*I1*(I1 - I3)/m */
+    const double t8 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t9 = JLT_FNMA(p[11], t8, t7); /* s*s*omega_tau*R*I1*(I1 - I3)/m - I1*I3/m*V */
+    const double t10 = JLT_FMA(t4, x[1], t9); /* Theta scaled*v_nu + s*s*omega_tau*R*I1*(I1 - I3)/m - I1*I3/m*V */
+    const double t11 = p[8]*t10; /* R*I3*t10 */
+    const double t12 = t11/t5; /* R*I3*t10/(K*Theta scaled) */
+    const double t13 = x[2] + t12; /* omega_tau + R*I3*t10/(K*Theta scaled) */
+    const double t14 = x[0]*t13; /* gamma3*(omega_tau + R*I3*t10/(K*Theta scaled)) */
+    const double t15 = -t14; /* -gamma3*(omega_tau + R*I3*t10/(K*Theta scaled)) */
+    out[0] = t15;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[33]*x[1]; /* 1/2*m*v_nu */
-    const double t1 = x[1]*t0; /* v_nu*1/2*m*v_nu */
-    const double t2 = p[9]*x[4]; /* R^2*I1*s */
-    const double t3 = x[4]*t2; /* s*R^2*I1*s */
-    const double t4 = p[10]*x[0]; /* R^2*I3*gamma3 */
-    const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*R^2*I3*gamma3 + s*R^2*I1*s */
-    const double t6 = 1.0/t5; /* 1/K */
-    const double t7 = JLT_FMA(t5, p[0], p[11]); /* Theta = K*m + I1*I3 */
-    const double t8 = x[3]*x[3]; /* v_tau*v_tau */
-    const double t9 = JLT_FMA(t7, t8, p[34]); /* Theta*v_tau*v_tau + G^2 */
-    const double t10 = (1.0 / 2.0)*t6; /* 1/2*1/K */
-    const double t11 = p[35]*x[2]; /* 1/2*I1*omega_tau */
-    const double t12 = JLT_FMA(x[2], t11, t1); /* omega_tau*1/2*I1*omega_tau + v_nu*1/2*m*v_nu */
-    const double t13 = JLT_FMA(t9, t10, t12); /* (Theta*v_tau*v_tau + G^2)*1/2*1/K + omega_tau*1/2*I1*omega_tau + v_nu*1/2*m*v_nu */
-    const double t14 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t15 = p[36]*t14; /* m*I1^2*(omega_tau*R + v_nu) */
-    const double t16 = t14*t15; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
-    const double t17 = x[3]*p[13]; /* v_tau*R*I1 */
-    const double t18 = x[4]*t17; /* s*v_tau*R*I1 */
-    const double t19 = JLT_FNMA(x[0], p[7], t18); /* s*v_tau*R*I1 - gamma3*R*G */
-    const double t20 = t6*t19; /* 1/K*(s*v_tau*R*I1 - gamma3*R*G) */
-    const double t21 = t7*p[37]; /* Theta*(I1 - I3) */
-    const double t22 = t20*t21; /* 1/K*(s*v_tau*R*I1 - gamma3*R*G)*Theta*(I1 - I3) */
-    const double t23 = JLT_FMA(t20, t22, t16); /* 1/K*(s*v_tau*R*I1 - gamma3*R*G)*1/K*(s*v_tau*R*I1 - gamma3*R*G)*Theta*(I1 - I3) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
-    out[0] = t13;
-    out[1] = t23;
+    const double t0 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t1 = x[4]*x[4]; /* s*s */
+    const double t2 = p[33]*x[0]; /* I3/I1*gamma3 */
+    const double t3 = JLT_FMA(x[0], t2, t1); /* K scaled = gamma3*I3/I1*gamma3 + s*s */
+    const double t4 = 1.0/t3; /* 1/K scaled */
+    const double t5 = t3 + p[35]; /* Theta scaled = K scaled + I3/(m*R^2) */
+    const double t6 = x[3]*x[3]; /* v_tau*v_tau */
+    const double t7 = JLT_FMA(t5, t6, p[34]); /* Theta scaled*v_tau*v_tau + G^2/(m*R^2*I1) */
+    const double t8 = JLT_FMA(t4, t7, t0); /* 1/K scaled*(Theta scaled*v_tau*v_tau + G^2/(m*R^2*I1)) + v_nu*v_nu */
+    const double t9 = p[32]*t8; /* 1/2*m*t8 */
+    const double t10 = p[36]*x[2]; /* 1/2*I1*omega_tau */
+    const double t11 = JLT_FMA(x[2], t10, t9); /* omega_tau*1/2*I1*omega_tau + 1/2*m*t8 */
+    const double t12 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t13 = p[37]*t12; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t14 = t12*t13; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
+    const double t15 = x[4]*x[3]; /* s*v_tau */
+    const double t16 = JLT_FNMA(x[0], p[12], t15); /* s*v_tau - gamma3*G/I1 */
+    const double t17 = t4*t16; /* 1/K scaled*(s*v_tau - gamma3*G/I1) */
+    const double t18 = t5*p[38]; /* Theta scaled*m*I1*(I1 - I3) */
+    const double t19 = t17*t18; /* 1/K scaled*(s*v_tau - gamma3*G/I1)*Theta scaled*m*I1*(I1 - I3) */
+    const double t20 = JLT_FMA(t17, t19, t14); /* 1/K scaled*(s*v_tau - gamma3*G/I1)*t19 + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
+    out[0] = t11;
+    out[1] = t20;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
@@ -519,50 +531,46 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = x[0]*p[10]; /* gamma3*R^2*I3 */
     const double t3 = JLT_FMA(x[0], t2, t1); /* K = gamma3*gamma3*R^2*I3 + s*R^2*I1*s */
     const double t4 = 1.0/t3; /* 1/K */
-    const double t5 = x[3]*x[3]; /* v_tau*v_tau */
-    const double t6 = t4*t5; /* 1/K*v_tau*v_tau */
-    const double t7 = JLT_FMA(p[0], t3, p[11]); /* Theta = m*K + I1*I3 */
-    const double t8 = JLT_FMA(t5, t7, p[34]); /* v_tau*v_tau*Theta + G^2 */
-    const double t9 = t4*t4; /* 1/K*1/K */
-    const double t10 = p[38]*t8; /* 1/m*(v_tau*v_tau*Theta + G^2) */
-    const double t11 = JLT_FNMA(t9, t10, t6); /* 1/K*v_tau*v_tau - 1/K*1/K*1/m*(v_tau*v_tau*Theta + G^2) */
-    const double t12 = p[0]*t2; /* m*gamma3*R^2*I3 */
-    const double t13 = t11*t12; /* (1/K*v_tau*v_tau - 1/K*1/K*1/m*(v_tau*v_tau*Theta + G^2))*m*gamma3*R^2*I3 */
+    const double t5 = JLT_FMA(t3, p[0], p[41]); /* Theta = K*m + I1*I3 */
+    const double t6 = t4*t5; /* 1/K*Theta */
+    const double t7 = x[3]*t6; /* v_tau*1/K*Theta */
+    const double t8 = JLT_FNMA(p[40], t7, x[3]); /* v_tau - 1/m*v_tau*1/K*Theta */
+    const double t9 = x[3]*t8; /* v_tau*(v_tau - 1/m*v_tau*1/K*Theta) */
+    const double t10 = JLT_FNMA(t4, p[42], t9); /* v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m */
+    const double t11 = t4*t10; /* 1/K*(v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m) */
+    const double t12 = p[39]*x[0]; /* m*R^2*I3*gamma3 */
+    const double t13 = t11*t12; /* 1/K*(v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*R^2*I3*gamma3 */
     const double t14 = p[0]*x[1]; /* m*v_nu */
     const double t15 = p[3]*x[2]; /* I1*omega_tau */
-    const double t16 = t4*t7; /* 1/K*Theta */
-    const double t17 = x[3]*t16; /* v_tau*1/K*Theta */
-    const double t18 = x[4]*p[39]; /* s*m*R^2*I1 */
-    const double t19 = t11*t18; /* (1/K*v_tau*v_tau - 1/K*1/K*1/m*(v_tau*v_tau*Theta + G^2))*s*m*R^2*I1 */
-    const double t20 = x[3]*p[13]; /* v_tau*R*I1 */
-    const double t21 = x[4]*t20; /* s*v_tau*R*I1 */
-    const double t22 = JLT_FNMA(x[0], p[7], t21); /* s*v_tau*R*I1 - gamma3*R*G */
-    const double t23 = JLT_FNMA(t16, 4.0, p[41]); /* 2*m - 1/K*Theta*4 */
-    const double t24 = t9*t22; /* 1/K*1/K*(s*v_tau*R*I1 - gamma3*R*G) */
-    const double t25 = t22*t24; /* (s*v_tau*R*I1 - gamma3*R*G)*1/K*1/K*(s*v_tau*R*I1 - gamma3*R*G) */
-    const double t26 = t23*t25; /* (2*m - 1/K*Theta*4)*t25 */
-    const double t27 = x[0]*p[40]; /* gamma3*R^2*I3*(I1 - I3) */
-    const double t28 = t26*t27; /* (2*m - 1/K*Theta*4)*t25*gamma3*R^2*I3*(I1 - I3) */
-    const double t29 = t7*t24; /* Theta*1/K*1/K*(s*v_tau*R*I1 - gamma3*R*G) */
-    const double t30 = JLT_FNMA(p[42], t29, t28); /* (2*m - 1/K*Theta*4)*t25*gamma3*R^2*I3*(I1 - I3) - 2*R*G*(I1 - I3)*Theta*1/K*1/K*(s*v_tau*R*I1 - gamma3*R*G) */
-    const double t31 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t32 = p[43]*t31; /* 2*m*I1^2*(omega_tau*R + v_nu) */
-    const double t33 = t31*p[44]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
-    const double t34 = t29*p[45]; /* Theta*1/K*1/K*(s*v_tau*R*I1 - gamma3*R*G)*2*R*I1*(I1 - I3) */
-    const double t35 = x[4]*t34; /* s*Theta*1/K*1/K*(s*v_tau*R*I1 - gamma3*R*G)*2*R*I1*(I1 - I3) */
-    const double t36 = x[3]*t34; /* v_tau*Theta*1/K*1/K*(s*v_tau*R*I1 - gamma3*R*G)*2*R*I1*(I1 - I3) */
-    const double t37 = x[4]*p[46]; /* s*R^2*I1*(I1 - I3) */
-    const double t38 = JLT_FMA(t26, t37, t36); /* (2*m - 1/K*Theta*4)*t25*s*R^2*I1*(I1 - I3) + t36 */
+    const double t16 = x[4]*p[43]; /* s*m*R^2*I1 */
+    const double t17 = t11*t16; /* 1/K*(v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*s*m*R^2*I1 */
+    const double t18 = x[4]*x[3]; /* s*v_tau */
+    const double t19 = JLT_FNMA(x[0], p[12], t18); /* s*v_tau - gamma3*G/I1 */
+    const double t20 = t4*t19; /* 1/K*(s*v_tau - gamma3*G/I1) */
+    const double t21 = t6*t20; /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t22 = JLT_FNMA(p[45], t21, t20); /* 1/K*(s*v_tau - gamma3*G/I1) - 2/m*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t23 = t20*t22; /* 1/K*(s*v_tau - gamma3*G/I1)*t22 */
+    const double t24 = x[0]*p[44]; /* gamma3*2*m*R^4*I1^2*I3*(I1 - I3) */
+    const double t25 = t23*t24; /* 1/K*(s*v_tau - gamma3*G/I1)*t22*gamma3*2*m*R^4*I1^2*I3*(I1 - I3) */
+    const double t26 = JLT_FNMA(t21, p[46], t25); /* t25 - 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1*G*(I1 - I3) */
+    const double t27 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t28 = p[47]*t27; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t29 = t27*p[48]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t30 = t21*p[49]; /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
+    const double t31 = x[4]*t30; /* s*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
+    const double t32 = x[3]*t30; /* v_tau*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
+    const double t33 = x[4]*p[50]; /* s*2*m*R^4*I1^3*(I1 - I3) */
+    const double t34 = JLT_FMA(t23, t33, t32); /* 1/K*(s*v_tau - gamma3*G/I1)*t22*s*2*m*R^4*I1^3*(I1 - I3) + t32 */
     out[0] = t13;
     out[1] = t14;
     out[2] = t15;
-    out[3] = t17;
-    out[4] = t19;
-    out[5] = t30;
-    out[6] = t32;
-    out[7] = t33;
-    out[8] = t35;
-    out[9] = t38;
+    out[3] = t7;
+    out[4] = t17;
+    out[5] = t26;
+    out[6] = t28;
+    out[7] = t29;
+    out[8] = t31;
+    out[9] = t34;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -584,36 +592,35 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t6[JLT_JET_ORDER_MAX + 1];
     double t9[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
-    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
-    double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
-    double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
-    double t34[JLT_JET_ORDER_MAX + 1];
-    double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
+    double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
-    double t41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
     double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
-    double t48[JLT_JET_ORDER_MAX + 1];
-    double t49[JLT_JET_ORDER_MAX + 1];
-    double t50[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -626,42 +633,41 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t6[k] = x4[k]*p[7];
         t9[k] = x3[k]*p[8];
         t10[k] = jlt_jet_product(x0, t9, k) + t6[k];
-        t13[k] = x4[k]*p[9];
-        t14[k] = jlt_jet_product(x4, t13, k);
-        t16[k] = x0[k]*p[10];
-        t17[k] = jlt_jet_product(x0, t16, k) + t14[k];
-        t19[k] = p[0]*t17[k] + (k == 0 ? p[11] : 0);
-        t20[k] = jlt_jet_product(t17, t19, k);
-        t22[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t20, t22, k);
-        t23[k] = jlt_jet_product(t19, t22, k);
-        t24[k] = jlt_jet_product(t10, t23, k);
-        t25[k] = jlt_jet_product(x3, t24, k);
-        t28[k] = x4[k]*p[13];
-        t29[k] = jlt_jet_product(x3, t28, k);
-        t30[k] = t29[k] - p[7]*x0[k];
-        t31[k] = jlt_jet_product(t23, t30, k);
-        t32[k] = x4[k]*p[12];
-        t33[k] = jlt_jet_product(t31, t32, k);
-        t34[k] = jlt_jet_product(x0, t24, k) + t33[k];
-        t35[k] = jlt_jet_product(t24, t34, k);
-        t36[k] = -t35[k];
-        t39[k] = x2[k]*p[1] + x1[k];
-        t40[k] = jlt_jet_product(t17, t22, k);
-        t41[k] = p[11]*t39[k];
-        t42[k] = x1[k] - jlt_jet_product(t40, t41, k);
-        t43[k] = jlt_jet_product(t24, t42, k);
-        t45[k] = jlt_jet_product(t2, x0, k);
-        t46[k] = p[14]*t45[k];
-        t47[k] = jlt_jet_product(t40, t46, k);
-        t48[k] = jlt_jet_product(t31, t47, k) + t43[k];
-        t49[k] = -t48[k];
-        t50[k] = -t45[k];
+        t12[k] = x4[k]*p[9];
+        t13[k] = jlt_jet_product(x4, t12, k);
+        t15[k] = x0[k]*p[10];
+        t16[k] = jlt_jet_product(x0, t15, k) + t13[k];
+        t18[k] = t16[k] + (k == 0 ? p[11] : 0);
+        t19[k] = jlt_jet_product(t16, t18, k);
+        t21[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t19, t21, k);
+        t22[k] = jlt_jet_product(t18, t21, k);
+        t23[k] = jlt_jet_product(t10, t22, k);
+        t24[k] = jlt_jet_product(x3, t23, k);
+        t25[k] = jlt_jet_product(x4, x3, k);
+        t27[k] = t25[k] - x0[k]*p[12];
+        t28[k] = jlt_jet_product(t22, t27, k);
+        t29[k] = x4[k]*p[8];
+        t30[k] = jlt_jet_product(t28, t29, k);
+        t31[k] = jlt_jet_product(x0, t23, k) + t30[k];
+        t32[k] = jlt_jet_product(t23, t31, k);
+        t33[k] = -t32[k];
+        t36[k] = x2[k]*p[1] + x1[k];
+        t37[k] = jlt_jet_product(t16, t21, k);
+        t38[k] = p[11]*t36[k];
+        t39[k] = x1[k] - jlt_jet_product(t37, t38, k);
+        t40[k] = jlt_jet_product(t23, t39, k);
+        t42[k] = jlt_jet_product(t2, x0, k);
+        t43[k] = p[13]*t42[k];
+        t44[k] = jlt_jet_product(t37, t43, k);
+        t45[k] = jlt_jet_product(t28, t44, k) + t40[k];
+        t46[k] = -t45[k];
+        t47[k] = -t42[k];
         double *restrict next = coefficients + (k + 1)*6;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t25[k]/(k + 1);
-        next[2] = x2[k + 1] = t36[k]/(k + 1);
-        next[3] = x3[k + 1] = t49[k]/(k + 1);
-        next[4] = x4[k + 1] = t50[k]/(k + 1);
+        next[1] = x1[k + 1] = t24[k]/(k + 1);
+        next[2] = x2[k + 1] = t33[k]/(k + 1);
+        next[3] = x3[k + 1] = t46[k]/(k + 1);
+        next[4] = x4[k + 1] = t47[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -734,22 +740,22 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced_in_regular = {
     .sha256 = "0e21006c5ed6b2b43f047938803c9f453803feabeb018bd596d20a035cf11dee",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_level,
-    .state_count = 5, .param_count = 7, .block_count = 47,
+    .state_count = 5, .param_count = 7, .block_count = 51,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 3, 23, 8, 1, 0, 0, 12, 7 }, { 16, 71, 0, 6, 0, 0, 10, 8 },
+    .rhs = { rhs, 5, { 4, 22, 7, 1, 0, 0, 12, 7 }, { 16, 71, 0, 6, 0, 0, 10, 8 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are" },
-    .jacobian = { jacobian, 25, { 6, 60, 31, 1, 0, 0, 14, 22 }, { 91, 507, 0, 46, 0, 0, 16, 9 },
+    .jacobian = { jacobian, 25, { 8, 55, 30, 1, 0, 0, 13, 23 }, { 91, 507, 0, 46, 0, 0, 16, 9 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 62, 30, 1, 0, 0, 15, 29 }, { 104, 567, 0, 52, 0, 0, 16, 9 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 13, 60, 26, 1, 0, 0, 14, 29 }, { 104, 567, 0, 52, 0, 0, 16, 9 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are" },
-    .divergence = { divergence, 1, { 1, 11, 6, 1, 0, 0, 12, 7 }, { 8, 30, 0, 3, 0, 0, 10, 7 },
+    .divergence = { divergence, 1, { 3, 8, 4, 1, 0, 0, 10, 5 }, { 8, 30, 0, 3, 0, 0, 10, 7 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are" },
-    .integral_values = { integral_values, 2, { 0, 15, 8, 1, 0, 0, 7, 7 }, { 9, 35, 0, 3, 0, 0, 12, 6 },
+    .integral_values = { integral_values, 2, { 1, 12, 7, 1, 0, 0, 7, 5 }, { 9, 35, 0, 3, 0, 0, 12, 6 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are" },
-    .integral_gradients = { integral_gradients, 10, { 0, 29, 9, 1, 0, 0, 10, 7 }, { 26, 155, 0, 14, 0, 0, 13, 8 },
+    .integral_gradients = { integral_gradients, 10, { 0, 25, 9, 1, 0, 0, 11, 5 }, { 26, 155, 0, 14, 0, 0, 13, 8 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

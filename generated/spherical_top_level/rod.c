@@ -7,13 +7,13 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3   14    3    1    1    0     11    8   (42)
- *  jacobian            5   26    7    1    1    0     13   12   (126)
- *  rhs_jacobian        6   29    8    1    1    0     12   13   (160)
- *  divergence          2    7    2    1    1    0      8    5   (18)
+ *  jacobian            5   23    7    1    1    0     13   13   (126)
+ *  rhs_jacobian        6   26    7    1    1    0     13   11   (160)
+ *  divergence          2    4    2    1    1    0      6    4   (18)
  *  integral_values     2    6    5    1    1    0      6    6   (38)
  *  integral_gradients  2    8    3    1    1    0      8    5   (30)
- *  measure_values      2    2    1    1    1    0      5    3   (9)
- *  measure_divergences 2   11    4    1    1    0     10    8   (43)
+ *  measure_values      2    1    1    1    1    0      4    3   (9)
+ *  measure_divergences 2    8    4    1    1    0     11    7   (43)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
  */
@@ -62,27 +62,23 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t9 = params[5]*t8; /* a3*m*g */
     const double t10 = params[6]*2.0; /* G*2 */
     const double t11 = t10/t0; /* G*2/(R*I1) */
-    const double t12 = params[0]*2.0; /* m*2 */
-    const double t13 = t2*t12; /* a3*a3*m*2 */
-    const double t14 = 1.0/t5; /* 1/(I1*R*R) */
-    const double t15 = 3.0/t5; /* 3/(I1*R*R) */
-    const double t16 = t13/t5; /* a3*a3*m*2/(I1*R*R) */
-    const double t17 = params[0]/2.0; /* m/2 */
-    const double t18 = t4*2.0; /* R*R*2 */
-    const double t19 = params[3]*t18; /* I1*R*R*2 */
-    const double t20 = t6/t19; /* G*G/(I1*R*R*2) */
+    const double t12 = t6*3.0; /* G*G*3 */
+    const double t13 = t12/t5; /* G*G*3/(I1*R*R) */
+    const double t14 = params[0]*2.0; /* m*2 */
+    const double t15 = t2*t14; /* a3*a3*m*2 */
+    const double t16 = params[0]/2.0; /* m/2 */
+    const double t17 = t4*2.0; /* R*R*2 */
+    const double t18 = params[3]*t17; /* I1*R*R*2 */
+    const double t19 = t6/t18; /* G*G/(I1*R*R*2) */
     out[7] = t1;
     out[8] = t3;
     out[9] = t7;
     out[10] = t9;
     out[11] = t11;
     out[12] = t13;
-    out[13] = t6;
-    out[14] = t14;
-    out[15] = t15;
-    out[16] = t16;
-    out[17] = t17;
-    out[18] = t20;
+    out[13] = t15;
+    out[14] = t16;
+    out[15] = t19;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -117,60 +113,57 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = t3*t4; /* D*s */
-    const double t6 = 1.0/t5; /* 1/(D*s) */
-    const double t7 = t3*t6; /* D*1/(D*s) */
-    const double t8 = x[0]*x[2]; /* gamma3*omega_tau */
-    const double t9 = t7*t8; /* D*1/(D*s)*gamma3*omega_tau */
-    const double t10 = -t9; /* -D*1/(D*s)*gamma3*omega_tau */
-    const double t11 = t7*t7; /* D*1/(D*s)*D*1/(D*s) */
+    const double t0 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = JLT_FMA(p[8], t3, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t5 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t6 = t4*t5; /* D*s */
+    const double t7 = 1.0/t6; /* 1/(D*s) */
+    const double t8 = t4*t7; /* D*1/(D*s) */
+    const double t9 = t0*t8; /* gamma3*omega_tau*D*1/(D*s) */
+    const double t10 = -t9; /* -gamma3*omega_tau*D*1/(D*s) */
+    const double t11 = t8*t8; /* D*1/(D*s)*D*1/(D*s) */
     const double t12 = x[0]*t11; /* gamma3*D*1/(D*s)*D*1/(D*s) */
-    const double t13 = p[11]*t11; /* 2*G/(R*I1)*D*1/(D*s)*D*1/(D*s) */
-    const double t14 = t12*t13; /* gamma3*D*1/(D*s)*D*1/(D*s)*2*G/(R*I1)*D*1/(D*s)*D*1/(D*s) */
-    const double t15 = x[3]*t14; /* v_tau*gamma3*D*1/(D*s)*D*1/(D*s)*2*G/(R*I1)*D*1/(D*s)*D*1/(D*s) */
+    const double t13 = t11*t12; /* D*1/(D*s)*D*1/(D*s)*gamma3*D*1/(D*s)*D*1/(D*s) */
+    const double t14 = p[11]*t13; /* 2*G/(R*I1)*D*1/(D*s)*D*1/(D*s)*gamma3*D*1/(D*s)*D*1/(D*s) */
+    const double t15 = x[3]*t14; /* v_tau*2*G/(R*I1)*D*1/(D*s)*D*1/(D*s)*gamma3*D*1/(D*s)*D*1/(D*s) */
     const double t16 = t11*p[7]; /* D*1/(D*s)*D*1/(D*s)*G/(R*I1) */
-    const double t17 = t4*t6; /* s*1/(D*s) */
-    const double t18 = t4*t17; /* s*s*1/(D*s) */
-    const double t19 = JLT_FMS(p[12], t18, t7); /* 2*m*a3^2*s*s*1/(D*s) - D*1/(D*s) */
-    const double t20 = x[0]*t17; /* gamma3*s*1/(D*s) */
-    const double t21 = t19*t20; /* (2*m*a3^2*s*s*1/(D*s) - D*1/(D*s))*gamma3*s*1/(D*s) */
-    const double t22 = JLT_FMA(x[0], t21, t18); /* gamma3*(2*m*a3^2*s*s*1/(D*s) - D*1/(D*s))*gamma3*s*1/(D*s) + s*s*1/(D*s) */
-    const double t23 = x[2]*p[8]; /* omega_tau*m*a3^2 */
-    const double t24 = x[2]*t23; /* omega_tau*omega_tau*m*a3^2 */
-    const double t25 = t22*t24; /* t22*omega_tau*omega_tau*m*a3^2 */
-    const double t26 = t17*p[14]; /* s*1/(D*s)*1/(R^2*I1) */
-    const double t27 = t12*p[15]; /* gamma3*D*1/(D*s)*D*1/(D*s)*3/(R^2*I1) */
-    const double t28 = JLT_FMA(t20, p[16], t27); /* gamma3*s*1/(D*s)*2*m*a3^2/(R^2*I1) + gamma3*D*1/(D*s)*D*1/(D*s)*3/(R^2*I1) */
-    const double t29 = JLT_FMA(t20, t28, t26); /* gamma3*s*1/(D*s)*t28 + s*1/(D*s)*1/(R^2*I1) */
-    const double t30 = t7*p[13]; /* D*1/(D*s)*G^2 */
-    const double t31 = t11*t30; /* D*1/(D*s)*D*1/(D*s)*D*1/(D*s)*G^2 */
-    const double t32 = JLT_FNMA(t21, p[10], t25); /* t22*omega_tau*omega_tau*m*a3^2 - (2*m*a3^2*s*s*1/(D*s) - D*1/(D*s))*gamma3*s*1/(D*s)*m*g*a3 */
-    const double t33 = JLT_FNMA(t29, t31, t32); /* t32 - (gamma3*s*1/(D*s)*t28 + s*1/(D*s)*1/(R^2*I1))*D*1/(D*s)*D*1/(D*s)*D*1/(D*s)*G^2 */
-    const double t34 = x[2]*p[12]; /* omega_tau*2*m*a3^2 */
-    const double t35 = t4*t34; /* s*omega_tau*2*m*a3^2 */
-    const double t36 = t20*t35; /* gamma3*s*1/(D*s)*s*omega_tau*2*m*a3^2 */
-    const double t37 = t14*x[1]; /* gamma3*D*1/(D*s)*D*1/(D*s)*2*G/(R*I1)*D*1/(D*s)*D*1/(D*s)*v_nu */
-    const double t38 = -t37; /* -t37 */
-    const double t39 = -t16; /* -D*1/(D*s)*D*1/(D*s)*G/(R*I1) */
+    const double t17 = x[2]*t5; /* omega_tau*s */
+    const double t18 = x[2]*p[8]; /* omega_tau*m*a3^2 */
+    const double t19 = t17*t18; /* omega_tau*s*omega_tau*m*a3^2 */
+    const double t20 = JLT_FNMA(t0, t18, p[10]); /* m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2 */
+    const double t21 = JLT_FMS(t13, p[12], t20); /* D*1/(D*s)*D*1/(D*s)*gamma3*D*1/(D*s)*D*1/(D*s)*3*G^2/(R^2*I1) - (m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
+    const double t22 = x[0]*t8; /* gamma3*D*1/(D*s) */
+    const double t23 = t8*p[9]; /* D*1/(D*s)*G^2/(R^2*I1) */
+    const double t24 = JLT_FNMA(t11, t23, t19); /* omega_tau*s*omega_tau*m*a3^2 - D*1/(D*s)*D*1/(D*s)*D*1/(D*s)*G^2/(R^2*I1) */
+    const double t25 = JLT_FNMA(t21, t22, t24); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = t24 - t21*gamma3*D*1/(D*s) */
+    const double t26 = t5*t20; /* s*(m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
+    const double t27 = JLT_FMA(t12, t23, t26); /* gamma3*D*1/(D*s)*D*1/(D*s)*D*1/(D*s)*G^2/(R^2*I1) + s*(m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
+    const double t28 = t5*t7; /* s*1/(D*s) */
+    const double t29 = x[0]*p[13]; /* gamma3*2*m*a3^2 */
+    const double t30 = t28*t29; /* s*1/(D*s)*gamma3*2*m*a3^2 */
+    const double t31 = JLT_FNMA(t27, t30, t25); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) - t27*s*1/(D*s)*gamma3*2*m*a3^2 */
+    const double t32 = t28*t31; /* s*1/(D*s)*t31 */
+    const double t33 = t17*t30; /* omega_tau*s*s*1/(D*s)*gamma3*2*m*a3^2 */
+    const double t34 = t14*x[1]; /* 2*G/(R*I1)*D*1/(D*s)*D*1/(D*s)*gamma3*D*1/(D*s)*D*1/(D*s)*v_nu */
+    const double t35 = -t34; /* -t34 */
+    const double t36 = -t16; /* -D*1/(D*s)*D*1/(D*s)*G/(R*I1) */
     out[0] = t10;
     out[1] = 0.0;
-    out[2] = t4;
+    out[2] = t5;
     out[3] = 0.0;
     out[4] = t15;
     out[5] = 0.0;
     out[6] = 0.0;
     out[7] = t16;
-    out[8] = t33;
+    out[8] = t32;
     out[9] = 0.0;
-    out[10] = t36;
+    out[10] = t33;
     out[11] = 0.0;
-    out[12] = t38;
-    out[13] = t39;
+    out[12] = t35;
+    out[13] = t36;
     out[14] = 0.0;
     out[15] = 0.0;
 }
@@ -191,55 +184,51 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t11 = x[3]*t10; /* v_tau*G/(R*I1)*D*1/(s*D)*D*1/(s*D) */
     const double t12 = x[2]*p[8]; /* omega_tau*m*a3^2 */
     const double t13 = t4*t12; /* omega_tau*s*omega_tau*m*a3^2 */
-    const double t14 = t8*t9; /* D*1/(s*D)*D*1/(s*D)*D*1/(s*D) */
-    const double t15 = JLT_FNMA(p[9], t14, t13); /* omega_tau*s*omega_tau*m*a3^2 - G^2/(R^2*I1)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D) */
-    const double t16 = t3*t7; /* s*1/(s*D) */
-    const double t17 = x[0]*t16; /* gamma3*s*1/(s*D) */
-    const double t18 = t15*t17; /* t15*gamma3*s*1/(s*D) */
-    const double t19 = t3*t16; /* s*s*1/(s*D) */
-    const double t20 = JLT_FNMA(p[10], t19, t18); /* t15*gamma3*s*1/(s*D) - m*g*a3*s*s*1/(s*D) */
-    const double t21 = t10*x[1]; /* G/(R*I1)*D*1/(s*D)*D*1/(s*D)*v_nu */
-    const double t22 = -t21; /* -G/(R*I1)*D*1/(s*D)*D*1/(s*D)*v_nu */
-    const double t23 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t24 = t8*t23; /* D*1/(s*D)*omega_tau*gamma3 */
-    const double t25 = -t24; /* -D*1/(s*D)*omega_tau*gamma3 */
-    const double t26 = x[0]*t9; /* gamma3*D*1/(s*D)*D*1/(s*D) */
-    const double t27 = t9*p[11]; /* D*1/(s*D)*D*1/(s*D)*2*G/(R*I1) */
-    const double t28 = t26*t27; /* gamma3*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*2*G/(R*I1) */
-    const double t29 = x[3]*t28; /* v_tau*gamma3*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*2*G/(R*I1) */
-    const double t30 = t15*t16; /* t15*s*1/(s*D) */
-    const double t31 = JLT_FMS(t19, p[12], t8); /* s*s*1/(s*D)*2*m*a3^2 - D*1/(s*D) */
-    const double t32 = p[10]*t31; /* m*g*a3*(s*s*1/(s*D)*2*m*a3^2 - D*1/(s*D)) */
-    const double t33 = t12*t23; /* omega_tau*m*a3^2*omega_tau*gamma3 */
-    const double t34 = t17*p[16]; /* gamma3*s*1/(s*D)*2*m*a3^2/(R^2*I1) */
-    const double t35 = JLT_FMA(t26, p[15], t34); /* gamma3*D*1/(s*D)*D*1/(s*D)*3/(R^2*I1) + gamma3*s*1/(s*D)*2*m*a3^2/(R^2*I1) */
-    const double t36 = t14*p[13]; /* D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*G^2 */
-    const double t37 = JLT_FNMA(t31, t33, t32); /* m*g*a3*(s*s*1/(s*D)*2*m*a3^2 - D*1/(s*D)) - (s*s*1/(s*D)*2*m*a3^2 - D*1/(s*D))*omega_tau*m*a3^2*omega_tau*gamma3 */
-    const double t38 = JLT_FMA(t35, t36, t37); /* t35*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*G^2 + t37 */
-    const double t39 = JLT_FNMA(t17, t38, t30); /* t15*s*1/(s*D) - gamma3*s*1/(s*D)*(t35*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*G^2 + t37) */
-    const double t40 = t4*p[12]; /* omega_tau*s*2*m*a3^2 */
-    const double t41 = t17*t40; /* gamma3*s*1/(s*D)*omega_tau*s*2*m*a3^2 */
-    const double t42 = x[1]*t28; /* v_nu*gamma3*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*2*G/(R*I1) */
-    const double t43 = -t42; /* -t42 */
-    const double t44 = -t10; /* -G/(R*I1)*D*1/(s*D)*D*1/(s*D) */
+    const double t14 = t8*p[9]; /* D*1/(s*D)*G^2/(R^2*I1) */
+    const double t15 = JLT_FNMA(t9, t14, t13); /* omega_tau*s*omega_tau*m*a3^2 - D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*G^2/(R^2*I1) */
+    const double t16 = x[0]*t15; /* gamma3*t15 */
+    const double t17 = JLT_FNMA(t3, p[10], t16); /* numerator of d(omega_tau)/dt over D = gamma3*t15 - s*m*g*a3 */
+    const double t18 = t3*t7; /* s*1/(s*D) */
+    const double t19 = t17*t18; /* numerator of d(omega_tau)/dt over D*s*1/(s*D) */
+    const double t20 = t10*x[1]; /* G/(R*I1)*D*1/(s*D)*D*1/(s*D)*v_nu */
+    const double t21 = -t20; /* -G/(R*I1)*D*1/(s*D)*D*1/(s*D)*v_nu */
+    const double t22 = x[0]*t8; /* gamma3*D*1/(s*D) */
+    const double t23 = x[2]*t22; /* omega_tau*gamma3*D*1/(s*D) */
+    const double t24 = -t23; /* -omega_tau*gamma3*D*1/(s*D) */
+    const double t25 = t9*t9; /* D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D) */
+    const double t26 = x[0]*p[11]; /* gamma3*2*G/(R*I1) */
+    const double t27 = t25*t26; /* D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*gamma3*2*G/(R*I1) */
+    const double t28 = x[3]*t27; /* v_tau*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*gamma3*2*G/(R*I1) */
+    const double t29 = x[0]*p[13]; /* gamma3*2*m*a3^2 */
+    const double t30 = t18*t29; /* s*1/(s*D)*gamma3*2*m*a3^2 */
+    const double t31 = x[2]*t12; /* omega_tau*omega_tau*m*a3^2 */
+    const double t32 = JLT_FMA(t25, p[12], t31); /* D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*3*G^2/(R^2*I1) + omega_tau*omega_tau*m*a3^2 */
+    const double t33 = JLT_FNMA(x[0], t32, p[10]); /* m*g*a3 - gamma3*t32 */
+    const double t34 = JLT_FMA(t22, t33, t15); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = gamma3*D*1/(s*D)*(m*g*a3 - gamma3*t32) + t15 */
+    const double t35 = JLT_FMA(t17, t30, t34); /* numerator of d(omega_tau)/dt over D*s*1/(s*D)*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t36 = t18*t35; /* s*1/(s*D)*t35 */
+    const double t37 = t4*t30; /* omega_tau*s*s*1/(s*D)*gamma3*2*m*a3^2 */
+    const double t38 = x[1]*t27; /* v_nu*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*gamma3*2*G/(R*I1) */
+    const double t39 = -t38; /* -t38 */
+    const double t40 = -t10; /* -G/(R*I1)*D*1/(s*D)*D*1/(s*D) */
     out[0] = t4;
     out[1] = t11;
-    out[2] = t20;
-    out[3] = t22;
-    out[4] = t25;
+    out[2] = t19;
+    out[3] = t21;
+    out[4] = t24;
     out[5] = 0.0;
     out[6] = t3;
     out[7] = 0.0;
-    out[8] = t29;
+    out[8] = t28;
     out[9] = 0.0;
     out[10] = 0.0;
     out[11] = t10;
-    out[12] = t39;
+    out[12] = t36;
     out[13] = 0.0;
-    out[14] = t41;
+    out[14] = t37;
     out[15] = 0.0;
-    out[16] = t43;
-    out[17] = t44;
+    out[16] = t39;
+    out[17] = t40;
     out[18] = 0.0;
     out[19] = 0.0;
 }
@@ -252,21 +241,18 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = JLT_FMA(t2, p[8], p[3]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
     const double t5 = t3*t4; /* s*D */
-    const double t6 = 1.0/t5; /* 1/(s*D) */
-    const double t7 = p[12]*t3; /* 2*m*a3^2*s */
-    const double t8 = t3*t7; /* s*2*m*a3^2*s */
-    const double t9 = t6*t8; /* 1/(s*D)*s*2*m*a3^2*s */
-    const double t10 = JLT_FNMA(t4, t6, t9); /* 1/(s*D)*s*2*m*a3^2*s - D*1/(s*D) */
-    const double t11 = x[0]*x[2]; /* gamma3*omega_tau */
-    const double t12 = t10*t11; /* (1/(s*D)*s*2*m*a3^2*s - D*1/(s*D))*gamma3*omega_tau */
-    out[0] = t12;
+    const double t6 = JLT_FMS(t2, p[13], t4); /* (1 - gamma3)*(gamma3 + 1)*2*m*a3^2 - D */
+    const double t7 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t8 = t6*t7; /* ((1 - gamma3)*(gamma3 + 1)*2*m*a3^2 - D)*gamma3*omega_tau */
+    const double t9 = t8/t5; /* ((1 - gamma3)*(gamma3 + 1)*2*m*a3^2 - D)*gamma3*omega_tau/(s*D) */
+    out[0] = t9;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[1]*x[1]; /* v_nu*v_nu */
     const double t1 = JLT_FMA(x[3], x[3], t0); /* v_tau*v_tau + v_nu*v_nu */
-    const double t2 = p[17]*t1; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t2 = p[14]*t1; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t4 = x[0] + 1.0; /* gamma3 + 1 */
     const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
@@ -275,7 +261,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t8 = x[2]*t7; /* omega_tau*1/2*omega_tau */
     const double t9 = sqrt(t5); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t10 = 1.0/t9; /* 1/s */
-    const double t11 = p[18]*t10; /* 1/2*G^2/(R^2*I1)*1/s */
+    const double t11 = p[15]*t10; /* 1/2*G^2/(R^2*I1)*1/s */
     const double t12 = JLT_FMA(p[10], x[0], t2); /* m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     const double t13 = JLT_FMA(t6, t8, t12); /* D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     const double t14 = JLT_FMA(t10, t11, t13); /* 1/s*1/2*G^2/(R^2*I1)*1/s + t13 */
@@ -316,10 +302,9 @@ static void measure_values(const double *restrict x, const double *restrict p, d
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = 1.0/t3; /* 1/s */
-    const double t5 = JLT_FMA(t2, p[8], p[3]); /* (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
-    const double t6 = t4*t5; /* 1/s*((1 - gamma3)*(1 + gamma3)*m*a3^2 + I1) */
-    out[0] = t6;
+    const double t4 = JLT_FMA(t2, p[8], p[3]); /* (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t5 = t4/t3; /* ((1 - gamma3)*(1 + gamma3)*m*a3^2 + I1)/s */
+    out[0] = t5;
 }
 
 static void measure_divergences(const double *restrict x, const double *restrict p, double *restrict out)
@@ -327,23 +312,20 @@ static void measure_divergences(const double *restrict x, const double *restrict
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(t2, p[8], p[3]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
-    const double t5 = t3*t4; /* s*D */
-    const double t6 = 1.0/t5; /* 1/(s*D) */
-    const double t7 = t4*t6; /* D*1/(s*D) */
-    const double t8 = t4*t7; /* D*D*1/(s*D) */
-    const double t9 = JLT_FNMA(t7, t8, p[12]); /* 2*m*a3^2 - D*1/(s*D)*D*D*1/(s*D) */
-    const double t10 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t11 = t3*t10; /* s*omega_tau*gamma3 */
-    const double t12 = t7*t11; /* D*1/(s*D)*s*omega_tau*gamma3 */
-    const double t13 = t9*t12; /* (2*m*a3^2 - D*1/(s*D)*D*D*1/(s*D))*D*1/(s*D)*s*omega_tau*gamma3 */
-    const double t14 = t3*p[12]; /* s*2*m*a3^2 */
-    const double t15 = t3*t14; /* s*s*2*m*a3^2 */
-    const double t16 = JLT_FMS(t6, t15, t7); /* 1/(s*D)*s*s*2*m*a3^2 - D*1/(s*D) */
-    const double t17 = t8*t10; /* D*D*1/(s*D)*omega_tau*gamma3 */
-    const double t18 = JLT_FMS(t16, t17, t13); /* (1/(s*D)*s*s*2*m*a3^2 - D*1/(s*D))*D*D*1/(s*D)*omega_tau*gamma3 - t13 */
-    out[0] = t18;
+    const double t3 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t5 = t3*t4; /* D*s */
+    const double t6 = 1.0/t5; /* 1/(D*s) */
+    const double t7 = t3*t6; /* D*1/(D*s) */
+    const double t8 = t7*t7; /* D*1/(D*s)*D*1/(D*s) */
+    const double t9 = t4*p[13]; /* s*2*m*a3^2 */
+    const double t10 = JLT_FMA(t6, t9, t8); /* 1/(D*s)*s*2*m*a3^2 + D*1/(D*s)*D*1/(D*s) */
+    const double t11 = JLT_FMS(t4, t10, t7); /* s*(1/(D*s)*s*2*m*a3^2 + D*1/(D*s)*D*1/(D*s)) - D*1/(D*s) */
+    const double t12 = JLT_FMS(t3, t11, t9); /* D*(s*(1/(D*s)*s*2*m*a3^2 + D*1/(D*s)*D*1/(D*s)) - D*1/(D*s)) - s*2*m*a3^2 */
+    const double t13 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t14 = t7*t13; /* D*1/(D*s)*omega_tau*gamma3 */
+    const double t15 = t12*t14; /* t12*D*1/(D*s)*omega_tau*gamma3 */
+    out[0] = t15;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -480,26 +462,26 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .sha256 = "0e21006c5ed6b2b43f047938803c9f453803feabeb018bd596d20a035cf11dee",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_level,
-    .state_count = 4, .param_count = 7, .block_count = 19,
+    .state_count = 4, .param_count = 7, .block_count = 16,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 3, 14, 3, 1, 1, 0, 11, 8 }, { 5, 31, 0, 5, 1, 0, 9, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 5, 26, 7, 1, 1, 0, 13, 12 }, { 11, 100, 0, 14, 1, 0, 15, 7 },
+    .jacobian = { jacobian, 16, { 5, 23, 7, 1, 1, 0, 13, 13 }, { 11, 100, 0, 14, 1, 0, 15, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 6, 29, 8, 1, 1, 0, 12, 13 }, { 14, 126, 0, 19, 1, 0, 15, 7 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 6, 26, 7, 1, 1, 0, 13, 11 }, { 14, 126, 0, 19, 1, 0, 15, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 2, 7, 2, 1, 1, 0, 8, 5 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
+    .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { integral_values, 2, { 2, 6, 5, 1, 1, 0, 6, 6 }, { 7, 29, 0, 1, 1, 0, 11, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_gradients = { integral_gradients, 8, { 2, 8, 3, 1, 1, 0, 8, 5 }, { 4, 24, 0, 1, 1, 0, 8, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .measure_values = { measure_values, 1, { 2, 2, 1, 1, 1, 0, 5, 3 }, { 2, 5, 0, 1, 1, 0, 7, 4 },
+    .measure_values = { measure_values, 1, { 2, 1, 1, 1, 1, 0, 4, 3 }, { 2, 5, 0, 1, 1, 0, 7, 4 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .measure_divergences = { measure_divergences, 1, { 2, 11, 4, 1, 1, 0, 10, 8 }, { 7, 30, 0, 5, 1, 0, 12, 8 },
+    .measure_divergences = { measure_divergences, 1, { 2, 8, 4, 1, 1, 0, 11, 7 }, { 7, 30, 0, 5, 1, 0, 12, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },

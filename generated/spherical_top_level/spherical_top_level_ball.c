@@ -543,14 +543,14 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     (void)prec;
     arb_set_si(t + 0, 0);
     arb_set_si(t + 1, 1);
-    arb_mul(t + 4, params + 0, params + 2, prec);
-    arb_mul(t + 6, t + 4, params + 5, prec);
-    arb_mul(t + 7, params + 5, params + 5, prec);
-    arb_mul(t + 8, params + 0, t + 7, prec);
-    arb_mul(t + 10, t + 8, x + 0, prec);
-    arb_mul(t + 12, x + 2, x + 2, prec);
-    arb_mul(t + 13, t + 10, t + 12, prec);
-    arb_sub(t + 14, t + 6, t + 13, prec);
+    arb_mul(t + 4, params + 5, params + 5, prec);
+    arb_mul(t + 5, params + 0, t + 4, prec);
+    arb_mul(t + 7, t + 5, x + 0, prec);
+    arb_mul(t + 9, x + 2, x + 2, prec);
+    arb_mul(t + 10, t + 7, t + 9, prec);
+    arb_mul(t + 12, params + 0, params + 2, prec);
+    arb_mul(t + 13, params + 5, t + 12, prec);
+    arb_sub(t + 14, t + 13, t + 10, prec);
     arb_mul(t + 16, x + 3, x + 3, prec);
     arb_mul(t + 18, params + 1, params + 1, prec);
     arb_mul(t + 20, t + 18, params + 3, prec);
@@ -592,7 +592,7 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     arb_mul(t + 58, t + 46, t + 57, prec);
     arb_sub(t + 59, t + 53, t + 58, prec);
     arb_mul(t + 61, params + 0, x + 1, prec);
-    arb_mul(t + 62, t + 8, t + 24, prec);
+    arb_mul(t + 62, t + 5, t + 24, prec);
     arb_add(t + 63, params + 3, t + 62, prec); /* D */
     arb_mul(t + 64, x + 2, t + 63, prec);
     arb_mul(t + 65, x + 3, t + 35, prec);
