@@ -5,14 +5,14 @@
  *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   26   14    1    1    0     13   11   (86)
- *  jacobian            7   51   27    1    1    0     17   18   (295)
- *  rhs_jacobian        7   57   31    1    1    0     17   28   (350)
- *  divergence          2    9    7    1    1    0      9    6   (42)
+ *  rhs                 5   24   11    1    1    0     14   11   (86)
+ *  jacobian            9   46   23    1    1    0     15   19   (295)
+ *  rhs_jacobian        6   48   27    1    1    0     17   26   (350)
+ *  divergence          4    7    4    1    1    0      8    6   (42)
  *  integral_values     2   13   12    0    2    0      6    9   (57)
- *  integral_gradients  4   28   13    1    2    0     11   11   (86)
- *  measure_values      2    3    5    0    1    0      6    6   (27)
- *  measure_divergences 2   19   10    1    2    0     12   10   (66)
+ *  integral_gradients  4   25   13    1    2    0     11   11   (86)
+ *  measure_values      3    3    4    0    1    0      6    6   (27)
+ *  measure_divergences 3   16    9    1    2    0     11    9   (66)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
  */
@@ -36,101 +36,121 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = -params[4]; /* -I1 */
-    const double t1 = params[0]*params[1]; /* m*R */
-    const double t2 = t1*params[3]; /* m*R*a3 */
-    const double t3 = t2/params[4]; /* m*R*a3/I1 */
-    const double t4 = params[0]*params[2]; /* m*g */
-    const double t5 = params[3]*t4; /* a3*m*g */
-    const double t6 = t5/params[4]; /* a3*m*g/I1 */
-    const double t7 = params[0]/params[4]; /* m/I1 */
-    const double t8 = params[1]*params[1]; /* R*R */
-    const double t9 = params[3]*params[3]; /* a3*a3 */
-    const double t10 = t8 + t9; /* R*R + a3*a3 */
-    const double t11 = params[1]*2.0; /* R*2 */
-    const double t12 = params[3]*t11; /* a3*R*2 */
-    const double t13 = params[4]*params[5]; /* I1*I3 */
-    const double t14 = params[0]*t8; /* m*R*R */
-    const double t15 = params[4]*t14; /* I1*m*R*R */
-    const double t16 = params[0]*params[5]; /* m*I3 */
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = params[3]*params[3]; /* a3*a3 */
+    const double t2 = t0 + t1; /* R*R + a3*a3 */
+    const double t3 = params[4]/params[0]; /* I1/m */
+    const double t4 = t2 + t3; /* R*R + a3*a3 + I1/m */
+    const double t5 = params[1]*2.0; /* R*2 */
+    const double t6 = params[3]*t5; /* a3*R*2 */
+    const double t7 = t0*params[0]; /* R*R*m */
+    const double t8 = params[5]/t7; /* I3/(R*R*m) */
+    const double t9 = t0*params[4]; /* R*R*I1 */
+    const double t10 = params[5]/t9; /* I3/(R*R*I1) */
+    const double t11 = params[1]*params[0]; /* R*m */
+    const double t12 = params[3]*t11; /* a3*R*m */
+    const double t13 = t12/params[4]; /* a3*R*m/I1 */
+    const double t14 = params[0]*params[2]; /* m*g */
+    const double t15 = params[3]*t14; /* a3*m*g */
+    const double t16 = t15/params[4]; /* a3*m*g/I1 */
     const double t17 = params[5]/params[4]; /* I3/I1 */
-    const double t18 = params[4] - params[5]; /* I1 - I3 */
-    const double t19 = params[1]*t18; /* R*(I1 - I3) */
-    const double t20 = params[3]*params[5]; /* a3*I3 */
-    const double t21 = params[0]*2.0; /* m*2 */
-    const double t22 = params[1]*t21; /* R*m*2 */
-    const double t23 = params[3]*t22; /* a3*R*m*2 */
-    const double t24 = params[4]/params[0]; /* I1/m */
-    const double t25 = params[5]*t23; /* I3*a3*R*m*2 */
-    const double t26 = t25/params[4]; /* I3*a3*R*m*2/I1 */
-    const double t27 = params[4]*(-2.0); /* I1*(-2) */
-    const double t28 = -params[5]; /* -I3 */
-    const double t29 = -params[0]; /* -m */
-    const double t30 = params[5]/t1; /* I3/(m*R) */
-    const double t31 = t2*params[5]; /* m*R*a3*I3 */
-    const double t32 = t8*t21; /* R*R*m*2 */
-    const double t33 = params[4]*t32; /* I1*R*R*m*2 */
-    const double t34 = params[5]*t22; /* I3*R*m*2 */
-    const double t35 = t14*t18; /* m*R*R*(I1 - I3) */
-    const double t36 = params[0]*params[3]; /* m*a3 */
-    const double t37 = -t36; /* -m*a3 */
-    const double t38 = params[4]*t23; /* I1*a3*R*m*2 */
-    const double t39 = t11*params[5]; /* R*2*I3 */
-    const double t40 = params[5]/params[0]; /* I3/m */
-    const double t41 = -t1; /* -m*R */
-    const double t42 = params[3]*2.0; /* a3*2 */
-    const double t43 = params[0]/2.0; /* m/2 */
-    const double t44 = params[4]/2.0; /* I1/2 */
-    const double t45 = params[5]/2.0; /* I3/2 */
-    const double t46 = params[4]*params[1]; /* I1*R */
-    const double t47 = -t46; /* -I1*R */
-    const double t48 = params[1]*params[5]; /* R*I3 */
-    const double t49 = -t48; /* -R*I3 */
-    const double t50 = params[0]*4.0; /* m*4 */
-    const double t51 = params[1]*t50; /* R*m*4 */
-    const double t52 = params[3]*t51; /* a3*R*m*4 */
-    out[6] = t0;
-    out[7] = t3;
-    out[8] = t6;
-    out[9] = t7;
-    out[10] = t10;
-    out[11] = t12;
-    out[12] = t13;
-    out[13] = t15;
-    out[14] = t16;
-    out[15] = t17;
-    out[16] = t1;
-    out[17] = t19;
-    out[18] = t20;
-    out[19] = t23;
-    out[20] = t24;
-    out[21] = t26;
-    out[22] = t2;
-    out[23] = t5;
-    out[24] = t27;
-    out[25] = t28;
-    out[26] = t29;
-    out[27] = t30;
-    out[28] = t31;
-    out[29] = t33;
-    out[30] = t34;
-    out[31] = t35;
-    out[32] = t37;
-    out[33] = t38;
-    out[34] = t36;
-    out[35] = t39;
-    out[36] = t22;
-    out[37] = t40;
-    out[38] = t41;
-    out[39] = t42;
-    out[40] = t43;
-    out[41] = t9;
-    out[42] = t44;
-    out[43] = t45;
-    out[44] = t46;
-    out[45] = t47;
-    out[46] = t49;
-    out[47] = t52;
+    const double t18 = params[1]*params[4]; /* R*I1 */
+    const double t19 = params[5]/t18; /* I3/(R*I1) */
+    const double t20 = params[5]/t11; /* I3/(R*m) */
+    const double t21 = 1.0/t18; /* 1/(R*I1) */
+    const double t22 = params[4] - params[5]; /* I1 - I3 */
+    const double t23 = params[1]*t22; /* R*(I1 - I3) */
+    const double t24 = params[3]*params[5]; /* a3*I3 */
+    const double t25 = params[4]*params[5]; /* I1*I3 */
+    const double t26 = params[4]*t7; /* I1*R*R*m */
+    const double t27 = params[0]*params[5]; /* m*I3 */
+    const double t28 = t6*params[5]; /* a3*R*2*I3 */
+    const double t29 = t28/params[0]; /* a3*R*2*I3/m */
+    const double t30 = params[1]*params[3]; /* R*a3 */
+    const double t31 = params[2]/params[1]; /* g/R */
+    const double t32 = params[5]/params[0]; /* I3/m */
+    const double t33 = params[4]*2.0; /* I1*2 */
+    const double t34 = t33/params[0]; /* I1*2/m */
+    const double t35 = -params[1]; /* -R */
+    const double t36 = params[5]*t12; /* I3*a3*R*m */
+    const double t37 = params[0]*2.0; /* m*2 */
+    const double t38 = t0*t37; /* R*R*m*2 */
+    const double t39 = params[4]*t38; /* I1*R*R*m*2 */
+    const double t40 = params[1]*t37; /* R*m*2 */
+    const double t41 = params[5]*t40; /* I3*R*m*2 */
+    const double t42 = params[5]*t11; /* I3*R*m */
+    const double t43 = t7*t22; /* R*R*m*(I1 - I3) */
+    const double t44 = params[3]*params[2]; /* a3*g */
+    const double t45 = params[3]*params[0]; /* a3*m */
+    const double t46 = t45/params[4]; /* a3*m/I1 */
+    const double t47 = params[1]*(-2.0); /* R*(-2) */
+    const double t48 = params[3]*t47; /* a3*R*(-2) */
+    const double t49 = params[3]/params[1]; /* a3/R */
+    const double t50 = t0*2.0; /* R*R*2 */
+    const double t51 = params[3]*t50; /* a3*R*R*2 */
+    const double t52 = params[4]*t51; /* I1*a3*R*R*2 */
+    const double t53 = params[0]/2.0; /* m/2 */
+    const double t54 = params[4]/2.0; /* I1/2 */
+    const double t55 = params[5]/2.0; /* I3/2 */
+    const double t56 = -t18; /* -R*I1 */
+    const double t57 = params[1]*params[5]; /* R*I3 */
+    const double t58 = -t57; /* -R*I3 */
+    const double t59 = -params[5]; /* -I3 */
+    const double t60 = t7*params[5]; /* R*R*m*I3 */
+    const double t61 = params[3]*2.0; /* a3*2 */
+    const double t62 = 1.0/t40; /* 1/(R*m*2) */
+    const double t63 = params[0]*4.0; /* m*4 */
+    const double t64 = params[1]*t63; /* R*m*4 */
+    const double t65 = params[3]*t64; /* a3*R*m*4 */
+    const double t66 = params[5]*t38; /* I3*R*R*m*2 */
+    out[6] = t4;
+    out[7] = t6;
+    out[8] = t8;
+    out[9] = t10;
+    out[10] = t3;
+    out[11] = t13;
+    out[12] = t16;
+    out[13] = t17;
+    out[14] = t19;
+    out[15] = t20;
+    out[16] = t21;
+    out[17] = t23;
+    out[18] = t24;
+    out[19] = t25;
+    out[20] = t26;
+    out[21] = t27;
+    out[22] = t29;
+    out[23] = t30;
+    out[24] = t31;
+    out[25] = t32;
+    out[26] = t34;
+    out[27] = t35;
+    out[28] = t36;
+    out[29] = t39;
+    out[30] = t41;
+    out[31] = t42;
+    out[32] = t43;
+    out[33] = t11;
+    out[34] = t44;
+    out[35] = t46;
+    out[36] = t48;
+    out[37] = t49;
+    out[38] = t52;
+    out[39] = t15;
+    out[40] = t53;
+    out[41] = t1;
+    out[42] = t54;
+    out[43] = t55;
+    out[44] = t18;
+    out[45] = t56;
+    out[46] = t58;
+    out[47] = t59;
+    out[48] = t2;
+    out[49] = t60;
+    out[50] = t61;
+    out[51] = t62;
+    out[52] = t65;
+    out[53] = t66;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -140,156 +160,147 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = x[1]*t3; /* omega_tau*s */
-    const double t5 = x[1]*p[7]; /* omega_tau*m*R*a3/I1 */
-    const double t6 = t4*t5; /* omega_tau*s*omega_tau*m*R*a3/I1 */
-    const double t7 = x[0]*x[2]; /* gamma3*omega_n */
-    const double t8 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t9 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t10 = x[2]*t9; /* omega_n*b */
-    const double t11 = p[1]*x[3]; /* R*omega3 */
-    const double t12 = JLT_FMA(t3, t11, t10); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t13 = p[9]*t8; /* m/I1*e */
-    const double t14 = JLT_FMA(t12, t13, t7); /* v_tau*m/I1*e + gamma3*omega_n */
-    const double t15 = JLT_FMA(x[0], p[11], p[10]); /* gamma3*2*R*a3 + R^2 + a3^2 */
-    const double t16 = JLT_FMA(p[0], t15, p[4]); /* K = m*(gamma3*2*R*a3 + R^2 + a3^2) + I1 */
-    const double t17 = t9*p[14]; /* b*m*I3 */
-    const double t18 = JLT_FMA(t2, p[13], p[12]); /* (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
-    const double t19 = JLT_FMA(t9, t17, t18); /* Theta = b*b*m*I3 + (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
-    const double t20 = t16*t19; /* K*Theta */
-    const double t21 = t3*t20; /* s*K*Theta */
-    const double t22 = 1.0/t21; /* 1/(s*K*Theta) */
-    const double t23 = t19*t22; /* Theta*1/(s*K*Theta) */
-    const double t24 = t16*t23; /* K*Theta*1/(s*K*Theta) */
-    const double t25 = t14*t24; /* (v_tau*m/I1*e + gamma3*omega_n)*K*Theta*1/(s*K*Theta) */
-    const double t26 = JLT_FMA(x[3], p[15], t25); /* omega3*I3/I1 + (v_tau*m/I1*e + gamma3*omega_n)*K*Theta*1/(s*K*Theta) */
-    const double t27 = JLT_FMA(t3, p[8], t6); /* s*m*g*a3/I1 + omega_tau*s*omega_tau*m*R*a3/I1 */
-    const double t28 = JLT_FMA(x[2], t26, t27); /* omega_n*t26 + s*m*g*a3/I1 + omega_tau*s*omega_tau*m*R*a3/I1 */
-    const double t29 = t3*p[6]; /* s*(-I1) */
-    const double t30 = t23*t29; /* Theta*1/(s*K*Theta)*s*(-I1) */
-    const double t31 = t28*t30; /* (omega_n*t26 + s*m*g*a3/I1 + omega_tau*s*omega_tau*m*R*a3/I1)*Theta*1/(s*K*Theta)*s*(-I1) */
-    const double t32 = t7*t24; /* gamma3*omega_n*K*Theta*1/(s*K*Theta) */
-    const double t33 = JLT_FMA(t8, p[16], p[5]); /* e*m*R + I3 */
-    const double t34 = x[3]*t16; /* omega3*K */
-    const double t35 = t3*t34; /* s*omega3*K */
-    const double t36 = t22*t35; /* 1/(s*K*Theta)*s*omega3*K */
-    const double t37 = p[5]*t33; /* I3*(e*m*R + I3) */
-    const double t38 = JLT_FMA(t36, t37, t32); /* 1/(s*K*Theta)*s*omega3*K*I3*(e*m*R + I3) + gamma3*omega_n*K*Theta*1/(s*K*Theta) */
-    const double t39 = x[1]*t38; /* omega_tau*t38 */
-    const double t40 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
-    const double t41 = p[16]*t40; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t42 = t4*t41; /* omega_tau*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t43 = t36*t42; /* 1/(s*K*Theta)*s*omega3*K*omega_tau*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t5 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t6 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t7 = x[2]*t6; /* omega_n*b */
+    const double t8 = p[1]*x[3]; /* R*omega3 */
+    const double t9 = JLT_FMA(t3, t8, t7); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t10 = JLT_FMA(x[0], p[7], p[6]); /* K scaled = gamma3*2*R*a3 + R^2 + a3^2 + I1/m */
+    const double t11 = t6*p[9]; /* b*I3/(R^2*I1) */
+    const double t12 = t2 + p[8]; /* (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
+    const double t13 = JLT_FMA(t6, t11, t12); /* Theta scaled = b*b*I3/(R^2*I1) + (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
+    const double t14 = t3*t10; /* s*K scaled */
+    const double t15 = t13*t14; /* Theta scaled*s*K scaled */
+    const double t16 = 1.0/t15; /* 1/(Theta scaled*s*K scaled) */
+    const double t17 = t13*t16; /* Theta scaled*1/(Theta scaled*s*K scaled) */
+    const double t18 = x[2]*t10; /* omega_n*K scaled */
+    const double t19 = t17*t18; /* Theta scaled*1/(Theta scaled*s*K scaled)*omega_n*K scaled */
+    const double t20 = t5*t9; /* e*v_tau */
+    const double t21 = t19*t20; /* Theta scaled*1/(Theta scaled*s*K scaled)*omega_n*K scaled*e*v_tau */
+    const double t22 = x[1]*p[11]; /* omega_tau*m*R*a3/I1 */
+    const double t23 = t4*t22; /* omega_tau*s*omega_tau*m*R*a3/I1 */
+    const double t24 = x[0]*t19; /* gamma3*Theta scaled*1/(Theta scaled*s*K scaled)*omega_n*K scaled */
+    const double t25 = JLT_FMA(x[3], p[13], t24); /* omega3*I3/I1 + t24 */
+    const double t26 = JLT_FMA(t3, p[12], t23); /* s*m*g*a3/I1 + omega_tau*s*omega_tau*m*R*a3/I1 */
+    const double t27 = JLT_FMA(x[2], t25, t26); /* omega_n*(omega3*I3/I1 + t24) + s*m*g*a3/I1 + omega_tau*s*omega_tau*m*R*a3/I1 */
+    const double t28 = JLT_FMA(p[10], t27, t21); /* I1/m*t27 + t21 */
+    const double t29 = t3*t17; /* s*Theta scaled*1/(Theta scaled*s*K scaled) */
+    const double t30 = t28*t29; /* (I1/m*t27 + t21)*s*Theta scaled*1/(Theta scaled*s*K scaled) */
+    const double t31 = -t30; /* -(I1/m*t27 + t21)*s*Theta scaled*1/(Theta scaled*s*K scaled) */
+    const double t32 = t5 + p[15]; /* e + I3/(m*R) */
+    const double t33 = x[3]*t14; /* omega3*s*K scaled */
+    const double t34 = t16*t33; /* 1/(Theta scaled*s*K scaled)*omega3*s*K scaled */
+    const double t35 = p[14]*t32; /* I3/(R*I1)*(e + I3/(m*R)) */
+    const double t36 = JLT_FMA(t34, t35, t24); /* 1/(Theta scaled*s*K scaled)*omega3*s*K scaled*I3/(R*I1)*(e + I3/(m*R)) + t24 */
+    const double t37 = x[1]*t36; /* omega_tau*t36 */
+    const double t38 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
+    const double t39 = p[16]*t38; /* 1/(R*I1)*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t40 = t4*t39; /* omega_tau*s*1/(R*I1)*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t41 = t34*t40; /* 1/(Theta scaled*s*K scaled)*omega3*s*K scaled*omega_tau*s*1/(R*I1)*(gamma3*R*(I1 - I3) - a3*I3) */
     out[0] = t4;
     out[1] = t31;
-    out[2] = t39;
-    out[3] = t43;
+    out[2] = t37;
+    out[3] = t41;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = JLT_FMA(x[0], p[11], p[10]); /* gamma3*2*R*a3 + R^2 + a3^2 */
-    const double t1 = JLT_FMA(p[0], t0, p[4]); /* K = m*(gamma3*2*R*a3 + R^2 + a3^2) + I1 */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = p[14]*t5; /* m*I3*b */
-    const double t7 = JLT_FMA(p[13], t4, p[12]); /* m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + I1*I3 */
-    const double t8 = JLT_FMA(t5, t6, t7); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + I1*I3 */
-    const double t9 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t10 = t1*t8; /* K*Theta */
-    const double t11 = t9*t10; /* s*K*Theta */
-    const double t12 = 1.0/t11; /* 1/(s*K*Theta) */
-    const double t13 = t8*t12; /* Theta*1/(s*K*Theta) */
-    const double t14 = t1*t13; /* K*Theta*1/(s*K*Theta) */
-    const double t15 = x[0]*t14; /* gamma3*K*Theta*1/(s*K*Theta) */
-    const double t16 = x[1]*t15; /* omega_tau*gamma3*K*Theta*1/(s*K*Theta) */
-    const double t17 = -t16; /* -omega_tau*gamma3*K*Theta*1/(s*K*Theta) */
-    const double t18 = t9*t13; /* s*Theta*1/(s*K*Theta) */
-    const double t19 = x[2]*t18; /* omega_n*s*Theta*1/(s*K*Theta) */
-    const double t20 = t5*x[2]; /* b*omega_n */
-    const double t21 = p[1]*x[3]; /* R*omega3 */
-    const double t22 = JLT_FMA(t9, t21, t20); /* v_tau = s*R*omega3 + b*omega_n */
-    const double t23 = p[3]*t22; /* a3*v_tau */
-    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t25 = t18*p[19]; /* s*Theta*1/(s*K*Theta)*2*m*R*a3 */
-    const double t26 = JLT_FMS(t14, t15, t25); /* K*Theta*1/(s*K*Theta)*gamma3*K*Theta*1/(s*K*Theta) - s*Theta*1/(s*K*Theta)*2*m*R*a3 */
-    const double t27 = t22*t26; /* v_tau*t26 */
-    const double t28 = JLT_FNMA(t15, x[3], x[2]); /* omega_n - gamma3*K*Theta*1/(s*K*Theta)*omega3 */
-    const double t29 = JLT_FMA(p[1], t28, t27); /* R*(omega_n - gamma3*K*Theta*1/(s*K*Theta)*omega3) + v_tau*t26 */
-    const double t30 = JLT_FMA(t24, t29, t23); /* e*t29 + a3*v_tau */
-    const double t31 = t14*t30; /* K*Theta*1/(s*K*Theta)*(e*t29 + a3*v_tau) */
-    const double t32 = JLT_FMA(t15, t26, t14); /* gamma3*K*Theta*1/(s*K*Theta)*t26 + K*Theta*1/(s*K*Theta) */
-    const double t33 = x[2]*t32; /* omega_n*(gamma3*K*Theta*1/(s*K*Theta)*t26 + K*Theta*1/(s*K*Theta)) */
-    const double t34 = t18*x[3]; /* s*Theta*1/(s*K*Theta)*omega3 */
-    const double t35 = JLT_FNMA(p[21], t34, t33); /* t33 - 2*m*R*a3*I3/I1*s*Theta*1/(s*K*Theta)*omega3 */
-    const double t36 = JLT_FMA(p[20], t35, t31); /* I1/m*(t33 - 2*m*R*a3*I3/I1*s*Theta*1/(s*K*Theta)*omega3) + K*Theta*1/(s*K*Theta)*(e*t29 + a3*v_tau) */
-    const double t37 = p[0]*t19; /* m*omega_n*s*Theta*1/(s*K*Theta) */
-    const double t38 = t9*t25; /* s*s*Theta*1/(s*K*Theta)*2*m*R*a3 */
-    const double t39 = t15 + t38; /* gamma3*K*Theta*1/(s*K*Theta) + s*s*Theta*1/(s*K*Theta)*2*m*R*a3 */
-    const double t40 = t18*t39; /* s*Theta*1/(s*K*Theta)*t39 */
-    const double t41 = x[1]*p[22]; /* omega_tau*m*R*a3 */
-    const double t42 = x[1]*t41; /* omega_tau*omega_tau*m*R*a3 */
-    const double t43 = t40*t42; /* s*Theta*1/(s*K*Theta)*t39*omega_tau*omega_tau*m*R*a3 */
-    const double t44 = JLT_FMA(t40, p[23], t43); /* s*Theta*1/(s*K*Theta)*t39*m*g*a3 + s*Theta*1/(s*K*Theta)*t39*omega_tau*omega_tau*m*R*a3 */
-    const double t45 = JLT_FNMA(t36, t37, t44); /* t44 - t36*m*omega_n*s*Theta*1/(s*K*Theta) */
-    const double t46 = x[1]*t38; /* omega_tau*s*s*Theta*1/(s*K*Theta)*2*m*R*a3 */
-    const double t47 = -t46; /* -omega_tau*s*s*Theta*1/(s*K*Theta)*2*m*R*a3 */
-    const double t48 = t15*p[24]; /* gamma3*K*Theta*1/(s*K*Theta)*(-2*I1) */
-    const double t49 = t19*t48; /* omega_n*s*Theta*1/(s*K*Theta)*gamma3*K*Theta*1/(s*K*Theta)*(-2*I1) */
-    const double t50 = t18*t22; /* s*Theta*1/(s*K*Theta)*v_tau */
-    const double t51 = JLT_FMA(t5, t19, t50); /* b*omega_n*s*Theta*1/(s*K*Theta) + s*Theta*1/(s*K*Theta)*v_tau */
-    const double t52 = t24*p[26]; /* e*(-m) */
-    const double t53 = t14*t52; /* K*Theta*1/(s*K*Theta)*e*(-m) */
-    const double t54 = JLT_FMA(t34, p[25], t49); /* s*Theta*1/(s*K*Theta)*omega3*(-I3) + t49 */
-    const double t55 = JLT_FMA(t51, t53, t54); /* t51*K*Theta*1/(s*K*Theta)*e*(-m) + s*Theta*1/(s*K*Theta)*omega3*(-I3) + t49 */
-    const double t56 = t24 + p[27]; /* e + I3/(m*R) */
-    const double t57 = p[16]*t56; /* m*R*(e + I3/(m*R)) */
-    const double t58 = t19*t57; /* omega_n*s*Theta*1/(s*K*Theta)*m*R*(e + I3/(m*R)) */
-    const double t59 = -t58; /* -omega_n*s*Theta*1/(s*K*Theta)*m*R*(e + I3/(m*R)) */
-    const double t60 = JLT_FMA(t15, t16, x[1]); /* gamma3*K*Theta*1/(s*K*Theta)*omega_tau*gamma3*K*Theta*1/(s*K*Theta) + omega_tau */
-    const double t61 = t14*x[2]; /* K*Theta*1/(s*K*Theta)*omega_n */
-    const double t62 = t60*t61; /* t60*K*Theta*1/(s*K*Theta)*omega_n */
-    const double t63 = t1*t9; /* K*s */
-    const double t64 = t12*t63; /* 1/(s*K*Theta)*K*s */
-    const double t65 = x[1]*t64; /* omega_tau*1/(s*K*Theta)*K*s */
-    const double t66 = x[3]*t65; /* omega3*omega_tau*1/(s*K*Theta)*K*s */
-    const double t67 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
-    const double t68 = JLT_FMS(t5, p[30], t67); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t69 = t57*p[5]; /* m*R*(e + I3/(m*R))*I3 */
-    const double t70 = t64*t69; /* 1/(s*K*Theta)*K*s*m*R*(e + I3/(m*R))*I3 */
-    const double t71 = JLT_FNMA(t68, t70, p[28]); /* m*R*a3*I3 - d(Theta)/d(gamma3)*1/(s*K*Theta)*K*s*m*R*(e + I3/(m*R))*I3 */
-    const double t72 = JLT_FMA(t66, t71, t62); /* omega3*omega_tau*1/(s*K*Theta)*K*s*t71 + t60*K*Theta*1/(s*K*Theta)*omega_n */
-    const double t73 = t15*x[2]; /* gamma3*K*Theta*1/(s*K*Theta)*omega_n */
-    const double t74 = JLT_FMA(x[3], t70, t73); /* omega3*1/(s*K*Theta)*K*s*m*R*(e + I3/(m*R))*I3 + gamma3*K*Theta*1/(s*K*Theta)*omega_n */
-    const double t75 = t65*t69; /* omega_tau*1/(s*K*Theta)*K*s*m*R*(e + I3/(m*R))*I3 */
-    const double t76 = t9*p[31]; /* s*m*R^2*(I1 - I3) */
-    const double t77 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
-    const double t78 = p[16]*t77; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t79 = t9*t64; /* s*1/(s*K*Theta)*K*s */
-    const double t80 = JLT_FMA(t68, t79, t15); /* d(Theta)/d(gamma3)*s*1/(s*K*Theta)*K*s + gamma3*K*Theta*1/(s*K*Theta) */
-    const double t81 = JLT_FNMA(t78, t80, t76); /* s*m*R^2*(I1 - I3) - m*R*(gamma3*R*(I1 - I3) - a3*I3)*t80 */
-    const double t82 = t66*t81; /* omega3*omega_tau*1/(s*K*Theta)*K*s*(s*m*R^2*(I1 - I3) - m*R*(gamma3*R*(I1 - I3) - a3*I3)*t80) */
-    const double t83 = x[3]*t78; /* omega3*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t84 = t79*t83; /* s*1/(s*K*Theta)*K*s*omega3*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t85 = t9*t78; /* s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t86 = t65*t85; /* omega_tau*1/(s*K*Theta)*K*s*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    out[0] = t17;
-    out[1] = t9;
+    const double t0 = JLT_FMA(x[0], p[7], p[6]); /* K scaled = gamma3*2*R*a3 + R^2 + a3^2 + I1/m */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t5 = p[21]*t4; /* m*I3*b */
+    const double t6 = JLT_FMA(p[20], t3, p[19]); /* m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + I1*I3 */
+    const double t7 = JLT_FMA(t4, t5, t6); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + I1*I3 */
+    const double t8 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t9 = t0*t8; /* K scaled*s */
+    const double t10 = t7*t9; /* Theta*K scaled*s */
+    const double t11 = 1.0/t10; /* 1/(Theta*K scaled*s) */
+    const double t12 = t7*t11; /* Theta*1/(Theta*K scaled*s) */
+    const double t13 = t0*t12; /* K scaled*Theta*1/(Theta*K scaled*s) */
+    const double t14 = x[0]*t13; /* gamma3*K scaled*Theta*1/(Theta*K scaled*s) */
+    const double t15 = x[1]*t14; /* omega_tau*gamma3*K scaled*Theta*1/(Theta*K scaled*s) */
+    const double t16 = -t15; /* -omega_tau*gamma3*K scaled*Theta*1/(Theta*K scaled*s) */
+    const double t17 = t8*t12; /* s*Theta*1/(Theta*K scaled*s) */
+    const double t18 = x[2]*t17; /* omega_n*s*Theta*1/(Theta*K scaled*s) */
+    const double t19 = t4*x[2]; /* b*omega_n */
+    const double t20 = p[1]*x[3]; /* R*omega3 */
+    const double t21 = JLT_FMA(t8, t20, t19); /* v_tau = s*R*omega3 + b*omega_n */
+    const double t22 = t13*t21; /* K scaled*Theta*1/(Theta*K scaled*s)*v_tau */
+    const double t23 = p[3]*t22; /* a3*K scaled*Theta*1/(Theta*K scaled*s)*v_tau */
+    const double t24 = p[1]*x[2]; /* R*omega_n */
+    const double t25 = p[7]*t17; /* 2*R*a3*s*Theta*1/(Theta*K scaled*s) */
+    const double t26 = t22 - t20; /* K scaled*Theta*1/(Theta*K scaled*s)*v_tau - R*omega3 */
+    const double t27 = JLT_FNMA(t21, t25, t24); /* R*omega_n - v_tau*2*R*a3*s*Theta*1/(Theta*K scaled*s) */
+    const double t28 = JLT_FMA(t14, t26, t27); /* gamma3*K scaled*Theta*1/(Theta*K scaled*s)*(K scaled*Theta*1/(Theta*K scaled*s)*v_tau - R*omega3) + R*omega_n - v_tau*2*R*a3*s*Theta*1/(Theta*K scaled*s) */
+    const double t29 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t30 = t13*t29; /* K scaled*Theta*1/(Theta*K scaled*s)*e */
+    const double t31 = x[3]*p[22]; /* omega3*2*R*a3*I3/m */
+    const double t32 = t13*x[2]; /* K scaled*Theta*1/(Theta*K scaled*s)*omega_n */
+    const double t33 = t13*t13; /* K scaled*Theta*1/(Theta*K scaled*s)*K scaled*Theta*1/(Theta*K scaled*s) */
+    const double t34 = t32*t33; /* K scaled*Theta*1/(Theta*K scaled*s)*omega_n*t33 */
+    const double t35 = t14*x[2]; /* gamma3*K scaled*Theta*1/(Theta*K scaled*s)*omega_n */
+    const double t36 = JLT_FNMA(t25, t35, t34); /* K scaled*Theta*1/(Theta*K scaled*s)*omega_n*t33 - 2*R*a3*s*Theta*1/(Theta*K scaled*s)*gamma3*K scaled*Theta*1/(Theta*K scaled*s)*omega_n */
+    const double t37 = JLT_FNMA(t17, t31, t23); /* a3*K scaled*Theta*1/(Theta*K scaled*s)*v_tau - s*Theta*1/(Theta*K scaled*s)*omega3*2*R*a3*I3/m */
+    const double t38 = JLT_FMA(t28, t30, t37); /* t28*K scaled*Theta*1/(Theta*K scaled*s)*e + t37 */
+    const double t39 = JLT_FMA(p[10], t36, t38); /* I1/m*t36 + t28*K scaled*Theta*1/(Theta*K scaled*s)*e + t37 */
+    const double t40 = t18*t39; /* omega_n*s*Theta*1/(Theta*K scaled*s)*(I1/m*t36 + t28*K scaled*Theta*1/(Theta*K scaled*s)*e + t37) */
+    const double t41 = JLT_FMA(x[1], x[1], p[24]); /* omega_tau*omega_tau + g/R */
+    const double t42 = t8*t25; /* s*2*R*a3*s*Theta*1/(Theta*K scaled*s) */
+    const double t43 = t14 + t42; /* gamma3*K scaled*Theta*1/(Theta*K scaled*s) + s*2*R*a3*s*Theta*1/(Theta*K scaled*s) */
+    const double t44 = p[23]*t41; /* R*a3*(omega_tau*omega_tau + g/R) */
+    const double t45 = t17*t44; /* s*Theta*1/(Theta*K scaled*s)*R*a3*(omega_tau*omega_tau + g/R) */
+    const double t46 = JLT_FMS(t43, t45, t40); /* t43*t45 - t40 */
+    const double t47 = x[1]*t42; /* omega_tau*s*2*R*a3*s*Theta*1/(Theta*K scaled*s) */
+    const double t48 = -t47; /* -omega_tau*s*2*R*a3*s*Theta*1/(Theta*K scaled*s) */
+    const double t49 = x[3]*p[25]; /* omega3*I3/m */
+    const double t50 = t19 + t21; /* b*omega_n + v_tau */
+    const double t51 = JLT_FMA(t30, t50, t49); /* K scaled*Theta*1/(Theta*K scaled*s)*e*(b*omega_n + v_tau) + omega3*I3/m */
+    const double t52 = JLT_FMA(t35, p[26], t51); /* gamma3*K scaled*Theta*1/(Theta*K scaled*s)*omega_n*2*I1/m + t51 */
+    const double t53 = t17*t52; /* s*Theta*1/(Theta*K scaled*s)*t52 */
+    const double t54 = -t53; /* -s*Theta*1/(Theta*K scaled*s)*t52 */
+    const double t55 = t29 + p[15]; /* e + I3/(m*R) */
+    const double t56 = p[27]*t55; /* (-R)*(e + I3/(m*R)) */
+    const double t57 = t18*t56; /* omega_n*s*Theta*1/(Theta*K scaled*s)*(-R)*(e + I3/(m*R)) */
+    const double t58 = t9*t11; /* K scaled*s*1/(Theta*K scaled*s) */
+    const double t59 = x[3]*t58; /* omega3*K scaled*s*1/(Theta*K scaled*s) */
+    const double t60 = x[1]*t59; /* omega_tau*omega3*K scaled*s*1/(Theta*K scaled*s) */
+    const double t61 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
+    const double t62 = JLT_FMS(t4, p[30], t61); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t63 = t55*p[31]; /* (e + I3/(m*R))*m*R*I3 */
+    const double t64 = t58*t63; /* K scaled*s*1/(Theta*K scaled*s)*(e + I3/(m*R))*m*R*I3 */
+    const double t65 = JLT_FNMA(t62, t64, p[28]); /* m*R*a3*I3 - d(Theta)/d(gamma3)*K scaled*s*1/(Theta*K scaled*s)*(e + I3/(m*R))*m*R*I3 */
+    const double t66 = t60*t65; /* omega_tau*omega3*K scaled*s*1/(Theta*K scaled*s)*t65 */
+    const double t67 = JLT_FMA(x[1], t34, t66); /* omega_tau*K scaled*Theta*1/(Theta*K scaled*s)*omega_n*t33 + omega_tau*omega3*K scaled*s*1/(Theta*K scaled*s)*t65 */
+    const double t68 = JLT_FMA(t59, t63, t35); /* omega3*K scaled*s*1/(Theta*K scaled*s)*(e + I3/(m*R))*m*R*I3 + gamma3*K scaled*Theta*1/(Theta*K scaled*s)*omega_n */
+    const double t69 = x[1]*t64; /* omega_tau*K scaled*s*1/(Theta*K scaled*s)*(e + I3/(m*R))*m*R*I3 */
+    const double t70 = t8*p[32]; /* s*m*R^2*(I1 - I3) */
+    const double t71 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
+    const double t72 = p[33]*t71; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t73 = t8*t72; /* s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t74 = t58*t73; /* K scaled*s*1/(Theta*K scaled*s)*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t75 = JLT_FNMA(t62, t74, t70); /* s*m*R^2*(I1 - I3) - d(Theta)/d(gamma3)*t74 */
+    const double t76 = JLT_FNMA(t14, t72, t75); /* s*m*R^2*(I1 - I3) - d(Theta)/d(gamma3)*t74 - gamma3*K scaled*Theta*1/(Theta*K scaled*s)*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t77 = t60*t76; /* omega_tau*omega3*K scaled*s*1/(Theta*K scaled*s)*t76 */
+    const double t78 = t59*t73; /* omega3*K scaled*s*1/(Theta*K scaled*s)*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t79 = x[1]*t74; /* omega_tau*t74 */
+    out[0] = t16;
+    out[1] = t8;
     out[2] = 0.0;
     out[3] = 0.0;
-    out[4] = t45;
-    out[5] = t47;
-    out[6] = t55;
-    out[7] = t59;
-    out[8] = t72;
-    out[9] = t74;
-    out[10] = t16;
-    out[11] = t75;
-    out[12] = t82;
-    out[13] = t84;
+    out[4] = t46;
+    out[5] = t48;
+    out[6] = t54;
+    out[7] = t57;
+    out[8] = t67;
+    out[9] = t68;
+    out[10] = t15;
+    out[11] = t69;
+    out[12] = t77;
+    out[13] = t78;
     out[14] = 0.0;
-    out[15] = t86;
+    out[15] = t79;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -299,118 +310,104 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = x[1]*t3; /* omega_tau*s */
-    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = p[14]*t5; /* m*I3*b */
-    const double t7 = JLT_FMA(t2, p[13], p[12]); /* (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
-    const double t8 = JLT_FMA(t5, t6, t7); /* Theta = b*m*I3*b + (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
-    const double t9 = JLT_FMA(x[0], p[11], p[10]); /* gamma3*2*R*a3 + R^2 + a3^2 */
-    const double t10 = JLT_FMA(p[0], t9, p[4]); /* K = m*(gamma3*2*R*a3 + R^2 + a3^2) + I1 */
-    const double t11 = t8*t10; /* Theta*K */
-    const double t12 = t3*t11; /* s*Theta*K */
-    const double t13 = 1.0/t12; /* 1/(s*Theta*K) */
-    const double t14 = t8*t13; /* Theta*1/(s*Theta*K) */
-    const double t15 = t3*t14; /* s*Theta*1/(s*Theta*K) */
-    const double t16 = x[2]*t15; /* omega_n*s*Theta*1/(s*Theta*K) */
-    const double t17 = t10*t14; /* K*Theta*1/(s*Theta*K) */
-    const double t18 = x[0]*t17; /* gamma3*K*Theta*1/(s*Theta*K) */
-    const double t19 = x[2]*t18; /* omega_n*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t20 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t21 = x[2]*t5; /* omega_n*b */
-    const double t22 = p[1]*x[3]; /* R*omega3 */
-    const double t23 = JLT_FMA(t3, t22, t21); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t24 = t20*t23; /* e*v_tau */
-    const double t25 = t17*t24; /* K*Theta*1/(s*Theta*K)*e*v_tau */
-    const double t26 = JLT_FMA(p[9], t25, t19); /* m/I1*K*Theta*1/(s*Theta*K)*e*v_tau + omega_n*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t27 = JLT_FMA(p[15], x[3], t26); /* I3/I1*omega3 + t26 */
-    const double t28 = p[6]*t16; /* (-I1)*omega_n*s*Theta*1/(s*Theta*K) */
-    const double t29 = t27*t28; /* (I3/I1*omega3 + t26)*(-I1)*omega_n*s*Theta*1/(s*Theta*K) */
-    const double t30 = x[1]*p[1]; /* omega_tau*R */
-    const double t31 = JLT_FMA(x[1], t30, p[2]); /* omega_tau*omega_tau*R + g */
-    const double t32 = t3*t15; /* s*s*Theta*1/(s*Theta*K) */
-    const double t33 = p[32]*t31; /* (-m*a3)*(omega_tau*omega_tau*R + g) */
-    const double t34 = JLT_FMA(t32, t33, t29); /* s*s*Theta*1/(s*Theta*K)*(-m*a3)*(omega_tau*omega_tau*R + g) + (I3/I1*omega3 + t26)*(-I1)*omega_n*s*Theta*1/(s*Theta*K) */
-    const double t35 = x[1]*t19; /* omega_tau*omega_n*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t36 = t3*t10; /* s*K */
-    const double t37 = t13*t36; /* 1/(s*Theta*K)*s*K */
-    const double t38 = x[1]*t37; /* omega_tau*1/(s*Theta*K)*s*K */
-    const double t39 = x[3]*t38; /* omega3*omega_tau*1/(s*Theta*K)*s*K */
-    const double t40 = t20 + p[27]; /* e + I3/(m*R) */
-    const double t41 = p[16]*t40; /* m*R*(e + I3/(m*R)) */
-    const double t42 = p[5]*t41; /* I3*m*R*(e + I3/(m*R)) */
-    const double t43 = JLT_FMA(t39, t42, t35); /* omega3*omega_tau*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) + omega_tau*omega_n*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t44 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
-    const double t45 = p[16]*t44; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t46 = t3*t45; /* s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t47 = t39*t46; /* omega3*omega_tau*1/(s*Theta*K)*s*K*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t48 = x[1]*t18; /* omega_tau*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t49 = -t48; /* -omega_tau*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t50 = t16*t17; /* omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t51 = JLT_FMA(t18, t26, x[2]); /* gamma3*K*Theta*1/(s*Theta*K)*t26 + omega_n */
-    const double t52 = p[4]*t50; /* I1*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t53 = t16*t18; /* omega_n*s*Theta*1/(s*Theta*K)*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t54 = t16*p[33]; /* omega_n*s*Theta*1/(s*Theta*K)*2*m*R*a3*I1 */
-    const double t55 = t53*t54; /* omega_n*s*Theta*1/(s*Theta*K)*gamma3*K*Theta*1/(s*Theta*K)*omega_n*s*Theta*1/(s*Theta*K)*2*m*R*a3*I1 */
-    const double t56 = x[3]*p[35]; /* omega3*2*R*I3 */
-    const double t57 = t16*t56; /* omega_n*s*Theta*1/(s*Theta*K)*omega3*2*R*I3 */
-    const double t58 = t20*t50; /* e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t59 = t23*p[36]; /* v_tau*2*m*R */
-    const double t60 = t32*p[19]; /* s*s*Theta*1/(s*Theta*K)*2*m*R*a3 */
-    const double t61 = t18 + t60; /* gamma3*K*Theta*1/(s*Theta*K) + s*s*Theta*1/(s*Theta*K)*2*m*R*a3 */
-    const double t62 = JLT_FMA(t58, t59, t57); /* e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K)*v_tau*2*m*R + omega_n*s*Theta*1/(s*Theta*K)*omega3*2*R*I3 */
-    const double t63 = JLT_FMA(t31, t61, t62); /* (omega_tau*omega_tau*R + g)*t61 + t62 */
-    const double t64 = t15*t63; /* s*Theta*1/(s*Theta*K)*((omega_tau*omega_tau*R + g)*t61 + t62) */
-    const double t65 = JLT_FNMA(t23, t50, t64); /* t64 - v_tau*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t66 = JLT_FNMA(x[3], t18, x[2]); /* omega_n - omega3*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t67 = p[16]*t58; /* m*R*e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t68 = JLT_FNMA(t66, t67, t55); /* t55 - (omega_n - omega3*gamma3*K*Theta*1/(s*Theta*K))*m*R*e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t69 = JLT_FNMA(t51, t52, t68); /* t68 - (gamma3*K*Theta*1/(s*Theta*K)*t26 + omega_n)*I1*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) */
-    const double t70 = JLT_FMA(p[34], t65, t69); /* m*a3*t65 + t69 */
-    const double t71 = x[1]*t60; /* omega_tau*s*s*Theta*1/(s*Theta*K)*2*m*R*a3 */
-    const double t72 = -t71; /* -omega_tau*s*s*Theta*1/(s*Theta*K)*2*m*R*a3 */
-    const double t73 = t53*p[24]; /* omega_n*s*Theta*1/(s*Theta*K)*gamma3*K*Theta*1/(s*Theta*K)*(-2*I1) */
-    const double t74 = JLT_FMA(x[3], p[37], t25); /* omega3*I3/m + K*Theta*1/(s*Theta*K)*e*v_tau */
-    const double t75 = t15*t74; /* s*Theta*1/(s*Theta*K)*(omega3*I3/m + K*Theta*1/(s*Theta*K)*e*v_tau) */
-    const double t76 = JLT_FMA(t5, t58, t75); /* b*e*omega_n*s*Theta*1/(s*Theta*K)*K*Theta*1/(s*Theta*K) + t75 */
-    const double t77 = JLT_FMA(p[26], t76, t73); /* (-m)*t76 + t73 */
-    const double t78 = t16*t41; /* omega_n*s*Theta*1/(s*Theta*K)*m*R*(e + I3/(m*R)) */
-    const double t79 = -t78; /* -omega_n*s*Theta*1/(s*Theta*K)*m*R*(e + I3/(m*R)) */
-    const double t80 = JLT_FMA(t18, t19, x[2]); /* gamma3*K*Theta*1/(s*Theta*K)*omega_n*gamma3*K*Theta*1/(s*Theta*K) + omega_n */
-    const double t81 = x[1]*t17; /* omega_tau*K*Theta*1/(s*Theta*K) */
-    const double t82 = t80*t81; /* t80*omega_tau*K*Theta*1/(s*Theta*K) */
-    const double t83 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
-    const double t84 = JLT_FMS(t5, p[30], t83); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t85 = t37*t42; /* 1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) */
-    const double t86 = JLT_FNMA(t84, t85, p[28]); /* m*R*a3*I3 - d(Theta)/d(gamma3)*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) */
-    const double t87 = JLT_FMA(t39, t86, t82); /* omega3*omega_tau*1/(s*Theta*K)*s*K*t86 + t80*omega_tau*K*Theta*1/(s*Theta*K) */
-    const double t88 = JLT_FMA(x[3], t85, t19); /* omega3*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) + omega_n*gamma3*K*Theta*1/(s*Theta*K) */
-    const double t89 = t38*t42; /* omega_tau*1/(s*Theta*K)*s*K*I3*m*R*(e + I3/(m*R)) */
-    const double t90 = t3*p[31]; /* s*m*R^2*(I1 - I3) */
-    const double t91 = t37*t46; /* 1/(s*Theta*K)*s*K*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t92 = JLT_FNMA(t84, t91, t90); /* s*m*R^2*(I1 - I3) - d(Theta)/d(gamma3)*1/(s*Theta*K)*s*K*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t93 = JLT_FNMA(t18, t45, t92); /* t92 - gamma3*K*Theta*1/(s*Theta*K)*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t94 = t39*t93; /* omega3*omega_tau*1/(s*Theta*K)*s*K*t93 */
-    const double t95 = x[3]*t91; /* omega3*1/(s*Theta*K)*s*K*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t96 = t38*t46; /* omega_tau*1/(s*Theta*K)*s*K*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t5 = p[25]*x[3]; /* I3/m*omega3 */
+    const double t6 = JLT_FMA(x[0], p[7], p[6]); /* K scaled = gamma3*2*R*a3 + R^2 + a3^2 + I1/m */
+    const double t7 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t8 = p[21]*t7; /* m*I3*b */
+    const double t9 = JLT_FMA(t2, p[20], p[19]); /* (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
+    const double t10 = JLT_FMA(t7, t8, t9); /* Theta = b*m*I3*b + (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
+    const double t11 = t3*t6; /* s*K scaled */
+    const double t12 = t10*t11; /* Theta*s*K scaled */
+    const double t13 = 1.0/t12; /* 1/(Theta*s*K scaled) */
+    const double t14 = t10*t13; /* Theta*1/(Theta*s*K scaled) */
+    const double t15 = t6*t14; /* K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t16 = x[2]*t15; /* omega_n*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t17 = x[0]*t16; /* gamma3*omega_n*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t18 = JLT_FMA(p[10], t17, t5); /* I1/m*gamma3*omega_n*K scaled*Theta*1/(Theta*s*K scaled) + I3/m*omega3 */
+    const double t19 = x[2]*t7; /* omega_n*b */
+    const double t20 = x[3]*p[1]; /* omega3*R */
+    const double t21 = JLT_FMA(t3, t20, t19); /* v_tau = s*omega3*R + omega_n*b */
+    const double t22 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t23 = t16*t22; /* omega_n*K scaled*Theta*1/(Theta*s*K scaled)*e */
+    const double t24 = t21*t23; /* v_tau*omega_n*K scaled*Theta*1/(Theta*s*K scaled)*e */
+    const double t25 = x[1]*p[23]; /* omega_tau*R*a3 */
+    const double t26 = JLT_FMA(t3, p[34], t24); /* s*g*a3 + v_tau*omega_n*K scaled*Theta*1/(Theta*s*K scaled)*e */
+    const double t27 = JLT_FMA(t4, t25, t26); /* omega_tau*s*omega_tau*R*a3 + s*g*a3 + v_tau*omega_n*K scaled*Theta*1/(Theta*s*K scaled)*e */
+    const double t28 = JLT_FMA(x[2], t18, t27); /* omega_n*t18 + t27 */
+    const double t29 = t3*t14; /* s*Theta*1/(Theta*s*K scaled) */
+    const double t30 = t28*t29; /* (omega_n*t18 + t27)*s*Theta*1/(Theta*s*K scaled) */
+    const double t31 = -t30; /* -(omega_n*t18 + t27)*s*Theta*1/(Theta*s*K scaled) */
+    const double t32 = t22 + p[15]; /* e + I3/(m*R) */
+    const double t33 = p[31]*t32; /* m*R*I3*(e + I3/(m*R)) */
+    const double t34 = t11*t13; /* s*K scaled*1/(Theta*s*K scaled) */
+    const double t35 = x[3]*t34; /* omega3*s*K scaled*1/(Theta*s*K scaled) */
+    const double t36 = JLT_FMA(t33, t35, t17); /* m*R*I3*(e + I3/(m*R))*omega3*s*K scaled*1/(Theta*s*K scaled) + gamma3*omega_n*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t37 = x[1]*t36; /* omega_tau*t36 */
+    const double t38 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
+    const double t39 = p[33]*t38; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t40 = t35*t39; /* omega3*s*K scaled*1/(Theta*s*K scaled)*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t41 = t4*t40; /* omega_tau*s*t40 */
+    const double t42 = x[0]*t15; /* gamma3*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t43 = x[1]*t42; /* omega_tau*gamma3*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t44 = -t43; /* -omega_tau*gamma3*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t45 = t15*t16; /* K scaled*Theta*1/(Theta*s*K scaled)*omega_n*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t46 = JLT_FMA(t21, p[35], t45); /* v_tau*m*a3/I1 + t45 */
+    const double t47 = p[10]*t16; /* I1/m*omega_n*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t48 = t46*t47; /* (v_tau*m*a3/I1 + t45)*I1/m*omega_n*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t49 = JLT_FNMA(x[3], t42, x[2]); /* d(v_tau)/d(gamma3) scaled = omega_n - omega3*gamma3*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t50 = p[1]*t23; /* R*omega_n*K scaled*Theta*1/(Theta*s*K scaled)*e */
+    const double t51 = JLT_FNMA(t15, t24, p[34]); /* g*a3 - K scaled*Theta*1/(Theta*s*K scaled)*v_tau*omega_n*K scaled*Theta*1/(Theta*s*K scaled)*e */
+    const double t52 = JLT_FMS(t25, t43, t48); /* omega_tau*R*a3*omega_tau*gamma3*K scaled*Theta*1/(Theta*s*K scaled) - t48 */
+    const double t53 = JLT_FNMA(t49, t50, t52); /* t52 - d(v_tau)/d(gamma3) scaled*R*omega_n*K scaled*Theta*1/(Theta*s*K scaled)*e */
+    const double t54 = JLT_FMA(t42, t51, t53); /* d(numerator of d(omega_tau)/dt over K)/d(gamma3) scaled = gamma3*K scaled*Theta*1/(Theta*s*K scaled)*t51 + t53 */
+    const double t55 = JLT_FMA(p[7], t30, t54); /* 2*R*a3*(omega_n*t18 + t27)*s*Theta*1/(Theta*s*K scaled) + d(numerator of d(omega_tau)/dt over K)/d(gamma3) scaled */
+    const double t56 = t29*t55; /* s*Theta*1/(Theta*s*K scaled)*t55 */
+    const double t57 = t4*p[36]; /* omega_tau*s*(-2*R*a3) */
+    const double t58 = t29*t57; /* s*Theta*1/(Theta*s*K scaled)*omega_tau*s*(-2*R*a3) */
+    const double t59 = t21*t22; /* v_tau*e */
+    const double t60 = JLT_FMA(t15, t59, t5); /* K scaled*Theta*1/(Theta*s*K scaled)*v_tau*e + I3/m*omega3 */
+    const double t61 = JLT_FMA(t17, p[26], t60); /* gamma3*omega_n*K scaled*Theta*1/(Theta*s*K scaled)*2*I1/m + K scaled*Theta*1/(Theta*s*K scaled)*v_tau*e + I3/m*omega3 */
+    const double t62 = JLT_FMA(t7, t23, t61); /* b*omega_n*K scaled*Theta*1/(Theta*s*K scaled)*e + t61 */
+    const double t63 = t29*t62; /* s*Theta*1/(Theta*s*K scaled)*(b*omega_n*K scaled*Theta*1/(Theta*s*K scaled)*e + t61) */
+    const double t64 = -t63; /* -t63 */
+    const double t65 = x[2]*p[27]; /* omega_n*(-R) */
+    const double t66 = t32*t65; /* (e + I3/(m*R))*omega_n*(-R) */
+    const double t67 = t29*t66; /* s*Theta*1/(Theta*s*K scaled)*(e + I3/(m*R))*omega_n*(-R) */
+    const double t68 = t15*t45; /* K scaled*Theta*1/(Theta*s*K scaled)*t45 */
+    const double t69 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
+    const double t70 = JLT_FMS(t7, p[30], t69); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t71 = t33*t34; /* m*R*I3*(e + I3/(m*R))*s*K scaled*1/(Theta*s*K scaled) */
+    const double t72 = JLT_FNMA(t70, t71, p[28]); /* m*R*a3*I3 - d(Theta)/d(gamma3)*m*R*I3*(e + I3/(m*R))*s*K scaled*1/(Theta*s*K scaled) */
+    const double t73 = JLT_FMA(t35, t72, t68); /* omega3*s*K scaled*1/(Theta*s*K scaled)*t72 + K scaled*Theta*1/(Theta*s*K scaled)*t45 */
+    const double t74 = x[1]*t73; /* omega_tau*t73 */
+    const double t75 = x[1]*t71; /* omega_tau*m*R*I3*(e + I3/(m*R))*s*K scaled*1/(Theta*s*K scaled) */
+    const double t76 = t4*p[32]; /* omega_tau*s*m*R^2*(I1 - I3) */
+    const double t77 = t35*t76; /* omega3*s*K scaled*1/(Theta*s*K scaled)*omega_tau*s*m*R^2*(I1 - I3) */
+    const double t78 = t4*t34; /* omega_tau*s*s*K scaled*1/(Theta*s*K scaled) */
+    const double t79 = JLT_FMA(t70, t78, t43); /* d(Theta)/d(gamma3)*omega_tau*s*s*K scaled*1/(Theta*s*K scaled) + omega_tau*gamma3*K scaled*Theta*1/(Theta*s*K scaled) */
+    const double t80 = JLT_FNMA(t40, t79, t77); /* t77 - t40*t79 */
+    const double t81 = t3*t40; /* s*t40 */
+    const double t82 = t39*t78; /* m*R*(gamma3*R*(I1 - I3) - a3*I3)*omega_tau*s*s*K scaled*1/(Theta*s*K scaled) */
     out[0] = t4;
-    out[1] = t34;
-    out[2] = t43;
-    out[3] = t47;
-    out[4] = t49;
+    out[1] = t31;
+    out[2] = t37;
+    out[3] = t41;
+    out[4] = t44;
     out[5] = t3;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t70;
-    out[9] = t72;
-    out[10] = t77;
-    out[11] = t79;
-    out[12] = t87;
-    out[13] = t88;
-    out[14] = t48;
-    out[15] = t89;
-    out[16] = t94;
-    out[17] = t95;
+    out[8] = t56;
+    out[9] = t58;
+    out[10] = t64;
+    out[11] = t67;
+    out[12] = t74;
+    out[13] = t36;
+    out[14] = t43;
+    out[15] = t75;
+    out[16] = t80;
+    out[17] = t81;
     out[18] = 0.0;
-    out[19] = t96;
+    out[19] = t82;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -419,28 +416,25 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = p[14]*t4; /* m*I3*b */
-    const double t6 = JLT_FMA(t2, p[13], p[12]); /* (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
-    const double t7 = JLT_FMA(t4, t5, t6); /* Theta = b*m*I3*b + (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
-    const double t8 = JLT_FMA(x[0], p[11], p[10]); /* gamma3*2*R*a3 + R^2 + a3^2 */
-    const double t9 = JLT_FMA(p[0], t8, p[4]); /* K = m*(gamma3*2*R*a3 + R^2 + a3^2) + I1 */
-    const double t10 = t7*t9; /* Theta*K */
-    const double t11 = 1.0/t10; /* 1/(Theta*K) */
-    const double t12 = p[39]*t7; /* 2*a3*Theta */
-    const double t13 = t11*t12; /* 1/(Theta*K)*2*a3*Theta */
-    const double t14 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
-    const double t15 = t9*t14; /* K*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t16 = JLT_FNMA(t11, t15, t13); /* 1/(Theta*K)*2*a3*Theta - 1/(Theta*K)*K*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t17 = p[38]*x[1]; /* (-m*R)*omega_tau */
-    const double t18 = t3*t17; /* s*(-m*R)*omega_tau */
-    const double t19 = t16*t18; /* t16*s*(-m*R)*omega_tau */
-    out[0] = t19;
+    const double t4 = JLT_FMA(x[0], p[7], p[6]); /* K scaled = gamma3*2*R*a3 + R^2 + a3^2 + I1/m */
+    const double t5 = x[0] + p[37]; /* b scaled = gamma3 + a3/R */
+    const double t6 = p[13]*t5; /* I3/I1*b scaled */
+    const double t7 = t2 + p[8]; /* (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
+    const double t8 = JLT_FMA(t5, t6, t7); /* Theta scaled = b scaled*I3/I1*b scaled + (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
+    const double t9 = t4*t8; /* K scaled*Theta scaled */
+    const double t10 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
+    const double t11 = t4*t10; /* K scaled*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t12 = JLT_FNMA(t8, p[38], t11); /* K scaled*(gamma3*R*(I1 - I3) - a3*I3) - Theta scaled*2*R^2*a3*I1 */
+    const double t13 = p[16]*x[1]; /* 1/(R*I1)*omega_tau */
+    const double t14 = t12*t13; /* t12*1/(R*I1)*omega_tau */
+    const double t15 = t3*t14; /* s*t12*1/(R*I1)*omega_tau */
+    const double t16 = t15/t9; /* s*t12*1/(R*I1)*omega_tau/(K scaled*Theta scaled) */
+    out[0] = t16;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[23]*x[0]; /* m*g*a3*gamma3 */
+    const double t0 = p[39]*x[0]; /* m*g*a3*gamma3 */
     const double t1 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t2 = t1*t1; /* e*e */
     const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
@@ -464,8 +458,8 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t21 = t11*t20; /* s*omega_n*R*I1 */
     const double t22 = x[3]*p[5]; /* omega3*I3 */
     const double t23 = JLT_FNMA(t9, t22, t21); /* s*omega_n*R*I1 - b*omega3*I3 */
-    const double t24 = t9*p[14]; /* b*m*I3 */
-    const double t25 = JLT_FMA(t5, p[13], p[12]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
+    const double t24 = t9*p[21]; /* b*m*I3 */
+    const double t25 = JLT_FMA(t5, p[20], p[19]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
     const double t26 = JLT_FMA(t9, t24, t25); /* Theta = b*b*m*I3 + (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
     const double t27 = sqrt(t26); /* h = sqrt(Theta) */
     const double t28 = x[3]*t27; /* omega3*h */
@@ -479,60 +473,57 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t0 = p[3]*x[0]; /* a3*gamma3 */
     const double t1 = p[1] + t0; /* e = R + a3*gamma3 */
     const double t2 = t1 - t0; /* e - a3*gamma3 */
-    const double t3 = p[3]*x[1]; /* a3*omega_tau */
-    const double t4 = x[1]*t3; /* omega_tau*a3*omega_tau */
-    const double t5 = t2*t4; /* (e - a3*gamma3)*omega_tau*a3*omega_tau */
+    const double t3 = p[37]*x[1]; /* a3/R*omega_tau */
+    const double t4 = x[1]*t3; /* omega_tau*a3/R*omega_tau */
+    const double t5 = t2*t4; /* (e - a3*gamma3)*omega_tau*a3/R*omega_tau */
     const double t6 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t7 = x[2]*t6; /* omega_n*b */
     const double t8 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t9 = x[0] + 1.0; /* gamma3 + 1 */
     const double t10 = t8*t9; /* (1 - gamma3)*(gamma3 + 1) */
     const double t11 = sqrt(t10); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t12 = p[1]*x[3]; /* R*omega3 */
-    const double t13 = JLT_FMA(t11, t12, t7); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t14 = t6*p[14]; /* b*m*I3 */
-    const double t15 = JLT_FMA(t10, p[13], p[12]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
+    const double t12 = x[3]*t11; /* omega3*s */
+    const double t13 = JLT_FMA(p[1], t12, t7); /* v_tau = R*omega3*s + omega_n*b */
+    const double t14 = t6*p[21]; /* b*m*I3 */
+    const double t15 = JLT_FMA(t10, p[20], p[19]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
     const double t16 = JLT_FMA(t6, t14, t15); /* Theta = b*b*m*I3 + (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
     const double t17 = sqrt(t16); /* h = sqrt(Theta) */
     const double t18 = t11*t17; /* s*h */
     const double t19 = 1.0/t18; /* 1/(s*h) */
     const double t20 = x[0]*t17; /* gamma3*h */
     const double t21 = t19*t20; /* 1/(s*h)*gamma3*h */
-    const double t22 = JLT_FMS(x[3], t21, x[2]); /* omega3*1/(s*h)*gamma3*h - omega_n */
-    const double t23 = p[1]*t13; /* R*v_tau */
-    const double t24 = JLT_FNMA(t22, t23, t5); /* (e - a3*gamma3)*omega_tau*a3*omega_tau - (omega3*1/(s*h)*gamma3*h - omega_n)*R*v_tau */
-    const double t25 = JLT_FMA(p[0], t24, p[23]); /* m*t24 + m*g*a3 */
-    const double t26 = t1*t1; /* e*e */
-    const double t27 = JLT_FMA(t10, p[41], t26); /* (1 - gamma3)*(gamma3 + 1)*a3^2 + e*e */
-    const double t28 = p[0]*x[1]; /* m*omega_tau */
-    const double t29 = t27*t28; /* ((1 - gamma3)*(gamma3 + 1)*a3^2 + e*e)*m*omega_tau */
-    const double t30 = JLT_FMA(x[1], p[4], t29); /* omega_tau*I1 + ((1 - gamma3)*(gamma3 + 1)*a3^2 + e*e)*m*omega_tau */
-    const double t31 = p[0]*t6; /* m*b */
-    const double t32 = t13*t31; /* v_tau*m*b */
-    const double t33 = JLT_FMA(x[2], p[4], t32); /* omega_n*I1 + v_tau*m*b */
-    const double t34 = t11*p[16]; /* s*m*R */
-    const double t35 = t13*t34; /* v_tau*s*m*R */
-    const double t36 = JLT_FMA(x[3], p[5], t35); /* omega3*I3 + v_tau*s*m*R */
-    const double t37 = x[2]*p[45]; /* omega_n*(-R*I1) */
-    const double t38 = t21*t37; /* 1/(s*h)*gamma3*h*omega_n*(-R*I1) */
-    const double t39 = JLT_FMA(x[3], p[46], t38); /* omega3*(-R*I3) + 1/(s*h)*gamma3*h*omega_n*(-R*I1) */
-    const double t40 = t11*p[44]; /* s*R*I1 */
-    const double t41 = t6*p[25]; /* b*(-I3) */
-    const double t42 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
-    const double t43 = JLT_FMS(t6, p[30], t42); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t44 = x[3]*(1.0 / 2.0); /* omega3*1/2 */
-    const double t45 = t43*t44; /* d(Theta)/d(gamma3)*omega3*1/2 */
-    const double t46 = t11*t45; /* s*d(Theta)/d(gamma3)*omega3*1/2 */
-    const double t47 = t19*t46; /* 1/(s*h)*s*d(Theta)/d(gamma3)*omega3*1/2 */
-    out[0] = t25;
-    out[1] = t30;
-    out[2] = t33;
-    out[3] = t36;
-    out[4] = t39;
+    const double t22 = JLT_FNMA(x[3], t21, x[2]); /* d(v_tau)/d(gamma3) scaled = omega_n - omega3*1/(s*h)*gamma3*h */
+    const double t23 = JLT_FMA(t13, t22, t5); /* v_tau*d(v_tau)/d(gamma3) scaled + (e - a3*gamma3)*omega_tau*a3/R*omega_tau */
+    const double t24 = JLT_FMA(p[33], t23, p[39]); /* m*R*t23 + m*g*a3 */
+    const double t25 = t1*t1; /* e*e */
+    const double t26 = JLT_FMA(t10, p[41], t25); /* (1 - gamma3)*(gamma3 + 1)*a3^2 + e*e */
+    const double t27 = x[1]*p[0]; /* omega_tau*m */
+    const double t28 = t26*t27; /* ((1 - gamma3)*(gamma3 + 1)*a3^2 + e*e)*omega_tau*m */
+    const double t29 = JLT_FMA(x[1], p[4], t28); /* omega_tau*I1 + ((1 - gamma3)*(gamma3 + 1)*a3^2 + e*e)*omega_tau*m */
+    const double t30 = t6*p[0]; /* b*m */
+    const double t31 = t13*t30; /* v_tau*b*m */
+    const double t32 = JLT_FMA(x[2], p[4], t31); /* omega_n*I1 + v_tau*b*m */
+    const double t33 = x[3]*p[5]; /* omega3*I3 */
+    const double t34 = p[33]*t11; /* m*R*s */
+    const double t35 = JLT_FMA(t13, t34, t33); /* v_tau*m*R*s + omega3*I3 */
+    const double t36 = x[2]*p[45]; /* omega_n*(-R*I1) */
+    const double t37 = t21*t36; /* 1/(s*h)*gamma3*h*omega_n*(-R*I1) */
+    const double t38 = JLT_FMA(x[3], p[46], t37); /* omega3*(-R*I3) + 1/(s*h)*gamma3*h*omega_n*(-R*I1) */
+    const double t39 = t11*p[44]; /* s*R*I1 */
+    const double t40 = t6*p[47]; /* b*(-I3) */
+    const double t41 = JLT_FMS(t6, p[14], x[0]); /* d(Theta)/d(gamma3) scaled = b*I3/(R*I1) - gamma3 */
+    const double t42 = p[20]*t41; /* m*R^2*I1*d(Theta)/d(gamma3) scaled */
+    const double t43 = t12*t42; /* omega3*s*m*R^2*I1*d(Theta)/d(gamma3) scaled */
+    const double t44 = t19*t43; /* 1/(s*h)*omega3*s*m*R^2*I1*d(Theta)/d(gamma3) scaled */
+    out[0] = t24;
+    out[1] = t29;
+    out[2] = t32;
+    out[3] = t35;
+    out[4] = t38;
     out[5] = 0.0;
-    out[6] = t40;
-    out[7] = t41;
-    out[8] = t47;
+    out[6] = t39;
+    out[7] = t40;
+    out[8] = t44;
     out[9] = 0.0;
     out[10] = 0.0;
     out[11] = t17;
@@ -540,15 +531,15 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 
 static void measure_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = JLT_FMA(p[11], x[0], p[10]); /* 2*R*a3*gamma3 + R^2 + a3^2 */
+    const double t0 = JLT_FMA(p[7], x[0], p[48]); /* 2*R*a3*gamma3 + R^2 + a3^2 */
     const double t1 = JLT_FMA(p[0], t0, p[4]); /* K = m*(2*R*a3*gamma3 + R^2 + a3^2) + I1 */
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = p[13]*t2; /* m*R^2*I1*(1 - gamma3) */
-    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = p[14]*t5; /* m*I3*b */
-    const double t7 = JLT_FMA(t3, t4, p[12]); /* (gamma3 + 1)*m*R^2*I1*(1 - gamma3) + I1*I3 */
-    const double t8 = JLT_FMA(t5, t6, t7); /* Theta = b*m*I3*b + (gamma3 + 1)*m*R^2*I1*(1 - gamma3) + I1*I3 */
+    const double t4 = p[20]*t2; /* m*R^2*I1*(1 - gamma3) */
+    const double t5 = x[0] + p[37]; /* b scaled = gamma3 + a3/R */
+    const double t6 = p[49]*t5; /* m*R^2*I3*b scaled */
+    const double t7 = JLT_FMA(t3, t4, p[19]); /* (gamma3 + 1)*m*R^2*I1*(1 - gamma3) + I1*I3 */
+    const double t8 = JLT_FMA(t5, t6, t7); /* Theta = b scaled*m*R^2*I3*b scaled + (gamma3 + 1)*m*R^2*I1*(1 - gamma3) + I1*I3 */
     const double t9 = sqrt(t8); /* h = sqrt(Theta) */
     const double t10 = t1*t9; /* K*h */
     out[0] = t10;
@@ -556,41 +547,38 @@ static void measure_values(const double *restrict x, const double *restrict p, d
 
 static void measure_divergences(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = JLT_FMA(p[11], x[0], p[10]); /* 2*R*a3*gamma3 + R^2 + a3^2 */
-    const double t1 = JLT_FMA(p[0], t0, p[4]); /* K = m*(2*R*a3*gamma3 + R^2 + a3^2) + I1 */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = p[14]*t5; /* m*I3*b */
-    const double t7 = JLT_FMA(p[13], t4, p[12]); /* m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + I1*I3 */
-    const double t8 = JLT_FMA(t5, t6, t7); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + I1*I3 */
-    const double t9 = sqrt(t8); /* h = sqrt(Theta) */
-    const double t10 = t1*t8; /* K*Theta */
-    const double t11 = t9*t10; /* h*K*Theta */
-    const double t12 = 1.0/t11; /* 1/(h*K*Theta) */
-    const double t13 = t9*t12; /* h*1/(h*K*Theta) */
-    const double t14 = t8*p[39]; /* Theta*2*a3 */
-    const double t15 = t13*t14; /* h*1/(h*K*Theta)*Theta*2*a3 */
-    const double t16 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
-    const double t17 = t1*t16; /* K*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t18 = JLT_FNMA(t13, t17, t15); /* h*1/(h*K*Theta)*Theta*2*a3 - h*1/(h*K*Theta)*K*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t19 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t20 = t19*x[1]; /* s*omega_tau */
-    const double t21 = p[16]*t1; /* m*R*K */
-    const double t22 = t20*t21; /* s*omega_tau*m*R*K */
-    const double t23 = t9*t22; /* h*s*omega_tau*m*R*K */
-    const double t24 = t18*t23; /* t18*h*s*omega_tau*m*R*K */
-    const double t25 = t9*p[47]; /* h*4*m*R*a3 */
-    const double t26 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
-    const double t27 = JLT_FMS(t5, p[30], t26); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t28 = t1*t1; /* K*K */
-    const double t29 = t27*t28; /* d(Theta)/d(gamma3)*K*K */
-    const double t30 = t8*t29; /* Theta*d(Theta)/d(gamma3)*K*K */
-    const double t31 = JLT_FMA(t12, t30, t25); /* 1/(h*K*Theta)*Theta*d(Theta)/d(gamma3)*K*K + h*4*m*R*a3 */
-    const double t32 = t20*(1.0 / 2.0); /* s*omega_tau*1/2 */
-    const double t33 = JLT_FMS(t31, t32, t24); /* (1/(h*K*Theta)*Theta*d(Theta)/d(gamma3)*K*K + h*4*m*R*a3)*s*omega_tau*1/2 - t18*h*s*omega_tau*m*R*K */
-    out[0] = t33;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = JLT_FMA(x[0], p[7], p[48]); /* gamma3*2*R*a3 + R^2 + a3^2 */
+    const double t5 = JLT_FMA(p[0], t4, p[4]); /* K = m*(gamma3*2*R*a3 + R^2 + a3^2) + I1 */
+    const double t6 = x[0] + p[37]; /* b scaled = gamma3 + a3/R */
+    const double t7 = p[49]*t6; /* m*R^2*I3*b scaled */
+    const double t8 = JLT_FMA(t2, p[20], p[19]); /* (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
+    const double t9 = JLT_FMA(t6, t7, t8); /* Theta = b scaled*m*R^2*I3*b scaled + (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + I1*I3 */
+    const double t10 = sqrt(t9); /* h = sqrt(Theta) */
+    const double t11 = t5*t9; /* K*Theta */
+    const double t12 = t10*t11; /* h*K*Theta */
+    const double t13 = 1.0/t12; /* 1/(h*K*Theta) */
+    const double t14 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
+    const double t15 = t5*t14; /* K*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t16 = JLT_FNMA(t9, p[50], t15); /* K*(gamma3*R*(I1 - I3) - a3*I3) - Theta*2*a3 */
+    const double t17 = t5*t16; /* K*(K*(gamma3*R*(I1 - I3) - a3*I3) - Theta*2*a3) */
+    const double t18 = t10*t17; /* h*K*(K*(gamma3*R*(I1 - I3) - a3*I3) - Theta*2*a3) */
+    const double t19 = t10*t18; /* h*h*K*(K*(gamma3*R*(I1 - I3) - a3*I3) - Theta*2*a3) */
+    const double t20 = t13*t19; /* 1/(h*K*Theta)*h*h*K*(K*(gamma3*R*(I1 - I3) - a3*I3) - Theta*2*a3) */
+    const double t21 = t10*p[52]; /* h*4*m*R*a3 */
+    const double t22 = x[0]*p[29]; /* gamma3*2*m*R^2*I1 */
+    const double t23 = JLT_FMS(t6, p[53], t22); /* d(Theta)/d(gamma3) = b scaled*2*m*R^2*I3 - gamma3*2*m*R^2*I1 */
+    const double t24 = t5*t23; /* K*d(Theta)/d(gamma3) */
+    const double t25 = t11*t24; /* K*Theta*K*d(Theta)/d(gamma3) */
+    const double t26 = JLT_FMA(t13, t25, t21); /* 1/(h*K*Theta)*K*Theta*K*d(Theta)/d(gamma3) + h*4*m*R*a3 */
+    const double t27 = JLT_FMA(p[51], t26, t20); /* 1/2/(m*R)*(1/(h*K*Theta)*K*Theta*K*d(Theta)/d(gamma3) + h*4*m*R*a3) + t20 */
+    const double t28 = p[33]*x[1]; /* m*R*omega_tau */
+    const double t29 = t3*t28; /* s*m*R*omega_tau */
+    const double t30 = t27*t29; /* t27*s*m*R*omega_tau */
+    out[0] = t30;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -606,44 +594,42 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t6[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
-    double t11[JLT_JET_ORDER_MAX + 1];
-    double t14[JLT_JET_ORDER_MAX + 1];
-    double t18[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
-    double t20[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
-    double t37[JLT_JET_ORDER_MAX + 1];
-    double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
+    double t44[JLT_JET_ORDER_MAX + 1];
     double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
-    double t47[JLT_JET_ORDER_MAX + 1];
-    double t48[JLT_JET_ORDER_MAX + 1];
     double t49[JLT_JET_ORDER_MAX + 1];
     double t50[JLT_JET_ORDER_MAX + 1];
     double t51[JLT_JET_ORDER_MAX + 1];
+    double t52[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
     double t54[JLT_JET_ORDER_MAX + 1];
-    double t55[JLT_JET_ORDER_MAX + 1];
-    double t56[JLT_JET_ORDER_MAX + 1];
-    double t57[JLT_JET_ORDER_MAX + 1];
     double t58[JLT_JET_ORDER_MAX + 1];
     double t59[JLT_JET_ORDER_MAX + 1];
     double t60[JLT_JET_ORDER_MAX + 1];
-    double t63[JLT_JET_ORDER_MAX + 1];
-    double t64[JLT_JET_ORDER_MAX + 1];
-    double t65[JLT_JET_ORDER_MAX + 1];
-    double t66[JLT_JET_ORDER_MAX + 1];
+    double t61[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -654,50 +640,48 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t5[k] = jlt_jet_product(t3, t4, k);
         t6[k] = jlt_jet_root(t5[k], t6, k);
         t7[k] = jlt_jet_product(x1, t6, k);
-        t10[k] = x1[k]*p[7];
-        t11[k] = jlt_jet_product(t7, t10, k);
-        t14[k] = jlt_jet_product(x0, x2, k);
-        t18[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t19[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
-        t20[k] = jlt_jet_product(x2, t19, k);
-        t22[k] = p[1]*x3[k];
-        t23[k] = jlt_jet_product(t6, t22, k) + t20[k];
-        t24[k] = p[9]*t18[k];
-        t25[k] = jlt_jet_product(t23, t24, k) + t14[k];
-        t30[k] = x0[k]*p[11] + (k == 0 ? p[10] : 0);
-        t31[k] = p[0]*t30[k] + (k == 0 ? p[4] : 0);
-        t35[k] = t19[k]*p[14];
-        t36[k] = t5[k]*p[13] + (k == 0 ? p[12] : 0);
-        t37[k] = jlt_jet_product(t19, t35, k) + t36[k];
-        t38[k] = jlt_jet_product(t31, t37, k);
-        t39[k] = jlt_jet_product(t6, t38, k);
-        t40[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t39, t40, k);
-        t41[k] = jlt_jet_product(t37, t40, k);
-        t42[k] = jlt_jet_product(t31, t41, k);
-        t43[k] = jlt_jet_product(t25, t42, k);
-        t45[k] = x3[k]*p[15] + t43[k];
-        t46[k] = t6[k]*p[8] + t11[k];
-        t47[k] = jlt_jet_product(x2, t45, k) + t46[k];
-        t48[k] = t6[k]*p[6];
-        t49[k] = jlt_jet_product(t41, t48, k);
-        t50[k] = jlt_jet_product(t47, t49, k);
-        t51[k] = jlt_jet_product(t14, t42, k);
-        t54[k] = t18[k]*p[16] + (k == 0 ? p[5] : 0);
-        t55[k] = jlt_jet_product(x3, t31, k);
-        t56[k] = jlt_jet_product(t6, t55, k);
-        t57[k] = jlt_jet_product(t40, t56, k);
-        t58[k] = p[5]*t54[k];
-        t59[k] = jlt_jet_product(t57, t58, k) + t51[k];
-        t60[k] = jlt_jet_product(x1, t59, k);
-        t63[k] = x0[k]*p[17] - (k == 0 ? p[18] : 0);
-        t64[k] = p[16]*t63[k];
-        t65[k] = jlt_jet_product(t7, t64, k);
-        t66[k] = jlt_jet_product(t57, t65, k);
+        t10[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t12[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
+        t13[k] = jlt_jet_product(x2, t12, k);
+        t15[k] = p[1]*x3[k];
+        t16[k] = jlt_jet_product(t6, t15, k) + t13[k];
+        t19[k] = x0[k]*p[7] + (k == 0 ? p[6] : 0);
+        t22[k] = t12[k]*p[9];
+        t23[k] = t5[k] + (k == 0 ? p[8] : 0);
+        t24[k] = jlt_jet_product(t12, t22, k) + t23[k];
+        t25[k] = jlt_jet_product(t6, t19, k);
+        t26[k] = jlt_jet_product(t24, t25, k);
+        t27[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t26, t27, k);
+        t28[k] = jlt_jet_product(t24, t27, k);
+        t29[k] = jlt_jet_product(x2, t19, k);
+        t30[k] = jlt_jet_product(t28, t29, k);
+        t31[k] = jlt_jet_product(t10, t16, k);
+        t32[k] = jlt_jet_product(t30, t31, k);
+        t35[k] = x1[k]*p[11];
+        t36[k] = jlt_jet_product(t7, t35, k);
+        t39[k] = jlt_jet_product(x0, t30, k);
+        t40[k] = x3[k]*p[13] + t39[k];
+        t41[k] = t6[k]*p[12] + t36[k];
+        t42[k] = jlt_jet_product(x2, t40, k) + t41[k];
+        t43[k] = p[10]*t42[k] + t32[k];
+        t44[k] = jlt_jet_product(t6, t28, k);
+        t45[k] = jlt_jet_product(t43, t44, k);
+        t46[k] = -t45[k];
+        t49[k] = t10[k] + (k == 0 ? p[15] : 0);
+        t50[k] = jlt_jet_product(x3, t25, k);
+        t51[k] = jlt_jet_product(t27, t50, k);
+        t52[k] = p[14]*t49[k];
+        t53[k] = jlt_jet_product(t51, t52, k) + t39[k];
+        t54[k] = jlt_jet_product(x1, t53, k);
+        t58[k] = x0[k]*p[17] - (k == 0 ? p[18] : 0);
+        t59[k] = p[16]*t58[k];
+        t60[k] = jlt_jet_product(t7, t59, k);
+        t61[k] = jlt_jet_product(t51, t60, k);
         double *restrict next = coefficients + (k + 1)*4;
         next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t50[k]/(k + 1);
-        next[2] = x2[k + 1] = t60[k]/(k + 1);
-        next[3] = x3[k + 1] = t66[k]/(k + 1);
+        next[1] = x1[k + 1] = t46[k]/(k + 1);
+        next[2] = x2[k + 1] = t54[k]/(k + 1);
+        next[3] = x3[k + 1] = t61[k]/(k + 1);
     }
 }
 
@@ -812,11 +796,11 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t21 = t11*t20; /* v_tau*m*b */
     const double t22 = x[2]*params[4]; /* omega_n*I1 */
     const double t23 = t21 + t22; /* v_tau*m*b + omega_n*I1 */
-    const double t24 = params[0]*params[1]; /* m*R */
-    const double t25 = t9*t24; /* s*m*R */
-    const double t26 = t11*t25; /* v_tau*s*m*R */
-    const double t27 = x[3]*params[5]; /* omega3*I3 */
-    const double t28 = t26 + t27; /* v_tau*s*m*R + omega3*I3 */
+    const double t24 = x[3]*params[5]; /* omega3*I3 */
+    const double t25 = params[0]*params[1]; /* m*R */
+    const double t26 = t9*t25; /* s*m*R */
+    const double t27 = t11*t26; /* v_tau*s*m*R */
+    const double t28 = t24 + t27; /* omega3*I3 + v_tau*s*m*R */
     const double t29 = params[1]*params[4]; /* R*I1 */
     const double t30 = x[0]*t29; /* gamma3*R*I1 */
     const double t31 = x[2]*t30; /* omega_n*gamma3*R*I1 */
@@ -842,10 +826,10 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t51 = 2.0*t50; /* 2*h */
     const double t52 = x[0]*t43; /* gamma3*I1*m*R*R */
     const double t53 = 2.0*t52; /* 2*gamma3*I1*m*R*R */
-    const double t54 = t24*params[5]; /* m*R*I3 */
-    const double t55 = t3*t54; /* b*m*R*I3 */
-    const double t56 = 2.0*t55; /* 2*b*m*R*I3 */
-    const double t57 = t56 - t53; /* d(Theta)/d(gamma3) = 2*b*m*R*I3 - 2*gamma3*I1*m*R*R */
+    const double t54 = params[5]*t25; /* I3*m*R */
+    const double t55 = t3*t54; /* b*I3*m*R */
+    const double t56 = 2.0*t55; /* 2*b*I3*m*R */
+    const double t57 = t56 - t53; /* d(Theta)/d(gamma3) = 2*b*I3*m*R - 2*gamma3*I1*m*R*R */
     const double t58 = x[3]*t57; /* omega3*d(Theta)/d(gamma3) */
     const double t59 = t58/t51; /* omega3*d(Theta)/d(gamma3)/(2*h) */
     out[0] = t18;
@@ -950,25 +934,25 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0",
     .table = jlt_table_routh_sphere,
-    .state_count = 4, .param_count = 6, .block_count = 48,
+    .state_count = 4, .param_count = 6, .block_count = 54,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 2, 26, 14, 1, 1, 0, 13, 11 }, { 18, 58, 0, 9, 1, 0, 13, 10 },
+    .rhs = { rhs, 4, { 5, 24, 11, 1, 1, 0, 14, 11 }, { 18, 58, 0, 9, 1, 0, 13, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 7, 51, 27, 1, 1, 0, 17, 18 }, { 48, 209, 0, 37, 1, 0, 20, 11 },
+    .jacobian = { jacobian, 16, { 9, 46, 23, 1, 1, 0, 15, 19 }, { 48, 209, 0, 37, 1, 0, 20, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 7, 57, 31, 1, 1, 0, 17, 28 }, { 57, 246, 0, 46, 1, 0, 20, 12 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 6, 48, 27, 1, 1, 0, 17, 26 }, { 57, 246, 0, 46, 1, 0, 20, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 2, 9, 7, 1, 1, 0, 9, 6 }, { 10, 29, 0, 2, 1, 0, 9, 6 },
+    .divergence = { divergence, 1, { 4, 7, 4, 1, 1, 0, 8, 6 }, { 10, 29, 0, 2, 1, 0, 9, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { integral_values, 3, { 2, 13, 12, 0, 2, 0, 6, 9 }, { 13, 42, 0, 0, 2, 0, 13, 7 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 12, { 4, 28, 13, 1, 2, 0, 11, 11 }, { 18, 63, 0, 3, 2, 0, 10, 9 },
+    .integral_gradients = { integral_gradients, 12, { 4, 25, 13, 1, 2, 0, 11, 11 }, { 18, 63, 0, 3, 2, 0, 10, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by h: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
-    .measure_values = { measure_values, 1, { 2, 3, 5, 0, 1, 0, 6, 6 }, { 7, 18, 0, 0, 2, 0, 9, 5 },
+    .measure_values = { measure_values, 1, { 3, 3, 4, 0, 1, 0, 6, 6 }, { 7, 18, 0, 0, 2, 0, 9, 5 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
-    .measure_divergences = { measure_divergences, 1, { 2, 19, 10, 1, 2, 0, 12, 10 }, { 13, 48, 0, 3, 2, 0, 14, 11 },
+    .measure_divergences = { measure_divergences, 1, { 3, 16, 9, 1, 2, 0, 11, 9 }, { 13, 48, 0, 3, 2, 0, 14, 11 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes; divides by h: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },

@@ -6,10 +6,10 @@
  *  Command:    ttc generate --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   10    4    1    1    2      9    6   (36)
- *  jacobian            2   19    6    1    1    2     11    9   (64)
- *  rhs_jacobian        3   19    6    1    1    2     11   10   (79)
- *  divergence          3    9    4    1    1    1     10    6   (31)
+ *  rhs                 2    9    2    1    1    2      8    5   (36)
+ *  jacobian            2   15    4    1    1    2      9    8   (64)
+ *  rhs_jacobian        2   17    4    1    1    2      9   11   (79)
+ *  divergence          2    8    2    1    1    1      8    5   (31)
  *  integral_values     0    2    0    0    0    0      2    2   (4)
  *  integral_gradients  0    1    0    0    0    0      1    1   (4)
  *
@@ -46,36 +46,43 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = params[1]*params[1]; /* R*R */
-    const double t1 = params[0]*t0; /* m*R*R */
-    const double t2 = params[3] + t1; /* J1 = I3 + m*R*R */
-    const double t3 = 1.0/t2; /* 1/J1 */
-    const double t4 = params[0]*params[1]; /* m*R */
-    const double t5 = params[3]*params[3]; /* I3*I3 */
-    const double t6 = params[3]*t1; /* I3*m*R*R */
-    const double t7 = t2*params[4]; /* J1*G */
-    const double t8 = t7/params[1]; /* J1*G/R */
-    const double t9 = params[3]*params[5]; /* I3*M */
-    const double t10 = (-1.0)/t2; /* (-1)/J1 */
-    const double t11 = t4/t2; /* m*R/J1 */
-    const double t12 = params[5]/t2; /* M/J1 */
-    const double t13 = -t12; /* -M/J1 */
-    const double t14 = -t9; /* -I3*M */
-    const double t15 = params[0]*t5; /* m*I3*I3 */
-    const double t16 = params[0]*2.0; /* m*2 */
-    const double t17 = t5*t16; /* I3*I3*m*2 */
-    out[6] = t3;
-    out[7] = t4;
-    out[8] = t5;
-    out[9] = t6;
-    out[10] = t8;
-    out[11] = t9;
-    out[12] = t10;
-    out[13] = t11;
-    out[14] = t13;
-    out[15] = t14;
-    out[16] = t15;
-    out[17] = t17;
+    const double t0 = params[0]*params[1]; /* m*R */
+    const double t1 = params[1]*params[1]; /* R*R */
+    const double t2 = params[0]*t1; /* m*R*R */
+    const double t3 = params[3] + t2; /* J1 = I3 + m*R*R */
+    const double t4 = t0/t3; /* m*R/J1 */
+    const double t5 = params[5]/t0; /* M/(m*R) */
+    const double t6 = t3*params[4]; /* J1*G */
+    const double t7 = t6/params[1]; /* J1*G/R */
+    const double t8 = params[3]*params[5]; /* I3*M */
+    const double t9 = params[3]*params[3]; /* I3*I3 */
+    const double t10 = params[3]*t2; /* I3*m*R*R */
+    const double t11 = t9 + t10; /* I3*I3 + I3*m*R*R */
+    const double t12 = -t4; /* -m*R/J1 */
+    const double t13 = params[5]/t3; /* M/J1 */
+    const double t14 = -t13; /* -M/J1 */
+    const double t15 = -params[3]; /* -I3 */
+    const double t16 = -t8; /* -I3*M */
+    const double t17 = t9/t2; /* I3*I3/(m*R*R) */
+    const double t18 = t15 - t17; /* -I3 - I3*I3/(m*R*R) */
+    const double t19 = t8/t2; /* I3*M/(m*R*R) */
+    const double t20 = params[3] + t17; /* I3 + I3*I3/(m*R*R) */
+    const double t21 = params[0]*t9; /* m*I3*I3 */
+    const double t22 = params[0]*2.0; /* m*2 */
+    const double t23 = t9*t22; /* I3*I3*m*2 */
+    out[6] = t4;
+    out[7] = t5;
+    out[8] = t7;
+    out[9] = t8;
+    out[10] = t11;
+    out[11] = t12;
+    out[12] = t14;
+    out[13] = t16;
+    out[14] = t18;
+    out[15] = t19;
+    out[16] = t20;
+    out[17] = t21;
+    out[18] = t23;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -84,153 +91,135 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = p[7]*x[1]; /* m*R*v_slip */
-    const double t5 = sin(x[2]); /* S = sin(psi) */
-    const double t6 = JLT_FNMA(p[5], t5, t4); /* m*R*v_slip - M*S */
-    const double t7 = p[6]*t3; /* 1/J1*s */
-    const double t8 = t6*t7; /* (m*R*v_slip - M*S)*1/J1*s */
-    const double t9 = JLT_FMA(x[0], x[0], t2); /* gamma3*gamma3 + (1 - gamma3)*(1 + gamma3) */
-    const double t10 = JLT_FMA(p[9], t9, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + (1 - gamma3)*(1 + gamma3)) + I3^2 */
-    const double t11 = t3*p[10]; /* s*G*J3/R */
-    const double t12 = cos(x[2]); /* C = cos(psi) */
-    const double t13 = x[0]*p[11]; /* gamma3*I3*M */
-    const double t14 = JLT_FMA(t12, t13, t11); /* C*gamma3*I3*M + s*G*J3/R */
-    const double t15 = t3*t10; /* s*Theta */
-    const double t16 = 1.0/t15; /* 1/(s*Theta) */
-    const double t17 = t15*t16; /* s*Theta*1/(s*Theta) */
-    const double t18 = t16*t17; /* 1/(s*Theta)*s*Theta*1/(s*Theta) */
-    const double t19 = t14*t18; /* (C*gamma3*I3*M + s*G*J3/R)*1/(s*Theta)*s*Theta*1/(s*Theta) */
-    out[0] = t8;
+    const double t4 = sin(x[2]); /* S = sin(psi) */
+    const double t5 = JLT_FNMA(p[7], t4, x[1]); /* v_slip - M/(m*R)*S */
+    const double t6 = p[6]*t3; /* m*R/J1*s */
+    const double t7 = t5*t6; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
+    const double t8 = t3*p[8]; /* s*G*J3/R */
+    const double t9 = cos(x[2]); /* C = cos(psi) */
+    const double t10 = x[0]*p[9]; /* gamma3*I3*M */
+    const double t11 = JLT_FMA(t9, t10, t8); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t12 = t3*p[10]; /* s*(I3^2 + m*R^2*I3) */
+    const double t13 = 1.0/t12; /* 1/(s*(I3^2 + m*R^2*I3)) */
+    const double t14 = t12*t13; /* s*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
+    const double t15 = t13*t14; /* 1/(s*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
+    const double t16 = t11*t15; /* (C*gamma3*I3*M + s*G*J3/R)*t15 */
+    out[0] = t7;
     out[1] = 0.0;
-    out[2] = t19;
+    out[2] = t16;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[7]*x[1]; /* m*R*v_slip */
-    const double t1 = sin(x[2]); /* S = sin(psi) */
-    const double t2 = JLT_FNMA(p[5], t1, t0); /* m*R*v_slip - M*S */
-    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t4 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = JLT_FMA(x[0], x[0], t5); /* gamma3*gamma3 + (1 - gamma3)*(gamma3 + 1) */
-    const double t7 = JLT_FMA(p[9], t6, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + (1 - gamma3)*(gamma3 + 1)) + I3^2 */
-    const double t8 = sqrt(t5); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t9 = t7*t8; /* Theta*s */
-    const double t10 = 1.0/t9; /* 1/(Theta*s) */
-    const double t11 = t7*t10; /* Theta*1/(Theta*s) */
-    const double t12 = x[0]*t11; /* gamma3*Theta*1/(Theta*s) */
-    const double t13 = p[12]*t12; /* (-1/J1)*gamma3*Theta*1/(Theta*s) */
-    const double t14 = t2*t13; /* (m*R*v_slip - M*S)*(-1/J1)*gamma3*Theta*1/(Theta*s) */
-    const double t15 = t8*p[13]; /* s*m*R/J1 */
-    const double t16 = cos(x[2]); /* C = cos(psi) */
-    const double t17 = t8*p[14]; /* s*(-M/J1) */
-    const double t18 = t16*t17; /* C*s*(-M/J1) */
-    const double t19 = t8*p[10]; /* s*G*J3/R */
-    const double t20 = t16*p[11]; /* C*I3*M */
-    const double t21 = JLT_FMA(x[0], t20, t19); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t22 = t11*t12; /* Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s) */
-    const double t23 = JLT_FNMA(t12, p[10], t20); /* C*I3*M - gamma3*Theta*1/(Theta*s)*G*J3/R */
-    const double t24 = JLT_FMA(t21, t22, t23); /* (gamma3*C*I3*M + s*G*J3/R)*Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s) + C*I3*M - gamma3*Theta*1/(Theta*s)*G*J3/R */
-    const double t25 = t8*t10; /* s*1/(Theta*s) */
-    const double t26 = t11*t25; /* Theta*1/(Theta*s)*s*1/(Theta*s) */
-    const double t27 = t24*t26; /* t24*Theta*1/(Theta*s)*s*1/(Theta*s) */
-    const double t28 = t25*p[15]; /* s*1/(Theta*s)*(-I3*M) */
-    const double t29 = t12*t28; /* gamma3*Theta*1/(Theta*s)*s*1/(Theta*s)*(-I3*M) */
-    const double t30 = t1*t29; /* S*gamma3*Theta*1/(Theta*s)*s*1/(Theta*s)*(-I3*M) */
-    out[0] = t14;
-    out[1] = t15;
-    out[2] = t18;
+    const double t0 = sin(x[2]); /* S = sin(psi) */
+    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t6 = p[10]*t5; /* (I3^2 + m*R^2*I3)*s */
+    const double t7 = 1.0/t6; /* 1/((I3^2 + m*R^2*I3)*s) */
+    const double t8 = p[10]*t7; /* (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
+    const double t9 = x[0]*t8; /* gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
+    const double t10 = p[11]*t9; /* (-m*R/J1)*gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
+    const double t11 = t1*t10; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
+    const double t12 = t5*p[6]; /* s*m*R/J1 */
+    const double t13 = cos(x[2]); /* C = cos(psi) */
+    const double t14 = t5*p[12]; /* s*(-M/J1) */
+    const double t15 = t13*t14; /* C*s*(-M/J1) */
+    const double t16 = t13*p[9]; /* C*I3*M */
+    const double t17 = t5*p[8]; /* s*G*J3/R */
+    const double t18 = JLT_FMA(x[0], t16, t17); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t19 = JLT_FNMA(t8, t18, p[8]); /* G*J3/R - (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s)*(gamma3*C*I3*M + s*G*J3/R) */
+    const double t20 = JLT_FNMA(t9, t19, t16); /* C*I3*M - gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s)*t19 */
+    const double t21 = t7*t20; /* 1/((I3^2 + m*R^2*I3)*s)*t20 */
+    const double t22 = x[0]*p[13]; /* gamma3*(-I3*M) */
+    const double t23 = t7*t22; /* 1/((I3^2 + m*R^2*I3)*s)*gamma3*(-I3*M) */
+    const double t24 = t0*t23; /* S*1/((I3^2 + m*R^2*I3)*s)*gamma3*(-I3*M) */
+    out[0] = t11;
+    out[1] = t12;
+    out[2] = t15;
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
-    out[6] = t27;
+    out[6] = t21;
     out[7] = 0.0;
-    out[8] = t30;
+    out[8] = t24;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = p[7]*x[1]; /* m*R*v_slip */
-    const double t5 = sin(x[2]); /* S = sin(psi) */
-    const double t6 = JLT_FNMA(p[5], t5, t4); /* m*R*v_slip - M*S */
-    const double t7 = p[6]*t6; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t8 = t3*t7; /* s*1/J1*(m*R*v_slip - M*S) */
-    const double t9 = t3*p[10]; /* s*G*J3/R */
-    const double t10 = cos(x[2]); /* C = cos(psi) */
-    const double t11 = p[11]*t10; /* I3*M*C */
-    const double t12 = JLT_FMA(x[0], t11, t9); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t13 = JLT_FMA(x[0], x[0], t2); /* gamma3*gamma3 + (1 - gamma3)*(1 + gamma3) */
-    const double t14 = JLT_FMA(p[9], t13, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + (1 - gamma3)*(1 + gamma3)) + I3^2 */
-    const double t15 = t3*t14; /* s*Theta */
-    const double t16 = 1.0/t15; /* 1/(s*Theta) */
-    const double t17 = t12*t16; /* (gamma3*I3*M*C + s*G*J3/R)*1/(s*Theta) */
-    const double t18 = t14*t16; /* Theta*1/(s*Theta) */
-    const double t19 = x[0]*t18; /* gamma3*Theta*1/(s*Theta) */
-    const double t20 = t7*t19; /* 1/J1*(m*R*v_slip - M*S)*gamma3*Theta*1/(s*Theta) */
-    const double t21 = -t20; /* -1/J1*(m*R*v_slip - M*S)*gamma3*Theta*1/(s*Theta) */
-    const double t22 = t3*p[13]; /* s*m*R/J1 */
-    const double t23 = t3*p[14]; /* s*(-M/J1) */
-    const double t24 = t10*t23; /* C*s*(-M/J1) */
-    const double t25 = t18*t19; /* Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) */
-    const double t26 = JLT_FNMA(p[10], t19, t11); /* I3*M*C - G*J3/R*gamma3*Theta*1/(s*Theta) */
-    const double t27 = JLT_FMA(t12, t25, t26); /* (gamma3*I3*M*C + s*G*J3/R)*Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) + I3*M*C - G*J3/R*gamma3*Theta*1/(s*Theta) */
-    const double t28 = t16*t27; /* 1/(s*Theta)*t27 */
-    const double t29 = x[0]*p[15]; /* gamma3*(-I3*M) */
-    const double t30 = t16*t29; /* 1/(s*Theta)*gamma3*(-I3*M) */
-    const double t31 = t5*t30; /* S*1/(s*Theta)*gamma3*(-I3*M) */
-    out[0] = t8;
+    const double t0 = sin(x[2]); /* S = sin(psi) */
+    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t6 = p[6]*t5; /* m*R/J1*s */
+    const double t7 = t1*t6; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
+    const double t8 = t5*p[8]; /* s*G*J3/R */
+    const double t9 = cos(x[2]); /* C = cos(psi) */
+    const double t10 = p[9]*t9; /* I3*M*C */
+    const double t11 = JLT_FMA(x[0], t10, t8); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t12 = t5*p[10]; /* s*(I3^2 + m*R^2*I3) */
+    const double t13 = 1.0/t12; /* 1/(s*(I3^2 + m*R^2*I3)) */
+    const double t14 = t11*t13; /* (gamma3*I3*M*C + s*G*J3/R)*1/(s*(I3^2 + m*R^2*I3)) */
+    const double t15 = p[10]*t13; /* (I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
+    const double t16 = x[0]*t15; /* gamma3*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
+    const double t17 = p[11]*t16; /* (-m*R/J1)*gamma3*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
+    const double t18 = t1*t17; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
+    const double t19 = t5*p[12]; /* s*(-M/J1) */
+    const double t20 = t9*t19; /* C*s*(-M/J1) */
+    const double t21 = JLT_FNMA(t11, t15, p[8]); /* G*J3/R - (gamma3*I3*M*C + s*G*J3/R)*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
+    const double t22 = JLT_FNMA(t16, t21, t10); /* I3*M*C - gamma3*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3))*t21 */
+    const double t23 = t13*t22; /* 1/(s*(I3^2 + m*R^2*I3))*t22 */
+    const double t24 = x[0]*p[13]; /* gamma3*(-I3*M) */
+    const double t25 = t13*t24; /* 1/(s*(I3^2 + m*R^2*I3))*gamma3*(-I3*M) */
+    const double t26 = t0*t25; /* S*1/(s*(I3^2 + m*R^2*I3))*gamma3*(-I3*M) */
+    out[0] = t7;
     out[1] = 0.0;
-    out[2] = t17;
-    out[3] = t21;
-    out[4] = t22;
-    out[5] = t24;
+    out[2] = t14;
+    out[3] = t18;
+    out[4] = t6;
+    out[5] = t20;
     out[6] = 0.0;
     out[7] = 0.0;
     out[8] = 0.0;
-    out[9] = t28;
+    out[9] = t23;
     out[10] = 0.0;
-    out[11] = t31;
+    out[11] = t26;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(x[0], x[0], t2); /* gamma3*gamma3 + (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = JLT_FMA(p[9], t3, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + (1 - gamma3)*(gamma3 + 1)) + I3^2 */
-    const double t5 = p[7]*x[1]; /* m*R*v_slip */
-    const double t6 = sin(x[2]); /* S = sin(psi) */
-    const double t7 = JLT_FNMA(p[5], t6, t5); /* m*R*v_slip - M*S */
-    const double t8 = p[6]*t7; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t9 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t10 = t4*t9; /* Theta*s */
-    const double t11 = 1.0/t10; /* 1/(Theta*s) */
-    const double t12 = p[11]*t9; /* I3*M*s */
-    const double t13 = t11*t12; /* 1/(Theta*s)*I3*M*s */
-    const double t14 = JLT_FMA(t6, t13, t8); /* S*1/(Theta*s)*I3*M*s + 1/J1*(m*R*v_slip - M*S) */
-    const double t15 = x[0]*t4; /* gamma3*Theta */
-    const double t16 = t11*t15; /* 1/(Theta*s)*gamma3*Theta */
-    const double t17 = t14*t16; /* (S*1/(Theta*s)*I3*M*s + 1/J1*(m*R*v_slip - M*S))*1/(Theta*s)*gamma3*Theta */
-    const double t18 = -t17; /* -t17 */
-    out[0] = t18;
+    const double t0 = sin(x[2]); /* S = sin(psi) */
+    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
+    const double t2 = p[6]*t1; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t4 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t6 = sqrt(t5); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t7 = t6*p[16]; /* s*(I3 + I3^2/(m*R^2)) */
+    const double t8 = 1.0/t7; /* 1/(s*(I3 + I3^2/(m*R^2))) */
+    const double t9 = p[15]*t6; /* I3*M/(m*R^2)*s */
+    const double t10 = t8*t9; /* 1/(s*(I3 + I3^2/(m*R^2)))*I3*M/(m*R^2)*s */
+    const double t11 = JLT_FMA(t0, t10, t2); /* S*1/(s*(I3 + I3^2/(m*R^2)))*I3*M/(m*R^2)*s + m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t12 = p[14]*x[0]; /* (-I3 - I3^2/(m*R^2))*gamma3 */
+    const double t13 = t8*t12; /* 1/(s*(I3 + I3^2/(m*R^2)))*(-I3 - I3^2/(m*R^2))*gamma3 */
+    const double t14 = t11*t13; /* t11*1/(s*(I3 + I3^2/(m*R^2)))*(-I3 - I3^2/(m*R^2))*gamma3 */
+    out[0] = t14;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[16]*x[1]; /* m*I3^2*v_slip */
+    const double t0 = p[17]*x[1]; /* m*I3^2*v_slip */
     const double t1 = x[1]*t0; /* v_slip*m*I3^2*v_slip */
     out[0] = t1;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[17]*x[1]; /* 2*m*I3^2*v_slip */
+    const double t0 = p[18]*x[1]; /* 2*m*I3^2*v_slip */
     out[0] = 0.0;
     out[1] = t0;
     out[2] = 0.0;
@@ -246,24 +235,21 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t4[JLT_JET_ORDER_MAX + 1];
     double t5[JLT_JET_ORDER_MAX + 1];
     double t6[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double u10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
-    double u12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
-    double t14[JLT_JET_ORDER_MAX + 1];
-    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double u18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
-    double u24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
-    double t28[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
-    double t30[JLT_JET_ORDER_MAX + 1];
-    double t31[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -272,26 +258,23 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
         t5[k] = jlt_jet_product(t3, t4, k);
         t6[k] = jlt_jet_root(t5[k], t6, k);
-        t9[k] = p[7]*x1[k];
-        t12[k] = jlt_jet_sine(x2, t12, u12, k);
-        t13[k] = t9[k] - p[5]*t12[k];
-        t14[k] = p[6]*t6[k];
-        t15[k] = jlt_jet_product(t13, t14, k);
-        t19[k] = jlt_jet_product(x0, x0, k) + t5[k];
-        t20[k] = p[9]*t19[k] + (k == 0 ? p[8] : 0);
+        t10[k] = jlt_jet_sine(x2, t10, u10, k);
+        t11[k] = x1[k] - p[7]*t10[k];
+        t12[k] = p[6]*t6[k];
+        t13[k] = jlt_jet_product(t11, t12, k);
+        t16[k] = t6[k]*p[8];
+        t18[k] = jlt_jet_cosine(x2, t18, u18, k);
+        t19[k] = x0[k]*p[9];
+        t20[k] = jlt_jet_product(t18, t19, k) + t16[k];
         t22[k] = t6[k]*p[10];
-        t24[k] = jlt_jet_cosine(x2, t24, u24, k);
-        t25[k] = x0[k]*p[11];
-        t26[k] = jlt_jet_product(t24, t25, k) + t22[k];
-        t27[k] = jlt_jet_product(t6, t20, k);
-        t28[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t27, t28, k);
-        t29[k] = jlt_jet_product(t27, t28, k);
-        t30[k] = jlt_jet_product(t28, t29, k);
-        t31[k] = jlt_jet_product(t26, t30, k);
+        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t22, t23, k);
+        t24[k] = jlt_jet_product(t22, t23, k);
+        t25[k] = jlt_jet_product(t23, t24, k);
+        t26[k] = jlt_jet_product(t20, t25, k);
         double *restrict next = coefficients + (k + 1)*3;
-        next[0] = x0[k + 1] = t15[k]/(k + 1);
+        next[0] = x0[k + 1] = t13[k]/(k + 1);
         next[1] = x1[k + 1] = (k == 0 ? 0.0 : 0)/(k + 1);
-        next[2] = x2[k + 1] = t31[k]/(k + 1);
+        next[2] = x2[k + 1] = t26[k]/(k + 1);
     }
 }
 
@@ -351,18 +334,18 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments = {
     .sha256 = "70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_balanced,
-    .state_count = 3, .param_count = 6, .block_count = 18,
+    .state_count = 3, .param_count = 6, .block_count = 19,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 3, { 2, 10, 4, 1, 1, 2, 9, 6 }, { 7, 23, 0, 3, 1, 2, 10, 6 },
+    .rhs = { rhs, 3, { 2, 9, 2, 1, 1, 2, 8, 5 }, { 7, 23, 0, 3, 1, 2, 10, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 9, { 2, 19, 6, 1, 1, 2, 11, 9 }, { 12, 41, 0, 8, 1, 2, 11, 10 },
+    .jacobian = { jacobian, 9, { 2, 15, 4, 1, 1, 2, 9, 8 }, { 12, 41, 0, 8, 1, 2, 11, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 3, 19, 6, 1, 1, 2, 11, 10 }, { 14, 51, 0, 11, 1, 2, 11, 10 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 2, 17, 4, 1, 1, 2, 9, 11 }, { 14, 51, 0, 11, 1, 2, 11, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 3, 9, 4, 1, 1, 1, 10, 6 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
+    .divergence = { divergence, 1, { 2, 8, 2, 1, 1, 1, 8, 5 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { integral_values, 1, { 0, 2, 0, 0, 0, 0, 2, 2 }, { 0, 4, 0, 0, 0, 0, 3, 3 },
         "" },

@@ -7,10 +7,10 @@
  *  Command:    ttc generate --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 1    8    4    1    0    2      5    6   (45)
- *  jacobian            0   20    6    1    0    2      8   10   (95)
- *  rhs_jacobian        2   22    6    1    0    2      8   11   (118)
- *  divergence          1    4    4    1    0    1      9    3   (30)
+ *  rhs                 1    7    4    1    0    2      5    6   (45)
+ *  jacobian            0   20    6    1    0    2      8    9   (95)
+ *  rhs_jacobian        3   21    6    1    0    2      8   11   (118)
+ *  divergence          1    3    4    1    0    1      8    3   (30)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are.
@@ -65,11 +65,19 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t14 = params[5]/t2; /* M/J1 */
     const double t15 = -t14; /* -M/J1 */
     const double t16 = 2.0/t2; /* 2/J1 */
-    const double t17 = params[0]*2.0; /* m*2 */
-    const double t18 = t0*t17; /* R*R*m*2 */
-    const double t19 = params[3]*t18; /* I3*R*R*m*2 */
-    const double t20 = -t13; /* -I3*M */
-    const double t21 = (-1.0)/t2; /* (-1)/J1 */
+    const double t17 = t5/t1; /* I3*I3/(m*R*R) */
+    const double t18 = t13/t1; /* I3*M/(m*R*R) */
+    const double t19 = params[3]*2.0; /* I3*2 */
+    const double t20 = t19/t1; /* I3*2/(m*R*R) */
+    const double t21 = -t13; /* -I3*M */
+    const double t22 = -t18; /* -I3*M/(m*R*R) */
+    const double t23 = params[1]*t0; /* R*R*R */
+    const double t24 = params[0]*t23; /* m*R*R*R */
+    const double t25 = t11/t24; /* J1*G/(m*R*R*R) */
+    const double t26 = (-1.0)/t2; /* (-1)/J1 */
+    const double t27 = params[0]*2.0; /* m*2 */
+    const double t28 = t0*t27; /* R*R*m*2 */
+    const double t29 = params[3]*t28; /* I3*R*R*m*2 */
     out[7] = t3;
     out[8] = t9;
     out[9] = t5;
@@ -78,33 +86,37 @@ static void prepare(const double *restrict params, double *restrict out)
     out[12] = t13;
     out[13] = t15;
     out[14] = t16;
-    out[15] = t19;
-    out[16] = t20;
-    out[17] = t21;
-    out[18] = t14;
+    out[15] = t17;
+    out[16] = t18;
+    out[17] = t20;
+    out[18] = t22;
+    out[19] = t25;
+    out[20] = t26;
+    out[21] = t14;
+    out[22] = t29;
+    out[23] = t21;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[2]*x[2]; /* s*s */
-    const double t1 = sin(x[1]); /* S = sin(psi) */
-    const double t2 = JLT_FNMA(p[5], t1, p[8]); /* m*R*v_slip - M*S */
-    const double t3 = p[7]*t2; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t4 = t0*t3; /* s*s*1/J1*(m*R*v_slip - M*S) */
-    const double t5 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t6 = JLT_FMA(p[10], t5, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t7 = 1.0/t6; /* 1/Theta */
+    const double t0 = sin(x[1]); /* S = sin(psi) */
+    const double t1 = JLT_FNMA(p[5], t0, p[8]); /* m*R*v_slip - M*S */
+    const double t2 = x[2]*p[7]; /* s*1/J1 */
+    const double t3 = t1*t2; /* (m*R*v_slip - M*S)*s*1/J1 */
+    const double t4 = x[2]*t3; /* s*(m*R*v_slip - M*S)*s*1/J1 */
+    const double t5 = x[2]*x[2]; /* s*s */
+    const double t6 = JLT_FMA(x[0], x[0], t5); /* gamma3*gamma3 + s*s */
+    const double t7 = JLT_FMA(p[10], t6, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
     const double t8 = x[2]*p[11]; /* s*G*J3/R */
     const double t9 = cos(x[1]); /* C = cos(psi) */
     const double t10 = x[0]*p[12]; /* gamma3*I3*M */
     const double t11 = JLT_FMA(t9, t10, t8); /* C*gamma3*I3*M + s*G*J3/R */
-    const double t12 = t7*t11; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    const double t13 = x[2]*x[0]; /* s*gamma3 */
-    const double t14 = t3*t13; /* 1/J1*(m*R*v_slip - M*S)*s*gamma3 */
-    const double t15 = -t14; /* -1/J1*(m*R*v_slip - M*S)*s*gamma3 */
+    const double t12 = t11/t7; /* (C*gamma3*I3*M + s*G*J3/R)/Theta */
+    const double t13 = t3*x[0]; /* (m*R*v_slip - M*S)*s*1/J1*gamma3 */
+    const double t14 = -t13; /* -(m*R*v_slip - M*S)*s*1/J1*gamma3 */
     out[0] = t4;
     out[1] = t12;
-    out[2] = t15;
+    out[2] = t14;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -118,30 +130,30 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t6 = x[2]*t5; /* s*(m*R*v_slip - M*S) */
     const double t7 = p[14]*t6; /* 2/J1*s*(m*R*v_slip - M*S) */
     const double t8 = JLT_FMA(x[0], x[0], t1); /* gamma3*gamma3 + s*s */
-    const double t9 = JLT_FMA(p[10], t8, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t10 = 1.0/t9; /* 1/Theta */
-    const double t11 = p[12]*t10; /* I3*M*1/Theta */
-    const double t12 = t0*t11; /* C*I3*M*1/Theta */
-    const double t13 = x[0]*t10; /* gamma3*1/Theta */
-    const double t14 = x[2]*p[11]; /* s*G*J3/R */
-    const double t15 = t0*x[0]; /* C*gamma3 */
-    const double t16 = JLT_FMA(p[12], t15, t14); /* I3*M*C*gamma3 + s*G*J3/R */
-    const double t17 = t10*p[15]; /* 1/Theta*2*m*R^2*I3 */
-    const double t18 = t16*t17; /* (I3*M*C*gamma3 + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
-    const double t19 = JLT_FNMA(t13, t18, t12); /* C*I3*M*1/Theta - gamma3*1/Theta*(I3*M*C*gamma3 + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
-    const double t20 = t13*p[16]; /* gamma3*1/Theta*(-I3*M) */
-    const double t21 = t4*t20; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t22 = JLT_FNMA(x[2], t18, p[11]); /* G*J3/R - s*(I3*M*C*gamma3 + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
-    const double t23 = t10*t22; /* 1/Theta*(G*J3/R - s*(I3*M*C*gamma3 + s*G*J3/R)*1/Theta*2*m*R^2*I3) */
-    const double t24 = t6*p[17]; /* s*(m*R*v_slip - M*S)*(-1/J1) */
-    const double t25 = x[2]*p[18]; /* s*M/J1 */
-    const double t26 = t15*t25; /* C*gamma3*s*M/J1 */
-    const double t27 = x[0]*p[17]; /* gamma3*(-1/J1) */
+    const double t9 = JLT_FMA(p[3], t8, p[15]); /* Theta scaled = I3*(gamma3*gamma3 + s*s) + I3^2/(m*R^2) */
+    const double t10 = 1.0/t9; /* 1/Theta scaled */
+    const double t11 = t0*p[16]; /* C*I3*M/(m*R^2) */
+    const double t12 = x[2]*p[11]; /* s*G*J3/R */
+    const double t13 = t0*x[0]; /* C*gamma3 */
+    const double t14 = JLT_FMA(p[12], t13, t12); /* I3*M*C*gamma3 + s*G*J3/R */
+    const double t15 = t10*p[17]; /* 1/Theta scaled*2*I3/(m*R^2) */
+    const double t16 = t14*t15; /* (I3*M*C*gamma3 + s*G*J3/R)*1/Theta scaled*2*I3/(m*R^2) */
+    const double t17 = JLT_FNMA(x[0], t16, t11); /* C*I3*M/(m*R^2) - gamma3*(I3*M*C*gamma3 + s*G*J3/R)*1/Theta scaled*2*I3/(m*R^2) */
+    const double t18 = t10*t17; /* 1/Theta scaled*t17 */
+    const double t19 = x[0]*p[18]; /* gamma3*(-I3*M/(m*R^2)) */
+    const double t20 = t10*t19; /* 1/Theta scaled*gamma3*(-I3*M/(m*R^2)) */
+    const double t21 = t4*t20; /* S*1/Theta scaled*gamma3*(-I3*M/(m*R^2)) */
+    const double t22 = JLT_FNMA(x[2], t16, p[19]); /* G*J3/(m*R^3) - s*(I3*M*C*gamma3 + s*G*J3/R)*1/Theta scaled*2*I3/(m*R^2) */
+    const double t23 = t10*t22; /* 1/Theta scaled*t22 */
+    const double t24 = t6*p[20]; /* s*(m*R*v_slip - M*S)*(-1/J1) */
+    const double t25 = x[2]*p[21]; /* s*M/J1 */
+    const double t26 = t13*t25; /* C*gamma3*s*M/J1 */
+    const double t27 = x[0]*p[20]; /* gamma3*(-1/J1) */
     const double t28 = t5*t27; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[0] = 0.0;
     out[1] = t3;
     out[2] = t7;
-    out[3] = t19;
+    out[3] = t18;
     out[4] = t21;
     out[5] = t23;
     out[6] = t24;
@@ -162,34 +174,34 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t8 = 1.0/t7; /* 1/Theta */
     const double t9 = x[2]*p[11]; /* s*G*J3/R */
     const double t10 = cos(x[1]); /* C = cos(psi) */
-    const double t11 = x[0]*t10; /* gamma3*C */
-    const double t12 = JLT_FMA(p[12], t11, t9); /* I3*M*gamma3*C + s*G*J3/R */
-    const double t13 = t8*t12; /* 1/Theta*(I3*M*gamma3*C + s*G*J3/R) */
+    const double t11 = p[12]*t10; /* I3*M*C */
+    const double t12 = JLT_FMA(x[0], t11, t9); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t13 = t8*t12; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
     const double t14 = t3*x[0]; /* 1/J1*s*(m*R*v_slip - M*S)*gamma3 */
     const double t15 = -t14; /* -1/J1*s*(m*R*v_slip - M*S)*gamma3 */
-    const double t16 = t5*p[13]; /* s*s*(-M/J1) */
-    const double t17 = t10*t16; /* C*s*s*(-M/J1) */
-    const double t18 = t2*p[14]; /* s*(m*R*v_slip - M*S)*2/J1 */
-    const double t19 = t8*p[12]; /* 1/Theta*I3*M */
-    const double t20 = t10*t19; /* C*1/Theta*I3*M */
+    const double t16 = t10*p[21]; /* C*M/J1 */
+    const double t17 = t5*t16; /* s*s*C*M/J1 */
+    const double t18 = -t17; /* -s*s*C*M/J1 */
+    const double t19 = t2*p[14]; /* s*(m*R*v_slip - M*S)*2/J1 */
+    const double t20 = t8*t11; /* 1/Theta*I3*M*C */
     const double t21 = x[0]*t8; /* gamma3*1/Theta */
-    const double t22 = t13*p[15]; /* 1/Theta*(I3*M*gamma3*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t23 = JLT_FNMA(t21, t22, t20); /* C*1/Theta*I3*M - gamma3*1/Theta*1/Theta*(I3*M*gamma3*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t24 = t21*p[16]; /* gamma3*1/Theta*(-I3*M) */
+    const double t22 = t13*p[22]; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t23 = JLT_FNMA(t21, t22, t20); /* 1/Theta*I3*M*C - gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t24 = t21*p[23]; /* gamma3*1/Theta*(-I3*M) */
     const double t25 = t0*t24; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t26 = JLT_FNMA(x[2], t22, p[11]); /* G*J3/R - s*1/Theta*(I3*M*gamma3*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t27 = t8*t26; /* 1/Theta*(G*J3/R - s*1/Theta*(I3*M*gamma3*C + s*G*J3/R)*2*m*R^2*I3) */
+    const double t26 = JLT_FNMA(x[2], t22, p[11]); /* G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t27 = t8*t26; /* 1/Theta*(G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3) */
     const double t28 = -t3; /* -1/J1*s*(m*R*v_slip - M*S) */
-    const double t29 = x[2]*p[18]; /* s*M/J1 */
-    const double t30 = t11*t29; /* gamma3*C*s*M/J1 */
-    const double t31 = x[0]*p[17]; /* gamma3*(-1/J1) */
+    const double t29 = x[2]*x[0]; /* s*gamma3 */
+    const double t30 = t16*t29; /* C*M/J1*s*gamma3 */
+    const double t31 = x[0]*p[20]; /* gamma3*(-1/J1) */
     const double t32 = t1*t31; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[0] = t4;
     out[1] = t13;
     out[2] = t15;
     out[3] = 0.0;
-    out[4] = t17;
-    out[5] = t18;
+    out[4] = t18;
+    out[5] = t19;
     out[6] = t23;
     out[7] = t25;
     out[8] = t27;
@@ -203,15 +215,14 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = sin(x[1]); /* S = sin(psi) */
     const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t2 = JLT_FMA(x[2], x[2], t1); /* s*s + gamma3*gamma3 */
-    const double t3 = JLT_FMA(p[10], t2, p[9]); /* Theta = m*R^2*I3*(s*s + gamma3*gamma3) + I3^2 */
-    const double t4 = 1.0/t3; /* 1/Theta */
-    const double t5 = p[12]*t4; /* I3*M*1/Theta */
-    const double t6 = t0*t5; /* S*I3*M*1/Theta */
-    const double t7 = JLT_FNMA(t0, p[5], p[8]); /* m*R*v_slip - S*M */
-    const double t8 = JLT_FMA(p[7], t7, t6); /* 1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta */
-    const double t9 = x[0]*t8; /* gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta) */
-    const double t10 = -t9; /* -gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta) */
-    out[0] = t10;
+    const double t3 = JLT_FMA(p[3], t2, p[15]); /* Theta scaled = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
+    const double t4 = p[16]/t3; /* I3*M/(m*R^2)/Theta scaled */
+    const double t5 = t0*t4; /* S*I3*M/(m*R^2)/Theta scaled */
+    const double t6 = JLT_FNMA(t0, p[5], p[8]); /* m*R*v_slip - S*M */
+    const double t7 = JLT_FMA(p[7], t6, t5); /* 1/J1*(m*R*v_slip - S*M) + S*I3*M/(m*R^2)/Theta scaled */
+    const double t8 = x[0]*t7; /* gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M/(m*R^2)/Theta scaled) */
+    const double t9 = -t8; /* -t8 */
+    out[0] = t9;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -236,14 +247,13 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t14[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
+    double u18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    double u20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
-    double t25[JLT_JET_ORDER_MAX + 1];
-    double t26[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -256,19 +266,18 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t9[k] = jlt_jet_product(t1, t8, k);
         t13[k] = jlt_jet_product(x0, x0, k) + t1[k];
         t14[k] = p[10]*t13[k] + (k == 0 ? p[9] : 0);
-        t16[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t14, t16, k);
-        t18[k] = x2[k]*p[11];
-        t20[k] = jlt_jet_cosine(x1, t20, u20, k);
-        t21[k] = x0[k]*p[12];
-        t22[k] = jlt_jet_product(t20, t21, k) + t18[k];
-        t23[k] = jlt_jet_product(t16, t22, k);
-        t24[k] = jlt_jet_product(x2, x0, k);
-        t25[k] = jlt_jet_product(t8, t24, k);
-        t26[k] = -t25[k];
+        t16[k] = x2[k]*p[11];
+        t18[k] = jlt_jet_cosine(x1, t18, u18, k);
+        t19[k] = x0[k]*p[12];
+        t20[k] = jlt_jet_product(t18, t19, k) + t16[k];
+        t21[k] = jlt_jet_quotient(t20[k], t14, t21, k);
+        t22[k] = jlt_jet_product(x2, x0, k);
+        t23[k] = jlt_jet_product(t8, t22, k);
+        t24[k] = -t23[k];
         double *restrict next = coefficients + (k + 1)*4;
         next[0] = x0[k + 1] = t9[k]/(k + 1);
-        next[1] = x1[k + 1] = t23[k]/(k + 1);
-        next[2] = x2[k + 1] = t26[k]/(k + 1);
+        next[1] = x1[k + 1] = t21[k]/(k + 1);
+        next[2] = x2[k + 1] = t24[k]/(k + 1);
         next[3] = x2[k]/(k + 1);
     }
 }
@@ -326,18 +335,18 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = 
     .sha256 = "a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_plane,
-    .state_count = 3, .param_count = 7, .block_count = 19,
+    .state_count = 3, .param_count = 7, .block_count = 24,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 3, { 1, 8, 4, 1, 0, 2, 5, 6 }, { 8, 29, 0, 5, 1, 2, 9, 8 },
+    .rhs = { rhs, 3, { 1, 7, 4, 1, 0, 2, 5, 6 }, { 8, 29, 0, 5, 1, 2, 9, 8 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .jacobian = { jacobian, 9, { 0, 20, 6, 1, 0, 2, 8, 10 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
+    .jacobian = { jacobian, 9, { 0, 20, 6, 1, 0, 2, 8, 9 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 2, 22, 6, 1, 0, 2, 8, 11 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 3, 21, 6, 1, 0, 2, 8, 11 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .divergence = { divergence, 1, { 1, 4, 4, 1, 0, 1, 9, 3 }, { 6, 19, 0, 3, 1, 1, 9, 7 },
+    .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 8, 3 }, { 6, 19, 0, 3, 1, 1, 9, 7 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },

@@ -6,10 +6,10 @@
  *  Command:    ttc generate --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 1   16    6    1    1    2     15    6   (57)
- *  jacobian            3   40   14    2    1    2     16   12   (295)
- *  rhs_jacobian        4   42   14    2    1    2     16   15   (318)
- *  divergence          0   21   10    2    1    2     14    8   (120)
+ *  rhs                 1   14    6    1    1    2     13    6   (57)
+ *  jacobian            3   39   13    2    1    2     14   12   (295)
+ *  rhs_jacobian        4   40   13    2    1    2     14   15   (318)
+ *  divergence          0   18   10    2    1    2     13    7   (120)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes.
@@ -35,175 +35,210 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
-    const double t0 = params[1]*params[1]; /* R*R */
-    const double t1 = params[0]*t0; /* m*R*R */
-    const double t2 = params[2] + t1; /* J1 = I1 + m*R*R */
-    const double t3 = 1.0/t2; /* 1/J1 */
-    const double t4 = params[0]*params[1]; /* m*R */
+    const double t0 = params[0]*params[1]; /* m*R */
+    const double t1 = params[1]*params[1]; /* R*R */
+    const double t2 = params[0]*t1; /* m*R*R */
+    const double t3 = params[2] + t2; /* J1 = I1 + m*R*R */
+    const double t4 = t0/t3; /* m*R/J1 */
     const double t5 = params[2]*params[2]; /* I1*I1 */
     const double t6 = params[0]*t5; /* m*I1*I1 */
     const double t7 = 1.0/t6; /* 1/(m*I1*I1) */
     const double t8 = params[2] - params[3]; /* I1 - I3 */
     const double t9 = params[2]*params[3]; /* I1*I3 */
-    const double t10 = params[2]*params[5]; /* I1*M */
-    const double t11 = t2*params[4]; /* J1*G */
-    const double t12 = t11/params[1]; /* J1*G/R */
-    const double t13 = t1 + params[3]; /* J3 = m*R*R + I3 */
-    const double t14 = params[4]*t13; /* G*J3 */
-    const double t15 = t14/params[1]; /* G*J3/R */
-    const double t16 = params[3]*params[5]; /* I3*M */
-    const double t17 = t1*params[3]; /* m*R*R*I3 */
-    const double t18 = t8*t17; /* (I1 - I3)*m*R*R*I3 */
-    const double t19 = t8*t11; /* (I1 - I3)*J1*G */
-    const double t20 = t19/params[1]; /* (I1 - I3)*J1*G/R */
-    const double t21 = t2*t5; /* J1*I1*I1 */
-    const double t22 = params[1]/t21; /* R/(J1*I1*I1) */
-    const double t23 = params[1]*params[5]; /* R*M */
-    const double t24 = t8*t23; /* (I1 - I3)*R*M */
-    const double t25 = t24/params[2]; /* (I1 - I3)*R*M/I1 */
-    const double t26 = 2.0/t2; /* 2/J1 */
-    const double t27 = t8*t10; /* (I1 - I3)*I1*M */
-    const double t28 = params[2]*t1; /* I1*m*R*R */
-    const double t29 = t8*t28; /* (I1 - I3)*I1*m*R*R */
-    const double t30 = params[0]*2.0; /* m*2 */
-    const double t31 = t0*t30; /* R*R*m*2 */
-    const double t32 = params[3]*t31; /* I3*R*R*m*2 */
-    const double t33 = -t16; /* -I3*M */
-    const double t34 = params[2]*t31; /* I1*R*R*m*2 */
-    const double t35 = params[1]*t0; /* R*R*R */
-    const double t36 = t30*t35; /* m*2*R*R*R */
-    const double t37 = params[2]*t36; /* I1*m*2*R*R*R */
-    const double t38 = t14/t37; /* G*J3/(I1*m*2*R*R*R) */
-    out[7] = t3;
-    out[8] = t4;
-    out[9] = t7;
-    out[10] = t8;
-    out[11] = t9;
-    out[12] = t1;
-    out[13] = t10;
-    out[14] = t12;
+    const double t10 = params[2]*t2; /* I1*m*R*R */
+    const double t11 = params[3]/params[2]; /* I3/I1 */
+    const double t12 = params[2]*params[5]; /* I1*M */
+    const double t13 = t3*params[4]; /* J1*G */
+    const double t14 = t13/params[1]; /* J1*G/R */
+    const double t15 = params[5]/t0; /* M/(m*R) */
+    const double t16 = t2 + params[3]; /* J3 = m*R*R + I3 */
+    const double t17 = params[4]*t16; /* G*J3 */
+    const double t18 = t17/params[1]; /* G*J3/R */
+    const double t19 = params[3]*params[5]; /* I3*M */
+    const double t20 = params[3]*t8; /* I3*(I1 - I3) */
+    const double t21 = t20/t2; /* I3*(I1 - I3)/(m*R*R) */
+    const double t22 = t9/t2; /* I1*I3/(m*R*R) */
+    const double t23 = params[1]*t1; /* R*R*R */
+    const double t24 = params[0]*t23; /* m*R*R*R */
+    const double t25 = t8*t13; /* (I1 - I3)*J1*G */
+    const double t26 = t25/t24; /* (I1 - I3)*J1*G/(m*R*R*R) */
+    const double t27 = t3*t5; /* J1*I1*I1 */
+    const double t28 = params[1]/t27; /* R/(J1*I1*I1) */
+    const double t29 = t8/t2; /* (I1 - I3)/(m*R*R) */
+    const double t30 = 1.0/t3; /* 1/J1 */
+    const double t31 = t0*params[2]; /* m*R*I1 */
+    const double t32 = t8*params[5]; /* (I1 - I3)*M */
+    const double t33 = t32/t31; /* (I1 - I3)*M/(m*R*I1) */
+    const double t34 = params[0]*2.0; /* m*2 */
+    const double t35 = params[1]*t34; /* R*m*2 */
+    const double t36 = t35/t3; /* R*m*2/J1 */
+    const double t37 = t8*t12; /* (I1 - I3)*I1*M */
+    const double t38 = t37/t2; /* (I1 - I3)*I1*M/(m*R*R) */
+    const double t39 = params[2]*t8; /* I1*(I1 - I3) */
+    const double t40 = t39/t2; /* I1*(I1 - I3)/(m*R*R) */
+    const double t41 = t19/t2; /* I3*M/(m*R*R) */
+    const double t42 = params[3]*2.0; /* I3*2 */
+    const double t43 = t42/t2; /* I3*2/(m*R*R) */
+    const double t44 = -t19; /* -I3*M */
+    const double t45 = -t41; /* -I3*M/(m*R*R) */
+    const double t46 = params[2]*2.0; /* I1*2 */
+    const double t47 = t46/t2; /* I1*2/(m*R*R) */
+    const double t48 = params[1]*2.0; /* R*2 */
+    const double t49 = params[2]*t48; /* I1*R*2 */
+    const double t50 = t17/t49; /* G*J3/(I1*R*2) */
+    const double t51 = t2*params[3]; /* m*R*R*I3 */
+    const double t52 = t8*t51; /* (I1 - I3)*m*R*R*I3 */
+    const double t53 = t25/params[1]; /* (I1 - I3)*J1*G/R */
+    const double t54 = params[1]*params[5]; /* R*M */
+    const double t55 = t8*t54; /* (I1 - I3)*R*M */
+    const double t56 = t55/params[2]; /* (I1 - I3)*R*M/I1 */
+    const double t57 = t8*t10; /* (I1 - I3)*I1*m*R*R */
+    const double t58 = t1*t34; /* R*R*m*2 */
+    const double t59 = params[3]*t58; /* I3*R*R*m*2 */
+    const double t60 = params[2]*t58; /* I1*R*R*m*2 */
+    const double t61 = t23*t34; /* R*R*R*m*2 */
+    const double t62 = params[2]*t61; /* I1*R*R*R*m*2 */
+    const double t63 = t17/t62; /* G*J3/(I1*R*R*R*m*2) */
+    out[7] = t4;
+    out[8] = t7;
+    out[9] = t8;
+    out[10] = t9;
+    out[11] = t10;
+    out[12] = t11;
+    out[13] = t12;
+    out[14] = t14;
     out[15] = t15;
-    out[16] = t16;
-    out[17] = t18;
-    out[18] = t20;
+    out[16] = t18;
+    out[17] = t19;
+    out[18] = t21;
     out[19] = t22;
-    out[20] = t25;
-    out[21] = t26;
-    out[22] = t27;
-    out[23] = t29;
-    out[24] = t32;
-    out[25] = t33;
-    out[26] = t34;
-    out[27] = t38;
+    out[20] = t26;
+    out[21] = t28;
+    out[22] = t29;
+    out[23] = t30;
+    out[24] = t33;
+    out[25] = t36;
+    out[26] = t38;
+    out[27] = t40;
+    out[28] = t41;
+    out[29] = t43;
+    out[30] = t45;
+    out[31] = t47;
+    out[32] = t50;
+    out[33] = t52;
+    out[34] = t53;
+    out[35] = t56;
+    out[36] = t37;
+    out[37] = t57;
+    out[38] = t59;
+    out[39] = t44;
+    out[40] = t60;
+    out[41] = t63;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[2]*x[2]; /* s*s */
-    const double t1 = t0*p[2]; /* s*s*I1 */
-    const double t2 = p[3]*x[0]; /* I3*gamma3 */
-    const double t3 = JLT_FMA(x[0], t2, t1); /* gamma3*I3*gamma3 + s*s*I1 */
-    const double t4 = JLT_FMA(p[12], t3, p[11]); /* Theta = m*R^2*(gamma3*I3*gamma3 + s*s*I1) + I1*I3 */
-    const double t5 = 1.0/t4; /* 1/Theta */
-    const double t6 = cos(x[1]); /* C = cos(psi) */
-    const double t7 = x[2]*p[13]; /* s*I1*M */
-    const double t8 = t6*t7; /* C*s*I1*M */
-    const double t9 = JLT_FNMA(x[0], p[14], t8); /* C*s*I1*M - gamma3*G*J1/R */
-    const double t10 = p[10]*t5; /* (I1 - I3)*1/Theta */
-    const double t11 = t9*t10; /* (C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)*1/Theta */
-    const double t12 = JLT_FNMA(t9, t11, p[6]); /* F0 - (C*s*I1*M - gamma3*G*J1/R)*(C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)*1/Theta */
-    const double t13 = p[9]*t12; /* 1/(m*I1^2)*t12 */
-    const double t14 = sqrt(t13); /* v_slip = sqrt(1/(m*I1^2)*t12) */
-    const double t15 = p[8]*t14; /* m*R*v_slip */
-    const double t16 = sin(x[1]); /* S = sin(psi) */
-    const double t17 = JLT_FNMA(p[5], t16, t15); /* m*R*v_slip - M*S */
-    const double t18 = p[7]*t17; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t19 = t0*t18; /* s*s*1/J1*(m*R*v_slip - M*S) */
-    const double t20 = x[2]*p[15]; /* s*G*J3/R */
-    const double t21 = x[0]*p[16]; /* gamma3*I3*M */
-    const double t22 = JLT_FMA(t6, t21, t20); /* C*gamma3*I3*M + s*G*J3/R */
-    const double t23 = t5*t22; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    const double t24 = x[2]*x[0]; /* s*gamma3 */
-    const double t25 = t18*t24; /* 1/J1*(m*R*v_slip - M*S)*s*gamma3 */
-    const double t26 = -t25; /* -1/J1*(m*R*v_slip - M*S)*s*gamma3 */
-    out[0] = t19;
-    out[1] = t23;
-    out[2] = t26;
+    const double t1 = p[12]*x[0]; /* I3/I1*gamma3 */
+    const double t2 = JLT_FMA(x[0], t1, t0); /* gamma3*I3/I1*gamma3 + s*s */
+    const double t3 = JLT_FMA(p[11], t2, p[10]); /* Theta = m*R^2*I1*(gamma3*I3/I1*gamma3 + s*s) + I1*I3 */
+    const double t4 = 1.0/t3; /* 1/Theta */
+    const double t5 = cos(x[1]); /* C = cos(psi) */
+    const double t6 = x[2]*p[13]; /* s*I1*M */
+    const double t7 = t5*t6; /* C*s*I1*M */
+    const double t8 = JLT_FNMA(x[0], p[14], t7); /* C*s*I1*M - gamma3*G*J1/R */
+    const double t9 = p[9]*t4; /* (I1 - I3)*1/Theta */
+    const double t10 = t8*t9; /* (C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)*1/Theta */
+    const double t11 = JLT_FNMA(t8, t10, p[6]); /* F0 - (C*s*I1*M - gamma3*G*J1/R)*(C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)*1/Theta */
+    const double t12 = p[8]*t11; /* 1/(m*I1^2)*t11 */
+    const double t13 = sqrt(t12); /* v_slip = sqrt(1/(m*I1^2)*t11) */
+    const double t14 = sin(x[1]); /* S = sin(psi) */
+    const double t15 = JLT_FNMA(p[15], t14, t13); /* v_slip - M/(m*R)*S */
+    const double t16 = x[2]*p[7]; /* s*m*R/J1 */
+    const double t17 = t15*t16; /* (v_slip - M/(m*R)*S)*s*m*R/J1 */
+    const double t18 = x[2]*t17; /* s*(v_slip - M/(m*R)*S)*s*m*R/J1 */
+    const double t19 = x[2]*p[16]; /* s*G*J3/R */
+    const double t20 = x[0]*p[17]; /* gamma3*I3*M */
+    const double t21 = JLT_FMA(t5, t20, t19); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t22 = t4*t21; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t23 = x[0]*t17; /* gamma3*(v_slip - M/(m*R)*S)*s*m*R/J1 */
+    const double t24 = -t23; /* -gamma3*(v_slip - M/(m*R)*S)*s*m*R/J1 */
+    out[0] = t18;
+    out[1] = t22;
+    out[2] = t24;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[2]*p[2]; /* s*I1 */
-    const double t1 = x[2]*t0; /* s*s*I1 */
-    const double t2 = x[0]*p[3]; /* gamma3*I3 */
-    const double t3 = JLT_FMA(x[0], t2, t1); /* gamma3*gamma3*I3 + s*s*I1 */
-    const double t4 = JLT_FMA(p[12], t3, p[11]); /* Theta = m*R^2*(gamma3*gamma3*I3 + s*s*I1) + I1*I3 */
-    const double t5 = 1.0/t4; /* 1/Theta */
-    const double t6 = cos(x[1]); /* C = cos(psi) */
-    const double t7 = x[2]*p[13]; /* s*I1*M */
-    const double t8 = t6*t7; /* C*s*I1*M */
-    const double t9 = JLT_FNMA(x[0], p[14], t8); /* C*s*I1*M - gamma3*G*J1/R */
-    const double t10 = t5*t9; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t11 = t10*t10; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t12 = p[17]*x[0]; /* m*R^2*I3*(I1 - I3)*gamma3 */
-    const double t13 = t11*t12; /* t11*m*R^2*I3*(I1 - I3)*gamma3 */
-    const double t14 = JLT_FMA(t10, p[18], t13); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*G*J1*(I1 - I3)/R + t11*m*R^2*I3*(I1 - I3)*gamma3 */
-    const double t15 = t9*p[10]; /* (C*s*I1*M - gamma3*G*J1/R)*(I1 - I3) */
-    const double t16 = JLT_FNMA(t10, t15, p[6]); /* F0 - 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(C*s*I1*M - gamma3*G*J1/R)*(I1 - I3) */
-    const double t17 = p[9]*t16; /* 1/(m*I1^2)*t16 */
-    const double t18 = sqrt(t17); /* v_slip = sqrt(1/(m*I1^2)*t16) */
-    const double t19 = 1.0/t18; /* 1/v_slip */
-    const double t20 = x[2]*t19; /* s*1/v_slip */
-    const double t21 = p[19]*t20; /* R/(I1^2*J1)*s*1/v_slip */
-    const double t22 = t14*t21; /* t14*R/(I1^2*J1)*s*1/v_slip */
-    const double t23 = x[2]*t22; /* s*t14*R/(I1^2*J1)*s*1/v_slip */
-    const double t24 = sin(x[1]); /* S = sin(psi) */
-    const double t25 = p[20]*t24; /* R*M*(I1 - I3)/I1*S */
-    const double t26 = t10*t25; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*R*M*(I1 - I3)/I1*S */
-    const double t27 = t20*t26; /* s*1/v_slip*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*R*M*(I1 - I3)/I1*S */
-    const double t28 = JLT_FNMA(t6, p[5], t27); /* t27 - C*M */
-    const double t29 = x[2]*p[7]; /* s*1/J1 */
-    const double t30 = t28*t29; /* (t27 - C*M)*s*1/J1 */
-    const double t31 = x[2]*t30; /* s*(t27 - C*M)*s*1/J1 */
-    const double t32 = t18*p[8]; /* v_slip*m*R */
-    const double t33 = JLT_FNMA(t24, p[5], t32); /* v_slip*m*R - S*M */
-    const double t34 = t6*p[22]; /* C*I1*M*(I1 - I3) */
-    const double t35 = t10*t34; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*C*I1*M*(I1 - I3) */
-    const double t36 = x[2]*p[23]; /* s*m*R^2*I1*(I1 - I3) */
-    const double t37 = JLT_FNMA(t11, t36, t35); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*C*I1*M*(I1 - I3) - t11*s*m*R^2*I1*(I1 - I3) */
-    const double t38 = t21*t37; /* R/(I1^2*J1)*s*1/v_slip*t37 */
-    const double t39 = JLT_FMS(p[21], t33, t38); /* 2/J1*(v_slip*m*R - S*M) - R/(I1^2*J1)*s*1/v_slip*t37 */
-    const double t40 = x[2]*t39; /* s*(2/J1*(v_slip*m*R - S*M) - R/(I1^2*J1)*s*1/v_slip*t37) */
-    const double t41 = t6*p[16]; /* C*I3*M */
-    const double t42 = t5*t41; /* 1/Theta*C*I3*M */
-    const double t43 = x[0]*t5; /* gamma3*1/Theta */
-    const double t44 = x[2]*p[15]; /* s*G*J3/R */
-    const double t45 = JLT_FMA(x[0], t41, t44); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t46 = t5*t45; /* 1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t47 = p[24]*t43; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t48 = JLT_FNMA(t46, t47, t42); /* 1/Theta*C*I3*M - 1/Theta*(gamma3*C*I3*M + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    const double t49 = t43*p[25]; /* gamma3*1/Theta*(-I3*M) */
-    const double t50 = t24*t49; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t51 = JLT_FNMA(x[2], t46, p[27]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t52 = t5*p[26]; /* 1/Theta*2*m*R^2*I1 */
-    const double t53 = t51*t52; /* (1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*C*I3*M + s*G*J3/R))*1/Theta*2*m*R^2*I1 */
-    const double t54 = t29*t33; /* s*1/J1*(v_slip*m*R - S*M) */
-    const double t55 = JLT_FMA(x[0], t22, t54); /* gamma3*t14*R/(I1^2*J1)*s*1/v_slip + s*1/J1*(v_slip*m*R - S*M) */
-    const double t56 = -t55; /* -t55 */
-    const double t57 = x[0]*t30; /* gamma3*(t27 - C*M)*s*1/J1 */
-    const double t58 = -t57; /* -gamma3*(t27 - C*M)*s*1/J1 */
-    const double t59 = JLT_FMS(p[7], t33, t38); /* 1/J1*(v_slip*m*R - S*M) - R/(I1^2*J1)*s*1/v_slip*t37 */
-    const double t60 = x[0]*t59; /* gamma3*(1/J1*(v_slip*m*R - S*M) - R/(I1^2*J1)*s*1/v_slip*t37) */
-    const double t61 = -t60; /* -t60 */
-    out[0] = t23;
-    out[1] = t31;
-    out[2] = t40;
-    out[3] = t48;
-    out[4] = t50;
-    out[5] = t53;
-    out[6] = t56;
-    out[7] = t58;
-    out[8] = t61;
+    const double t0 = x[2]*x[2]; /* s*s */
+    const double t1 = x[0]*p[3]; /* gamma3*I3 */
+    const double t2 = JLT_FMA(p[2], t0, p[19]); /* I1*s*s + I1*I3/(m*R^2) */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta scaled = gamma3*gamma3*I3 + I1*s*s + I1*I3/(m*R^2) */
+    const double t4 = 1.0/t3; /* 1/Theta scaled */
+    const double t5 = cos(x[1]); /* C = cos(psi) */
+    const double t6 = x[2]*p[13]; /* s*I1*M */
+    const double t7 = t5*t6; /* C*s*I1*M */
+    const double t8 = JLT_FNMA(x[0], p[14], t7); /* C*s*I1*M - gamma3*G*J1/R */
+    const double t9 = t4*t8; /* 1/Theta scaled*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t10 = t9*t9; /* 1/Theta scaled*(C*s*I1*M - gamma3*G*J1/R)*1/Theta scaled*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t11 = p[18]*x[0]; /* I3*(I1 - I3)/(m*R^2)*gamma3 */
+    const double t12 = t10*t11; /* t10*I3*(I1 - I3)/(m*R^2)*gamma3 */
+    const double t13 = JLT_FMA(t9, p[20], t12); /* 1/Theta scaled*(C*s*I1*M - gamma3*G*J1/R)*G*J1*(I1 - I3)/(m*R^3) + t10*I3*(I1 - I3)/(m*R^2)*gamma3 */
+    const double t14 = t8*p[22]; /* (C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)/(m*R^2) */
+    const double t15 = JLT_FNMA(t9, t14, p[6]); /* F0 - 1/Theta scaled*(C*s*I1*M - gamma3*G*J1/R)*(C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)/(m*R^2) */
+    const double t16 = p[8]*t15; /* 1/(m*I1^2)*t15 */
+    const double t17 = sqrt(t16); /* v_slip = sqrt(1/(m*I1^2)*t15) */
+    const double t18 = x[2]/t17; /* s/v_slip */
+    const double t19 = p[21]*t18; /* R/(I1^2*J1)*s/v_slip */
+    const double t20 = t13*t19; /* t13*R/(I1^2*J1)*s/v_slip */
+    const double t21 = x[2]*t20; /* s*t13*R/(I1^2*J1)*s/v_slip */
+    const double t22 = sin(x[1]); /* S = sin(psi) */
+    const double t23 = p[24]*t22; /* M*(I1 - I3)/(m*R*I1)*S */
+    const double t24 = t9*t23; /* 1/Theta scaled*(C*s*I1*M - gamma3*G*J1/R)*M*(I1 - I3)/(m*R*I1)*S */
+    const double t25 = t18*t24; /* s/v_slip*t24 */
+    const double t26 = JLT_FNMA(t5, p[5], t25); /* s/v_slip*t24 - C*M */
+    const double t27 = p[23]*t26; /* 1/J1*(s/v_slip*t24 - C*M) */
+    const double t28 = t0*t27; /* s*s*1/J1*(s/v_slip*t24 - C*M) */
+    const double t29 = JLT_FNMA(t22, p[15], t17); /* v_slip - S*M/(m*R) */
+    const double t30 = t5*p[26]; /* C*I1*M*(I1 - I3)/(m*R^2) */
+    const double t31 = t9*t30; /* 1/Theta scaled*(C*s*I1*M - gamma3*G*J1/R)*C*I1*M*(I1 - I3)/(m*R^2) */
+    const double t32 = x[2]*p[27]; /* s*I1*(I1 - I3)/(m*R^2) */
+    const double t33 = JLT_FNMA(t10, t32, t31); /* t31 - t10*s*I1*(I1 - I3)/(m*R^2) */
+    const double t34 = t19*t33; /* R/(I1^2*J1)*s/v_slip*(t31 - t10*s*I1*(I1 - I3)/(m*R^2)) */
+    const double t35 = JLT_FMS(p[25], t29, t34); /* 2*m*R/J1*(v_slip - S*M/(m*R)) - R/(I1^2*J1)*s/v_slip*(t31 - t10*s*I1*(I1 - I3)/(m*R^2)) */
+    const double t36 = x[2]*t35; /* s*t35 */
+    const double t37 = t4*p[28]; /* 1/Theta scaled*I3*M/(m*R^2) */
+    const double t38 = t5*t37; /* C*1/Theta scaled*I3*M/(m*R^2) */
+    const double t39 = x[0]*t4; /* gamma3*1/Theta scaled */
+    const double t40 = x[2]*p[16]; /* s*G*J3/R */
+    const double t41 = x[0]*p[17]; /* gamma3*I3*M */
+    const double t42 = JLT_FMA(t5, t41, t40); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t43 = t4*t42; /* 1/Theta scaled*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t44 = p[29]*t39; /* 2*I3/(m*R^2)*gamma3*1/Theta scaled */
+    const double t45 = JLT_FNMA(t43, t44, t38); /* C*1/Theta scaled*I3*M/(m*R^2) - 1/Theta scaled*(C*gamma3*I3*M + s*G*J3/R)*2*I3/(m*R^2)*gamma3*1/Theta scaled */
+    const double t46 = t39*p[30]; /* gamma3*1/Theta scaled*(-I3*M/(m*R^2)) */
+    const double t47 = t22*t46; /* S*gamma3*1/Theta scaled*(-I3*M/(m*R^2)) */
+    const double t48 = JLT_FNMA(x[2], t43, p[32]); /* 1/2*G*J3/(R*I1) - s*1/Theta scaled*(C*gamma3*I3*M + s*G*J3/R) */
+    const double t49 = t4*p[31]; /* 1/Theta scaled*2*I1/(m*R^2) */
+    const double t50 = t48*t49; /* t48*1/Theta scaled*2*I1/(m*R^2) */
+    const double t51 = t29*p[7]; /* (v_slip - S*M/(m*R))*m*R/J1 */
+    const double t52 = x[2]*t51; /* s*(v_slip - S*M/(m*R))*m*R/J1 */
+    const double t53 = JLT_FMA(x[0], t20, t52); /* gamma3*t13*R/(I1^2*J1)*s/v_slip + s*(v_slip - S*M/(m*R))*m*R/J1 */
+    const double t54 = -t53; /* -t53 */
+    const double t55 = x[2]*x[0]; /* s*gamma3 */
+    const double t56 = t27*t55; /* 1/J1*(s/v_slip*t24 - C*M)*s*gamma3 */
+    const double t57 = -t56; /* -1/J1*(s/v_slip*t24 - C*M)*s*gamma3 */
+    const double t58 = t34 - t51; /* R/(I1^2*J1)*s/v_slip*(t31 - t10*s*I1*(I1 - I3)/(m*R^2)) - (v_slip - S*M/(m*R))*m*R/J1 */
+    const double t59 = x[0]*t58; /* gamma3*t58 */
+    out[0] = t21;
+    out[1] = t28;
+    out[2] = t36;
+    out[3] = t45;
+    out[4] = t47;
+    out[5] = t50;
+    out[6] = t54;
+    out[7] = t57;
+    out[8] = t59;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -212,79 +247,76 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = x[2]*p[13]; /* s*I1*M */
     const double t2 = t0*t1; /* C*s*I1*M */
     const double t3 = JLT_FNMA(p[14], x[0], t2); /* C*s*I1*M - G*J1/R*gamma3 */
-    const double t4 = x[2]*p[2]; /* s*I1 */
-    const double t5 = x[2]*t4; /* s*s*I1 */
-    const double t6 = x[0]*p[3]; /* gamma3*I3 */
-    const double t7 = JLT_FMA(x[0], t6, t5); /* gamma3*gamma3*I3 + s*s*I1 */
-    const double t8 = JLT_FMA(p[12], t7, p[11]); /* Theta = m*R^2*(gamma3*gamma3*I3 + s*s*I1) + I1*I3 */
-    const double t9 = 1.0/t8; /* 1/Theta */
-    const double t10 = t3*t9; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta */
-    const double t11 = p[10]*t3; /* (I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t12 = JLT_FNMA(t10, t11, p[6]); /* F0 - (C*s*I1*M - G*J1/R*gamma3)*1/Theta*(I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t13 = p[9]*t12; /* 1/(m*I1^2)*t12 */
-    const double t14 = sqrt(t13); /* v_slip = sqrt(1/(m*I1^2)*t12) */
-    const double t15 = p[8]*t14; /* m*R*v_slip */
-    const double t16 = sin(x[1]); /* S = sin(psi) */
-    const double t17 = JLT_FNMA(p[5], t16, t15); /* m*R*v_slip - M*S */
-    const double t18 = x[2]*p[7]; /* s*1/J1 */
-    const double t19 = t17*t18; /* (m*R*v_slip - M*S)*s*1/J1 */
-    const double t20 = x[2]*t19; /* s*(m*R*v_slip - M*S)*s*1/J1 */
-    const double t21 = x[2]*p[15]; /* s*G*J3/R */
-    const double t22 = t0*p[16]; /* C*I3*M */
-    const double t23 = JLT_FMA(x[0], t22, t21); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t24 = t9*t23; /* 1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t25 = x[0]*t19; /* gamma3*(m*R*v_slip - M*S)*s*1/J1 */
-    const double t26 = -t25; /* -gamma3*(m*R*v_slip - M*S)*s*1/J1 */
-    const double t27 = t10*t10; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta */
-    const double t28 = x[0]*p[17]; /* gamma3*m*R^2*I3*(I1 - I3) */
-    const double t29 = t27*t28; /* t27*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t30 = JLT_FMA(t10, p[18], t29); /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*G*J1*(I1 - I3)/R + t27*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t31 = 1.0/t14; /* 1/v_slip */
-    const double t32 = x[2]*t31; /* s*1/v_slip */
-    const double t33 = p[19]*t32; /* R/(I1^2*J1)*s*1/v_slip */
-    const double t34 = t30*t33; /* t30*R/(I1^2*J1)*s*1/v_slip */
-    const double t35 = x[2]*t34; /* s*t30*R/(I1^2*J1)*s*1/v_slip */
-    const double t36 = t16*p[20]; /* S*R*M*(I1 - I3)/I1 */
-    const double t37 = t10*t36; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*S*R*M*(I1 - I3)/I1 */
-    const double t38 = t32*t37; /* s*1/v_slip*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*S*R*M*(I1 - I3)/I1 */
-    const double t39 = JLT_FNMA(t0, p[5], t38); /* t38 - C*M */
-    const double t40 = t18*t39; /* s*1/J1*(t38 - C*M) */
-    const double t41 = x[2]*t40; /* s*s*1/J1*(t38 - C*M) */
-    const double t42 = t0*p[22]; /* C*I1*M*(I1 - I3) */
-    const double t43 = t10*t42; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*C*I1*M*(I1 - I3) */
-    const double t44 = x[2]*p[23]; /* s*m*R^2*I1*(I1 - I3) */
-    const double t45 = JLT_FNMA(t27, t44, t43); /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*C*I1*M*(I1 - I3) - t27*s*m*R^2*I1*(I1 - I3) */
-    const double t46 = t33*t45; /* R/(I1^2*J1)*s*1/v_slip*t45 */
-    const double t47 = JLT_FMS(t17, p[21], t46); /* (m*R*v_slip - M*S)*2/J1 - R/(I1^2*J1)*s*1/v_slip*t45 */
-    const double t48 = x[2]*t47; /* s*((m*R*v_slip - M*S)*2/J1 - R/(I1^2*J1)*s*1/v_slip*t45) */
-    const double t49 = t9*t22; /* 1/Theta*C*I3*M */
-    const double t50 = x[0]*t9; /* gamma3*1/Theta */
-    const double t51 = p[24]*t50; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t52 = JLT_FNMA(t24, t51, t49); /* 1/Theta*C*I3*M - 1/Theta*(gamma3*C*I3*M + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    const double t53 = t50*p[25]; /* gamma3*1/Theta*(-I3*M) */
-    const double t54 = t16*t53; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t55 = JLT_FNMA(x[2], t24, p[27]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t56 = t9*p[26]; /* 1/Theta*2*m*R^2*I1 */
-    const double t57 = t55*t56; /* (1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*C*I3*M + s*G*J3/R))*1/Theta*2*m*R^2*I1 */
-    const double t58 = JLT_FMA(x[0], t34, t19); /* gamma3*t30*R/(I1^2*J1)*s*1/v_slip + (m*R*v_slip - M*S)*s*1/J1 */
-    const double t59 = -t58; /* -t58 */
-    const double t60 = x[0]*t40; /* gamma3*s*1/J1*(t38 - C*M) */
-    const double t61 = -t60; /* -gamma3*s*1/J1*(t38 - C*M) */
-    const double t62 = JLT_FMS(t17, p[7], t46); /* (m*R*v_slip - M*S)*1/J1 - R/(I1^2*J1)*s*1/v_slip*t45 */
-    const double t63 = x[0]*t62; /* gamma3*((m*R*v_slip - M*S)*1/J1 - R/(I1^2*J1)*s*1/v_slip*t45) */
-    const double t64 = -t63; /* -t63 */
-    out[0] = t20;
-    out[1] = t24;
-    out[2] = t26;
-    out[3] = t35;
-    out[4] = t41;
-    out[5] = t48;
-    out[6] = t52;
-    out[7] = t54;
-    out[8] = t57;
-    out[9] = t59;
-    out[10] = t61;
-    out[11] = t64;
+    const double t4 = x[2]*x[2]; /* s*s */
+    const double t5 = x[0]*p[12]; /* gamma3*I3/I1 */
+    const double t6 = JLT_FMA(x[0], t5, t4); /* gamma3*gamma3*I3/I1 + s*s */
+    const double t7 = JLT_FMA(p[11], t6, p[10]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s*s) + I1*I3 */
+    const double t8 = 1.0/t7; /* 1/Theta */
+    const double t9 = t3*t8; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta */
+    const double t10 = p[9]*t3; /* (I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t11 = JLT_FNMA(t9, t10, p[6]); /* F0 - (C*s*I1*M - G*J1/R*gamma3)*1/Theta*(I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t12 = p[8]*t11; /* 1/(m*I1^2)*t11 */
+    const double t13 = sqrt(t12); /* v_slip = sqrt(1/(m*I1^2)*t11) */
+    const double t14 = sin(x[1]); /* S = sin(psi) */
+    const double t15 = JLT_FNMA(p[15], t14, t13); /* v_slip - M/(m*R)*S */
+    const double t16 = p[7]*t15; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t17 = x[2]*t16; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t18 = x[2]*t17; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t19 = x[2]*p[16]; /* s*G*J3/R */
+    const double t20 = t0*p[17]; /* C*I3*M */
+    const double t21 = JLT_FMA(x[0], t20, t19); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t22 = t8*t21; /* 1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
+    const double t23 = x[0]*t17; /* gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t24 = -t23; /* -gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t25 = t9*t9; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta */
+    const double t26 = x[0]*p[33]; /* gamma3*m*R^2*I3*(I1 - I3) */
+    const double t27 = t25*t26; /* t25*gamma3*m*R^2*I3*(I1 - I3) */
+    const double t28 = JLT_FMA(t9, p[34], t27); /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*G*J1*(I1 - I3)/R + t25*gamma3*m*R^2*I3*(I1 - I3) */
+    const double t29 = x[2]/t13; /* s/v_slip */
+    const double t30 = p[21]*t29; /* R/(I1^2*J1)*s/v_slip */
+    const double t31 = t28*t30; /* t28*R/(I1^2*J1)*s/v_slip */
+    const double t32 = x[2]*t31; /* s*t28*R/(I1^2*J1)*s/v_slip */
+    const double t33 = t14*p[35]; /* S*R*M*(I1 - I3)/I1 */
+    const double t34 = t9*t33; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*S*R*M*(I1 - I3)/I1 */
+    const double t35 = t29*t34; /* s/v_slip*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*S*R*M*(I1 - I3)/I1 */
+    const double t36 = JLT_FNMA(t0, p[5], t35); /* t35 - C*M */
+    const double t37 = x[2]*p[23]; /* s*1/J1 */
+    const double t38 = t36*t37; /* (t35 - C*M)*s*1/J1 */
+    const double t39 = x[2]*t38; /* s*(t35 - C*M)*s*1/J1 */
+    const double t40 = t0*p[36]; /* C*I1*M*(I1 - I3) */
+    const double t41 = t9*t40; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*C*I1*M*(I1 - I3) */
+    const double t42 = x[2]*p[37]; /* s*m*R^2*I1*(I1 - I3) */
+    const double t43 = JLT_FNMA(t25, t42, t41); /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*C*I1*M*(I1 - I3) - t25*s*m*R^2*I1*(I1 - I3) */
+    const double t44 = t30*t43; /* R/(I1^2*J1)*s/v_slip*t43 */
+    const double t45 = JLT_FMS(t15, p[25], t44); /* (v_slip - M/(m*R)*S)*2*m*R/J1 - R/(I1^2*J1)*s/v_slip*t43 */
+    const double t46 = x[2]*t45; /* s*((v_slip - M/(m*R)*S)*2*m*R/J1 - R/(I1^2*J1)*s/v_slip*t43) */
+    const double t47 = t8*t20; /* 1/Theta*C*I3*M */
+    const double t48 = x[0]*t8; /* gamma3*1/Theta */
+    const double t49 = p[38]*t48; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t50 = JLT_FNMA(t22, t49, t47); /* 1/Theta*C*I3*M - 1/Theta*(gamma3*C*I3*M + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    const double t51 = t48*p[39]; /* gamma3*1/Theta*(-I3*M) */
+    const double t52 = t14*t51; /* S*gamma3*1/Theta*(-I3*M) */
+    const double t53 = JLT_FNMA(x[2], t22, p[41]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
+    const double t54 = t8*p[40]; /* 1/Theta*2*m*R^2*I1 */
+    const double t55 = t53*t54; /* (1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*C*I3*M + s*G*J3/R))*1/Theta*2*m*R^2*I1 */
+    const double t56 = JLT_FMA(x[0], t31, t17); /* gamma3*t28*R/(I1^2*J1)*s/v_slip + s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t57 = -t56; /* -t56 */
+    const double t58 = x[0]*t38; /* gamma3*(t35 - C*M)*s*1/J1 */
+    const double t59 = -t58; /* -gamma3*(t35 - C*M)*s*1/J1 */
+    const double t60 = t44 - t16; /* R/(I1^2*J1)*s/v_slip*t43 - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t61 = x[0]*t60; /* gamma3*(R/(I1^2*J1)*s/v_slip*t43 - m*R/J1*(v_slip - M/(m*R)*S)) */
+    out[0] = t18;
+    out[1] = t22;
+    out[2] = t24;
+    out[3] = t32;
+    out[4] = t39;
+    out[5] = t46;
+    out[6] = t50;
+    out[7] = t52;
+    out[8] = t55;
+    out[9] = t57;
+    out[10] = t59;
+    out[11] = t61;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -294,38 +326,35 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t2 = t0*t1; /* C*s*I1*M */
     const double t3 = JLT_FNMA(p[14], x[0], t2); /* C*s*I1*M - G*J1/R*gamma3 */
     const double t4 = x[2]*p[2]; /* s*I1 */
-    const double t5 = x[2]*t4; /* s*s*I1 */
-    const double t6 = x[0]*p[3]; /* gamma3*I3 */
-    const double t7 = JLT_FMA(x[0], t6, t5); /* gamma3*gamma3*I3 + s*s*I1 */
-    const double t8 = JLT_FMA(p[12], t7, p[11]); /* Theta = m*R^2*(gamma3*gamma3*I3 + s*s*I1) + I1*I3 */
-    const double t9 = 1.0/t8; /* 1/Theta */
-    const double t10 = t3*t9; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta */
-    const double t11 = p[10]*t3; /* (I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t12 = JLT_FNMA(t10, t11, p[6]); /* F0 - (C*s*I1*M - G*J1/R*gamma3)*1/Theta*(I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t13 = p[9]*t12; /* 1/(m*I1^2)*t12 */
-    const double t14 = sqrt(t13); /* v_slip = sqrt(1/(m*I1^2)*t12) */
-    const double t15 = 1.0/t14; /* 1/v_slip */
-    const double t16 = t10*t10; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta */
-    const double t17 = x[0]*p[17]; /* gamma3*m*R^2*I3*(I1 - I3) */
-    const double t18 = t16*t17; /* t16*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t19 = JLT_FMA(t10, p[18], t18); /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*G*J1*(I1 - I3)/R + t16*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t20 = x[2]*t19; /* s*t19 */
-    const double t21 = t0*p[22]; /* C*I1*M*(I1 - I3) */
-    const double t22 = t10*t21; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*C*I1*M*(I1 - I3) */
-    const double t23 = x[2]*p[23]; /* s*m*R^2*I1*(I1 - I3) */
-    const double t24 = JLT_FNMA(t16, t23, t22); /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*C*I1*M*(I1 - I3) - t16*s*m*R^2*I1*(I1 - I3) */
-    const double t25 = JLT_FMA(x[0], t24, t20); /* gamma3*t24 + s*t19 */
-    const double t26 = p[19]*x[2]; /* R/(I1^2*J1)*s */
-    const double t27 = t25*t26; /* (gamma3*t24 + s*t19)*R/(I1^2*J1)*s */
-    const double t28 = t15*t27; /* 1/v_slip*(gamma3*t24 + s*t19)*R/(I1^2*J1)*s */
-    const double t29 = sin(x[1]); /* S = sin(psi) */
-    const double t30 = t9*p[16]; /* 1/Theta*I3*M */
-    const double t31 = t29*t30; /* S*1/Theta*I3*M */
-    const double t32 = t14*p[8]; /* v_slip*m*R */
-    const double t33 = JLT_FNMA(t29, p[5], t32); /* v_slip*m*R - S*M */
-    const double t34 = JLT_FMA(p[7], t33, t31); /* 1/J1*(v_slip*m*R - S*M) + S*1/Theta*I3*M */
-    const double t35 = JLT_FNMA(x[0], t34, t28); /* 1/v_slip*(gamma3*t24 + s*t19)*R/(I1^2*J1)*s - gamma3*(1/J1*(v_slip*m*R - S*M) + S*1/Theta*I3*M) */
-    out[0] = t35;
+    const double t5 = x[0]*p[3]; /* gamma3*I3 */
+    const double t6 = JLT_FMA(x[2], t4, p[19]); /* s*s*I1 + I1*I3/(m*R^2) */
+    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta scaled = gamma3*gamma3*I3 + s*s*I1 + I1*I3/(m*R^2) */
+    const double t8 = 1.0/t7; /* 1/Theta scaled */
+    const double t9 = t3*t8; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled */
+    const double t10 = p[22]*t3; /* (I1 - I3)/(m*R^2)*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t11 = JLT_FNMA(t9, t10, p[6]); /* F0 - (C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled*(I1 - I3)/(m*R^2)*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t12 = p[8]*t11; /* 1/(m*I1^2)*t11 */
+    const double t13 = sqrt(t12); /* v_slip = sqrt(1/(m*I1^2)*t11) */
+    const double t14 = t9*t9; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled*(C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled */
+    const double t15 = x[0]*p[18]; /* gamma3*I3*(I1 - I3)/(m*R^2) */
+    const double t16 = t14*t15; /* t14*gamma3*I3*(I1 - I3)/(m*R^2) */
+    const double t17 = JLT_FMA(t9, p[20], t16); /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled*G*J1*(I1 - I3)/(m*R^3) + t14*gamma3*I3*(I1 - I3)/(m*R^2) */
+    const double t18 = x[2]*t17; /* s*t17 */
+    const double t19 = t0*p[26]; /* C*I1*M*(I1 - I3)/(m*R^2) */
+    const double t20 = t9*t19; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled*C*I1*M*(I1 - I3)/(m*R^2) */
+    const double t21 = x[2]*p[27]; /* s*I1*(I1 - I3)/(m*R^2) */
+    const double t22 = JLT_FNMA(t14, t21, t20); /* t20 - t14*s*I1*(I1 - I3)/(m*R^2) */
+    const double t23 = JLT_FMA(x[0], t22, t18); /* gamma3*(t20 - t14*s*I1*(I1 - I3)/(m*R^2)) + s*t17 */
+    const double t24 = p[21]*x[2]; /* R/(I1^2*J1)*s */
+    const double t25 = t23*t24; /* (gamma3*(t20 - t14*s*I1*(I1 - I3)/(m*R^2)) + s*t17)*R/(I1^2*J1)*s */
+    const double t26 = t25/t13; /* t25/v_slip */
+    const double t27 = sin(x[1]); /* S = sin(psi) */
+    const double t28 = t8*p[28]; /* 1/Theta scaled*I3*M/(m*R^2) */
+    const double t29 = t27*t28; /* S*1/Theta scaled*I3*M/(m*R^2) */
+    const double t30 = JLT_FNMA(t27, p[15], t13); /* v_slip - S*M/(m*R) */
+    const double t31 = JLT_FMA(p[7], t30, t29); /* m*R/J1*(v_slip - S*M/(m*R)) + S*1/Theta scaled*I3*M/(m*R^2) */
+    const double t32 = JLT_FNMA(x[0], t31, t26); /* t25/v_slip - gamma3*(m*R/J1*(v_slip - S*M/(m*R)) + S*1/Theta scaled*I3*M/(m*R^2)) */
+    out[0] = t32;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -342,69 +371,65 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x2[JLT_JET_ORDER_MAX + 1];
     double t1[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
-    double t15[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
-    double t20[JLT_JET_ORDER_MAX + 1];
-    double u20[JLT_JET_ORDER_MAX + 1];
+    double u17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
+    double u28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
-    double t32[JLT_JET_ORDER_MAX + 1];
-    double u32[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
-    double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
-    double t41[JLT_JET_ORDER_MAX + 1];
-    double t42[JLT_JET_ORDER_MAX + 1];
-    double t43[JLT_JET_ORDER_MAX + 1];
-    double t44[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = 0;
     for (unsigned k = 0; k < order; k++) {
         t1[k] = jlt_jet_product(x2, x2, k);
-        t10[k] = t1[k]*p[2];
-        t13[k] = p[3]*x0[k];
-        t14[k] = jlt_jet_product(x0, t13, k) + t10[k];
-        t15[k] = p[12]*t14[k] + (k == 0 ? p[11] : 0);
-        t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t15, t17, k);
-        t20[k] = jlt_jet_cosine(x1, t20, u20, k);
-        t21[k] = x2[k]*p[13];
-        t22[k] = jlt_jet_product(t20, t21, k);
-        t24[k] = t22[k] - x0[k]*p[14];
-        t25[k] = p[10]*t17[k];
-        t26[k] = jlt_jet_product(t24, t25, k);
-        t27[k] = (k == 0 ? p[6] : 0) - jlt_jet_product(t24, t26, k);
-        t28[k] = p[9]*t27[k];
-        t29[k] = jlt_jet_root(t28[k], t29, k);
-        t30[k] = p[8]*t29[k];
-        t32[k] = jlt_jet_sine(x1, t32, u32, k);
-        t33[k] = t30[k] - p[5]*t32[k];
-        t34[k] = p[7]*t33[k];
-        t35[k] = jlt_jet_product(t1, t34, k);
-        t37[k] = x2[k]*p[15];
-        t39[k] = x0[k]*p[16];
-        t40[k] = jlt_jet_product(t20, t39, k) + t37[k];
-        t41[k] = jlt_jet_product(t17, t40, k);
-        t42[k] = jlt_jet_product(x2, x0, k);
-        t43[k] = jlt_jet_product(t34, t42, k);
-        t44[k] = -t43[k];
+        t10[k] = p[12]*x0[k];
+        t11[k] = jlt_jet_product(x0, t10, k) + t1[k];
+        t12[k] = p[11]*t11[k] + (k == 0 ? p[10] : 0);
+        t14[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t12, t14, k);
+        t17[k] = jlt_jet_cosine(x1, t17, u17, k);
+        t18[k] = x2[k]*p[13];
+        t19[k] = jlt_jet_product(t17, t18, k);
+        t21[k] = t19[k] - x0[k]*p[14];
+        t22[k] = p[9]*t14[k];
+        t23[k] = jlt_jet_product(t21, t22, k);
+        t24[k] = (k == 0 ? p[6] : 0) - jlt_jet_product(t21, t23, k);
+        t25[k] = p[8]*t24[k];
+        t26[k] = jlt_jet_root(t25[k], t26, k);
+        t28[k] = jlt_jet_sine(x1, t28, u28, k);
+        t29[k] = t26[k] - p[15]*t28[k];
+        t30[k] = p[7]*t29[k];
+        t31[k] = jlt_jet_product(t1, t30, k);
+        t33[k] = x2[k]*p[16];
+        t35[k] = x0[k]*p[17];
+        t36[k] = jlt_jet_product(t17, t35, k) + t33[k];
+        t37[k] = jlt_jet_product(t14, t36, k);
+        t38[k] = jlt_jet_product(x2, x0, k);
+        t39[k] = jlt_jet_product(t30, t38, k);
+        t40[k] = -t39[k];
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t35[k]/(k + 1);
-        next[1] = x1[k + 1] = t41[k]/(k + 1);
-        next[2] = x2[k + 1] = t44[k]/(k + 1);
+        next[0] = x0[k + 1] = t31[k]/(k + 1);
+        next[1] = x1[k + 1] = t37[k]/(k + 1);
+        next[2] = x2[k + 1] = t40[k]/(k + 1);
         next[3] = x2[k]/(k + 1);
     }
 }
@@ -462,17 +487,17 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
     .sha256 = "a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_plane,
-    .state_count = 3, .param_count = 7, .block_count = 28,
+    .state_count = 3, .param_count = 7, .block_count = 42,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 3, { 1, 16, 6, 1, 1, 2, 15, 6 }, { 11, 36, 0, 7, 1, 2, 17, 9 },
+    .rhs = { rhs, 3, { 1, 14, 6, 1, 1, 2, 13, 6 }, { 11, 36, 0, 7, 1, 2, 17, 9 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 9, { 3, 40, 14, 2, 1, 2, 16, 12 }, { 46, 207, 0, 39, 1, 2, 18, 14 },
+    .jacobian = { jacobian, 9, { 3, 39, 13, 2, 1, 2, 14, 12 }, { 46, 207, 0, 39, 1, 2, 18, 14 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 4, 42, 14, 2, 1, 2, 16, 15 }, { 50, 222, 0, 43, 1, 2, 18, 15 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 4, 40, 13, 2, 1, 2, 14, 15 }, { 50, 222, 0, 43, 1, 2, 18, 15 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 0, 21, 10, 2, 1, 2, 14, 8 }, { 20, 82, 0, 15, 1, 2, 17, 12 },
+    .divergence = { divergence, 1, { 0, 18, 10, 2, 1, 2, 13, 7 }, { 20, 82, 0, 15, 1, 2, 17, 12 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },

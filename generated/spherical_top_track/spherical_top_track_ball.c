@@ -665,14 +665,14 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     (void)prec;
     arb_set_si(t + 0, 0);
     arb_set_si(t + 1, 1);
-    arb_mul(t + 4, params + 0, params + 2, prec);
-    arb_mul(t + 6, t + 4, params + 3, prec);
-    arb_mul(t + 7, params + 3, params + 3, prec);
-    arb_mul(t + 8, params + 0, t + 7, prec);
-    arb_mul(t + 10, t + 8, x + 0, prec);
-    arb_mul(t + 12, x + 2, x + 2, prec);
-    arb_mul(t + 13, t + 10, t + 12, prec);
-    arb_sub(t + 14, t + 6, t + 13, prec);
+    arb_mul(t + 4, params + 3, params + 3, prec);
+    arb_mul(t + 5, params + 0, t + 4, prec);
+    arb_mul(t + 7, t + 5, x + 0, prec);
+    arb_mul(t + 9, x + 2, x + 2, prec);
+    arb_mul(t + 10, t + 7, t + 9, prec);
+    arb_mul(t + 12, params + 0, params + 2, prec);
+    arb_mul(t + 13, params + 3, t + 12, prec);
+    arb_sub(t + 14, t + 13, t + 10, prec);
     arb_mul(t + 17, x + 0, params + 1, prec);
     arb_add(t + 18, params + 3, t + 17, prec); /* b */
     arb_mul(t + 19, x + 3, t + 18, prec);
@@ -691,7 +691,7 @@ static void general_integral_gradients(arb_ptr out, arb_srcptr x, arb_srcptr par
     arb_add(t + 33, t + 14, t + 32, prec);
     arb_mul(t + 35, params + 0, x + 1, prec);
     arb_mul(t + 37, t + 24, t + 24, prec);
-    arb_mul(t + 38, t + 8, t + 37, prec);
+    arb_mul(t + 38, t + 5, t + 37, prec);
     arb_add(t + 39, params + 4, t + 38, prec); /* D */
     arb_mul(t + 40, x + 2, t + 39, prec);
     arb_mul(t + 41, x + 3, params + 4, prec);
