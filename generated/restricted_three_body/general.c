@@ -6,11 +6,11 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3   10    7    1    2    0     10    7   (40)
- *  jacobian            2   20   11    1    2    0     12   13   (113)
- *  rhs_jacobian        3   22   14    1    2    0     12   13   (142)
+ *  jacobian            4   18    9    1    2    0     12   11   (113)
+ *  rhs_jacobian        4   20   13    1    2    0     13   12   (142)
  *  divergence          0    0    0    0    0    0      0    0   (0)
- *  integral_values     2    5    7    1    2    0      7    5   (27)
- *  integral_gradients  2   11    7    1    2    0     11    7   (39)
+ *  integral_values     2    3    7    1    2    0      7    5   (27)
+ *  integral_gradients  2   10    7    1    2    0     10    6   (39)
  *  measure_values      0    0    0    0    0    0      0    0   (0)
  *  measure_divergences 0    0    0    0    0    0      0    0   (0)
  *
@@ -63,9 +63,9 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t17 = JLT_FMA(x[3], 2.0, x[0]); /* vy*2 + x */
     const double t18 = JLT_FNMA(t0, t12, t17); /* vy*2 + x - (x + -1 + mu)*mu*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
     const double t19 = JLT_FMA(t1, t16, t18); /* (x + mu)*(-1 + mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2) + t18 */
-    const double t20 = t16 - t12; /* (-1 + mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2) - mu*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
+    const double t20 = t12 - t16; /* mu*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) - (-1 + mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2) */
     const double t21 = JLT_FNMA(x[2], 2.0, x[1]); /* y - vx*2 */
-    const double t22 = JLT_FMA(x[1], t20, t21); /* y*t20 + y - vx*2 */
+    const double t22 = JLT_FNMA(x[1], t20, t21); /* y - vx*2 - y*t20 */
     out[0] = x[2];
     out[1] = x[3];
     out[2] = t19;
@@ -74,42 +74,40 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[0] + x[0]; /* mu + x */
-    const double t1 = x[1]*x[1]; /* y*y */
-    const double t2 = JLT_FMA(t0, t0, t1); /* (mu + x)*(mu + x) + y*y */
-    const double t3 = sqrt(t2); /* r1 = sqrt((mu + x)*(mu + x) + y*y) */
-    const double t4 = x[0] + p[1]; /* x + -1 + mu */
-    const double t5 = JLT_FMA(t4, t4, t1); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
-    const double t6 = sqrt(t5); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
-    const double t7 = t3*t6; /* r1*r2 */
-    const double t8 = 1.0/t7; /* 1/(r1*r2) */
-    const double t9 = t3*t8; /* r1*1/(r1*r2) */
-    const double t10 = t9*t9; /* r1*1/(r1*r2)*r1*1/(r1*r2) */
-    const double t11 = t9*t10; /* r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
-    const double t12 = t6*t8; /* r2*1/(r1*r2) */
-    const double t13 = t12*t12; /* r2*1/(r1*r2)*r2*1/(r1*r2) */
-    const double t14 = t12*t13; /* r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2) */
-    const double t15 = JLT_FNMA(p[0], t11, 1.0); /* 1 - mu*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
-    const double t16 = JLT_FMA(p[1], t14, t15); /* (-1 + mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2) + 1 - mu*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
-    const double t17 = t10*p[2]; /* r1*1/(r1*r2)*r1*1/(r1*r2)*3*mu */
-    const double t18 = t4*t9; /* (x + -1 + mu)*r1*1/(r1*r2) */
-    const double t19 = t10*t18; /* r1*1/(r1*r2)*r1*1/(r1*r2)*(x + -1 + mu)*r1*1/(r1*r2) */
-    const double t20 = t17*t19; /* r1*1/(r1*r2)*r1*1/(r1*r2)*3*mu*r1*1/(r1*r2)*r1*1/(r1*r2)*(x + -1 + mu)*r1*1/(r1*r2) */
-    const double t21 = t13*p[3]; /* r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu) */
-    const double t22 = t0*t21; /* (mu + x)*r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu) */
-    const double t23 = p[0]*t12; /* mu*r2*1/(r1*r2) */
-    const double t24 = JLT_FMA(x[0], t12, t23); /* x*r2*1/(r1*r2) + mu*r2*1/(r1*r2) */
-    const double t25 = t13*t24; /* r2*1/(r1*r2)*r2*1/(r1*r2)*(x*r2*1/(r1*r2) + mu*r2*1/(r1*r2)) */
-    const double t26 = JLT_FMA(t4, t20, t16); /* (x + -1 + mu)*t20 + t16 */
-    const double t27 = JLT_FNMA(t22, t25, t26); /* (x + -1 + mu)*t20 + t16 - (mu + x)*r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*(x*r2*1/(r1*r2) + mu*r2*1/(r1*r2)) */
-    const double t28 = t11*t17; /* r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*3*mu */
-    const double t29 = t4*t28; /* (x + -1 + mu)*t28 */
-    const double t30 = JLT_FNMA(t14, t22, t29); /* (x + -1 + mu)*t28 - r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*(mu + x)*r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu) */
-    const double t31 = x[1]*t30; /* y*t30 */
-    const double t32 = JLT_FNMA(t21, t25, t20); /* t20 - r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*(x*r2*1/(r1*r2) + mu*r2*1/(r1*r2)) */
-    const double t33 = x[1]*t32; /* y*t32 */
-    const double t34 = JLT_FMS(t14, t21, t28); /* r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu) - t28 */
-    const double t35 = JLT_FNMA(t1, t34, t16); /* t16 - y*y*t34 */
+    const double t0 = x[1]*x[1]; /* y*y */
+    const double t1 = p[1] + x[0]; /* -1 + mu + x */
+    const double t2 = JLT_FMA(t1, t1, t0); /* (-1 + mu + x)*(-1 + mu + x) + y*y */
+    const double t3 = sqrt(t2); /* r2 = sqrt((-1 + mu + x)*(-1 + mu + x) + y*y) */
+    const double t4 = x[0] + p[0]; /* x + mu */
+    const double t5 = JLT_FMA(t4, t4, t0); /* (x + mu)*(x + mu) + y*y */
+    const double t6 = sqrt(t5); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
+    const double t7 = t3*t6; /* r2*r1 */
+    const double t8 = 1.0/t7; /* 1/(r2*r1) */
+    const double t9 = t3*t8; /* r2*1/(r2*r1) */
+    const double t10 = t9*t9; /* r2*1/(r2*r1)*r2*1/(r2*r1) */
+    const double t11 = p[1]*t9; /* (-1 + mu)*r2*1/(r2*r1) */
+    const double t12 = t6*t8; /* r1*1/(r2*r1) */
+    const double t13 = t12*t12; /* r1*1/(r2*r1)*r1*1/(r2*r1) */
+    const double t14 = t12*t13; /* r1*1/(r2*r1)*r1*1/(r2*r1)*r1*1/(r2*r1) */
+    const double t15 = JLT_FMA(t10, t11, 1.0); /* r2*1/(r2*r1)*r2*1/(r2*r1)*(-1 + mu)*r2*1/(r2*r1) + 1 */
+    const double t16 = JLT_FNMA(p[0], t14, t15); /* r2*1/(r2*r1)*r2*1/(r2*r1)*(-1 + mu)*r2*1/(r2*r1) + 1 - mu*r1*1/(r2*r1)*r1*1/(r2*r1)*r1*1/(r2*r1) */
+    const double t17 = t13*p[2]; /* r1*1/(r2*r1)*r1*1/(r2*r1)*3*mu */
+    const double t18 = t14*t17; /* r1*1/(r2*r1)*r1*1/(r2*r1)*r1*1/(r2*r1)*r1*1/(r2*r1)*r1*1/(r2*r1)*3*mu */
+    const double t19 = t1*t18; /* (-1 + mu + x)*t18 */
+    const double t20 = p[0]*t9; /* mu*r2*1/(r2*r1) */
+    const double t21 = JLT_FMA(x[0], t9, t20); /* x*r2*1/(r2*r1) + mu*r2*1/(r2*r1) */
+    const double t22 = t10*p[3]; /* r2*1/(r2*r1)*r2*1/(r2*r1)*(-3 + 3*mu) */
+    const double t23 = t10*t22; /* r2*1/(r2*r1)*r2*1/(r2*r1)*r2*1/(r2*r1)*r2*1/(r2*r1)*(-3 + 3*mu) */
+    const double t24 = t21*t23; /* (x*r2*1/(r2*r1) + mu*r2*1/(r2*r1))*t23 */
+    const double t25 = JLT_FMA(t1, t19, t16); /* (-1 + mu + x)*(-1 + mu + x)*t18 + t16 */
+    const double t26 = JLT_FNMA(t4, t24, t25); /* (-1 + mu + x)*(-1 + mu + x)*t18 + t16 - (x + mu)*(x*r2*1/(r2*r1) + mu*r2*1/(r2*r1))*t23 */
+    const double t27 = t9*t23; /* r2*1/(r2*r1)*t23 */
+    const double t28 = JLT_FNMA(t4, t27, t19); /* (-1 + mu + x)*t18 - (x + mu)*r2*1/(r2*r1)*t23 */
+    const double t29 = x[1]*t28; /* y*((-1 + mu + x)*t18 - (x + mu)*r2*1/(r2*r1)*t23) */
+    const double t30 = t19 - t24; /* (-1 + mu + x)*t18 - (x*r2*1/(r2*r1) + mu*r2*1/(r2*r1))*t23 */
+    const double t31 = x[1]*t30; /* y*((-1 + mu + x)*t18 - (x*r2*1/(r2*r1) + mu*r2*1/(r2*r1))*t23) */
+    const double t32 = t18 - t27; /* t18 - r2*1/(r2*r1)*t23 */
+    const double t33 = JLT_FMA(t0, t32, t16); /* y*y*(t18 - r2*1/(r2*r1)*t23) + t16 */
     out[0] = 0.0;
     out[1] = 0.0;
     out[2] = 1.0;
@@ -118,64 +116,62 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[5] = 0.0;
     out[6] = 0.0;
     out[7] = 1.0;
-    out[8] = t27;
-    out[9] = t31;
+    out[8] = t26;
+    out[9] = t29;
     out[10] = 0.0;
     out[11] = 2.0;
-    out[12] = t33;
-    out[13] = t35;
+    out[12] = t31;
+    out[13] = t33;
     out[14] = (-2.0);
     out[15] = 0.0;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0] + p[0]; /* x + mu */
-    const double t1 = x[1]*x[1]; /* y*y */
-    const double t2 = JLT_FMA(t0, t0, t1); /* (x + mu)*(x + mu) + y*y */
-    const double t3 = sqrt(t2); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
-    const double t4 = x[0] + p[1]; /* x + -1 + mu */
-    const double t5 = JLT_FMA(t4, t4, t1); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
+    const double t0 = x[0] + p[1]; /* x + -1 + mu */
+    const double t1 = x[0] + p[0]; /* x + mu */
+    const double t2 = x[1]*x[1]; /* y*y */
+    const double t3 = JLT_FMA(t1, t1, t2); /* (x + mu)*(x + mu) + y*y */
+    const double t4 = sqrt(t3); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
+    const double t5 = JLT_FMA(t0, t0, t2); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
     const double t6 = sqrt(t5); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
-    const double t7 = t3*t6; /* r1*r2 */
+    const double t7 = t4*t6; /* r1*r2 */
     const double t8 = 1.0/t7; /* 1/(r1*r2) */
-    const double t9 = t3*t8; /* r1*1/(r1*r2) */
+    const double t9 = t4*t8; /* r1*1/(r1*r2) */
     const double t10 = t9*t9; /* r1*1/(r1*r2)*r1*1/(r1*r2) */
-    const double t11 = t4*t9; /* (x + -1 + mu)*r1*1/(r1*r2) */
-    const double t12 = p[0]*t10; /* mu*r1*1/(r1*r2)*r1*1/(r1*r2) */
+    const double t11 = t9*t10; /* r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
+    const double t12 = t0*t11; /* (x + -1 + mu)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
     const double t13 = t6*t8; /* r2*1/(r1*r2) */
     const double t14 = t13*t13; /* r2*1/(r1*r2)*r2*1/(r1*r2) */
     const double t15 = t13*t14; /* r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2) */
-    const double t16 = t0*p[1]; /* (x + mu)*(-1 + mu) */
+    const double t16 = p[1]*t15; /* (-1 + mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2) */
     const double t17 = JLT_FMA(x[3], 2.0, x[0]); /* vy*2 + x */
-    const double t18 = JLT_FNMA(t11, t12, t17); /* vy*2 + x - (x + -1 + mu)*r1*1/(r1*r2)*mu*r1*1/(r1*r2)*r1*1/(r1*r2) */
-    const double t19 = JLT_FMA(t15, t16, t18); /* r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*(x + mu)*(-1 + mu) + t18 */
-    const double t20 = t9*t10; /* r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
-    const double t21 = JLT_FNMA(t15, p[4], t20); /* r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) - r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*(-1 + mu)/mu */
-    const double t22 = JLT_FNMA(p[0], t21, 1.0); /* 1 - mu*t21 */
-    const double t23 = x[1]*t22; /* y*(1 - mu*t21) */
-    const double t24 = JLT_FNMA(x[2], 2.0, t23); /* y*(1 - mu*t21) - vx*2 */
-    const double t25 = t10*p[2]; /* r1*1/(r1*r2)*r1*1/(r1*r2)*3*mu */
-    const double t26 = t10*t25; /* r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*3*mu */
-    const double t27 = t11*t26; /* (x + -1 + mu)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*3*mu */
-    const double t28 = p[0]*t13; /* mu*r2*1/(r1*r2) */
-    const double t29 = JLT_FMA(x[0], t13, t28); /* x*r2*1/(r1*r2) + mu*r2*1/(r1*r2) */
-    const double t30 = t14*p[3]; /* r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu) */
-    const double t31 = t14*t29; /* r2*1/(r1*r2)*r2*1/(r1*r2)*(x*r2*1/(r1*r2) + mu*r2*1/(r1*r2)) */
-    const double t32 = t30*t31; /* r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*(x*r2*1/(r1*r2) + mu*r2*1/(r1*r2)) */
-    const double t33 = JLT_FMA(t4, t27, t22); /* (x + -1 + mu)*t27 + 1 - mu*t21 */
-    const double t34 = JLT_FNMA(t0, t32, t33); /* (x + -1 + mu)*t27 + 1 - mu*t21 - (x + mu)*t32 */
-    const double t35 = t15*t30; /* r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu) */
-    const double t36 = JLT_FNMA(t0, t35, t27); /* t27 - (x + mu)*t35 */
-    const double t37 = x[1]*t36; /* y*(t27 - (x + mu)*t35) */
-    const double t38 = t27 - t32; /* t27 - t32 */
-    const double t39 = x[1]*t38; /* y*(t27 - t32) */
-    const double t40 = JLT_FMS(t9, t26, t35); /* r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*3*mu - t35 */
-    const double t41 = JLT_FMA(t1, t40, t22); /* y*y*t40 + 1 - mu*t21 */
+    const double t18 = JLT_FNMA(p[0], t12, t17); /* vy*2 + x - mu*(x + -1 + mu)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
+    const double t19 = JLT_FMA(t1, t16, t18); /* (x + mu)*(-1 + mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2) + t18 */
+    const double t20 = 1.0 + t16; /* 1 + (-1 + mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2) */
+    const double t21 = JLT_FNMA(p[0], t11, t20); /* 1 + (-1 + mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2) - mu*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
+    const double t22 = x[1]*t21; /* y*t21 */
+    const double t23 = JLT_FNMA(x[2], 2.0, t22); /* y*t21 - vx*2 */
+    const double t24 = t10*p[2]; /* r1*1/(r1*r2)*r1*1/(r1*r2)*3*mu */
+    const double t25 = t12*t24; /* (x + -1 + mu)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*3*mu */
+    const double t26 = p[0]*t13; /* mu*r2*1/(r1*r2) */
+    const double t27 = JLT_FMA(x[0], t13, t26); /* x*r2*1/(r1*r2) + mu*r2*1/(r1*r2) */
+    const double t28 = t14*p[3]; /* r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu) */
+    const double t29 = t14*t27; /* r2*1/(r1*r2)*r2*1/(r1*r2)*(x*r2*1/(r1*r2) + mu*r2*1/(r1*r2)) */
+    const double t30 = t28*t29; /* r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu)*r2*1/(r1*r2)*r2*1/(r1*r2)*(x*r2*1/(r1*r2) + mu*r2*1/(r1*r2)) */
+    const double t31 = JLT_FMA(t0, t25, t21); /* (x + -1 + mu)*t25 + t21 */
+    const double t32 = JLT_FNMA(t1, t30, t31); /* (x + -1 + mu)*t25 + t21 - (x + mu)*t30 */
+    const double t33 = t15*t28; /* r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*r2*1/(r1*r2)*(-3 + 3*mu) */
+    const double t34 = JLT_FNMA(t1, t33, t25); /* t25 - (x + mu)*t33 */
+    const double t35 = x[1]*t34; /* y*(t25 - (x + mu)*t33) */
+    const double t36 = t25 - t30; /* t25 - t30 */
+    const double t37 = x[1]*t36; /* y*(t25 - t30) */
+    const double t38 = JLT_FNMA(t11, t24, t33); /* t33 - r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2)*3*mu */
+    const double t39 = JLT_FNMA(t2, t38, t21); /* t21 - y*y*t38 */
     out[0] = x[2];
     out[1] = x[3];
     out[2] = t19;
-    out[3] = t24;
+    out[3] = t23;
     out[4] = 0.0;
     out[5] = 0.0;
     out[6] = 1.0;
@@ -184,12 +180,12 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[9] = 0.0;
     out[10] = 0.0;
     out[11] = 1.0;
-    out[12] = t34;
-    out[13] = t37;
+    out[12] = t32;
+    out[13] = t35;
     out[14] = 0.0;
     out[15] = 2.0;
-    out[16] = t39;
-    out[17] = t41;
+    out[16] = t37;
+    out[17] = t39;
     out[18] = (-2.0);
     out[19] = 0.0;
 }
@@ -204,23 +200,21 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[1]*x[1]; /* y*y */
-    const double t1 = JLT_FMA(x[0], x[0], t0); /* x*x + y*y */
-    const double t2 = JLT_FNMA(x[2], x[2], t1); /* x*x + y*y - vx*vx */
-    const double t3 = JLT_FNMA(x[3], x[3], t2); /* x*x + y*y - vx*vx - vy*vy */
-    const double t4 = (1.0 / 2.0)*t3; /* 1/2*(x*x + y*y - vx*vx - vy*vy) */
-    const double t5 = x[0] + p[0]; /* x + mu */
-    const double t6 = JLT_FMA(t5, t5, t0); /* (x + mu)*(x + mu) + y*y */
-    const double t7 = sqrt(t6); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
-    const double t8 = x[0] + p[1]; /* x + -1 + mu */
-    const double t9 = JLT_FMA(t8, t8, t0); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
-    const double t10 = sqrt(t9); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
-    const double t11 = t7*t10; /* r1*r2 */
-    const double t12 = 1.0/t11; /* 1/(r1*r2) */
-    const double t13 = p[0]*t7; /* mu*r1 */
-    const double t14 = p[1]*t10; /* (-1 + mu)*r2 */
-    const double t15 = JLT_FMS(t12, t14, t4); /* 1/(r1*r2)*(-1 + mu)*r2 - 1/2*(x*x + y*y - vx*vx - vy*vy) */
-    const double t16 = JLT_FNMA(t12, t13, t15); /* 1/(r1*r2)*(-1 + mu)*r2 - 1/2*(x*x + y*y - vx*vx - vy*vy) - 1/(r1*r2)*mu*r1 */
-    out[0] = t16;
+    const double t1 = JLT_FNMA(x[2], x[2], t0); /* y*y - vx*vx */
+    const double t2 = JLT_FNMA(x[3], x[3], t1); /* y*y - vx*vx - vy*vy */
+    const double t3 = JLT_FMA(x[0], x[0], t2); /* x*x + y*y - vx*vx - vy*vy */
+    const double t4 = x[0] + p[1]; /* x + -1 + mu */
+    const double t5 = JLT_FMA(t4, t4, t0); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
+    const double t6 = sqrt(t5); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
+    const double t7 = x[0] + p[0]; /* x + mu */
+    const double t8 = JLT_FMA(t7, t7, t0); /* (x + mu)*(x + mu) + y*y */
+    const double t9 = sqrt(t8); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
+    const double t10 = t6*t9; /* r2*r1 */
+    const double t11 = JLT_FMS(t6, p[4], t9); /* r2*(-1 + mu)/mu - r1 */
+    const double t12 = p[0]*t11; /* mu*(r2*(-1 + mu)/mu - r1) */
+    const double t13 = t12/t10; /* mu*(r2*(-1 + mu)/mu - r1)/(r2*r1) */
+    const double t14 = JLT_FNMA((1.0 / 2.0), t3, t13); /* mu*(r2*(-1 + mu)/mu - r1)/(r2*r1) - 1/2*(x*x + y*y - vx*vx - vy*vy) */
+    out[0] = t14;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
@@ -236,20 +230,19 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t8 = 1.0/t7; /* 1/(r1*r2) */
     const double t9 = t4*t8; /* r1*1/(r1*r2) */
     const double t10 = p[0]*t9; /* mu*r1*1/(r1*r2) */
-    const double t11 = t9*t10; /* r1*1/(r1*r2)*mu*r1*1/(r1*r2) */
-    const double t12 = t0*t9; /* (x + -1 + mu)*r1*1/(r1*r2) */
+    const double t11 = t9*t9; /* r1*1/(r1*r2)*r1*1/(r1*r2) */
+    const double t12 = t10*t11; /* mu*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) */
     const double t13 = t6*t8; /* r2*1/(r1*r2) */
     const double t14 = p[0]*t13; /* mu*r2*1/(r1*r2) */
     const double t15 = JLT_FMA(x[0], t13, t14); /* x*r2*1/(r1*r2) + mu*r2*1/(r1*r2) */
     const double t16 = p[1]*t13; /* (-1 + mu)*r2*1/(r1*r2) */
     const double t17 = t13*t16; /* r2*1/(r1*r2)*(-1 + mu)*r2*1/(r1*r2) */
-    const double t18 = JLT_FMS(t11, t12, x[0]); /* r1*1/(r1*r2)*mu*r1*1/(r1*r2)*(x + -1 + mu)*r1*1/(r1*r2) - x */
-    const double t19 = JLT_FNMA(t15, t17, t18); /* r1*1/(r1*r2)*mu*r1*1/(r1*r2)*(x + -1 + mu)*r1*1/(r1*r2) - x - (x*r2*1/(r1*r2) + mu*r2*1/(r1*r2))*r2*1/(r1*r2)*(-1 + mu)*r2*1/(r1*r2) */
-    const double t20 = t9*t11; /* r1*1/(r1*r2)*r1*1/(r1*r2)*mu*r1*1/(r1*r2) */
-    const double t21 = JLT_FNMA(t13, t17, t20); /* r1*1/(r1*r2)*r1*1/(r1*r2)*mu*r1*1/(r1*r2) - r2*1/(r1*r2)*r2*1/(r1*r2)*(-1 + mu)*r2*1/(r1*r2) */
-    const double t22 = JLT_FMS(x[1], t21, x[1]); /* y*t21 - y */
+    const double t18 = JLT_FMS(t0, t12, x[0]); /* (x + -1 + mu)*mu*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) - x */
+    const double t19 = JLT_FNMA(t15, t17, t18); /* (x + -1 + mu)*mu*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) - x - (x*r2*1/(r1*r2) + mu*r2*1/(r1*r2))*r2*1/(r1*r2)*(-1 + mu)*r2*1/(r1*r2) */
+    const double t20 = JLT_FNMA(t13, t17, t12); /* mu*r1*1/(r1*r2)*r1*1/(r1*r2)*r1*1/(r1*r2) - r2*1/(r1*r2)*r2*1/(r1*r2)*(-1 + mu)*r2*1/(r1*r2) */
+    const double t21 = JLT_FMS(x[1], t20, x[1]); /* y*t20 - y */
     out[0] = t19;
-    out[1] = t22;
+    out[1] = t21;
     out[2] = x[2];
     out[3] = x[3];
 }
@@ -323,9 +316,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t25[k] = x3[k]*2.0 + x0[k];
         t26[k] = t25[k] - jlt_jet_product(t5, t20, k);
         t27[k] = jlt_jet_product(t7, t24, k) + t26[k];
-        t28[k] = t24[k] - t20[k];
+        t28[k] = t20[k] - t24[k];
         t29[k] = x1[k] - x2[k]*2.0;
-        t30[k] = jlt_jet_product(x1, t28, k) + t29[k];
+        t30[k] = t29[k] - jlt_jet_product(x1, t28, k);
         double *restrict next = coefficients + (k + 1)*4;
         next[0] = x0[k + 1] = x2[k]/(k + 1);
         next[1] = x1[k + 1] = x3[k]/(k + 1);
@@ -391,15 +384,15 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 3, 10, 7, 1, 2, 0, 10, 7 }, { 16, 18, 0, 4, 2, 0, 10, 7 },
         "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 2, 20, 11, 1, 2, 0, 12, 13 }, { 33, 56, 0, 22, 2, 0, 14, 8 },
+    .jacobian = { jacobian, 16, { 4, 18, 9, 1, 2, 0, 12, 11 }, { 33, 56, 0, 22, 2, 0, 14, 8 },
         "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 3, 22, 14, 1, 2, 0, 12, 13 }, { 44, 70, 0, 26, 2, 0, 14, 8 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 4, 20, 13, 1, 2, 0, 13, 12 }, { 44, 70, 0, 26, 2, 0, 14, 8 },
         "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
-    .integral_values = { integral_values, 1, { 2, 5, 7, 1, 2, 0, 7, 5 }, { 11, 12, 0, 2, 2, 0, 8, 4 },
+    .integral_values = { integral_values, 1, { 2, 3, 7, 1, 2, 0, 7, 5 }, { 11, 12, 0, 2, 2, 0, 8, 4 },
         "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 4, { 2, 11, 7, 1, 2, 0, 11, 7 }, { 14, 14, 0, 9, 2, 0, 12, 8 },
+    .integral_gradients = { integral_gradients, 4, { 2, 10, 7, 1, 2, 0, 10, 6 }, { 14, 14, 0, 9, 2, 0, 12, 8 },
         "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { measure_values, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
