@@ -7,10 +7,10 @@
  *  Command:    ttc generate --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 1    9    4    1    0    2      5    6   (41)
- *  jacobian            1   22    6    1    0    2      8   10   (100)
- *  rhs_jacobian        3   24    6    1    0    2      8   11   (123)
- *  divergence          1    5    4    1    0    1      9    4   (26)
+ *  rhs                 1    7    4    1    0    2      5    6   (41)
+ *  jacobian            1   22    6    1    0    2      8    9   (100)
+ *  rhs_jacobian        4   23    6    1    0    2      8   11   (123)
+ *  divergence          1    3    4    1    0    1      8    3   (26)
  *  integral_values     0    2    0    0    0    0      2    2   (4)
  *  integral_gradients  0    1    0    0    0    0      1    1   (4)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
@@ -48,96 +48,101 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = params[1]*params[1]; /* R*R */
-    const double t1 = params[0]*t0; /* m*R*R */
-    const double t2 = params[3] + t1; /* J1 = I3 + m*R*R */
-    const double t3 = 1.0/t2; /* 1/J1 */
-    const double t4 = params[0]*params[1]; /* m*R */
-    const double t5 = params[3]*params[3]; /* I3*I3 */
-    const double t6 = params[3]*t1; /* I3*m*R*R */
-    const double t7 = t2*params[4]; /* J1*G */
-    const double t8 = t7/params[1]; /* J1*G/R */
-    const double t9 = params[3]*params[5]; /* I3*M */
-    const double t10 = t4/t2; /* m*R/J1 */
-    const double t11 = params[5]/t2; /* M/J1 */
-    const double t12 = 2.0/t2; /* 2/J1 */
+    const double t0 = params[0]*params[1]; /* m*R */
+    const double t1 = params[1]*params[1]; /* R*R */
+    const double t2 = params[0]*t1; /* m*R*R */
+    const double t3 = params[3] + t2; /* J1 = I3 + m*R*R */
+    const double t4 = t0/t3; /* m*R/J1 */
+    const double t5 = params[5]/t0; /* M/(m*R) */
+    const double t6 = params[3]*params[3]; /* I3*I3 */
+    const double t7 = params[3]*t2; /* I3*m*R*R */
+    const double t8 = t3*params[4]; /* J1*G */
+    const double t9 = t8/params[1]; /* J1*G/R */
+    const double t10 = params[3]*params[5]; /* I3*M */
+    const double t11 = params[5]/t3; /* M/J1 */
+    const double t12 = 2.0/t3; /* 2/J1 */
     const double t13 = params[0]*2.0; /* m*2 */
-    const double t14 = t0*t13; /* R*R*m*2 */
+    const double t14 = t1*t13; /* R*R*m*2 */
     const double t15 = params[3]*t14; /* I3*R*R*m*2 */
-    const double t16 = -t9; /* -I3*M */
-    const double t17 = (-1.0)/t2; /* (-1)/J1 */
-    const double t18 = -t10; /* -m*R/J1 */
-    const double t19 = params[0]*t5; /* m*I3*I3 */
-    const double t20 = t5*t13; /* I3*I3*m*2 */
-    out[6] = t3;
-    out[7] = t4;
-    out[8] = t5;
-    out[9] = t6;
-    out[10] = t8;
-    out[11] = t9;
-    out[12] = t10;
-    out[13] = t11;
-    out[14] = t12;
+    const double t16 = -t10; /* -I3*M */
+    const double t17 = (-1.0)/t3; /* (-1)/J1 */
+    const double t18 = -t4; /* -m*R/J1 */
+    const double t19 = params[1]*t13; /* R*m*2 */
+    const double t20 = t19/t3; /* R*m*2/J1 */
+    const double t21 = t10/t2; /* I3*M/(m*R*R) */
+    const double t22 = t6/t2; /* I3*I3/(m*R*R) */
+    const double t23 = params[0]*t6; /* m*I3*I3 */
+    const double t24 = t6*t13; /* I3*I3*m*2 */
+    out[6] = t4;
+    out[7] = t5;
+    out[8] = t6;
+    out[9] = t7;
+    out[10] = t9;
+    out[11] = t10;
+    out[12] = t11;
+    out[13] = t12;
+    out[14] = t0;
     out[15] = t15;
     out[16] = t16;
     out[17] = t17;
     out[18] = t18;
-    out[19] = t19;
-    out[20] = t20;
+    out[19] = t20;
+    out[20] = t21;
+    out[21] = t22;
+    out[22] = t23;
+    out[23] = t24;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[3]*x[3]; /* s*s */
-    const double t1 = p[7]*x[1]; /* m*R*v_slip */
-    const double t2 = sin(x[2]); /* S = sin(psi) */
-    const double t3 = JLT_FNMA(p[5], t2, t1); /* m*R*v_slip - M*S */
-    const double t4 = p[6]*t3; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t5 = t0*t4; /* s*s*1/J1*(m*R*v_slip - M*S) */
-    const double t6 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t0 = sin(x[2]); /* S = sin(psi) */
+    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
+    const double t2 = x[3]*p[6]; /* s*m*R/J1 */
+    const double t3 = t1*t2; /* (v_slip - M/(m*R)*S)*s*m*R/J1 */
+    const double t4 = x[3]*t3; /* s*(v_slip - M/(m*R)*S)*s*m*R/J1 */
+    const double t5 = x[3]*x[3]; /* s*s */
+    const double t6 = JLT_FMA(x[0], x[0], t5); /* gamma3*gamma3 + s*s */
     const double t7 = JLT_FMA(p[9], t6, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t8 = 1.0/t7; /* 1/Theta */
-    const double t9 = x[3]*p[10]; /* s*G*J3/R */
-    const double t10 = cos(x[2]); /* C = cos(psi) */
-    const double t11 = x[0]*p[11]; /* gamma3*I3*M */
-    const double t12 = JLT_FMA(t10, t11, t9); /* C*gamma3*I3*M + s*G*J3/R */
-    const double t13 = t8*t12; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    const double t14 = x[3]*x[0]; /* s*gamma3 */
-    const double t15 = t4*t14; /* 1/J1*(m*R*v_slip - M*S)*s*gamma3 */
-    const double t16 = -t15; /* -1/J1*(m*R*v_slip - M*S)*s*gamma3 */
-    out[0] = t5;
+    const double t8 = x[3]*p[10]; /* s*G*J3/R */
+    const double t9 = cos(x[2]); /* C = cos(psi) */
+    const double t10 = x[0]*p[11]; /* gamma3*I3*M */
+    const double t11 = JLT_FMA(t9, t10, t8); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t12 = t11/t7; /* (C*gamma3*I3*M + s*G*J3/R)/Theta */
+    const double t13 = t3*x[0]; /* (v_slip - M/(m*R)*S)*s*m*R/J1*gamma3 */
+    const double t14 = -t13; /* -(v_slip - M/(m*R)*S)*s*m*R/J1*gamma3 */
+    out[0] = t4;
     out[1] = 0.0;
-    out[2] = t13;
-    out[3] = t16;
+    out[2] = t12;
+    out[3] = t14;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[3]*x[3]; /* s*s */
-    const double t1 = p[12]*t0; /* m*R/J1*s*s */
+    const double t1 = p[6]*t0; /* m*R/J1*s*s */
     const double t2 = cos(x[2]); /* C = cos(psi) */
-    const double t3 = p[13]*t2; /* M/J1*C */
+    const double t3 = p[12]*t2; /* M/J1*C */
     const double t4 = t0*t3; /* s*s*M/J1*C */
     const double t5 = -t4; /* -s*s*M/J1*C */
-    const double t6 = p[7]*x[1]; /* m*R*v_slip */
+    const double t6 = p[14]*x[1]; /* m*R*v_slip */
     const double t7 = sin(x[2]); /* S = sin(psi) */
     const double t8 = JLT_FNMA(p[5], t7, t6); /* m*R*v_slip - M*S */
     const double t9 = x[3]*t8; /* s*(m*R*v_slip - M*S) */
-    const double t10 = p[14]*t9; /* 2/J1*s*(m*R*v_slip - M*S) */
+    const double t10 = p[13]*t9; /* 2/J1*s*(m*R*v_slip - M*S) */
     const double t11 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
     const double t12 = JLT_FMA(p[9], t11, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
     const double t13 = 1.0/t12; /* 1/Theta */
     const double t14 = t2*p[11]; /* C*I3*M */
     const double t15 = t13*t14; /* 1/Theta*C*I3*M */
-    const double t16 = x[0]*t13; /* gamma3*1/Theta */
-    const double t17 = x[3]*p[10]; /* s*G*J3/R */
-    const double t18 = JLT_FMA(x[0], t14, t17); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t19 = t13*p[15]; /* 1/Theta*2*m*R^2*I3 */
-    const double t20 = t18*t19; /* (gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
-    const double t21 = JLT_FNMA(t16, t20, t15); /* 1/Theta*C*I3*M - gamma3*1/Theta*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
-    const double t22 = t16*p[16]; /* gamma3*1/Theta*(-I3*M) */
+    const double t16 = x[3]*p[10]; /* s*G*J3/R */
+    const double t17 = JLT_FMA(x[0], t14, t16); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t18 = t13*p[15]; /* 1/Theta*2*m*R^2*I3 */
+    const double t19 = t17*t18; /* (gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
+    const double t20 = x[0]*t13; /* gamma3*1/Theta */
+    const double t21 = JLT_FNMA(t19, t20, t15); /* 1/Theta*C*I3*M - (gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3*gamma3*1/Theta */
+    const double t22 = t20*p[16]; /* gamma3*1/Theta*(-I3*M) */
     const double t23 = t7*t22; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t24 = JLT_FNMA(x[3], t20, p[10]); /* G*J3/R - s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
+    const double t24 = JLT_FNMA(x[3], t19, p[10]); /* G*J3/R - s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
     const double t25 = t13*t24; /* 1/Theta*(G*J3/R - s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3) */
     const double t26 = t9*p[17]; /* s*(m*R*v_slip - M*S)*(-1/J1) */
     const double t27 = x[3]*x[0]; /* s*gamma3 */
@@ -165,49 +170,49 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[7]*x[1]; /* m*R*v_slip */
+    const double t0 = x[3]*x[3]; /* s*s */
     const double t1 = sin(x[2]); /* S = sin(psi) */
-    const double t2 = JLT_FNMA(p[5], t1, t0); /* m*R*v_slip - M*S */
-    const double t3 = x[3]*t2; /* s*(m*R*v_slip - M*S) */
-    const double t4 = p[6]*t3; /* 1/J1*s*(m*R*v_slip - M*S) */
-    const double t5 = x[3]*t4; /* s*1/J1*s*(m*R*v_slip - M*S) */
-    const double t6 = x[3]*x[3]; /* s*s */
-    const double t7 = JLT_FMA(x[0], x[0], t6); /* gamma3*gamma3 + s*s */
-    const double t8 = JLT_FMA(p[9], t7, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t9 = 1.0/t8; /* 1/Theta */
-    const double t10 = x[3]*p[10]; /* s*G*J3/R */
-    const double t11 = cos(x[2]); /* C = cos(psi) */
-    const double t12 = p[11]*t11; /* I3*M*C */
-    const double t13 = JLT_FMA(x[0], t12, t10); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t14 = t9*t13; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t15 = t4*x[0]; /* 1/J1*s*(m*R*v_slip - M*S)*gamma3 */
-    const double t16 = -t15; /* -1/J1*s*(m*R*v_slip - M*S)*gamma3 */
-    const double t17 = t6*p[12]; /* s*s*m*R/J1 */
-    const double t18 = t11*p[13]; /* C*M/J1 */
-    const double t19 = t6*t18; /* s*s*C*M/J1 */
-    const double t20 = -t19; /* -s*s*C*M/J1 */
-    const double t21 = t3*p[14]; /* s*(m*R*v_slip - M*S)*2/J1 */
-    const double t22 = t9*t12; /* 1/Theta*I3*M*C */
-    const double t23 = x[0]*t9; /* gamma3*1/Theta */
-    const double t24 = t14*p[15]; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t2 = JLT_FNMA(p[7], t1, x[1]); /* v_slip - M/(m*R)*S */
+    const double t3 = p[6]*t2; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t4 = t0*t3; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t5 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t6 = JLT_FMA(p[9], t5, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t7 = 1.0/t6; /* 1/Theta */
+    const double t8 = x[3]*p[10]; /* s*G*J3/R */
+    const double t9 = cos(x[2]); /* C = cos(psi) */
+    const double t10 = p[11]*t9; /* I3*M*C */
+    const double t11 = JLT_FMA(x[0], t10, t8); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t12 = t7*t11; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t13 = x[3]*x[0]; /* s*gamma3 */
+    const double t14 = t3*t13; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    const double t15 = -t14; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    const double t16 = t0*p[6]; /* s*s*m*R/J1 */
+    const double t17 = t9*p[12]; /* C*M/J1 */
+    const double t18 = t0*t17; /* s*s*C*M/J1 */
+    const double t19 = -t18; /* -s*s*C*M/J1 */
+    const double t20 = x[3]*p[19]; /* s*2*m*R/J1 */
+    const double t21 = t2*t20; /* (v_slip - M/(m*R)*S)*s*2*m*R/J1 */
+    const double t22 = t7*t10; /* 1/Theta*I3*M*C */
+    const double t23 = x[0]*t7; /* gamma3*1/Theta */
+    const double t24 = t12*p[15]; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
     const double t25 = JLT_FNMA(t23, t24, t22); /* 1/Theta*I3*M*C - gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
     const double t26 = t23*p[16]; /* gamma3*1/Theta*(-I3*M) */
     const double t27 = t1*t26; /* S*gamma3*1/Theta*(-I3*M) */
     const double t28 = JLT_FNMA(x[3], t24, p[10]); /* G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t29 = t9*t28; /* 1/Theta*(G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3) */
-    const double t30 = -t4; /* -1/J1*s*(m*R*v_slip - M*S) */
-    const double t31 = x[3]*x[0]; /* s*gamma3 */
-    const double t32 = p[18]*t31; /* (-m*R/J1)*s*gamma3 */
-    const double t33 = t18*t31; /* C*M/J1*s*gamma3 */
-    const double t34 = x[0]*p[17]; /* gamma3*(-1/J1) */
-    const double t35 = t2*t34; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
-    out[0] = t5;
+    const double t29 = t7*t28; /* 1/Theta*(G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3) */
+    const double t30 = x[3]*t3; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t31 = -t30; /* -s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t32 = t13*p[18]; /* s*gamma3*(-m*R/J1) */
+    const double t33 = t13*t17; /* s*gamma3*C*M/J1 */
+    const double t34 = t3*x[0]; /* m*R/J1*(v_slip - M/(m*R)*S)*gamma3 */
+    const double t35 = -t34; /* -m*R/J1*(v_slip - M/(m*R)*S)*gamma3 */
+    out[0] = t4;
     out[1] = 0.0;
-    out[2] = t14;
-    out[3] = t16;
+    out[2] = t12;
+    out[3] = t15;
     out[4] = 0.0;
-    out[5] = t17;
-    out[6] = t20;
+    out[5] = t16;
+    out[6] = t19;
     out[7] = t21;
     out[8] = 0.0;
     out[9] = 0.0;
@@ -217,7 +222,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[13] = 0.0;
     out[14] = t27;
     out[15] = t29;
-    out[16] = t30;
+    out[16] = t31;
     out[17] = t32;
     out[18] = t33;
     out[19] = t35;
@@ -228,28 +233,26 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = sin(x[2]); /* S = sin(psi) */
     const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t2 = JLT_FMA(x[3], x[3], t1); /* s*s + gamma3*gamma3 */
-    const double t3 = JLT_FMA(p[9], t2, p[8]); /* Theta = m*R^2*I3*(s*s + gamma3*gamma3) + I3^2 */
-    const double t4 = 1.0/t3; /* 1/Theta */
-    const double t5 = p[11]*t4; /* I3*M*1/Theta */
-    const double t6 = t0*t5; /* S*I3*M*1/Theta */
-    const double t7 = p[7]*x[1]; /* m*R*v_slip */
-    const double t8 = JLT_FNMA(t0, p[5], t7); /* m*R*v_slip - S*M */
-    const double t9 = JLT_FMA(p[6], t8, t6); /* 1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta */
-    const double t10 = x[0]*t9; /* gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta) */
-    const double t11 = -t10; /* -gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M*1/Theta) */
-    out[0] = t11;
+    const double t3 = JLT_FMA(p[3], t2, p[21]); /* Theta scaled = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
+    const double t4 = p[20]/t3; /* I3*M/(m*R^2)/Theta scaled */
+    const double t5 = t0*t4; /* S*I3*M/(m*R^2)/Theta scaled */
+    const double t6 = JLT_FNMA(t0, p[7], x[1]); /* v_slip - S*M/(m*R) */
+    const double t7 = JLT_FMA(p[6], t6, t5); /* m*R/J1*(v_slip - S*M/(m*R)) + S*I3*M/(m*R^2)/Theta scaled */
+    const double t8 = x[0]*t7; /* gamma3*(m*R/J1*(v_slip - S*M/(m*R)) + S*I3*M/(m*R^2)/Theta scaled) */
+    const double t9 = -t8; /* -t8 */
+    out[0] = t9;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[19]*x[1]; /* m*I3^2*v_slip */
+    const double t0 = p[22]*x[1]; /* m*I3^2*v_slip */
     const double t1 = x[1]*t0; /* v_slip*m*I3^2*v_slip */
     out[0] = t1;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[20]*x[1]; /* 2*m*I3^2*v_slip */
+    const double t0 = p[23]*x[1]; /* 2*m*I3^2*v_slip */
     out[0] = 0.0;
     out[1] = t0;
     out[2] = 0.0;
@@ -269,53 +272,49 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
-    double t1[JLT_JET_ORDER_MAX + 1];
     double t5[JLT_JET_ORDER_MAX + 1];
+    double u5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t7[JLT_JET_ORDER_MAX + 1];
     double t8[JLT_JET_ORDER_MAX + 1];
-    double u8[JLT_JET_ORDER_MAX + 1];
     double t9[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
-    double t11[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
-    double t17[JLT_JET_ORDER_MAX + 1];
-    double t19[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double u20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
-    double u23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
-    double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
-    double t28[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = x3[0] = x[3];
     coefficients[4] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t1[k] = jlt_jet_product(x3, x3, k);
-        t5[k] = p[7]*x1[k];
-        t8[k] = jlt_jet_sine(x2, t8, u8, k);
-        t9[k] = t5[k] - p[5]*t8[k];
-        t10[k] = p[6]*t9[k];
-        t11[k] = jlt_jet_product(t1, t10, k);
-        t16[k] = jlt_jet_product(x0, x0, k) + t1[k];
-        t17[k] = p[9]*t16[k] + (k == 0 ? p[8] : 0);
-        t19[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t17, t19, k);
-        t21[k] = x3[k]*p[10];
-        t23[k] = jlt_jet_cosine(x2, t23, u23, k);
-        t24[k] = x0[k]*p[11];
-        t25[k] = jlt_jet_product(t23, t24, k) + t21[k];
-        t26[k] = jlt_jet_product(t19, t25, k);
-        t27[k] = jlt_jet_product(x3, x0, k);
-        t28[k] = jlt_jet_product(t10, t27, k);
-        t29[k] = -t28[k];
+        t5[k] = jlt_jet_sine(x2, t5, u5, k);
+        t6[k] = x1[k] - p[7]*t5[k];
+        t7[k] = x3[k]*p[6];
+        t8[k] = jlt_jet_product(t6, t7, k);
+        t9[k] = jlt_jet_product(x3, t8, k);
+        t14[k] = jlt_jet_product(x0, x0, k);
+        t15[k] = jlt_jet_product(x3, x3, k) + t14[k];
+        t16[k] = p[9]*t15[k] + (k == 0 ? p[8] : 0);
+        t18[k] = x3[k]*p[10];
+        t20[k] = jlt_jet_cosine(x2, t20, u20, k);
+        t21[k] = x0[k]*p[11];
+        t22[k] = jlt_jet_product(t20, t21, k) + t18[k];
+        t23[k] = jlt_jet_quotient(t22[k], t16, t23, k);
+        t24[k] = jlt_jet_product(t8, x0, k);
+        t25[k] = -t24[k];
         double *restrict next = coefficients + (k + 1)*5;
-        next[0] = x0[k + 1] = t11[k]/(k + 1);
+        next[0] = x0[k + 1] = t9[k]/(k + 1);
         next[1] = x1[k + 1] = (k == 0 ? 0.0 : 0)/(k + 1);
-        next[2] = x2[k + 1] = t26[k]/(k + 1);
-        next[3] = x3[k + 1] = t29[k]/(k + 1);
+        next[2] = x2[k + 1] = t23[k]/(k + 1);
+        next[3] = x3[k + 1] = t25[k]/(k + 1);
         next[4] = x3[k]/(k + 1);
     }
 }
@@ -378,18 +377,18 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular
     .sha256 = "70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_balanced,
-    .state_count = 4, .param_count = 6, .block_count = 21,
+    .state_count = 4, .param_count = 6, .block_count = 24,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 1, 9, 4, 1, 0, 2, 5, 6 }, { 8, 27, 0, 4, 0, 2, 7, 7 },
+    .rhs = { rhs, 4, { 1, 7, 4, 1, 0, 2, 5, 6 }, { 8, 27, 0, 4, 0, 2, 7, 7 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .jacobian = { jacobian, 16, { 1, 22, 6, 1, 0, 2, 8, 10 }, { 16, 68, 0, 14, 0, 2, 10, 11 },
+    .jacobian = { jacobian, 16, { 1, 22, 6, 1, 0, 2, 8, 9 }, { 16, 68, 0, 14, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 3, 24, 6, 1, 0, 2, 8, 11 }, { 20, 83, 0, 18, 0, 2, 10, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 4, 23, 6, 1, 0, 2, 8, 11 }, { 20, 83, 0, 18, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .divergence = { divergence, 1, { 1, 5, 4, 1, 0, 1, 9, 4 }, { 6, 17, 0, 2, 0, 1, 8, 7 },
+    .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 8, 3 }, { 6, 17, 0, 2, 0, 1, 8, 7 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
     .integral_values = { integral_values, 1, { 0, 2, 0, 0, 0, 0, 2, 2 }, { 0, 4, 0, 0, 0, 0, 3, 3 },
         "" },

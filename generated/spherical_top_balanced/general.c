@@ -5,12 +5,12 @@
  *  Command:    ttc generate --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   18    5    1    1    2     11    7   (75)
- *  jacobian            3   36   12    1    1    2     14   15   (282)
- *  rhs_jacobian        3   39   12    1    1    2     14   15   (336)
- *  divergence          3   11    4    1    1    1     11    6   (31)
- *  integral_values     2    9    4    1    1    1      9    5   (33)
- *  integral_gradients  2   17    5    1    1    2     12    7   (77)
+ *  rhs                 2   16    5    1    1    2     10    7   (75)
+ *  jacobian            2   33   12    1    1    2     14   15   (282)
+ *  rhs_jacobian        3   34   12    1    1    2     14   16   (336)
+ *  divergence          4    9    3    1    1    1     10    6   (31)
+ *  integral_values     3    7    3    1    1    1      8    5   (33)
+ *  integral_gradients  2   15    5    1    1    2     10    5   (77)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
  */
@@ -34,80 +34,88 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = params[1]*params[1]; /* R*R */
-    const double t1 = params[0]*t0; /* m*R*R */
-    const double t2 = params[2] + t1; /* J1 = I1 + m*R*R */
-    const double t3 = 1.0/t2; /* 1/J1 */
-    const double t4 = params[0]*params[1]; /* m*R */
-    const double t5 = params[1]*params[3]; /* R*I3 */
-    const double t6 = t5/params[2]; /* R*I3/I1 */
-    const double t7 = params[1] - t6; /* R - R*I3/I1 */
-    const double t8 = params[2]*params[5]; /* I1*M */
-    const double t9 = t2*params[4]; /* J1*G */
-    const double t10 = t9/params[1]; /* J1*G/R */
-    const double t11 = t1 + params[3]; /* J3 = m*R*R + I3 */
-    const double t12 = params[4]*t11; /* G*J3 */
-    const double t13 = t12/params[1]; /* G*J3/R */
-    const double t14 = params[3]*params[5]; /* I3*M */
-    const double t15 = params[2]*params[3]; /* I1*I3 */
-    const double t16 = (-1.0)/t2; /* (-1)/J1 */
-    const double t17 = t4/t2; /* m*R/J1 */
-    const double t18 = params[5]/t2; /* M/J1 */
-    const double t19 = -t18; /* -M/J1 */
-    const double t20 = params[1]*t0; /* R*R*R */
-    const double t21 = params[0]*t20; /* m*R*R*R */
-    const double t22 = t21*4.0; /* m*R*R*R*4 */
-    const double t23 = params[3]*t21; /* I3*m*R*R*R */
-    const double t24 = t23/params[2]; /* I3*m*R*R*R/I1 */
-    const double t25 = 4.0*t24; /* 4*I3*m*R*R*R/I1 */
-    const double t26 = t22 - t25; /* m*R*R*R*4 - 4*I3*m*R*R*R/I1 */
-    const double t27 = params[2] - params[3]; /* I1 - I3 */
-    const double t28 = t5*params[5]; /* R*I3*M */
-    const double t29 = params[3]*params[3]; /* I3*I3 */
-    const double t30 = params[1]*t29; /* R*I3*I3 */
-    const double t31 = params[5]*t30; /* M*R*I3*I3 */
-    const double t32 = t31/params[2]; /* M*R*I3*I3/I1 */
-    const double t33 = t28 - t32; /* R*I3*M - M*R*I3*I3/I1 */
-    const double t34 = params[2]*params[1]; /* I1*R */
-    const double t35 = params[5]*t34; /* M*I1*R */
-    const double t36 = t28 - t35; /* R*I3*M - M*I1*R */
-    const double t37 = params[0]*2.0; /* m*2 */
-    const double t38 = t0*t37; /* R*R*m*2 */
-    const double t39 = -t14; /* -I3*M */
-    const double t40 = params[2]*params[2]; /* I1*I1 */
-    const double t41 = params[0]*t40; /* m*I1*I1 */
-    const double t42 = t27*t27; /* (I1 - I3)*(I1 - I3) */
-    const double t43 = t38*t42; /* R*R*m*2*(I1 - I3)*(I1 - I3) */
-    const double t44 = params[2]*2.0; /* I1*2 */
-    const double t45 = params[3]*2.0; /* I3*2 */
-    const double t46 = t44 - t45; /* I1*2 - I3*2 */
-    const double t47 = t37*t40; /* m*2*I1*I1 */
-    const double t48 = params[2]*(-2.0); /* I1*(-2) */
-    const double t49 = params[5]*t48; /* M*I1*(-2) */
-    const double t50 = t27*t49; /* (I1 - I3)*M*I1*(-2) */
-    out[6] = t3;
-    out[7] = t4;
-    out[8] = t7;
-    out[9] = t8;
-    out[10] = t10;
-    out[11] = t13;
-    out[12] = t14;
-    out[13] = t15;
-    out[14] = t1;
-    out[15] = t16;
-    out[16] = t17;
-    out[17] = t19;
-    out[18] = t26;
-    out[19] = t27;
-    out[20] = t33;
-    out[21] = t36;
-    out[22] = t38;
-    out[23] = t39;
-    out[24] = t41;
-    out[25] = t43;
-    out[26] = t46;
-    out[27] = t47;
+    const double t0 = params[0]*params[1]; /* m*R */
+    const double t1 = params[1]*params[1]; /* R*R */
+    const double t2 = params[0]*t1; /* m*R*R */
+    const double t3 = params[2] + t2; /* J1 = I1 + m*R*R */
+    const double t4 = t0/t3; /* m*R/J1 */
+    const double t5 = params[5]/t0; /* M/(m*R) */
+    const double t6 = params[1]*params[3]; /* R*I3 */
+    const double t7 = t6/params[2]; /* R*I3/I1 */
+    const double t8 = params[1] - t7; /* R - R*I3/I1 */
+    const double t9 = params[2]*params[5]; /* I1*M */
+    const double t10 = t3*params[4]; /* J1*G */
+    const double t11 = t10/params[1]; /* J1*G/R */
+    const double t12 = t2 + params[3]; /* J3 = m*R*R + I3 */
+    const double t13 = params[4]*t12; /* G*J3 */
+    const double t14 = t13/params[1]; /* G*J3/R */
+    const double t15 = params[5]*params[3]; /* M*I3 */
+    const double t16 = params[2]*params[3]; /* I1*I3 */
+    const double t17 = params[2]*t2; /* I1*m*R*R */
+    const double t18 = params[3]/params[2]; /* I3/I1 */
+    const double t19 = -t4; /* -m*R/J1 */
+    const double t20 = params[5]/t3; /* M/J1 */
+    const double t21 = -t20; /* -M/J1 */
+    const double t22 = params[2] - params[3]; /* I1 - I3 */
+    const double t23 = 4.0*t22; /* 4*(I1 - I3) */
+    const double t24 = params[1]*t1; /* R*R*R */
+    const double t25 = params[0]*t24; /* m*R*R*R */
+    const double t26 = params[3]*t25; /* I3*m*R*R*R */
+    const double t27 = t26/params[2]; /* I3*m*R*R*R/I1 */
+    const double t28 = t25 - t27; /* m*R*R*R - I3*m*R*R*R/I1 */
+    const double t29 = t23*t28; /* 4*(I1 - I3)*(m*R*R*R - I3*m*R*R*R/I1) */
+    const double t30 = params[5]*t6; /* M*R*I3 */
+    const double t31 = params[1]*params[2]; /* R*I1 */
+    const double t32 = params[5]*t31; /* M*R*I1 */
+    const double t33 = t30 - t32; /* M*R*I3 - M*R*I1 */
+    const double t34 = params[3]*params[3]; /* I3*I3 */
+    const double t35 = params[1]*t34; /* R*I3*I3 */
+    const double t36 = params[5]*t35; /* M*R*I3*I3 */
+    const double t37 = t36/params[2]; /* M*R*I3*I3/I1 */
+    const double t38 = t30 - t37; /* M*R*I3 - M*R*I3*I3/I1 */
+    const double t39 = params[0]*2.0; /* m*2 */
+    const double t40 = t1*t39; /* R*R*m*2 */
+    const double t41 = t22*t40; /* (I1 - I3)*R*R*m*2 */
+    const double t42 = -t15; /* -M*I3 */
+    const double t43 = params[3]/t2; /* I3/(m*R*R) */
+    const double t44 = t15/t17; /* M*I3/(I1*m*R*R) */
+    const double t45 = params[2]*params[2]; /* I1*I1 */
+    const double t46 = params[0]*t45; /* m*I1*I1 */
+    const double t47 = t22/t17; /* (I1 - I3)/(I1*m*R*R) */
+    const double t48 = t22*(-2.0); /* (I1 - I3)*(-2) */
+    const double t49 = t48/t2; /* (I1 - I3)*(-2)/(m*R*R) */
+    const double t50 = t16/t2; /* I1*I3/(m*R*R) */
+    const double t51 = t39*t45; /* m*2*I1*I1 */
+    const double t52 = params[2]*(-2.0); /* I1*(-2) */
+    const double t53 = params[5]*t52; /* M*I1*(-2) */
+    const double t54 = t22*t53; /* (I1 - I3)*M*I1*(-2) */
+    const double t55 = t54/t2; /* (I1 - I3)*M*I1*(-2)/(m*R*R) */
+    out[6] = t4;
+    out[7] = t5;
+    out[8] = t8;
+    out[9] = t9;
+    out[10] = t11;
+    out[11] = t14;
+    out[12] = t15;
+    out[13] = t16;
+    out[14] = t17;
+    out[15] = t18;
+    out[16] = t19;
+    out[17] = t21;
+    out[18] = t29;
+    out[19] = t33;
+    out[20] = t38;
+    out[21] = t41;
+    out[22] = t42;
+    out[23] = t43;
+    out[24] = t44;
+    out[25] = t46;
+    out[26] = t47;
+    out[27] = t49;
     out[28] = t50;
+    out[29] = t22;
+    out[30] = t51;
+    out[31] = t55;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -116,176 +124,165 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = p[7]*x[1]; /* m*R*v_slip */
-    const double t5 = sin(x[2]); /* S = sin(psi) */
-    const double t6 = JLT_FNMA(p[5], t5, t4); /* m*R*v_slip - M*S */
-    const double t7 = p[6]*t3; /* 1/J1*s */
-    const double t8 = t6*t7; /* (m*R*v_slip - M*S)*1/J1*s */
-    const double t9 = cos(x[2]); /* C = cos(psi) */
-    const double t10 = t3*p[9]; /* s*I1*M */
-    const double t11 = t9*t10; /* C*s*I1*M */
-    const double t12 = JLT_FNMA(x[0], p[10], t11); /* C*s*I1*M - gamma3*G*J1/R */
-    const double t13 = t3*p[11]; /* s*G*J3/R */
-    const double t14 = x[0]*p[12]; /* gamma3*I3*M */
-    const double t15 = JLT_FMA(t9, t14, t13); /* C*gamma3*I3*M + s*G*J3/R */
-    const double t16 = t2*p[2]; /* (1 - gamma3)*(1 + gamma3)*I1 */
-    const double t17 = x[0]*p[3]; /* gamma3*I3 */
-    const double t18 = JLT_FMA(x[0], t17, t16); /* gamma3*gamma3*I3 + (1 - gamma3)*(1 + gamma3)*I1 */
-    const double t19 = JLT_FMA(p[14], t18, p[13]); /* Theta = m*R^2*(gamma3*gamma3*I3 + (1 - gamma3)*(1 + gamma3)*I1) + I1*I3 */
-    const double t20 = t3*t19; /* s*Theta */
-    const double t21 = 1.0/t20; /* 1/(s*Theta) */
-    const double t22 = t3*t21; /* s*1/(s*Theta) */
-    const double t23 = t15*t22; /* (C*gamma3*I3*M + s*G*J3/R)*s*1/(s*Theta) */
-    const double t24 = p[8]*t22; /* (R - R*I3/I1)*s*1/(s*Theta) */
-    const double t25 = t12*t24; /* (C*s*I1*M - gamma3*G*J1/R)*(R - R*I3/I1)*s*1/(s*Theta) */
-    const double t26 = t23*t25; /* (C*gamma3*I3*M + s*G*J3/R)*s*1/(s*Theta)*(C*s*I1*M - gamma3*G*J1/R)*(R - R*I3/I1)*s*1/(s*Theta) */
-    const double t27 = t19*t21; /* Theta*1/(s*Theta) */
-    const double t28 = t23*t27; /* (C*gamma3*I3*M + s*G*J3/R)*s*1/(s*Theta)*Theta*1/(s*Theta) */
-    out[0] = t8;
-    out[1] = t26;
-    out[2] = t28;
+    const double t4 = sin(x[2]); /* S = sin(psi) */
+    const double t5 = JLT_FNMA(p[7], t4, x[1]); /* v_slip - M/(m*R)*S */
+    const double t6 = p[6]*t3; /* m*R/J1*s */
+    const double t7 = t5*t6; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
+    const double t8 = cos(x[2]); /* C = cos(psi) */
+    const double t9 = t3*p[9]; /* s*I1*M */
+    const double t10 = t8*t9; /* C*s*I1*M */
+    const double t11 = JLT_FNMA(x[0], p[10], t10); /* C*s*I1*M - gamma3*G*J1/R */
+    const double t12 = t3*p[11]; /* s*G*J3/R */
+    const double t13 = x[0]*p[12]; /* gamma3*I3*M */
+    const double t14 = JLT_FMA(t8, t13, t12); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t15 = x[0]*p[15]; /* gamma3*I3/I1 */
+    const double t16 = JLT_FMA(x[0], t15, t2); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) */
+    const double t17 = JLT_FMA(p[14], t16, p[13]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3)) + I1*I3 */
+    const double t18 = t3*t17; /* s*Theta */
+    const double t19 = 1.0/t18; /* 1/(s*Theta) */
+    const double t20 = t3*t19; /* s*1/(s*Theta) */
+    const double t21 = t14*t20; /* (C*gamma3*I3*M + s*G*J3/R)*s*1/(s*Theta) */
+    const double t22 = p[8]*t20; /* (R - R*I3/I1)*s*1/(s*Theta) */
+    const double t23 = t11*t22; /* (C*s*I1*M - gamma3*G*J1/R)*(R - R*I3/I1)*s*1/(s*Theta) */
+    const double t24 = t21*t23; /* (C*gamma3*I3*M + s*G*J3/R)*s*1/(s*Theta)*(C*s*I1*M - gamma3*G*J1/R)*(R - R*I3/I1)*s*1/(s*Theta) */
+    const double t25 = t17*t19; /* Theta*1/(s*Theta) */
+    const double t26 = t21*t25; /* (C*gamma3*I3*M + s*G*J3/R)*s*1/(s*Theta)*Theta*1/(s*Theta) */
+    out[0] = t7;
+    out[1] = t24;
+    out[2] = t26;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[7]*x[1]; /* m*R*v_slip */
-    const double t1 = sin(x[2]); /* S = sin(psi) */
-    const double t2 = JLT_FNMA(p[5], t1, t0); /* m*R*v_slip - M*S */
-    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t4 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = p[2]*t5; /* I1*(1 - gamma3)*(gamma3 + 1) */
-    const double t7 = x[0]*p[3]; /* gamma3*I3 */
-    const double t8 = JLT_FMA(x[0], t7, t6); /* gamma3*gamma3*I3 + I1*(1 - gamma3)*(gamma3 + 1) */
-    const double t9 = JLT_FMA(p[14], t8, p[13]); /* Theta = m*R^2*(gamma3*gamma3*I3 + I1*(1 - gamma3)*(gamma3 + 1)) + I1*I3 */
-    const double t10 = sqrt(t5); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t11 = t9*t10; /* Theta*s */
-    const double t12 = 1.0/t11; /* 1/(Theta*s) */
-    const double t13 = t9*t12; /* Theta*1/(Theta*s) */
-    const double t14 = x[0]*t13; /* gamma3*Theta*1/(Theta*s) */
-    const double t15 = p[15]*t14; /* (-1/J1)*gamma3*Theta*1/(Theta*s) */
-    const double t16 = t2*t15; /* (m*R*v_slip - M*S)*(-1/J1)*gamma3*Theta*1/(Theta*s) */
-    const double t17 = t10*p[16]; /* s*m*R/J1 */
-    const double t18 = cos(x[2]); /* C = cos(psi) */
-    const double t19 = t10*t18; /* s*C */
-    const double t20 = p[17]*t19; /* (-M/J1)*s*C */
-    const double t21 = t19*p[9]; /* s*C*I1*M */
-    const double t22 = JLT_FNMA(x[0], p[10], t21); /* s*C*I1*M - gamma3*G*J1/R */
-    const double t23 = t10*p[11]; /* s*G*J3/R */
-    const double t24 = t18*p[12]; /* C*I3*M */
+    const double t0 = sin(x[2]); /* S = sin(psi) */
+    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = x[0]*p[15]; /* gamma3*I3/I1 */
+    const double t6 = JLT_FMA(x[0], t5, t4); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) */
+    const double t7 = JLT_FMA(p[14], t6, p[13]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1)) + I1*I3 */
+    const double t8 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t9 = t7*t8; /* Theta*s */
+    const double t10 = 1.0/t9; /* 1/(Theta*s) */
+    const double t11 = t7*t10; /* Theta*1/(Theta*s) */
+    const double t12 = x[0]*t11; /* gamma3*Theta*1/(Theta*s) */
+    const double t13 = p[16]*t12; /* (-m*R/J1)*gamma3*Theta*1/(Theta*s) */
+    const double t14 = t1*t13; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*Theta*1/(Theta*s) */
+    const double t15 = t8*p[6]; /* s*m*R/J1 */
+    const double t16 = cos(x[2]); /* C = cos(psi) */
+    const double t17 = t8*t16; /* s*C */
+    const double t18 = p[17]*t17; /* (-M/J1)*s*C */
+    const double t19 = t17*p[9]; /* s*C*I1*M */
+    const double t20 = JLT_FNMA(x[0], p[10], t19); /* s*C*I1*M - gamma3*G*J1/R */
+    const double t21 = t8*t10; /* s*1/(Theta*s) */
+    const double t22 = t20*t21; /* (s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s) */
+    const double t23 = t8*p[11]; /* s*G*J3/R */
+    const double t24 = t16*p[12]; /* C*I3*M */
     const double t25 = JLT_FMA(x[0], t24, t23); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t26 = t10*t12; /* s*1/(Theta*s) */
-    const double t27 = t26*t26; /* s*1/(Theta*s)*s*1/(Theta*s) */
-    const double t28 = t25*t27; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s) */
-    const double t29 = x[0]*p[19]; /* gamma3*(I1 - I3) */
-    const double t30 = t28*t29; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s)*gamma3*(I1 - I3) */
-    const double t31 = p[18]*t26; /* (4*m*R^3 - 4*m*R^3*I3/I1)*s*1/(Theta*s) */
-    const double t32 = t22*t31; /* (s*C*I1*M - gamma3*G*J1/R)*(4*m*R^3 - 4*m*R^3*I3/I1)*s*1/(Theta*s) */
-    const double t33 = t30*t32; /* t30*t32 */
-    const double t34 = JLT_FMS(t14, p[11], t24); /* gamma3*Theta*1/(Theta*s)*G*J3/R - C*I3*M */
-    const double t35 = t22*t27; /* (s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s)*s*1/(Theta*s) */
-    const double t36 = t34*t35; /* (gamma3*Theta*1/(Theta*s)*G*J3/R - C*I3*M)*(s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s)*s*1/(Theta*s) */
-    const double t37 = t14*p[9]; /* gamma3*Theta*1/(Theta*s)*I1*M */
-    const double t38 = JLT_FMA(t18, t37, p[10]); /* C*gamma3*Theta*1/(Theta*s)*I1*M + G*J1/R */
-    const double t39 = JLT_FMA(t28, t38, t36); /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s)*(C*gamma3*Theta*1/(Theta*s)*I1*M + G*J1/R) + t36 */
-    const double t40 = JLT_FNMA(p[8], t39, t33); /* t30*t32 - (R - R*I3/I1)*t39 */
-    const double t41 = x[0]*p[20]; /* gamma3*(R*I3*M - R*I3^2*M/I1) */
-    const double t42 = t35*t41; /* (s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s)*s*1/(Theta*s)*gamma3*(R*I3*M - R*I3^2*M/I1) */
-    const double t43 = t10*p[21]; /* s*(R*I3*M - R*I1*M) */
-    const double t44 = JLT_FNMA(t28, t43, t42); /* t42 - (gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s)*s*(R*I3*M - R*I1*M) */
-    const double t45 = t1*t44; /* S*t44 */
-    const double t46 = -t45; /* -S*t44 */
-    const double t47 = t13*t14; /* Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s) */
-    const double t48 = JLT_FMS(t25, t47, t34); /* (gamma3*C*I3*M + s*G*J3/R)*Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s) - (gamma3*Theta*1/(Theta*s)*G*J3/R - C*I3*M) */
-    const double t49 = t26*t48; /* s*1/(Theta*s)*t48 */
-    const double t50 = JLT_FMA(t30, p[22], t49); /* t30*2*m*R^2 + s*1/(Theta*s)*t48 */
-    const double t51 = t13*t50; /* Theta*1/(Theta*s)*(t30*2*m*R^2 + s*1/(Theta*s)*t48) */
-    const double t52 = t26*p[23]; /* s*1/(Theta*s)*(-I3*M) */
-    const double t53 = t14*t52; /* gamma3*Theta*1/(Theta*s)*s*1/(Theta*s)*(-I3*M) */
-    const double t54 = t1*t53; /* S*gamma3*Theta*1/(Theta*s)*s*1/(Theta*s)*(-I3*M) */
-    out[0] = t16;
-    out[1] = t17;
-    out[2] = t20;
-    out[3] = t40;
+    const double t26 = t21*t21; /* s*1/(Theta*s)*s*1/(Theta*s) */
+    const double t27 = t25*t26; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s) */
+    const double t28 = x[0]*t27; /* gamma3*(gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s) */
+    const double t29 = p[18]*t22; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*(s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s) */
+    const double t30 = t28*t29; /* t28*t29 */
+    const double t31 = JLT_FMS(t12, p[11], t24); /* gamma3*Theta*1/(Theta*s)*G*J3/R - C*I3*M */
+    const double t32 = t21*t22; /* s*1/(Theta*s)*(s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s) */
+    const double t33 = t31*t32; /* (gamma3*Theta*1/(Theta*s)*G*J3/R - C*I3*M)*s*1/(Theta*s)*(s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s) */
+    const double t34 = t12*p[9]; /* gamma3*Theta*1/(Theta*s)*I1*M */
+    const double t35 = JLT_FMA(t16, t34, p[10]); /* C*gamma3*Theta*1/(Theta*s)*I1*M + G*J1/R */
+    const double t36 = JLT_FMA(t27, t35, t33); /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s)*(C*gamma3*Theta*1/(Theta*s)*I1*M + G*J1/R) + t33 */
+    const double t37 = JLT_FNMA(p[8], t36, t30); /* t28*t29 - (R - R*I3/I1)*t36 */
+    const double t38 = t8*p[19]; /* s*(R*I3*M - R*I1*M) */
+    const double t39 = t27*t38; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s)*s*(R*I3*M - R*I1*M) */
+    const double t40 = x[0]*p[20]; /* gamma3*(R*I3*M - R*I3^2*M/I1) */
+    const double t41 = JLT_FNMA(t32, t40, t39); /* t39 - s*1/(Theta*s)*(s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s)*gamma3*(R*I3*M - R*I3^2*M/I1) */
+    const double t42 = t0*t41; /* S*t41 */
+    const double t43 = t12*t21; /* gamma3*Theta*1/(Theta*s)*s*1/(Theta*s) */
+    const double t44 = t11*t43; /* Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s)*s*1/(Theta*s) */
+    const double t45 = t25*t44; /* (gamma3*C*I3*M + s*G*J3/R)*Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s)*s*1/(Theta*s) */
+    const double t46 = JLT_FNMA(t21, t31, t45); /* t45 - s*1/(Theta*s)*(gamma3*Theta*1/(Theta*s)*G*J3/R - C*I3*M) */
+    const double t47 = JLT_FMA(t28, p[21], t46); /* t28*2*m*R^2*(I1 - I3) + t46 */
+    const double t48 = t11*t47; /* Theta*1/(Theta*s)*(t28*2*m*R^2*(I1 - I3) + t46) */
+    const double t49 = t0*p[22]; /* S*(-I3*M) */
+    const double t50 = t43*t49; /* gamma3*Theta*1/(Theta*s)*s*1/(Theta*s)*S*(-I3*M) */
+    out[0] = t14;
+    out[1] = t15;
+    out[2] = t18;
+    out[3] = t37;
     out[4] = 0.0;
-    out[5] = t46;
-    out[6] = t51;
+    out[5] = t42;
+    out[6] = t48;
     out[7] = 0.0;
-    out[8] = t54;
+    out[8] = t50;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = p[7]*x[1]; /* m*R*v_slip */
-    const double t5 = sin(x[2]); /* S = sin(psi) */
-    const double t6 = JLT_FNMA(p[5], t5, t4); /* m*R*v_slip - M*S */
-    const double t7 = p[6]*t6; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t8 = t3*t7; /* s*1/J1*(m*R*v_slip - M*S) */
-    const double t9 = cos(x[2]); /* C = cos(psi) */
-    const double t10 = p[9]*t9; /* I1*M*C */
-    const double t11 = t3*t10; /* s*I1*M*C */
-    const double t12 = JLT_FNMA(x[0], p[10], t11); /* s*I1*M*C - gamma3*G*J1/R */
-    const double t13 = t3*p[11]; /* s*G*J3/R */
-    const double t14 = t9*p[12]; /* C*I3*M */
-    const double t15 = JLT_FMA(x[0], t14, t13); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t16 = t2*p[2]; /* (1 - gamma3)*(1 + gamma3)*I1 */
-    const double t17 = x[0]*p[3]; /* gamma3*I3 */
-    const double t18 = JLT_FMA(x[0], t17, t16); /* gamma3*gamma3*I3 + (1 - gamma3)*(1 + gamma3)*I1 */
-    const double t19 = JLT_FMA(p[14], t18, p[13]); /* Theta = m*R^2*(gamma3*gamma3*I3 + (1 - gamma3)*(1 + gamma3)*I1) + I1*I3 */
-    const double t20 = t3*t19; /* s*Theta */
-    const double t21 = 1.0/t20; /* 1/(s*Theta) */
-    const double t22 = t3*t21; /* s*1/(s*Theta) */
-    const double t23 = t22*t22; /* s*1/(s*Theta)*s*1/(s*Theta) */
-    const double t24 = t15*t23; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*s*1/(s*Theta) */
-    const double t25 = p[8]*t12; /* (R - R*I3/I1)*(s*I1*M*C - gamma3*G*J1/R) */
-    const double t26 = t24*t25; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*s*1/(s*Theta)*(R - R*I3/I1)*(s*I1*M*C - gamma3*G*J1/R) */
-    const double t27 = t15*t21; /* (gamma3*C*I3*M + s*G*J3/R)*1/(s*Theta) */
-    const double t28 = t19*t21; /* Theta*1/(s*Theta) */
-    const double t29 = x[0]*t28; /* gamma3*Theta*1/(s*Theta) */
-    const double t30 = t7*t29; /* 1/J1*(m*R*v_slip - M*S)*gamma3*Theta*1/(s*Theta) */
-    const double t31 = -t30; /* -1/J1*(m*R*v_slip - M*S)*gamma3*Theta*1/(s*Theta) */
-    const double t32 = t3*p[16]; /* s*m*R/J1 */
-    const double t33 = t3*p[17]; /* s*(-M/J1) */
-    const double t34 = t9*t33; /* C*s*(-M/J1) */
-    const double t35 = x[0]*p[19]; /* gamma3*(I1 - I3) */
-    const double t36 = t24*t35; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*s*1/(s*Theta)*gamma3*(I1 - I3) */
-    const double t37 = t22*p[18]; /* s*1/(s*Theta)*(4*m*R^3 - 4*m*R^3*I3/I1) */
-    const double t38 = t12*t37; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*(4*m*R^3 - 4*m*R^3*I3/I1) */
-    const double t39 = t36*t38; /* t36*t38 */
-    const double t40 = JLT_FMS(p[11], t29, t14); /* G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M */
-    const double t41 = t12*t23; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*s*1/(s*Theta) */
-    const double t42 = t40*t41; /* (G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M)*(s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*s*1/(s*Theta) */
-    const double t43 = JLT_FMA(t10, t29, p[10]); /* I1*M*C*gamma3*Theta*1/(s*Theta) + G*J1/R */
-    const double t44 = JLT_FMA(t24, t43, t42); /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*s*1/(s*Theta)*(I1*M*C*gamma3*Theta*1/(s*Theta) + G*J1/R) + t42 */
-    const double t45 = JLT_FNMA(p[8], t44, t39); /* t36*t38 - (R - R*I3/I1)*t44 */
-    const double t46 = x[0]*t5; /* gamma3*S */
-    const double t47 = p[20]*t46; /* (R*I3*M - R*I3^2*M/I1)*gamma3*S */
-    const double t48 = t41*t47; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*s*1/(s*Theta)*(R*I3*M - R*I3^2*M/I1)*gamma3*S */
-    const double t49 = t3*p[21]; /* s*(R*I3*M - R*I1*M) */
-    const double t50 = t5*t49; /* S*s*(R*I3*M - R*I1*M) */
-    const double t51 = JLT_FMS(t24, t50, t48); /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*s*1/(s*Theta)*S*s*(R*I3*M - R*I1*M) - t48 */
-    const double t52 = t27*t29; /* (gamma3*C*I3*M + s*G*J3/R)*1/(s*Theta)*gamma3*Theta*1/(s*Theta) */
-    const double t53 = JLT_FMA(t36, p[22], t52); /* t36*2*m*R^2 + t52 */
-    const double t54 = t28*t53; /* Theta*1/(s*Theta)*(t36*2*m*R^2 + t52) */
-    const double t55 = JLT_FNMA(t21, t40, t54); /* Theta*1/(s*Theta)*(t36*2*m*R^2 + t52) - 1/(s*Theta)*(G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M) */
-    const double t56 = t21*p[23]; /* 1/(s*Theta)*(-I3*M) */
-    const double t57 = t46*t56; /* gamma3*S*1/(s*Theta)*(-I3*M) */
-    out[0] = t8;
-    out[1] = t26;
-    out[2] = t27;
-    out[3] = t31;
-    out[4] = t32;
-    out[5] = t34;
-    out[6] = t45;
+    const double t0 = sin(x[2]); /* S = sin(psi) */
+    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t6 = p[6]*t5; /* m*R/J1*s */
+    const double t7 = t1*t6; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
+    const double t8 = cos(x[2]); /* C = cos(psi) */
+    const double t9 = p[9]*t8; /* I1*M*C */
+    const double t10 = t5*t9; /* s*I1*M*C */
+    const double t11 = JLT_FNMA(x[0], p[10], t10); /* s*I1*M*C - gamma3*G*J1/R */
+    const double t12 = t5*p[11]; /* s*G*J3/R */
+    const double t13 = t8*p[12]; /* C*I3*M */
+    const double t14 = JLT_FMA(x[0], t13, t12); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t15 = x[0]*p[15]; /* gamma3*I3/I1 */
+    const double t16 = JLT_FMA(x[0], t15, t4); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) */
+    const double t17 = JLT_FMA(p[14], t16, p[13]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3)) + I1*I3 */
+    const double t18 = t5*t17; /* s*Theta */
+    const double t19 = 1.0/t18; /* 1/(s*Theta) */
+    const double t20 = t5*t19; /* s*1/(s*Theta) */
+    const double t21 = t14*t20; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta) */
+    const double t22 = t20*t21; /* s*1/(s*Theta)*(gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta) */
+    const double t23 = p[8]*t22; /* (R - R*I3/I1)*s*1/(s*Theta)*(gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta) */
+    const double t24 = t11*t23; /* (s*I1*M*C - gamma3*G*J1/R)*t23 */
+    const double t25 = t17*t19; /* Theta*1/(s*Theta) */
+    const double t26 = t21*t25; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*Theta*1/(s*Theta) */
+    const double t27 = x[0]*t25; /* gamma3*Theta*1/(s*Theta) */
+    const double t28 = p[16]*t27; /* (-m*R/J1)*gamma3*Theta*1/(s*Theta) */
+    const double t29 = t1*t28; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*Theta*1/(s*Theta) */
+    const double t30 = t5*p[17]; /* s*(-M/J1) */
+    const double t31 = t8*t30; /* C*s*(-M/J1) */
+    const double t32 = t11*t20; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta) */
+    const double t33 = x[0]*t22; /* gamma3*s*1/(s*Theta)*(gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta) */
+    const double t34 = p[18]*t33; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*t33 */
+    const double t35 = JLT_FMS(p[11], t27, t13); /* G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M */
+    const double t36 = t20*t35; /* s*1/(s*Theta)*(G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M) */
+    const double t37 = JLT_FNMA(p[8], t36, t34); /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*t33 - (R - R*I3/I1)*s*1/(s*Theta)*(G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M) */
+    const double t38 = t32*t37; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*t37 */
+    const double t39 = JLT_FMA(t9, t27, p[10]); /* I1*M*C*gamma3*Theta*1/(s*Theta) + G*J1/R */
+    const double t40 = JLT_FNMA(t23, t39, t38); /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*t37 - t23*(I1*M*C*gamma3*Theta*1/(s*Theta) + G*J1/R) */
+    const double t41 = t0*t20; /* S*s*1/(s*Theta) */
+    const double t42 = x[0]*p[20]; /* gamma3*(R*I3*M - R*I3^2*M/I1) */
+    const double t43 = t32*t42; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*gamma3*(R*I3*M - R*I3^2*M/I1) */
+    const double t44 = t5*p[19]; /* s*(R*I3*M - R*I1*M) */
+    const double t45 = JLT_FNMA(t21, t44, t43); /* t43 - (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*s*(R*I3*M - R*I1*M) */
+    const double t46 = t41*t45; /* S*s*1/(s*Theta)*t45 */
+    const double t47 = -t46; /* -S*s*1/(s*Theta)*t45 */
+    const double t48 = JLT_FMS(t26, t27, t36); /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) - s*1/(s*Theta)*(G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M) */
+    const double t49 = JLT_FMA(t33, p[21], t48); /* t33*2*m*R^2*(I1 - I3) + t48 */
+    const double t50 = t25*t49; /* Theta*1/(s*Theta)*(t33*2*m*R^2*(I1 - I3) + t48) */
+    const double t51 = t27*p[22]; /* gamma3*Theta*1/(s*Theta)*(-I3*M) */
+    const double t52 = t41*t51; /* S*s*1/(s*Theta)*gamma3*Theta*1/(s*Theta)*(-I3*M) */
+    out[0] = t7;
+    out[1] = t24;
+    out[2] = t26;
+    out[3] = t29;
+    out[4] = t6;
+    out[5] = t31;
+    out[6] = t40;
     out[7] = 0.0;
-    out[8] = t51;
-    out[9] = t55;
+    out[8] = t47;
+    out[9] = t50;
     out[10] = 0.0;
-    out[11] = t57;
+    out[11] = t52;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -293,83 +290,77 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = p[2]*t2; /* I1*(1 - gamma3)*(gamma3 + 1) */
-    const double t4 = x[0]*p[3]; /* gamma3*I3 */
-    const double t5 = JLT_FMA(x[0], t4, t3); /* gamma3*gamma3*I3 + I1*(1 - gamma3)*(gamma3 + 1) */
-    const double t6 = JLT_FMA(p[14], t5, p[13]); /* Theta = m*R^2*(gamma3*gamma3*I3 + I1*(1 - gamma3)*(gamma3 + 1)) + I1*I3 */
-    const double t7 = p[7]*x[1]; /* m*R*v_slip */
-    const double t8 = sin(x[2]); /* S = sin(psi) */
-    const double t9 = JLT_FNMA(p[5], t8, t7); /* m*R*v_slip - M*S */
-    const double t10 = p[6]*t9; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t11 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t12 = t6*t11; /* Theta*s */
-    const double t13 = 1.0/t12; /* 1/(Theta*s) */
-    const double t14 = p[12]*t11; /* I3*M*s */
-    const double t15 = t13*t14; /* 1/(Theta*s)*I3*M*s */
-    const double t16 = JLT_FMA(t8, t15, t10); /* S*1/(Theta*s)*I3*M*s + 1/J1*(m*R*v_slip - M*S) */
-    const double t17 = x[0]*t6; /* gamma3*Theta */
-    const double t18 = t13*t17; /* 1/(Theta*s)*gamma3*Theta */
-    const double t19 = t16*t18; /* (S*1/(Theta*s)*I3*M*s + 1/J1*(m*R*v_slip - M*S))*1/(Theta*s)*gamma3*Theta */
-    const double t20 = -t19; /* -t19 */
-    out[0] = t20;
+    const double t3 = x[0]*p[15]; /* gamma3*I3/I1 */
+    const double t4 = p[23] + t2; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
+    const double t6 = sin(x[2]); /* S = sin(psi) */
+    const double t7 = JLT_FNMA(p[7], t6, x[1]); /* v_slip - M/(m*R)*S */
+    const double t8 = p[6]*t7; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t9 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t10 = t5*t9; /* Theta scaled*s */
+    const double t11 = 1.0/t10; /* 1/(Theta scaled*s) */
+    const double t12 = p[24]*t9; /* I3*M/(m*R^2*I1)*s */
+    const double t13 = t11*t12; /* 1/(Theta scaled*s)*I3*M/(m*R^2*I1)*s */
+    const double t14 = JLT_FMA(t6, t13, t8); /* S*1/(Theta scaled*s)*I3*M/(m*R^2*I1)*s + m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t15 = x[0]*t5; /* gamma3*Theta scaled */
+    const double t16 = t11*t15; /* 1/(Theta scaled*s)*gamma3*Theta scaled */
+    const double t17 = t14*t16; /* t14*1/(Theta scaled*s)*gamma3*Theta scaled */
+    const double t18 = -t17; /* -t14*1/(Theta scaled*s)*gamma3*Theta scaled */
+    out[0] = t18;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[24]*x[1]; /* m*I1^2*v_slip */
+    const double t0 = p[25]*x[1]; /* m*I1^2*v_slip */
     const double t1 = x[1]*t0; /* v_slip*m*I1^2*v_slip */
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
-    const double t5 = p[2]*t4; /* I1*(1 - gamma3)*(1 + gamma3) */
-    const double t6 = x[0]*p[3]; /* gamma3*I3 */
-    const double t7 = JLT_FMA(x[0], t6, t5); /* gamma3*gamma3*I3 + I1*(1 - gamma3)*(1 + gamma3) */
-    const double t8 = JLT_FMA(p[14], t7, p[13]); /* Theta = m*R^2*(gamma3*gamma3*I3 + I1*(1 - gamma3)*(1 + gamma3)) + I1*I3 */
-    const double t9 = 1.0/t8; /* 1/Theta */
-    const double t10 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t11 = cos(x[2]); /* C = cos(psi) */
-    const double t12 = p[9]*t10; /* I1*M*s */
-    const double t13 = t11*t12; /* C*I1*M*s */
-    const double t14 = JLT_FNMA(x[0], p[10], t13); /* C*I1*M*s - gamma3*G*J1/R */
-    const double t15 = p[19]*t9; /* (I1 - I3)*1/Theta */
-    const double t16 = t14*t15; /* (C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)*1/Theta */
-    const double t17 = JLT_FMA(t14, t16, t1); /* (C*I1*M*s - gamma3*G*J1/R)*(C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)*1/Theta + v_slip*m*I1^2*v_slip */
-    out[0] = t17;
+    const double t5 = x[0]*p[15]; /* gamma3*I3/I1 */
+    const double t6 = p[23] + t4; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t8 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t9 = cos(x[2]); /* C = cos(psi) */
+    const double t10 = p[9]*t8; /* I1*M*s */
+    const double t11 = t9*t10; /* C*I1*M*s */
+    const double t12 = JLT_FNMA(x[0], p[10], t11); /* C*I1*M*s - gamma3*G*J1/R */
+    const double t13 = p[26]/t7; /* (I1 - I3)/(m*R^2*I1)/Theta scaled */
+    const double t14 = t12*t13; /* (C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)/(m*R^2*I1)/Theta scaled */
+    const double t15 = JLT_FMA(t12, t14, t1); /* (C*I1*M*s - gamma3*G*J1/R)*(C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)/(m*R^2*I1)/Theta scaled + v_slip*m*I1^2*v_slip */
+    out[0] = t15;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = cos(x[2]); /* C = cos(psi) */
-    const double t5 = p[9]*t4; /* I1*M*C */
-    const double t6 = t3*t5; /* s*I1*M*C */
-    const double t7 = JLT_FNMA(x[0], p[10], t6); /* s*I1*M*C - gamma3*G*J1/R */
-    const double t8 = t2*p[2]; /* (1 - gamma3)*(1 + gamma3)*I1 */
-    const double t9 = x[0]*p[3]; /* gamma3*I3 */
-    const double t10 = JLT_FMA(x[0], t9, t8); /* gamma3*gamma3*I3 + (1 - gamma3)*(1 + gamma3)*I1 */
-    const double t11 = JLT_FMA(p[14], t10, p[13]); /* Theta = m*R^2*(gamma3*gamma3*I3 + (1 - gamma3)*(1 + gamma3)*I1) + I1*I3 */
-    const double t12 = t3*t11; /* s*Theta */
-    const double t13 = 1.0/t12; /* 1/(s*Theta) */
-    const double t14 = t3*t13; /* s*1/(s*Theta) */
-    const double t15 = t7*t14; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta) */
-    const double t16 = x[0]*p[25]; /* gamma3*2*m*R^2*(I1 - I3)^2 */
-    const double t17 = t15*t16; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*gamma3*2*m*R^2*(I1 - I3)^2 */
-    const double t18 = x[0]*t11; /* gamma3*Theta */
-    const double t19 = t13*t18; /* 1/(s*Theta)*gamma3*Theta */
-    const double t20 = JLT_FMA(t5, t19, p[10]); /* I1*M*C*1/(s*Theta)*gamma3*Theta + G*J1/R */
-    const double t21 = JLT_FNMA(p[26], t20, t17); /* t17 - (2*I1 - 2*I3)*(I1*M*C*1/(s*Theta)*gamma3*Theta + G*J1/R) */
-    const double t22 = t15*t21; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*t21 */
-    const double t23 = p[27]*x[1]; /* 2*m*I1^2*v_slip */
-    const double t24 = sin(x[2]); /* S = sin(psi) */
-    const double t25 = t3*p[28]; /* s*(-2*I1*M*(I1 - I3)) */
-    const double t26 = t24*t25; /* S*s*(-2*I1*M*(I1 - I3)) */
-    const double t27 = t15*t26; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*S*s*(-2*I1*M*(I1 - I3)) */
-    out[0] = t22;
-    out[1] = t23;
-    out[2] = t27;
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = x[0]*p[3]; /* gamma3*I3 */
+    const double t4 = JLT_FMA(x[0], t3, p[28]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t5 = JLT_FMA(p[2], t2, t4); /* Theta scaled = I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t6 = cos(x[2]); /* C = cos(psi) */
+    const double t7 = p[9]*t6; /* I1*M*C */
+    const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t9 = t5*t8; /* Theta scaled*s */
+    const double t10 = 1.0/t9; /* 1/(Theta scaled*s) */
+    const double t11 = t5*t10; /* Theta scaled*1/(Theta scaled*s) */
+    const double t12 = t7*t11; /* I1*M*C*Theta scaled*1/(Theta scaled*s) */
+    const double t13 = t7*t8; /* I1*M*C*s */
+    const double t14 = JLT_FNMA(x[0], p[10], t13); /* I1*M*C*s - gamma3*G*J1/R */
+    const double t15 = t8*t10; /* s*1/(Theta scaled*s) */
+    const double t16 = t14*t15; /* (I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta scaled*s) */
+    const double t17 = JLT_FNMA(p[29], t16, t12); /* I1*M*C*Theta scaled*1/(Theta scaled*s) - (I1 - I3)*(I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta scaled*s) */
+    const double t18 = JLT_FMA(x[0], t17, p[10]); /* gamma3*t17 + G*J1/R */
+    const double t19 = p[27]*t16; /* (-2*(I1 - I3)/(m*R^2))*(I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta scaled*s) */
+    const double t20 = t18*t19; /* (gamma3*t17 + G*J1/R)*t19 */
+    const double t21 = p[30]*x[1]; /* 2*m*I1^2*v_slip */
+    const double t22 = sin(x[2]); /* S = sin(psi) */
+    const double t23 = t8*p[31]; /* s*(-2*I1*M*(I1 - I3)/(m*R^2)) */
+    const double t24 = t22*t23; /* S*s*(-2*I1*M*(I1 - I3)/(m*R^2)) */
+    const double t25 = t16*t24; /* (I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta scaled*s)*S*s*(-2*I1*M*(I1 - I3)/(m*R^2)) */
+    out[0] = t20;
+    out[1] = t21;
+    out[2] = t25;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -382,21 +373,23 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t4[JLT_JET_ORDER_MAX + 1];
     double t5[JLT_JET_ORDER_MAX + 1];
     double t6[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double u10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
-    double u12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
-    double t14[JLT_JET_ORDER_MAX + 1];
-    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double u16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
-    double u18[JLT_JET_ORDER_MAX + 1];
-    double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
-    double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
+    double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
@@ -405,10 +398,6 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
-    double t41[JLT_JET_ORDER_MAX + 1];
-    double t42[JLT_JET_ORDER_MAX + 1];
-    double t43[JLT_JET_ORDER_MAX + 1];
-    double t44[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -417,35 +406,33 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
         t5[k] = jlt_jet_product(t3, t4, k);
         t6[k] = jlt_jet_root(t5[k], t6, k);
-        t9[k] = p[7]*x1[k];
-        t12[k] = jlt_jet_sine(x2, t12, u12, k);
-        t13[k] = t9[k] - p[5]*t12[k];
-        t14[k] = p[6]*t6[k];
-        t15[k] = jlt_jet_product(t13, t14, k);
-        t18[k] = jlt_jet_cosine(x2, t18, u18, k);
-        t19[k] = t6[k]*p[9];
-        t20[k] = jlt_jet_product(t18, t19, k);
-        t22[k] = t20[k] - x0[k]*p[10];
-        t24[k] = t6[k]*p[11];
-        t26[k] = x0[k]*p[12];
-        t27[k] = jlt_jet_product(t18, t26, k) + t24[k];
-        t31[k] = t5[k]*p[2];
-        t33[k] = x0[k]*p[3];
-        t34[k] = jlt_jet_product(x0, t33, k) + t31[k];
-        t35[k] = p[14]*t34[k] + (k == 0 ? p[13] : 0);
-        t36[k] = jlt_jet_product(t6, t35, k);
-        t37[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t36, t37, k);
-        t38[k] = jlt_jet_product(t6, t37, k);
-        t39[k] = jlt_jet_product(t27, t38, k);
-        t40[k] = p[8]*t38[k];
-        t41[k] = jlt_jet_product(t22, t40, k);
-        t42[k] = jlt_jet_product(t39, t41, k);
-        t43[k] = jlt_jet_product(t35, t37, k);
-        t44[k] = jlt_jet_product(t39, t43, k);
+        t10[k] = jlt_jet_sine(x2, t10, u10, k);
+        t11[k] = x1[k] - p[7]*t10[k];
+        t12[k] = p[6]*t6[k];
+        t13[k] = jlt_jet_product(t11, t12, k);
+        t16[k] = jlt_jet_cosine(x2, t16, u16, k);
+        t17[k] = t6[k]*p[9];
+        t18[k] = jlt_jet_product(t16, t17, k);
+        t20[k] = t18[k] - x0[k]*p[10];
+        t22[k] = t6[k]*p[11];
+        t24[k] = x0[k]*p[12];
+        t25[k] = jlt_jet_product(t16, t24, k) + t22[k];
+        t29[k] = x0[k]*p[15];
+        t30[k] = jlt_jet_product(x0, t29, k) + t5[k];
+        t31[k] = p[14]*t30[k] + (k == 0 ? p[13] : 0);
+        t32[k] = jlt_jet_product(t6, t31, k);
+        t33[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t32, t33, k);
+        t34[k] = jlt_jet_product(t6, t33, k);
+        t35[k] = jlt_jet_product(t25, t34, k);
+        t36[k] = p[8]*t34[k];
+        t37[k] = jlt_jet_product(t20, t36, k);
+        t38[k] = jlt_jet_product(t35, t37, k);
+        t39[k] = jlt_jet_product(t31, t33, k);
+        t40[k] = jlt_jet_product(t35, t39, k);
         double *restrict next = coefficients + (k + 1)*3;
-        next[0] = x0[k + 1] = t15[k]/(k + 1);
-        next[1] = x1[k + 1] = t42[k]/(k + 1);
-        next[2] = x2[k + 1] = t44[k]/(k + 1);
+        next[0] = x0[k + 1] = t13[k]/(k + 1);
+        next[1] = x1[k + 1] = t38[k]/(k + 1);
+        next[2] = x2[k + 1] = t40[k]/(k + 1);
     }
 }
 
@@ -505,21 +492,21 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .sha256 = "70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_balanced,
-    .state_count = 3, .param_count = 6, .block_count = 29,
+    .state_count = 3, .param_count = 6, .block_count = 32,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 3, { 2, 18, 5, 1, 1, 2, 11, 7 }, { 12, 51, 0, 9, 1, 2, 12, 11 },
+    .rhs = { rhs, 3, { 2, 16, 5, 1, 1, 2, 10, 7 }, { 12, 51, 0, 9, 1, 2, 12, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 9, { 3, 36, 12, 1, 1, 2, 14, 15 }, { 42, 199, 0, 38, 1, 2, 17, 12 },
+    .jacobian = { jacobian, 9, { 2, 33, 12, 1, 1, 2, 14, 15 }, { 42, 199, 0, 38, 1, 2, 17, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 3, 39, 12, 1, 1, 2, 14, 15 }, { 49, 237, 0, 47, 1, 2, 17, 12 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 3, 34, 12, 1, 1, 2, 14, 16 }, { 49, 237, 0, 47, 1, 2, 17, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 3, 11, 4, 1, 1, 1, 11, 6 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
+    .divergence = { divergence, 1, { 4, 9, 3, 1, 1, 1, 10, 6 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_values = { integral_values, 1, { 2, 9, 4, 1, 1, 1, 9, 5 }, { 7, 22, 0, 2, 1, 1, 10, 7 },
+    .integral_values = { integral_values, 1, { 3, 7, 3, 1, 1, 1, 8, 5 }, { 7, 22, 0, 2, 1, 1, 10, 7 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 3, { 2, 17, 5, 1, 1, 2, 12, 7 }, { 13, 53, 0, 8, 1, 2, 13, 9 },
+    .integral_gradients = { integral_gradients, 3, { 2, 15, 5, 1, 1, 2, 10, 5 }, { 13, 53, 0, 8, 1, 2, 13, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

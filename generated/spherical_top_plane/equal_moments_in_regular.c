@@ -184,12 +184,12 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t18 = -t17; /* -s*s*C*M/J1 */
     const double t19 = t2*p[14]; /* s*(m*R*v_slip - M*S)*2/J1 */
     const double t20 = t8*t11; /* 1/Theta*I3*M*C */
-    const double t21 = x[0]*t8; /* gamma3*1/Theta */
-    const double t22 = t13*p[22]; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t23 = JLT_FNMA(t21, t22, t20); /* 1/Theta*I3*M*C - gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t24 = t21*p[23]; /* gamma3*1/Theta*(-I3*M) */
+    const double t21 = t13*p[22]; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t22 = x[0]*t8; /* gamma3*1/Theta */
+    const double t23 = JLT_FNMA(t21, t22, t20); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    const double t24 = t22*p[23]; /* gamma3*1/Theta*(-I3*M) */
     const double t25 = t0*t24; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t26 = JLT_FNMA(x[2], t22, p[11]); /* G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
+    const double t26 = JLT_FNMA(x[2], t21, p[11]); /* G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
     const double t27 = t8*t26; /* 1/Theta*(G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3) */
     const double t28 = -t3; /* -1/J1*s*(m*R*v_slip - M*S) */
     const double t29 = x[2]*x[0]; /* s*gamma3 */

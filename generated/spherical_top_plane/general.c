@@ -6,9 +6,9 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   16    6    1    2    2     14    8   (52)
- *  jacobian            2   29   13    2    2    2     15   14   (157)
+ *  jacobian            2   31   13    2    2    2     15   13   (157)
  *  rhs_jacobian        2   31   13    2    2    2     15   15   (172)
- *  divergence          2   17    9    2    2    2     15   11   (93)
+ *  divergence          2   17    9    2    2    2     17    9   (93)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes.
  */
@@ -53,33 +53,39 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t17 = params[4]*t16; /* G*J3 */
     const double t18 = t17/params[1]; /* G*J3/R */
     const double t19 = params[3]*params[5]; /* I3*M */
-    const double t20 = -t4; /* -m*R/J1 */
-    const double t21 = t3*t5; /* J1*I1*I1 */
-    const double t22 = params[1]*t8; /* R*(I1 - I3) */
-    const double t23 = t22/t21; /* R*(I1 - I3)/(J1*I1*I1) */
-    const double t24 = -t23; /* -R*(I1 - I3)/(J1*I1*I1) */
-    const double t25 = 1.0/t3; /* 1/J1 */
-    const double t26 = params[1]*params[5]; /* R*M */
-    const double t27 = t8*t26; /* (I1 - I3)*R*M */
-    const double t28 = t27/params[2]; /* (I1 - I3)*R*M/I1 */
-    const double t29 = params[0]*2.0; /* m*2 */
-    const double t30 = t1*t29; /* R*R*m*2 */
-    const double t31 = -t19; /* -I3*M */
-    const double t32 = params[2]*t3; /* I1*J1 */
-    const double t33 = t27/t32; /* (I1 - I3)*R*M/(I1*J1) */
+    const double t20 = params[1]*params[5]; /* R*M */
+    const double t21 = params[2]*t3; /* I1*J1 */
+    const double t22 = t20/t21; /* R*M/(I1*J1) */
+    const double t23 = params[4]/t5; /* G/(I1*I1) */
+    const double t24 = params[1]*t1; /* R*R*R */
+    const double t25 = params[0]*t24; /* m*R*R*R */
+    const double t26 = t3*t5; /* J1*I1*I1 */
+    const double t27 = t25/t26; /* m*R*R*R/(J1*I1*I1) */
+    const double t28 = 1.0/t3; /* 1/J1 */
+    const double t29 = t8*t20; /* (I1 - I3)*R*M */
+    const double t30 = t29/params[2]; /* (I1 - I3)*R*M/I1 */
+    const double t31 = params[0]*2.0; /* m*2 */
+    const double t32 = t1*t31; /* R*R*m*2 */
+    const double t33 = -t19; /* -I3*M */
     const double t34 = t8*params[4]; /* (I1 - I3)*G */
     const double t35 = t34/t5; /* (I1 - I3)*G/(I1*I1) */
-    const double t36 = params[1]*t1; /* R*R*R */
-    const double t37 = params[0]*t36; /* m*R*R*R */
-    const double t38 = t8*t8; /* (I1 - I3)*(I1 - I3) */
-    const double t39 = t37*t38; /* m*R*R*R*(I1 - I3)*(I1 - I3) */
-    const double t40 = t39/t21; /* m*R*R*R*(I1 - I3)*(I1 - I3)/(J1*I1*I1) */
-    const double t41 = t8*t30; /* (I1 - I3)*R*R*m*2 */
-    const double t42 = t8/t2; /* (I1 - I3)/(m*R*R) */
-    const double t43 = t12/t2; /* I1*I3/(m*R*R) */
-    const double t44 = t19/t2; /* I3*M/(m*R*R) */
-    const double t45 = t26/t32; /* R*M/(I1*J1) */
-    const double t46 = params[4]/t5; /* G/(I1*I1) */
+    const double t36 = t29/t21; /* (I1 - I3)*R*M/(I1*J1) */
+    const double t37 = t8*t8; /* (I1 - I3)*(I1 - I3) */
+    const double t38 = t25*t37; /* m*R*R*R*(I1 - I3)*(I1 - I3) */
+    const double t39 = t38/t26; /* m*R*R*R*(I1 - I3)*(I1 - I3)/(J1*I1*I1) */
+    const double t40 = t8*t32; /* (I1 - I3)*R*R*m*2 */
+    const double t41 = t12/t2; /* I1*I3/(m*R*R) */
+    const double t42 = t19/t2; /* I3*M/(m*R*R) */
+    const double t43 = t8/t2; /* (I1 - I3)/(m*R*R) */
+    const double t44 = t0*params[2]; /* m*R*I1 */
+    const double t45 = t3*t44; /* J1*m*R*I1 */
+    const double t46 = t8*params[5]; /* (I1 - I3)*M */
+    const double t47 = t46/t45; /* (I1 - I3)*M/(J1*m*R*I1) */
+    const double t48 = t0*t5; /* m*R*I1*I1 */
+    const double t49 = t3*t48; /* J1*m*R*I1*I1 */
+    const double t50 = t37/t49; /* (I1 - I3)*(I1 - I3)/(J1*m*R*I1*I1) */
+    const double t51 = t2*t5; /* m*R*R*I1*I1 */
+    const double t52 = t34/t51; /* (I1 - I3)*G/(m*R*R*I1*I1) */
     out[7] = t4;
     out[8] = t7;
     out[9] = t8;
@@ -91,23 +97,23 @@ static void prepare(const double *restrict params, double *restrict out)
     out[15] = t15;
     out[16] = t18;
     out[17] = t19;
-    out[18] = t20;
-    out[19] = t24;
-    out[20] = t2;
-    out[21] = t25;
-    out[22] = t28;
-    out[23] = t30;
-    out[24] = t31;
-    out[25] = t33;
-    out[26] = t35;
-    out[27] = t40;
-    out[28] = t41;
-    out[29] = t42;
-    out[30] = t43;
-    out[31] = t44;
-    out[32] = t45;
-    out[33] = t46;
-    out[34] = t23;
+    out[18] = t22;
+    out[19] = t23;
+    out[20] = t27;
+    out[21] = t28;
+    out[22] = t30;
+    out[23] = t32;
+    out[24] = t33;
+    out[25] = t35;
+    out[26] = t36;
+    out[27] = t39;
+    out[28] = t40;
+    out[29] = t41;
+    out[30] = t42;
+    out[31] = t43;
+    out[32] = t47;
+    out[33] = t50;
+    out[34] = t52;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -152,55 +158,57 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = cos(x[1]); /* C = cos(psi) */
-    const double t5 = p[10]*t4; /* I1*M*C */
-    const double t6 = t3*t5; /* s*I1*M*C */
-    const double t7 = JLT_FNMA(x[0], p[11], t6); /* s*I1*M*C - gamma3*G*J1/R */
+    const double t5 = p[10]*t3; /* I1*M*s */
+    const double t6 = t4*t5; /* C*I1*M*s */
+    const double t7 = JLT_FNMA(x[0], p[11], t6); /* C*I1*M*s - gamma3*G*J1/R */
     const double t8 = x[0]*p[14]; /* gamma3*I3/I1 */
     const double t9 = JLT_FMA(x[0], t8, t2); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) */
     const double t10 = JLT_FMA(p[13], t9, p[12]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3)) + I1*I3 */
     const double t11 = t3*t10; /* s*Theta */
     const double t12 = 1.0/t11; /* 1/(s*Theta) */
     const double t13 = t3*t12; /* s*1/(s*Theta) */
-    const double t14 = t7*t13; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta) */
-    const double t15 = p[9]*t7; /* (I1 - I3)*(s*I1*M*C - gamma3*G*J1/R) */
-    const double t16 = JLT_FNMA(t14, t15, p[6]); /* F0 - (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*(I1 - I3)*(s*I1*M*C - gamma3*G*J1/R) */
+    const double t14 = t7*t13; /* (C*I1*M*s - gamma3*G*J1/R)*s*1/(s*Theta) */
+    const double t15 = p[9]*t7; /* (I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t16 = JLT_FNMA(t14, t15, p[6]); /* F0 - (C*I1*M*s - gamma3*G*J1/R)*s*1/(s*Theta)*(I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
     const double t17 = p[8]*t16; /* 1/(m*I1^2)*t16 */
     const double t18 = sqrt(t17); /* v_slip = sqrt(1/(m*I1^2)*t16) */
     const double t19 = sin(x[1]); /* S = sin(psi) */
     const double t20 = JLT_FNMA(p[15], t19, t18); /* v_slip - M/(m*R)*S */
     const double t21 = t10*t12; /* Theta*1/(s*Theta) */
     const double t22 = x[0]*t21; /* gamma3*Theta*1/(s*Theta) */
-    const double t23 = p[18]*t22; /* (-m*R/J1)*gamma3*Theta*1/(s*Theta) */
-    const double t24 = t20*t23; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*Theta*1/(s*Theta) */
-    const double t25 = p[9]*x[0]; /* (I1 - I3)*gamma3 */
-    const double t26 = p[20]*t25; /* m*R^2*(I1 - I3)*gamma3 */
-    const double t27 = JLT_FMA(t5, t22, p[11]); /* I1*M*C*gamma3*Theta*1/(s*Theta) + G*J1/R */
-    const double t28 = JLT_FMS(t14, t26, t27); /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*m*R^2*(I1 - I3)*gamma3 - (I1*M*C*gamma3*Theta*1/(s*Theta) + G*J1/R) */
-    const double t29 = t3*t14; /* s*(s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta) */
-    const double t30 = t29/t18; /* s*(s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip */
-    const double t31 = p[19]*t28; /* (-R*(I1 - I3)/(I1^2*J1))*t28 */
-    const double t32 = JLT_FMA(t30, t31, t24); /* s*(s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*(-R*(I1 - I3)/(I1^2*J1))*t28 + (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*Theta*1/(s*Theta) */
-    const double t33 = t19*p[22]; /* S*R*M*(I1 - I3)/I1 */
-    const double t34 = t30*t33; /* s*(s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*S*R*M*(I1 - I3)/I1 */
-    const double t35 = JLT_FNMA(t4, p[5], t34); /* t34 - C*M */
-    const double t36 = t3*p[21]; /* s*1/J1 */
-    const double t37 = t35*t36; /* (t34 - C*M)*s*1/J1 */
-    const double t38 = t3*p[16]; /* s*G*J3/R */
-    const double t39 = t4*p[17]; /* C*I3*M */
-    const double t40 = JLT_FMA(x[0], t39, t38); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t41 = t21*t22; /* Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) */
-    const double t42 = t25*p[23]; /* (I1 - I3)*gamma3*2*m*R^2 */
-    const double t43 = JLT_FMA(t13, t42, t41); /* s*1/(s*Theta)*(I1 - I3)*gamma3*2*m*R^2 + Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) */
-    const double t44 = JLT_FNMA(t22, p[16], t39); /* C*I3*M - gamma3*Theta*1/(s*Theta)*G*J3/R */
-    const double t45 = JLT_FMA(t40, t43, t44); /* (gamma3*C*I3*M + s*G*J3/R)*t43 + C*I3*M - gamma3*Theta*1/(s*Theta)*G*J3/R */
-    const double t46 = t12*t45; /* 1/(s*Theta)*t45 */
-    const double t47 = x[0]*p[24]; /* gamma3*(-I3*M) */
-    const double t48 = t12*t47; /* 1/(s*Theta)*gamma3*(-I3*M) */
-    const double t49 = t19*t48; /* S*1/(s*Theta)*gamma3*(-I3*M) */
-    out[0] = t32;
-    out[1] = t37;
-    out[2] = t46;
-    out[3] = t49;
+    const double t23 = p[7]*t22; /* m*R/J1*gamma3*Theta*1/(s*Theta) */
+    const double t24 = t20*t23; /* (v_slip - M/(m*R)*S)*m*R/J1*gamma3*Theta*1/(s*Theta) */
+    const double t25 = t22*p[18]; /* gamma3*Theta*1/(s*Theta)*R*M/(I1*J1) */
+    const double t26 = p[9]*x[0]; /* (I1 - I3)*gamma3 */
+    const double t27 = p[20]*t26; /* m*R^3/(I1^2*J1)*(I1 - I3)*gamma3 */
+    const double t28 = JLT_FMA(t4, t25, p[19]); /* C*gamma3*Theta*1/(s*Theta)*R*M/(I1*J1) + G/I1^2 */
+    const double t29 = JLT_FNMA(t14, t27, t28); /* C*gamma3*Theta*1/(s*Theta)*R*M/(I1*J1) + G/I1^2 - (C*I1*M*s - gamma3*G*J1/R)*s*1/(s*Theta)*m*R^3/(I1^2*J1)*(I1 - I3)*gamma3 */
+    const double t30 = t3*t14; /* s*(C*I1*M*s - gamma3*G*J1/R)*s*1/(s*Theta) */
+    const double t31 = t30/t18; /* s*(C*I1*M*s - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip */
+    const double t32 = p[9]*t29; /* (I1 - I3)*t29 */
+    const double t33 = JLT_FMS(t31, t32, t24); /* s*(C*I1*M*s - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*(I1 - I3)*t29 - (v_slip - M/(m*R)*S)*m*R/J1*gamma3*Theta*1/(s*Theta) */
+    const double t34 = t19*p[22]; /* S*R*M*(I1 - I3)/I1 */
+    const double t35 = t31*t34; /* s*(C*I1*M*s - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*S*R*M*(I1 - I3)/I1 */
+    const double t36 = JLT_FNMA(t4, p[5], t35); /* t35 - C*M */
+    const double t37 = t3*p[21]; /* s*1/J1 */
+    const double t38 = t36*t37; /* (t35 - C*M)*s*1/J1 */
+    const double t39 = t3*p[16]; /* s*G*J3/R */
+    const double t40 = t4*p[17]; /* C*I3*M */
+    const double t41 = JLT_FMA(x[0], t40, t39); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t42 = t21*t22; /* Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) */
+    const double t43 = t26*p[23]; /* (I1 - I3)*gamma3*2*m*R^2 */
+    const double t44 = JLT_FMA(t13, t43, t42); /* s*1/(s*Theta)*(I1 - I3)*gamma3*2*m*R^2 + Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) */
+    const double t45 = JLT_FNMA(t22, p[16], t40); /* C*I3*M - gamma3*Theta*1/(s*Theta)*G*J3/R */
+    const double t46 = JLT_FMA(t41, t44, t45); /* (gamma3*C*I3*M + s*G*J3/R)*t44 + C*I3*M - gamma3*Theta*1/(s*Theta)*G*J3/R */
+    const double t47 = t13*t21; /* s*1/(s*Theta)*Theta*1/(s*Theta) */
+    const double t48 = t46*t47; /* t46*s*1/(s*Theta)*Theta*1/(s*Theta) */
+    const double t49 = t13*p[24]; /* s*1/(s*Theta)*(-I3*M) */
+    const double t50 = t22*t49; /* gamma3*Theta*1/(s*Theta)*s*1/(s*Theta)*(-I3*M) */
+    const double t51 = t19*t50; /* S*gamma3*Theta*1/(s*Theta)*s*1/(s*Theta)*(-I3*M) */
+    out[0] = t33;
+    out[1] = t38;
+    out[2] = t48;
+    out[3] = t51;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -232,30 +240,30 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t24 = t4*p[17]; /* C*I3*M */
     const double t25 = JLT_FMA(x[0], t24, t23); /* gamma3*C*I3*M + s*G*J3/R */
     const double t26 = t12*t25; /* 1/(s*Theta)*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t27 = t10*t12; /* Theta*1/(s*Theta) */
-    const double t28 = x[0]*t27; /* gamma3*Theta*1/(s*Theta) */
-    const double t29 = t3*t14; /* s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta) */
-    const double t30 = t29/t18; /* s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip */
-    const double t31 = t4*p[25]; /* C*R*M*(I1 - I3)/(I1*J1) */
-    const double t32 = JLT_FMS(t30, t31, t21); /* s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*C*R*M*(I1 - I3)/(I1*J1) - m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t33 = t30*p[26]; /* s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*G*(I1 - I3)/I1^2 */
+    const double t27 = t3*t14; /* s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta) */
+    const double t28 = t27/t18; /* s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip */
+    const double t29 = p[25]*t28; /* G*(I1 - I3)/I1^2*s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip */
+    const double t30 = t4*p[26]; /* C*R*M*(I1 - I3)/(I1*J1) */
+    const double t31 = JLT_FMS(t28, t30, t21); /* s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*C*R*M*(I1 - I3)/(I1*J1) - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t32 = t10*t12; /* Theta*1/(s*Theta) */
+    const double t33 = x[0]*t32; /* gamma3*Theta*1/(s*Theta) */
     const double t34 = x[0]*p[27]; /* gamma3*m*R^3*(I1 - I3)^2/(I1^2*J1) */
     const double t35 = t14*t34; /* (C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)*gamma3*m*R^3*(I1 - I3)^2/(I1^2*J1) */
-    const double t36 = JLT_FNMA(t30, t35, t33); /* t33 - s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*t35 */
-    const double t37 = JLT_FMA(t28, t32, t36); /* gamma3*Theta*1/(s*Theta)*t32 + t33 - s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*t35 */
+    const double t36 = JLT_FNMA(t28, t35, t29); /* t29 - s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*t35 */
+    const double t37 = JLT_FMA(t31, t33, t36); /* t31*gamma3*Theta*1/(s*Theta) + t29 - s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*t35 */
     const double t38 = t19*p[22]; /* S*R*M*(I1 - I3)/I1 */
-    const double t39 = t30*t38; /* s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*S*R*M*(I1 - I3)/I1 */
+    const double t39 = t28*t38; /* s*(C*s*I1*M - gamma3*G*J1/R)*s*1/(s*Theta)/v_slip*S*R*M*(I1 - I3)/I1 */
     const double t40 = JLT_FNMA(t4, p[5], t39); /* t39 - C*M */
     const double t41 = t3*p[21]; /* s*1/J1 */
     const double t42 = t40*t41; /* (t39 - C*M)*s*1/J1 */
     const double t43 = x[0]*p[28]; /* gamma3*2*m*R^2*(I1 - I3) */
     const double t44 = t13*t43; /* s*1/(s*Theta)*gamma3*2*m*R^2*(I1 - I3) */
-    const double t45 = JLT_FMA(t27, t28, t44); /* Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) + s*1/(s*Theta)*gamma3*2*m*R^2*(I1 - I3) */
-    const double t46 = JLT_FNMA(p[16], t28, t24); /* C*I3*M - G*J3/R*gamma3*Theta*1/(s*Theta) */
+    const double t45 = JLT_FMA(t32, t33, t44); /* Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) + s*1/(s*Theta)*gamma3*2*m*R^2*(I1 - I3) */
+    const double t46 = JLT_FNMA(p[16], t33, t24); /* C*I3*M - G*J3/R*gamma3*Theta*1/(s*Theta) */
     const double t47 = JLT_FMA(t25, t45, t46); /* (gamma3*C*I3*M + s*G*J3/R)*t45 + C*I3*M - G*J3/R*gamma3*Theta*1/(s*Theta) */
     const double t48 = t12*t47; /* 1/(s*Theta)*t47 */
     const double t49 = t13*p[24]; /* s*1/(s*Theta)*(-I3*M) */
-    const double t50 = t28*t49; /* gamma3*Theta*1/(s*Theta)*s*1/(s*Theta)*(-I3*M) */
+    const double t50 = t33*t49; /* gamma3*Theta*1/(s*Theta)*s*1/(s*Theta)*(-I3*M) */
     const double t51 = t19*t50; /* S*gamma3*Theta*1/(s*Theta)*s*1/(s*Theta)*(-I3*M) */
     out[0] = t22;
     out[1] = t26;
@@ -268,39 +276,39 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = cos(x[1]); /* C = cos(psi) */
-    const double t5 = p[10]*t3; /* I1*M*s */
-    const double t6 = t4*t5; /* C*I1*M*s */
-    const double t7 = JLT_FNMA(x[0], p[11], t6); /* C*I1*M*s - gamma3*G*J1/R */
-    const double t8 = x[0]*p[3]; /* gamma3*I3 */
-    const double t9 = JLT_FMA(x[0], t8, p[30]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
-    const double t10 = JLT_FMA(t2, p[2], t9); /* Theta scaled = (1 - gamma3)*(1 + gamma3)*I1 + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
-    const double t11 = t3*t10; /* s*Theta scaled */
-    const double t12 = 1.0/t11; /* 1/(s*Theta scaled) */
-    const double t13 = t3*t12; /* s*1/(s*Theta scaled) */
-    const double t14 = t7*t13; /* (C*I1*M*s - gamma3*G*J1/R)*s*1/(s*Theta scaled) */
-    const double t15 = p[29]*t14; /* (I1 - I3)/(m*R^2)*(C*I1*M*s - gamma3*G*J1/R)*s*1/(s*Theta scaled) */
-    const double t16 = JLT_FNMA(t7, t15, p[6]); /* F0 - (C*I1*M*s - gamma3*G*J1/R)*t15 */
-    const double t17 = p[8]*t16; /* 1/(m*I1^2)*(F0 - (C*I1*M*s - gamma3*G*J1/R)*t15) */
-    const double t18 = sqrt(t17); /* v_slip = sqrt(1/(m*I1^2)*(F0 - (C*I1*M*s - gamma3*G*J1/R)*t15)) */
-    const double t19 = sin(x[1]); /* S = sin(psi) */
-    const double t20 = JLT_FNMA(p[15], t19, t18); /* v_slip - M/(m*R)*S */
-    const double t21 = p[7]*t20; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t22 = t13*p[31]; /* s*1/(s*Theta scaled)*I3*M/(m*R^2) */
-    const double t23 = JLT_FMA(t19, t22, t21); /* S*s*1/(s*Theta scaled)*I3*M/(m*R^2) + m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t24 = x[0]*t10; /* gamma3*Theta scaled */
-    const double t25 = t12*t24; /* 1/(s*Theta scaled)*gamma3*Theta scaled */
-    const double t26 = t25*p[32]; /* 1/(s*Theta scaled)*gamma3*Theta scaled*R*M/(I1*J1) */
-    const double t27 = x[0]*p[34]; /* gamma3*R*(I1 - I3)/(I1^2*J1) */
-    const double t28 = JLT_FMA(t4, t26, p[33]); /* C*1/(s*Theta scaled)*gamma3*Theta scaled*R*M/(I1*J1) + G/I1^2 */
-    const double t29 = JLT_FNMA(t14, t27, t28); /* t28 - (C*I1*M*s - gamma3*G*J1/R)*s*1/(s*Theta scaled)*gamma3*R*(I1 - I3)/(I1^2*J1) */
-    const double t30 = t3*t15; /* s*t15 */
-    const double t31 = t29*t30; /* t29*s*t15 */
-    const double t32 = t31/t18; /* t29*s*t15/v_slip */
-    const double t33 = JLT_FNMA(t23, t25, t32); /* t29*s*t15/v_slip - t23*1/(s*Theta scaled)*gamma3*Theta scaled */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = x[0]*p[3]; /* gamma3*I3 */
+    const double t4 = JLT_FMA(x[0], t3, p[29]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t5 = JLT_FMA(p[2], t2, t4); /* Theta scaled = I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t6 = sin(x[1]); /* S = sin(psi) */
+    const double t7 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t8 = t5*t7; /* Theta scaled*s */
+    const double t9 = 1.0/t8; /* 1/(Theta scaled*s) */
+    const double t10 = t7*t9; /* s*1/(Theta scaled*s) */
+    const double t11 = p[30]*t10; /* I3*M/(m*R^2)*s*1/(Theta scaled*s) */
+    const double t12 = t6*t11; /* S*I3*M/(m*R^2)*s*1/(Theta scaled*s) */
+    const double t13 = cos(x[1]); /* C = cos(psi) */
+    const double t14 = t7*p[10]; /* s*I1*M */
+    const double t15 = t13*t14; /* C*s*I1*M */
+    const double t16 = JLT_FNMA(x[0], p[11], t15); /* C*s*I1*M - gamma3*G*J1/R */
+    const double t17 = t10*t16; /* s*1/(Theta scaled*s)*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t18 = p[31]*t16; /* (I1 - I3)/(m*R^2)*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t19 = JLT_FNMA(t17, t18, p[6]); /* F0 - s*1/(Theta scaled*s)*(C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)/(m*R^2)*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t20 = p[8]*t19; /* 1/(m*I1^2)*t19 */
+    const double t21 = sqrt(t20); /* v_slip = sqrt(1/(m*I1^2)*t19) */
+    const double t22 = JLT_FNMA(t6, p[15], t21); /* v_slip - S*M/(m*R) */
+    const double t23 = t7*t17; /* s*s*1/(Theta scaled*s)*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t24 = t23/t21; /* s*s*1/(Theta scaled*s)*(C*s*I1*M - gamma3*G*J1/R)/v_slip */
+    const double t25 = t13*p[32]; /* C*M*(I1 - I3)/(m*R*I1*J1) */
+    const double t26 = JLT_FMA(p[7], t22, t12); /* m*R/J1*(v_slip - S*M/(m*R)) + S*I3*M/(m*R^2)*s*1/(Theta scaled*s) */
+    const double t27 = JLT_FNMA(t24, t25, t26); /* t26 - s*s*1/(Theta scaled*s)*(C*s*I1*M - gamma3*G*J1/R)/v_slip*C*M*(I1 - I3)/(m*R*I1*J1) */
+    const double t28 = t5*t9; /* Theta scaled*1/(Theta scaled*s) */
+    const double t29 = t27*t28; /* t27*Theta scaled*1/(Theta scaled*s) */
+    const double t30 = t17*p[33]; /* s*1/(Theta scaled*s)*(C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)^2/(m*R*I1^2*J1) */
+    const double t31 = JLT_FMA(t24, t30, t29); /* s*s*1/(Theta scaled*s)*(C*s*I1*M - gamma3*G*J1/R)/v_slip*t30 + t27*Theta scaled*1/(Theta scaled*s) */
+    const double t32 = x[0]*t31; /* gamma3*t31 */
+    const double t33 = JLT_FMS(t24, p[34], t32); /* s*s*1/(Theta scaled*s)*(C*s*I1*M - gamma3*G*J1/R)/v_slip*G*(I1 - I3)/(m*R^2*I1^2) - gamma3*t31 */
     out[0] = t33;
 }
 
@@ -435,11 +443,11 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .prepare = prepare,
     .rhs = { rhs, 2, { 2, 16, 6, 1, 2, 2, 14, 8 }, { 10, 32, 0, 6, 2, 2, 16, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 4, { 2, 29, 13, 2, 2, 2, 15, 14 }, { 28, 104, 0, 21, 2, 2, 18, 14 },
+    .jacobian = { jacobian, 4, { 2, 31, 13, 2, 2, 2, 15, 13 }, { 28, 104, 0, 21, 2, 2, 18, 14 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
     .rhs_jacobian = { rhs_jacobian, 6, { 2, 31, 13, 2, 2, 2, 15, 15 }, { 30, 114, 0, 24, 2, 2, 18, 15 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 2, 17, 9, 2, 2, 2, 15, 11 }, { 18, 59, 0, 12, 2, 2, 19, 13 },
+    .divergence = { divergence, 1, { 2, 17, 9, 2, 2, 2, 17, 9 }, { 18, 59, 0, 12, 2, 2, 19, 13 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },

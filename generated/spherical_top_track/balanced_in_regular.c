@@ -7,11 +7,11 @@
  *  Command:    ttc generate --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   23    9    1    0    2      7    8   (96)
- *  jacobian            10   63   23    1    0    2     10   18   (375)
- *  rhs_jacobian        14   72   24    1    0    2      9   27   (449)
- *  divergence          0    7    4    1    0    0      5    4   (30)
- *  integral_values     1   14   10    0    0    2      6    7   (51)
+ *  rhs                 4   21    9    1    0    2      7    8   (96)
+ *  jacobian            12   59   22    1    0    2      9   18   (375)
+ *  rhs_jacobian        15   69   21    1    0    2      7   24   (449)
+ *  divergence          1    5    3    1    0    0      5    4   (30)
+ *  integral_values     1   14   10    0    0    2      6    8   (51)
  *  integral_gradients  0   30    8    0    0    2      7   10   (89)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
@@ -49,99 +49,111 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     const double t0 = params[5]/params[4]; /* I3/I1 */
-    const double t1 = params[0]*params[1]; /* m*R */
-    const double t2 = params[5]*t1; /* I3*m*R */
-    const double t3 = params[4]*params[5]; /* I1*I3 */
-    const double t4 = params[1]*params[1]; /* R*R */
-    const double t5 = params[0]*t4; /* m*R*R */
-    const double t6 = params[4]*t5; /* I1*m*R*R */
-    const double t7 = params[5]*t5; /* I3*m*R*R */
-    const double t8 = params[5]*params[5]; /* I3*I3 */
-    const double t9 = t7 + t8; /* I3*m*R*R + I3*I3 */
-    const double t10 = -t1; /* -m*R */
-    const double t11 = params[4]*t1; /* I1*m*R */
-    const double t12 = -t11; /* -I1*m*R */
-    const double t13 = params[4] - params[5]; /* I1 - I3 */
-    const double t14 = params[1]*t13; /* R*(I1 - I3) */
-    const double t15 = t14/params[4]; /* R*(I1 - I3)/I1 */
-    const double t16 = params[1]*2.0; /* R*2 */
-    const double t17 = -t0; /* -I3/I1 */
-    const double t18 = params[0]*params[0]; /* m*m */
-    const double t19 = 2.0*t18; /* 2*m*m */
-    const double t20 = params[1]*t4; /* R*R*R */
-    const double t21 = t19*t20; /* 2*m*m*R*R*R */
-    const double t22 = t8*t21; /* I3*I3*2*m*m*R*R*R */
-    const double t23 = params[5]*t8; /* I3*I3*I3 */
-    const double t24 = t5*t23; /* m*R*R*I3*I3*I3 */
-    const double t25 = 2.0*t24; /* 2*m*R*R*I3*I3*I3 */
-    const double t26 = t4*t4; /* R*R*R*R */
-    const double t27 = t18*t26; /* m*m*R*R*R*R */
-    const double t28 = t8*t27; /* I3*I3*m*m*R*R*R*R */
-    const double t29 = 2.0*t28; /* 2*I3*I3*m*m*R*R*R*R */
-    const double t30 = t25 + t29; /* 2*m*R*R*I3*I3*I3 + 2*I3*I3*m*m*R*R*R*R */
-    const double t31 = -t2; /* -I3*m*R */
-    const double t32 = t6*t8; /* I1*m*R*R*I3*I3 */
-    const double t33 = 2.0*t32; /* 2*I1*m*R*R*I3*I3 */
-    const double t34 = params[4]*t27; /* I1*m*m*R*R*R*R */
-    const double t35 = params[5]*t34; /* I3*I1*m*m*R*R*R*R */
-    const double t36 = 2.0*t35; /* 2*I3*I1*m*m*R*R*R*R */
-    const double t37 = t33 + t36; /* 2*I1*m*R*R*I3*I3 + 2*I3*I1*m*m*R*R*R*R */
-    const double t38 = params[4]*t21; /* I1*2*m*m*R*R*R */
-    const double t39 = params[5]*t38; /* I3*I1*2*m*m*R*R*R */
-    const double t40 = t5*t13; /* m*R*R*(I1 - I3) */
-    const double t41 = t19*t26; /* 2*m*m*R*R*R*R */
-    const double t42 = params[5]*t41; /* I3*2*m*m*R*R*R*R */
-    const double t43 = t13*t42; /* (I1 - I3)*I3*2*m*m*R*R*R*R */
-    const double t44 = params[0]*2.0; /* m*2 */
-    const double t45 = t4*t44; /* R*R*m*2 */
-    const double t46 = t13*t45; /* (I1 - I3)*R*R*m*2 */
-    const double t47 = params[4]*params[4]; /* I1*I1 */
-    const double t48 = t21*t47; /* 2*m*m*R*R*R*I1*I1 */
-    const double t49 = params[4]*t41; /* I1*2*m*m*R*R*R*R */
-    const double t50 = t13*t49; /* (I1 - I3)*I1*2*m*m*R*R*R*R */
-    const double t51 = params[0]/2.0; /* m/2 */
-    const double t52 = params[4]/2.0; /* I1/2 */
-    const double t53 = params[5]/2.0; /* I3/2 */
-    const double t54 = params[4]*params[1]; /* I1*R */
-    const double t55 = params[5]*params[1]; /* I3*R */
-    const double t56 = -t55; /* -I3*R */
-    const double t57 = params[4] + t5; /* I1 + m*R*R */
-    const double t58 = params[5] + t5; /* I3 + m*R*R */
-    const double t59 = -params[4]; /* -I1 */
+    const double t1 = params[1]*params[1]; /* R*R */
+    const double t2 = params[0]*t1; /* m*R*R */
+    const double t3 = params[5]/t2; /* I3/(m*R*R) */
+    const double t4 = 1.0/params[1]; /* 1/R */
+    const double t5 = params[4]*t2; /* I1*m*R*R */
+    const double t6 = params[5]*params[5]; /* I3*I3 */
+    const double t7 = params[5]*t2; /* I3*m*R*R */
+    const double t8 = t6 + t7; /* I3*I3 + I3*m*R*R */
+    const double t9 = t8/t5; /* (I3*I3 + I3*m*R*R)/(I1*m*R*R) */
+    const double t10 = params[4] - params[5]; /* I1 - I3 */
+    const double t11 = t10/params[4]; /* (I1 - I3)/I1 */
+    const double t12 = params[1]*2.0; /* R*2 */
+    const double t13 = -t0; /* -I3/I1 */
+    const double t14 = params[4]*params[4]; /* I1*I1 */
+    const double t15 = t6*2.0; /* I3*I3*2 */
+    const double t16 = t15/t14; /* I3*I3*2/(I1*I1) */
+    const double t17 = params[0]*params[0]; /* m*m */
+    const double t18 = t1*t1; /* R*R*R*R */
+    const double t19 = t17*t18; /* m*m*R*R*R*R */
+    const double t20 = t14*t19; /* I1*I1*m*m*R*R*R*R */
+    const double t21 = params[5]*t6; /* I3*I3*I3 */
+    const double t22 = t2*t21; /* m*R*R*I3*I3*I3 */
+    const double t23 = t6*t19; /* I3*I3*m*m*R*R*R*R */
+    const double t24 = t22 + t23; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t25 = 2.0*t24; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t26 = t25/t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
+    const double t27 = params[4]*params[1]; /* I1*R */
+    const double t28 = params[5]/t27; /* I3/(I1*R) */
+    const double t29 = -t28; /* -I3/(I1*R) */
+    const double t30 = params[5]*2.0; /* I3*2 */
+    const double t31 = t30/params[4]; /* I3*2/I1 */
+    const double t32 = t5*t6; /* I1*m*R*R*I3*I3 */
+    const double t33 = params[4]*t19; /* I1*m*m*R*R*R*R */
+    const double t34 = params[5]*t33; /* I3*I1*m*m*R*R*R*R */
+    const double t35 = t32 + t34; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
+    const double t36 = 2.0*t35; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
+    const double t37 = t36/t20; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
+    const double t38 = t10*t30; /* (I1 - I3)*I3*2 */
+    const double t39 = t38/t14; /* (I1 - I3)*I3*2/(I1*I1) */
+    const double t40 = (-1.0)/params[1]; /* (-1)/R */
+    const double t41 = t10*2.0; /* (I1 - I3)*2 */
+    const double t42 = t41/params[4]; /* (I1 - I3)*2/I1 */
+    const double t43 = params[4]*params[5]; /* I1*I3 */
+    const double t44 = params[0]*params[1]; /* m*R */
+    const double t45 = params[5]*t44; /* I3*m*R */
+    const double t46 = params[4]*t44; /* I1*m*R */
+    const double t47 = t2*t10; /* m*R*R*(I1 - I3) */
+    const double t48 = params[0]*2.0; /* m*2 */
+    const double t49 = t1*t48; /* R*R*m*2 */
+    const double t50 = params[5]*t49; /* I3*R*R*m*2 */
+    const double t51 = -t44; /* -m*R */
+    const double t52 = -t45; /* -I3*m*R */
+    const double t53 = params[4]*t49; /* I1*R*R*m*2 */
+    const double t54 = -t46; /* -I1*m*R */
+    const double t55 = t10*t49; /* (I1 - I3)*R*R*m*2 */
+    const double t56 = params[0]/2.0; /* m/2 */
+    const double t57 = params[4]/2.0; /* I1/2 */
+    const double t58 = params[5]/2.0; /* I3/2 */
+    const double t59 = t2/2.0; /* m*R*R/2 */
+    const double t60 = params[5]*params[1]; /* I3*R */
+    const double t61 = -t60; /* -I3*R */
+    const double t62 = params[4] + t2; /* I1 + m*R*R */
+    const double t63 = params[5] + t2; /* I3 + m*R*R */
+    const double t64 = -params[4]; /* -I1 */
     out[6] = t0;
-    out[7] = t2;
-    out[8] = t3;
-    out[9] = t6;
-    out[10] = t7;
-    out[11] = t9;
-    out[12] = t12;
-    out[13] = t15;
-    out[14] = t16;
-    out[15] = t17;
-    out[16] = t22;
-    out[17] = t30;
-    out[18] = t31;
-    out[19] = t37;
-    out[20] = t39;
-    out[21] = t40;
-    out[22] = t43;
-    out[23] = t11;
-    out[24] = t46;
-    out[25] = t48;
-    out[26] = t50;
-    out[27] = t1;
-    out[28] = t14;
-    out[29] = t51;
-    out[30] = t52;
-    out[31] = t53;
-    out[32] = t54;
-    out[33] = t55;
-    out[34] = t5;
-    out[35] = t56;
-    out[36] = t57;
-    out[37] = t10;
-    out[38] = t58;
-    out[39] = t59;
+    out[7] = t3;
+    out[8] = t4;
+    out[9] = t9;
+    out[10] = t11;
+    out[11] = t12;
+    out[12] = t13;
+    out[13] = t16;
+    out[14] = t26;
+    out[15] = t29;
+    out[16] = t31;
+    out[17] = t37;
+    out[18] = t39;
+    out[19] = t40;
+    out[20] = t42;
+    out[21] = t43;
+    out[22] = t5;
+    out[23] = t7;
+    out[24] = t8;
+    out[25] = t45;
+    out[26] = t46;
+    out[27] = t47;
+    out[28] = t50;
+    out[29] = t52;
+    out[30] = t53;
+    out[31] = t54;
+    out[32] = t55;
+    out[33] = t28;
+    out[34] = t56;
+    out[35] = t57;
+    out[36] = t58;
+    out[37] = t59;
+    out[38] = t27;
+    out[39] = t60;
+    out[40] = t2;
+    out[41] = t44;
+    out[42] = t61;
+    out[43] = t62;
+    out[44] = t51;
+    out[45] = t63;
+    out[46] = t64;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -156,45 +168,43 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t7 = JLT_FMA(t2, p[6], t3); /* s*omega3*I3/I1 + omega_n*gamma3 */
     const double t8 = x[3]*t7; /* omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
     const double t9 = -t8; /* -omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
-    const double t10 = x[9]*p[9]; /* s*m*R^2*I1 */
-    const double t11 = x[0]*p[10]; /* gamma3*m*R^2*I3 */
-    const double t12 = JLT_FMA(x[9], t10, p[8]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t13 = JLT_FMA(x[0], t11, t12); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t14 = 1.0/t13; /* 1/Theta */
-    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t16 = p[7]*t15; /* m*R*I3*V */
-    const double t17 = JLT_FNMA(t14, t16, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t18 = t3*t17; /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t19 = t0*x[4]; /* s*omega_tau*omega3 */
-    const double t20 = p[11]*t19; /* (I3^2 + m*R^2*I3)*s*omega_tau*omega3 */
-    const double t21 = JLT_FMA(t14, t20, t18); /* 1/Theta*(I3^2 + m*R^2*I3)*s*omega_tau*omega3 + omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t22 = x[3]*t15; /* omega_n*V */
-    const double t23 = x[0]*p[13]; /* gamma3*R*(I1 - I3)/I1 */
-    const double t24 = JLT_FNMA(t19, t23, t22); /* omega_n*V - s*omega_tau*omega3*gamma3*R*(I1 - I3)/I1 */
-    const double t25 = x[9]*p[12]; /* s*(-m*R*I1) */
-    const double t26 = t24*t25; /* (omega_n*V - s*omega_tau*omega3*gamma3*R*(I1 - I3)/I1)*s*(-m*R*I1) */
-    const double t27 = t14*t26; /* 1/Theta*t26 */
-    const double t28 = -x[3]; /* -omega_n */
-    const double t29 = cos(x[5]); /* C = cos(chi) */
-    const double t30 = x[1]*t29; /* v_nu*C */
+    const double t10 = x[0]*p[6]; /* gamma3*I3/I1 */
+    const double t11 = JLT_FMA(x[9], x[9], p[7]); /* s*s + I3/(m*R^2) */
+    const double t12 = JLT_FMA(x[0], t10, t11); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t13 = 1.0/t12; /* 1/Theta scaled */
+    const double t14 = JLT_FMA(p[8], x[1], x[2]); /* V scaled = 1/R*v_nu + omega_tau */
+    const double t15 = t13*t14; /* 1/Theta scaled*V scaled */
+    const double t16 = JLT_FNMA(p[6], t15, x[2]); /* omega_tau - I3/I1*1/Theta scaled*V scaled */
+    const double t17 = t3*t16; /* omega_n*gamma3*(omega_tau - I3/I1*1/Theta scaled*V scaled) */
+    const double t18 = x[4]*p[9]; /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t19 = t0*t18; /* s*omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t20 = JLT_FMA(t13, t19, t17); /* 1/Theta scaled*s*omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3*(omega_tau - I3/I1*1/Theta scaled*V scaled) */
+    const double t21 = x[9]*x[3]; /* s*omega_n */
+    const double t22 = t15*t21; /* 1/Theta scaled*V scaled*s*omega_n */
+    const double t23 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t24 = t2*p[10]; /* s*omega3*(I1 - I3)/I1 */
+    const double t25 = t23*t24; /* s*omega_tau*gamma3*s*omega3*(I1 - I3)/I1 */
+    const double t26 = JLT_FMS(t13, t25, t22); /* 1/Theta scaled*s*omega_tau*gamma3*s*omega3*(I1 - I3)/I1 - 1/Theta scaled*V scaled*s*omega_n */
+    const double t27 = -x[3]; /* -omega_n */
+    const double t28 = cos(x[5]); /* C = cos(chi) */
+    const double t29 = x[9]*x[1]; /* s*v_nu */
+    const double t30 = t28*t29; /* C*s*v_nu */
     const double t31 = sin(x[5]); /* S = sin(chi) */
-    const double t32 = JLT_FMA(t5, t31, t30); /* R*(s*omega3 + omega_n*gamma3)*S + v_nu*C */
-    const double t33 = x[9]*t32; /* s*(R*(s*omega3 + omega_n*gamma3)*S + v_nu*C) */
-    const double t34 = x[1]*t31; /* v_nu*S */
-    const double t35 = JLT_FNMA(t5, t29, t34); /* v_nu*S - R*(s*omega3 + omega_n*gamma3)*C */
-    const double t36 = x[9]*t35; /* s*(v_nu*S - R*(s*omega3 + omega_n*gamma3)*C) */
-    const double t37 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t38 = -t37; /* -s*omega_tau*gamma3 */
+    const double t32 = x[9]*t5; /* s*R*(s*omega3 + omega_n*gamma3) */
+    const double t33 = JLT_FMA(t31, t32, t30); /* S*s*R*(s*omega3 + omega_n*gamma3) + C*s*v_nu */
+    const double t34 = t29*t31; /* s*v_nu*S */
+    const double t35 = JLT_FNMA(t28, t32, t34); /* s*v_nu*S - C*s*R*(s*omega3 + omega_n*gamma3) */
+    const double t36 = -t23; /* -s*omega_tau*gamma3 */
     out[0] = t1;
     out[1] = t6;
     out[2] = t9;
-    out[3] = t21;
-    out[4] = t27;
-    out[5] = t28;
+    out[3] = t20;
+    out[4] = t26;
+    out[5] = t27;
     out[6] = t4;
     out[7] = t33;
-    out[8] = t36;
-    out[9] = t38;
+    out[8] = t35;
+    out[9] = t36;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -207,7 +217,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t5 = x[9]*p[1]; /* s*R */
     const double t6 = x[4]*t5; /* omega3*s*R */
     const double t7 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t8 = JLT_FMA(p[14], t7, t6); /* 2*R*omega_n*gamma3 + omega3*s*R */
+    const double t8 = JLT_FMA(p[11], t7, t6); /* 2*R*omega_n*gamma3 + omega3*s*R */
     const double t9 = x[3]*t5; /* omega_n*s*R */
     const double t10 = x[3]*x[4]; /* omega_n*omega3 */
     const double t11 = p[1]*t10; /* R*omega_n*omega3 */
@@ -218,86 +228,83 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t16 = -t15; /* -(omega3*s*I3/I1 + 2*omega_n*gamma3) */
     const double t17 = x[3]*t14; /* omega_n*s*I3/I1 */
     const double t18 = -t17; /* -omega_n*s*I3/I1 */
-    const double t19 = t10*p[15]; /* omega_n*omega3*(-I3/I1) */
+    const double t19 = t10*p[12]; /* omega_n*omega3*(-I3/I1) */
     const double t20 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t21 = JLT_FMA(t0, p[9], p[8]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t22 = JLT_FMA(p[10], t20, t21); /* Theta = m*R^2*I3*gamma3*gamma3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t23 = 1.0/t22; /* 1/Theta */
-    const double t24 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t25 = t23*t24; /* 1/Theta*V */
-    const double t26 = JLT_FNMA(p[7], t25, x[2]); /* omega_tau - m*R*I3*1/Theta*V */
-    const double t27 = x[3]*t26; /* omega_n*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t28 = t7*t25; /* omega_n*gamma3*1/Theta*V */
-    const double t29 = p[16]*t28; /* 2*m^2*R^3*I3^2*omega_n*gamma3*1/Theta*V */
-    const double t30 = x[9]*t23; /* s*1/Theta */
-    const double t31 = x[2]*t30; /* omega_tau*s*1/Theta */
-    const double t32 = x[4]*t31; /* omega3*omega_tau*s*1/Theta */
-    const double t33 = JLT_FNMA(p[17], t32, t29); /* 2*m^2*R^3*I3^2*omega_n*gamma3*1/Theta*V - (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*omega3*omega_tau*s*1/Theta */
-    const double t34 = x[0]*t23; /* gamma3*1/Theta */
-    const double t35 = JLT_FMA(t33, t34, t27); /* t33*gamma3*1/Theta + omega_n*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t36 = t7*t23; /* omega_n*gamma3*1/Theta */
-    const double t37 = p[18]*t36; /* (-m*R*I3)*omega_n*gamma3*1/Theta */
-    const double t38 = x[4]*t30; /* omega3*s*1/Theta */
-    const double t39 = JLT_FNMA(p[10], t36, t7); /* omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
-    const double t40 = JLT_FMA(p[11], t38, t39); /* (I3^2 + m*R^2*I3)*omega3*s*1/Theta + omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
-    const double t41 = x[0]*t26; /* gamma3*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t42 = t31*p[11]; /* omega_tau*s*1/Theta*(I3^2 + m*R^2*I3) */
-    const double t43 = x[2]*p[11]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t44 = x[4]*t43; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t45 = t30*t32; /* s*1/Theta*omega3*omega_tau*s*1/Theta */
-    const double t46 = t30*p[20]; /* s*1/Theta*2*m^2*R^3*I1*I3 */
-    const double t47 = t28*t46; /* omega_n*gamma3*1/Theta*V*s*1/Theta*2*m^2*R^3*I1*I3 */
-    const double t48 = JLT_FMA(t23, t44, t47); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) + omega_n*gamma3*1/Theta*V*s*1/Theta*2*m^2*R^3*I1*I3 */
-    const double t49 = JLT_FNMA(p[19], t45, t48); /* t48 - (2*m*R^2*I1*I3^2 + 2*m^2*R^4*I1*I3)*s*1/Theta*omega3*omega_tau*s*1/Theta */
-    const double t50 = x[9]*p[21]; /* s*m*R^2*(I1 - I3) */
-    const double t51 = t20*p[22]; /* gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
-    const double t52 = JLT_FMA(t32, t50, t47); /* omega3*omega_tau*s*1/Theta*s*m*R^2*(I1 - I3) + omega_n*gamma3*1/Theta*V*s*1/Theta*2*m^2*R^3*I1*I3 */
-    const double t53 = JLT_FNMA(t45, t51, t52); /* t52 - s*1/Theta*omega3*omega_tau*s*1/Theta*gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
-    const double t54 = x[3]*t30; /* omega_n*s*1/Theta */
-    const double t55 = p[12]*t54; /* (-m*R*I1)*omega_n*s*1/Theta */
+    const double t21 = t0 + p[7]; /* s*s + I3/(m*R^2) */
+    const double t22 = JLT_FMA(p[6], t20, t21); /* Theta scaled = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
+    const double t23 = 1.0/t22; /* 1/Theta scaled */
+    const double t24 = JLT_FMA(p[8], x[1], x[2]); /* V scaled = 1/R*v_nu + omega_tau */
+    const double t25 = t23*t24; /* 1/Theta scaled*V scaled */
+    const double t26 = JLT_FNMA(p[6], t25, x[2]); /* omega_tau - I3/I1*1/Theta scaled*V scaled */
+    const double t27 = x[3]*t26; /* omega_n*(omega_tau - I3/I1*1/Theta scaled*V scaled) */
+    const double t28 = t7*t25; /* omega_n*gamma3*1/Theta scaled*V scaled */
+    const double t29 = p[13]*t28; /* 2*I3^2/I1^2*omega_n*gamma3*1/Theta scaled*V scaled */
+    const double t30 = x[9]*t23; /* s*1/Theta scaled */
+    const double t31 = x[4]*t30; /* omega3*s*1/Theta scaled */
+    const double t32 = x[2]*t31; /* omega_tau*omega3*s*1/Theta scaled */
+    const double t33 = JLT_FNMA(p[14], t32, t29); /* 2*I3^2/I1^2*omega_n*gamma3*1/Theta scaled*V scaled - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega_tau*omega3*s*1/Theta scaled */
+    const double t34 = x[0]*t23; /* gamma3*1/Theta scaled */
+    const double t35 = JLT_FMA(t33, t34, t27); /* t33*gamma3*1/Theta scaled + omega_n*(omega_tau - I3/I1*1/Theta scaled*V scaled) */
+    const double t36 = t7*t23; /* omega_n*gamma3*1/Theta scaled */
+    const double t37 = p[15]*t36; /* (-I3/(R*I1))*omega_n*gamma3*1/Theta scaled */
+    const double t38 = JLT_FNMA(p[6], t36, t7); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/Theta scaled */
+    const double t39 = JLT_FMA(t31, p[9], t38); /* omega3*s*1/Theta scaled*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/Theta scaled */
+    const double t40 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/Theta scaled*V scaled) */
+    const double t41 = x[2]*t30; /* omega_tau*s*1/Theta scaled */
+    const double t42 = p[9]*t41; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*s*1/Theta scaled */
+    const double t43 = x[2]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t44 = x[4]*t43; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t45 = t23*t44; /* 1/Theta scaled*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t46 = t28*p[16]; /* omega_n*gamma3*1/Theta scaled*V scaled*2*I3/I1 */
+    const double t47 = JLT_FNMA(t32, p[17], t46); /* omega_n*gamma3*1/Theta scaled*V scaled*2*I3/I1 - omega_tau*omega3*s*1/Theta scaled*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) */
+    const double t48 = JLT_FMA(t30, t47, t45); /* s*1/Theta scaled*t47 + 1/Theta scaled*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t49 = x[9]*p[10]; /* s*(I1 - I3)/I1 */
+    const double t50 = t32*t49; /* omega_tau*omega3*s*1/Theta scaled*s*(I1 - I3)/I1 */
+    const double t51 = t20*p[18]; /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t52 = JLT_FNMA(t32, t51, t46); /* omega_n*gamma3*1/Theta scaled*V scaled*2*I3/I1 - omega_tau*omega3*s*1/Theta scaled*gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t53 = JLT_FMA(t30, t52, t50); /* s*1/Theta scaled*t52 + omega_tau*omega3*s*1/Theta scaled*s*(I1 - I3)/I1 */
+    const double t54 = x[3]*t30; /* omega_n*s*1/Theta scaled */
+    const double t55 = p[19]*t54; /* (-1/R)*omega_n*s*1/Theta scaled */
     const double t56 = x[9]*x[0]; /* s*gamma3 */
-    const double t57 = p[21]*t56; /* m*R^2*(I1 - I3)*s*gamma3 */
-    const double t58 = t38*t57; /* omega3*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
-    const double t59 = JLT_FNMA(p[9], t54, t58); /* omega3*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 - m*R^2*I1*omega_n*s*1/Theta */
-    const double t60 = t24*t30; /* V*s*1/Theta */
-    const double t61 = p[12]*t60; /* (-m*R*I1)*V*s*1/Theta */
-    const double t62 = t31*t57; /* omega_tau*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
-    const double t63 = x[3]*p[23]; /* omega_n*m*R*I1 */
-    const double t64 = t25*t63; /* 1/Theta*V*omega_n*m*R*I1 */
-    const double t65 = x[0]*p[24]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t66 = t54*p[25]; /* omega_n*s*1/Theta*2*m^2*R^3*I1^2 */
-    const double t67 = t56*p[26]; /* s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
-    const double t68 = JLT_FMS(t32, t65, t64); /* omega3*omega_tau*s*1/Theta*gamma3*2*m*R^2*(I1 - I3) - 1/Theta*V*omega_n*m*R*I1 */
-    const double t69 = JLT_FMA(t60, t66, t68); /* V*s*1/Theta*omega_n*s*1/Theta*2*m^2*R^3*I1^2 + t68 */
-    const double t70 = JLT_FNMA(t45, t67, t69); /* V*s*1/Theta*omega_n*s*1/Theta*2*m^2*R^3*I1^2 + t68 - s*1/Theta*omega3*omega_tau*s*1/Theta*s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
-    const double t71 = sin(x[5]); /* S = sin(chi) */
-    const double t72 = t9*t71; /* omega_n*s*R*S */
-    const double t73 = cos(x[5]); /* C = cos(chi) */
-    const double t74 = x[9]*t73; /* s*C */
-    const double t75 = t5*x[0]; /* s*R*gamma3 */
-    const double t76 = t71*t75; /* S*s*R*gamma3 */
-    const double t77 = x[9]*t71; /* s*S */
-    const double t78 = t5*t77; /* s*R*s*S */
-    const double t79 = x[1]*t71; /* v_nu*S */
-    const double t80 = JLT_FMA(p[1], t7, t6); /* v_tau = R*omega_n*gamma3 + omega3*s*R */
-    const double t81 = JLT_FNMA(t73, t80, t79); /* v_nu*S - C*v_tau */
-    const double t82 = x[9]*t81; /* s*(v_nu*S - C*v_tau) */
-    const double t83 = -t82; /* -s*(v_nu*S - C*v_tau) */
-    const double t84 = x[1]*t73; /* v_nu*C */
-    const double t85 = JLT_FMA(t71, t80, t84); /* S*v_tau + v_nu*C */
-    const double t86 = JLT_FMA(t6, t71, t85); /* omega3*s*R*S + S*v_tau + v_nu*C */
-    const double t87 = t9*t73; /* omega_n*s*R*C */
-    const double t88 = -t87; /* -omega_n*s*R*C */
-    const double t89 = t73*t75; /* C*s*R*gamma3 */
-    const double t90 = -t89; /* -C*s*R*gamma3 */
-    const double t91 = t5*t74; /* s*R*s*C */
-    const double t92 = -t91; /* -s*R*s*C */
-    const double t93 = x[9]*t85; /* s*(S*v_tau + v_nu*C) */
-    const double t94 = JLT_FNMA(t6, t73, t81); /* v_nu*S - C*v_tau - omega3*s*R*C */
-    const double t95 = -t1; /* -s*omega_tau */
-    const double t96 = -t56; /* -s*gamma3 */
-    const double t97 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t98 = -t97; /* -omega_tau*gamma3 */
+    const double t57 = p[10]*t56; /* (I1 - I3)/I1*s*gamma3 */
+    const double t58 = JLT_FMS(t31, t57, t54); /* omega3*s*1/Theta scaled*(I1 - I3)/I1*s*gamma3 - omega_n*s*1/Theta scaled */
+    const double t59 = t24*t30; /* V scaled*s*1/Theta scaled */
+    const double t60 = -t59; /* -V scaled*s*1/Theta scaled */
+    const double t61 = t41*t57; /* omega_tau*s*1/Theta scaled*(I1 - I3)/I1*s*gamma3 */
+    const double t62 = x[3]*t25; /* omega_n*1/Theta scaled*V scaled */
+    const double t63 = 2.0*t59; /* 2*V scaled*s*1/Theta scaled */
+    const double t64 = JLT_FNMA(t30, t56, x[0]); /* gamma3 - s*1/Theta scaled*s*gamma3 */
+    const double t65 = p[20]*t64; /* 2*(I1 - I3)/I1*(gamma3 - s*1/Theta scaled*s*gamma3) */
+    const double t66 = JLT_FMS(t54, t63, t62); /* omega_n*s*1/Theta scaled*2*V scaled*s*1/Theta scaled - omega_n*1/Theta scaled*V scaled */
+    const double t67 = JLT_FMA(t32, t65, t66); /* omega_tau*omega3*s*1/Theta scaled*2*(I1 - I3)/I1*(gamma3 - s*1/Theta scaled*s*gamma3) + t66 */
+    const double t68 = sin(x[5]); /* S = sin(chi) */
+    const double t69 = t9*t68; /* omega_n*s*R*S */
+    const double t70 = cos(x[5]); /* C = cos(chi) */
+    const double t71 = x[9]*t70; /* s*C */
+    const double t72 = t5*x[0]; /* s*R*gamma3 */
+    const double t73 = t68*t72; /* S*s*R*gamma3 */
+    const double t74 = x[9]*t68; /* s*S */
+    const double t75 = t5*t74; /* s*R*s*S */
+    const double t76 = x[1]*t68; /* v_nu*S */
+    const double t77 = JLT_FMA(p[1], t7, t6); /* v_tau = R*omega_n*gamma3 + omega3*s*R */
+    const double t78 = JLT_FNMA(t70, t77, t76); /* v_nu*S - C*v_tau */
+    const double t79 = x[9]*t78; /* s*(v_nu*S - C*v_tau) */
+    const double t80 = -t79; /* -s*(v_nu*S - C*v_tau) */
+    const double t81 = x[1]*t70; /* v_nu*C */
+    const double t82 = JLT_FMA(t68, t77, t81); /* S*v_tau + v_nu*C */
+    const double t83 = JLT_FMA(t6, t68, t82); /* omega3*s*R*S + S*v_tau + v_nu*C */
+    const double t84 = t9*t70; /* omega_n*s*R*C */
+    const double t85 = -t84; /* -omega_n*s*R*C */
+    const double t86 = t70*t72; /* C*s*R*gamma3 */
+    const double t87 = -t86; /* -C*s*R*gamma3 */
+    const double t88 = t5*t71; /* s*R*s*C */
+    const double t89 = -t88; /* -s*R*s*C */
+    const double t90 = x[9]*t82; /* s*(S*v_tau + v_nu*C) */
+    const double t91 = JLT_FNMA(t6, t70, t78); /* v_nu*S - C*v_tau - omega3*s*R*C */
+    const double t92 = -t1; /* -s*omega_tau */
+    const double t93 = -t56; /* -s*gamma3 */
+    const double t94 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t95 = -t94; /* -omega_tau*gamma3 */
     out[0] = 0.0;
     out[1] = 0.0;
     out[2] = t0;
@@ -330,24 +337,24 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[29] = t19;
     out[30] = t35;
     out[31] = t37;
-    out[32] = t40;
-    out[33] = t41;
+    out[32] = t39;
+    out[33] = t40;
     out[34] = t42;
     out[35] = 0.0;
     out[36] = 0.0;
     out[37] = 0.0;
     out[38] = 0.0;
-    out[39] = t49;
+    out[39] = t48;
     out[40] = t53;
     out[41] = t55;
-    out[42] = t59;
-    out[43] = t61;
-    out[44] = t62;
+    out[42] = t58;
+    out[43] = t60;
+    out[44] = t61;
     out[45] = 0.0;
     out[46] = 0.0;
     out[47] = 0.0;
     out[48] = 0.0;
-    out[49] = t70;
+    out[49] = t67;
     out[50] = 0.0;
     out[51] = 0.0;
     out[52] = 0.0;
@@ -368,177 +375,172 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[67] = 0.0;
     out[68] = 0.0;
     out[69] = x[4];
-    out[70] = t72;
-    out[71] = t74;
+    out[70] = t69;
+    out[71] = t71;
     out[72] = 0.0;
-    out[73] = t76;
-    out[74] = t78;
-    out[75] = t83;
+    out[73] = t73;
+    out[74] = t75;
+    out[75] = t80;
     out[76] = 0.0;
     out[77] = 0.0;
     out[78] = 0.0;
-    out[79] = t86;
-    out[80] = t88;
-    out[81] = t77;
+    out[79] = t83;
+    out[80] = t85;
+    out[81] = t74;
     out[82] = 0.0;
-    out[83] = t90;
-    out[84] = t92;
-    out[85] = t93;
+    out[83] = t87;
+    out[84] = t89;
+    out[85] = t90;
     out[86] = 0.0;
     out[87] = 0.0;
     out[88] = 0.0;
-    out[89] = t94;
-    out[90] = t95;
+    out[89] = t91;
+    out[90] = t92;
     out[91] = 0.0;
-    out[92] = t96;
+    out[92] = t93;
     out[93] = 0.0;
     out[94] = 0.0;
     out[95] = 0.0;
     out[96] = 0.0;
     out[97] = 0.0;
     out[98] = 0.0;
-    out[99] = t98;
+    out[99] = t95;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[9]*x[2]; /* s*omega_tau */
-    const double t1 = x[9]*t0; /* s*s*omega_tau */
-    const double t2 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t0 = x[9]*x[9]; /* s*s */
+    const double t1 = x[2]*t0; /* omega_tau*s*s */
+    const double t2 = p[1]*x[3]; /* R*omega_n */
     const double t3 = x[9]*x[4]; /* s*omega3 */
-    const double t4 = t2 + t3; /* omega_n*gamma3 + s*omega3 */
-    const double t5 = x[3]*p[1]; /* omega_n*R */
-    const double t6 = t4*t5; /* (omega_n*gamma3 + s*omega3)*omega_n*R */
-    const double t7 = x[3]*t2; /* omega_n*omega_n*gamma3 */
-    const double t8 = x[3]*p[6]; /* omega_n*I3/I1 */
-    const double t9 = JLT_FMA(t3, t8, t7); /* s*omega3*omega_n*I3/I1 + omega_n*omega_n*gamma3 */
-    const double t10 = -t9; /* -(s*omega3*omega_n*I3/I1 + omega_n*omega_n*gamma3) */
-    const double t11 = x[9]*x[9]; /* s*s */
-    const double t12 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t13 = JLT_FMA(p[9], t11, p[8]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t14 = JLT_FMA(p[10], t12, t13); /* Theta = m*R^2*I3*gamma3*gamma3 + m*R^2*I1*s*s + I1*I3 */
-    const double t15 = 1.0/t14; /* 1/Theta */
-    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t17 = t15*t16; /* 1/Theta*V */
-    const double t18 = JLT_FNMA(p[7], t17, x[2]); /* omega_tau - m*R*I3*1/Theta*V */
-    const double t19 = t2*t18; /* omega_n*gamma3*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t20 = x[9]*t15; /* s*1/Theta */
-    const double t21 = x[2]*t20; /* omega_tau*s*1/Theta */
-    const double t22 = x[4]*t21; /* omega3*omega_tau*s*1/Theta */
-    const double t23 = JLT_FMA(p[11], t22, t19); /* (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/Theta + omega_n*gamma3*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t24 = x[3]*t20; /* omega_n*s*1/Theta */
-    const double t25 = t16*t24; /* V*omega_n*s*1/Theta */
-    const double t26 = x[0]*t3; /* gamma3*s*omega3 */
-    const double t27 = p[13]*t26; /* R*(I1 - I3)/I1*gamma3*s*omega3 */
-    const double t28 = JLT_FNMA(t21, t27, t25); /* V*omega_n*s*1/Theta - omega_tau*s*1/Theta*R*(I1 - I3)/I1*gamma3*s*omega3 */
-    const double t29 = p[12]*t28; /* (-m*R*I1)*t28 */
+    const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t5 = t3 + t4; /* s*omega3 + omega_n*gamma3 */
+    const double t6 = t2*t5; /* R*omega_n*(s*omega3 + omega_n*gamma3) */
+    const double t7 = t3*p[6]; /* s*omega3*I3/I1 */
+    const double t8 = t4 + t7; /* omega_n*gamma3 + s*omega3*I3/I1 */
+    const double t9 = x[3]*t8; /* omega_n*(omega_n*gamma3 + s*omega3*I3/I1) */
+    const double t10 = -t9; /* -omega_n*(omega_n*gamma3 + s*omega3*I3/I1) */
+    const double t11 = x[0]*p[23]; /* gamma3*m*R^2*I3 */
+    const double t12 = JLT_FMA(t0, p[22], p[21]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t13 = JLT_FMA(x[0], t11, t12); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t14 = 1.0/t13; /* 1/Theta */
+    const double t15 = x[2]*p[24]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t16 = t3*t15; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t17 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t18 = p[25]*t17; /* m*R*I3*V */
+    const double t19 = JLT_FNMA(t4, t18, t16); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
+    const double t20 = t14*t19; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t21 = JLT_FMA(x[2], t4, t20); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t22 = x[9]*x[3]; /* s*omega_n */
+    const double t23 = t17*p[26]; /* V*m*R*I1 */
+    const double t24 = t22*t23; /* s*omega_n*V*m*R*I1 */
+    const double t25 = x[9]*x[0]; /* s*gamma3 */
+    const double t26 = x[2]*t25; /* omega_tau*s*gamma3 */
+    const double t27 = t3*p[27]; /* s*omega3*m*R^2*(I1 - I3) */
+    const double t28 = JLT_FMS(t26, t27, t24); /* numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*s*omega3*m*R^2*(I1 - I3) - s*omega_n*V*m*R*I1 */
+    const double t29 = t14*t28; /* 1/Theta*numerator of d(omega3)/dt over Theta */
     const double t30 = -x[3]; /* -omega_n */
     const double t31 = cos(x[5]); /* C = cos(chi) */
     const double t32 = x[1]*t31; /* v_nu*C */
     const double t33 = sin(x[5]); /* S = sin(chi) */
-    const double t34 = t4*p[1]; /* v_tau = (omega_n*gamma3 + s*omega3)*R */
-    const double t35 = JLT_FMA(t33, t34, t32); /* S*v_tau + v_nu*C */
-    const double t36 = x[9]*t35; /* s*(S*v_tau + v_nu*C) */
+    const double t34 = p[1]*t33; /* R*S */
+    const double t35 = JLT_FMA(t5, t34, t32); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    const double t36 = x[9]*t35; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
     const double t37 = x[1]*t33; /* v_nu*S */
-    const double t38 = JLT_FNMA(t31, t34, t37); /* v_nu*S - C*v_tau */
-    const double t39 = x[9]*t38; /* s*(v_nu*S - C*v_tau) */
-    const double t40 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t41 = -t40; /* -s*omega_tau*gamma3 */
-    const double t42 = t0*2.0; /* s*omega_tau*2 */
-    const double t43 = x[3]*t5; /* omega_n*omega_n*R */
-    const double t44 = t3*p[1]; /* s*omega3*R */
-    const double t45 = JLT_FMA(t2, p[14], t44); /* omega_n*gamma3*2*R + s*omega3*R */
-    const double t46 = x[9]*p[1]; /* s*R */
-    const double t47 = x[3]*t46; /* omega_n*s*R */
-    const double t48 = x[4]*t5; /* omega3*omega_n*R */
+    const double t38 = p[1]*t31; /* R*C */
+    const double t39 = JLT_FNMA(t5, t38, t37); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
+    const double t40 = x[9]*t39; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    const double t41 = -t26; /* -omega_tau*s*gamma3 */
+    const double t42 = x[2]*x[9]; /* omega_tau*s */
+    const double t43 = 2.0*t42; /* 2*omega_tau*s */
+    const double t44 = x[3]*t2; /* omega_n*R*omega_n */
+    const double t45 = p[1]*t3; /* R*s*omega3 */
+    const double t46 = JLT_FMA(t4, p[11], t45); /* omega_n*gamma3*2*R + R*s*omega3 */
+    const double t47 = p[1]*t22; /* R*s*omega_n */
+    const double t48 = t2*x[4]; /* R*omega_n*omega3 */
     const double t49 = x[3]*x[3]; /* omega_n*omega_n */
     const double t50 = -t49; /* -omega_n*omega_n */
-    const double t51 = t2*(-2.0); /* omega_n*gamma3*(-2) */
-    const double t52 = JLT_FMA(t3, p[15], t51); /* s*omega3*(-I3/I1) + omega_n*gamma3*(-2) */
-    const double t53 = x[9]*t8; /* s*omega_n*I3/I1 */
-    const double t54 = -t53; /* -s*omega_n*I3/I1 */
-    const double t55 = x[4]*t8; /* omega3*omega_n*I3/I1 */
-    const double t56 = -t55; /* -omega3*omega_n*I3/I1 */
-    const double t57 = x[3]*t18; /* omega_n*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t58 = t2*t17; /* omega_n*gamma3*1/Theta*V */
-    const double t59 = p[16]*t58; /* 2*m^2*R^3*I3^2*omega_n*gamma3*1/Theta*V */
-    const double t60 = JLT_FNMA(t22, p[17], t59); /* 2*m^2*R^3*I3^2*omega_n*gamma3*1/Theta*V - omega3*omega_tau*s*1/Theta*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t61 = x[0]*t15; /* gamma3*1/Theta */
-    const double t62 = JLT_FMA(t60, t61, t57); /* t60*gamma3*1/Theta + omega_n*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t63 = t2*t15; /* omega_n*gamma3*1/Theta */
-    const double t64 = p[18]*t63; /* (-m*R*I3)*omega_n*gamma3*1/Theta */
-    const double t65 = x[4]*p[11]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t66 = JLT_FMA(t20, t65, t2); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 */
-    const double t67 = JLT_FNMA(p[10], t63, t66); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
-    const double t68 = x[0]*t18; /* gamma3*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t69 = p[11]*t21; /* (I3^2 + m*R^2*I3)*omega_tau*s*1/Theta */
-    const double t70 = x[2]*t65; /* omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t71 = t15*t70; /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t72 = t58*p[20]; /* omega_n*gamma3*1/Theta*V*2*m^2*R^3*I1*I3 */
-    const double t73 = JLT_FMS(t22, p[19], t72); /* omega3*omega_tau*s*1/Theta*(2*m*R^2*I1*I3^2 + 2*m^2*R^4*I1*I3) - omega_n*gamma3*1/Theta*V*2*m^2*R^3*I1*I3 */
-    const double t74 = JLT_FNMA(t20, t73, t71); /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) - s*1/Theta*t73 */
-    const double t75 = t21*p[21]; /* omega_tau*s*1/Theta*m*R^2*(I1 - I3) */
-    const double t76 = t3*t75; /* s*omega3*omega_tau*s*1/Theta*m*R^2*(I1 - I3) */
-    const double t77 = t12*p[22]; /* gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) */
-    const double t78 = JLT_FMS(t22, t77, t72); /* omega3*omega_tau*s*1/Theta*gamma3*gamma3*2*m^2*R^4*I3*(I1 - I3) - omega_n*gamma3*1/Theta*V*2*m^2*R^3*I1*I3 */
-    const double t79 = JLT_FNMA(t20, t78, t76); /* s*omega3*omega_tau*s*1/Theta*m*R^2*(I1 - I3) - s*1/Theta*t78 */
-    const double t80 = p[12]*t24; /* (-m*R*I1)*omega_n*s*1/Theta */
-    const double t81 = t26*p[21]; /* gamma3*s*omega3*m*R^2*(I1 - I3) */
-    const double t82 = t20*t81; /* s*1/Theta*gamma3*s*omega3*m*R^2*(I1 - I3) */
-    const double t83 = JLT_FNMA(p[9], t24, t82); /* s*1/Theta*gamma3*s*omega3*m*R^2*(I1 - I3) - m*R^2*I1*omega_n*s*1/Theta */
-    const double t84 = t16*p[12]; /* V*(-m*R*I1) */
-    const double t85 = t20*t84; /* s*1/Theta*V*(-m*R*I1) */
-    const double t86 = x[9]*x[0]; /* s*gamma3 */
-    const double t87 = t75*t86; /* omega_tau*s*1/Theta*m*R^2*(I1 - I3)*s*gamma3 */
-    const double t88 = x[3]*p[23]; /* omega_n*m*R*I1 */
-    const double t89 = t17*t88; /* 1/Theta*V*omega_n*m*R*I1 */
-    const double t90 = x[0]*p[24]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t91 = t20*p[25]; /* s*1/Theta*2*m^2*R^3*I1^2 */
-    const double t92 = JLT_FMS(t22, t90, t89); /* omega3*omega_tau*s*1/Theta*gamma3*2*m*R^2*(I1 - I3) - 1/Theta*V*omega_n*m*R*I1 */
-    const double t93 = JLT_FMA(t28, t91, t92); /* t28*s*1/Theta*2*m^2*R^3*I1^2 + t92 */
-    const double t94 = t33*t47; /* S*omega_n*s*R */
-    const double t95 = x[9]*t31; /* s*C */
-    const double t96 = x[0]*t46; /* gamma3*s*R */
-    const double t97 = t33*t96; /* S*gamma3*s*R */
-    const double t98 = x[9]*t33; /* s*S */
-    const double t99 = t46*t98; /* s*R*s*S */
-    const double t100 = -t39; /* -s*(v_nu*S - C*v_tau) */
-    const double t101 = JLT_FMA(t33, t44, t35); /* S*s*omega3*R + S*v_tau + v_nu*C */
-    const double t102 = t31*t47; /* C*omega_n*s*R */
-    const double t103 = -t102; /* -C*omega_n*s*R */
-    const double t104 = t31*t96; /* C*gamma3*s*R */
-    const double t105 = -t104; /* -C*gamma3*s*R */
-    const double t106 = t46*t95; /* s*R*s*C */
-    const double t107 = -t106; /* -s*R*s*C */
-    const double t108 = JLT_FNMA(t31, t44, t38); /* v_nu*S - C*v_tau - C*s*omega3*R */
-    const double t109 = -t0; /* -s*omega_tau */
-    const double t110 = -t86; /* -s*gamma3 */
-    const double t111 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t112 = -t111; /* -omega_tau*gamma3 */
+    const double t51 = JLT_FMA(t4, 2.0, t7); /* omega_n*gamma3*2 + s*omega3*I3/I1 */
+    const double t52 = -t51; /* -(omega_n*gamma3*2 + s*omega3*I3/I1) */
+    const double t53 = t22*p[12]; /* s*omega_n*(-I3/I1) */
+    const double t54 = x[3]*p[12]; /* omega_n*(-I3/I1) */
+    const double t55 = x[4]*t54; /* omega3*omega_n*(-I3/I1) */
+    const double t56 = JLT_FNMA(t14, t18, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t57 = x[3]*t56; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t58 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
+    const double t59 = t14*t58; /* 1/Theta*gamma3*2*m*R^2*I3 */
+    const double t60 = JLT_FNMA(t20, t59, t57); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    const double t61 = t4*p[29]; /* omega_n*gamma3*(-m*R*I3) */
+    const double t62 = t14*t61; /* 1/Theta*omega_n*gamma3*(-m*R*I3) */
+    const double t63 = t3*p[24]; /* s*omega3*(I3^2 + m*R^2*I3) */
+    const double t64 = JLT_FNMA(t4, p[23], t63); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R^2*I3 */
+    const double t65 = JLT_FMA(t14, t64, t4); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    const double t66 = x[0]*t56; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t67 = t14*t42; /* 1/Theta*omega_tau*s */
+    const double t68 = p[24]*t67; /* (I3^2 + m*R^2*I3)*1/Theta*omega_tau*s */
+    const double t69 = x[4]*t15; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t70 = t14*t69; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t71 = x[9]*t14; /* s*1/Theta */
+    const double t72 = p[30]*t71; /* 2*m*R^2*I1*s*1/Theta */
+    const double t73 = JLT_FNMA(t20, t72, t70); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    const double t74 = t27*t67; /* s*omega3*m*R^2*(I1 - I3)*1/Theta*omega_tau*s */
+    const double t75 = JLT_FNMA(t29, t59, t74); /* s*omega3*m*R^2*(I1 - I3)*1/Theta*omega_tau*s - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    const double t76 = t22*p[31]; /* s*omega_n*(-m*R*I1) */
+    const double t77 = t14*t76; /* 1/Theta*s*omega_n*(-m*R*I1) */
+    const double t78 = t25*t27; /* s*gamma3*s*omega3*m*R^2*(I1 - I3) */
+    const double t79 = JLT_FNMA(p[22], t22, t78); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*s*omega3*m*R^2*(I1 - I3) - m*R^2*I1*s*omega_n */
+    const double t80 = t14*t79; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
+    const double t81 = t23*t71; /* V*m*R*I1*s*1/Theta */
+    const double t82 = -t81; /* -V*m*R*I1*s*1/Theta */
+    const double t83 = t25*p[27]; /* s*gamma3*m*R^2*(I1 - I3) */
+    const double t84 = t67*t83; /* 1/Theta*omega_tau*s*s*gamma3*m*R^2*(I1 - I3) */
+    const double t85 = x[3]*t23; /* omega_n*V*m*R*I1 */
+    const double t86 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t87 = t3*p[32]; /* s*omega3*2*m*R^2*(I1 - I3) */
+    const double t88 = JLT_FMS(t86, t87, t85); /* d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*s*omega3*2*m*R^2*(I1 - I3) - omega_n*V*m*R*I1 */
+    const double t89 = t14*t88; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t90 = JLT_FNMA(t29, t72, t89); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    const double t91 = t22*t34; /* s*omega_n*R*S */
+    const double t92 = x[9]*t31; /* s*C */
+    const double t93 = t25*t34; /* s*gamma3*R*S */
+    const double t94 = t0*t34; /* s*s*R*S */
+    const double t95 = -t40; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    const double t96 = JLT_FMA(t3, t34, t35); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    const double t97 = t22*t38; /* s*omega_n*R*C */
+    const double t98 = -t97; /* -s*omega_n*R*C */
+    const double t99 = x[9]*t33; /* s*S */
+    const double t100 = t25*t38; /* s*gamma3*R*C */
+    const double t101 = -t100; /* -s*gamma3*R*C */
+    const double t102 = t0*t38; /* s*s*R*C */
+    const double t103 = -t102; /* -s*s*R*C */
+    const double t104 = JLT_FNMA(t3, t38, t39); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
+    const double t105 = -t42; /* -omega_tau*s */
+    const double t106 = -t25; /* -s*gamma3 */
+    const double t107 = -t86; /* -omega_tau*gamma3 */
     out[0] = t1;
     out[1] = t6;
     out[2] = t10;
-    out[3] = t23;
+    out[3] = t21;
     out[4] = t29;
     out[5] = t30;
-    out[6] = t4;
+    out[6] = t5;
     out[7] = t36;
-    out[8] = t39;
+    out[8] = t40;
     out[9] = t41;
     out[10] = 0.0;
     out[11] = 0.0;
-    out[12] = t11;
+    out[12] = t0;
     out[13] = 0.0;
     out[14] = 0.0;
     out[15] = 0.0;
     out[16] = 0.0;
     out[17] = 0.0;
     out[18] = 0.0;
-    out[19] = t42;
-    out[20] = t43;
+    out[19] = t43;
+    out[20] = t44;
     out[21] = 0.0;
     out[22] = 0.0;
-    out[23] = t45;
+    out[23] = t46;
     out[24] = t47;
     out[25] = 0.0;
     out[26] = 0.0;
@@ -549,32 +551,32 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[31] = 0.0;
     out[32] = 0.0;
     out[33] = t52;
-    out[34] = t54;
+    out[34] = t53;
     out[35] = 0.0;
     out[36] = 0.0;
     out[37] = 0.0;
     out[38] = 0.0;
-    out[39] = t56;
-    out[40] = t62;
-    out[41] = t64;
-    out[42] = t67;
-    out[43] = t68;
-    out[44] = t69;
+    out[39] = t55;
+    out[40] = t60;
+    out[41] = t62;
+    out[42] = t65;
+    out[43] = t66;
+    out[44] = t68;
     out[45] = 0.0;
     out[46] = 0.0;
     out[47] = 0.0;
     out[48] = 0.0;
-    out[49] = t74;
-    out[50] = t79;
-    out[51] = t80;
-    out[52] = t83;
-    out[53] = t85;
-    out[54] = t87;
+    out[49] = t73;
+    out[50] = t75;
+    out[51] = t77;
+    out[52] = t80;
+    out[53] = t82;
+    out[54] = t84;
     out[55] = 0.0;
     out[56] = 0.0;
     out[57] = 0.0;
     out[58] = 0.0;
-    out[59] = t93;
+    out[59] = t90;
     out[60] = 0.0;
     out[61] = 0.0;
     out[62] = 0.0;
@@ -595,81 +597,79 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[77] = 0.0;
     out[78] = 0.0;
     out[79] = x[4];
-    out[80] = t94;
-    out[81] = t95;
+    out[80] = t91;
+    out[81] = t92;
     out[82] = 0.0;
-    out[83] = t97;
-    out[84] = t99;
-    out[85] = t100;
+    out[83] = t93;
+    out[84] = t94;
+    out[85] = t95;
     out[86] = 0.0;
     out[87] = 0.0;
     out[88] = 0.0;
-    out[89] = t101;
-    out[90] = t103;
-    out[91] = t98;
+    out[89] = t96;
+    out[90] = t98;
+    out[91] = t99;
     out[92] = 0.0;
-    out[93] = t105;
-    out[94] = t107;
+    out[93] = t101;
+    out[94] = t103;
     out[95] = t36;
     out[96] = 0.0;
     out[97] = 0.0;
     out[98] = 0.0;
-    out[99] = t108;
-    out[100] = t109;
+    out[99] = t104;
+    out[100] = t105;
     out[101] = 0.0;
-    out[102] = t110;
+    out[102] = t106;
     out[103] = 0.0;
     out[104] = 0.0;
     out[105] = 0.0;
     out[106] = 0.0;
     out[107] = 0.0;
     out[108] = 0.0;
-    out[109] = t112;
+    out[109] = t107;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[9]*x[9]; /* s*s */
-    const double t1 = x[0]*p[10]; /* gamma3*m*R^2*I3 */
-    const double t2 = JLT_FMA(p[9], t0, p[8]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t4 = 1.0/t3; /* 1/Theta */
-    const double t5 = p[28]*x[2]; /* R*(I1 - I3)*omega_tau */
-    const double t6 = t0*t5; /* s*s*R*(I1 - I3)*omega_tau */
-    const double t7 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t8 = JLT_FNMA(p[5], t7, t6); /* s*s*R*(I1 - I3)*omega_tau - I3*V */
-    const double t9 = p[27]*x[0]; /* m*R*gamma3 */
-    const double t10 = t8*t9; /* (s*s*R*(I1 - I3)*omega_tau - I3*V)*m*R*gamma3 */
-    const double t11 = t4*t10; /* 1/Theta*(s*s*R*(I1 - I3)*omega_tau - I3*V)*m*R*gamma3 */
-    out[0] = t11;
+    const double t1 = x[0]*p[6]; /* gamma3*I3/I1 */
+    const double t2 = p[7] + t0; /* I3/(m*R^2) + s*s */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t4 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
+    const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
+    const double t6 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t7 = JLT_FNMA(p[33], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
+    const double t8 = x[0]*t7; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V) */
+    const double t9 = t8/t3; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/Theta scaled */
+    out[0] = t9;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t1 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t2 = x[4]*x[9]; /* omega3*s */
-    const double t3 = t1 + t2; /* omega_n*gamma3 + omega3*s */
-    const double t4 = p[1]*t3; /* v_tau = R*(omega_n*gamma3 + omega3*s) */
-    const double t5 = JLT_FMA(t4, t4, t0); /* v_tau*v_tau + v_nu*v_nu */
-    const double t6 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t7 = JLT_FMA(x[2], x[2], t6); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t8 = p[30]*t7; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t9 = x[4]*p[31]; /* omega3*1/2*I3 */
-    const double t10 = JLT_FMA(x[4], t9, t8); /* omega3*omega3*1/2*I3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t11 = JLT_FMA(p[29], t5, t10); /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t10 */
-    const double t12 = x[3]*p[32]; /* omega_n*R*I1 */
+    const double t0 = p[34]*x[1]; /* 1/2*m*v_nu */
+    const double t1 = x[1]*t0; /* v_nu*1/2*m*v_nu */
+    const double t2 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t3 = JLT_FMA(x[2], x[2], t2); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t4 = p[36]*x[4]; /* 1/2*I3*omega3 */
+    const double t5 = x[4]*x[9]; /* omega3*s */
+    const double t6 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t7 = t5 + t6; /* v_tau scaled = omega3*s + omega_n*gamma3 */
+    const double t8 = p[37]*t7; /* 1/2*m*R^2*v_tau scaled */
+    const double t9 = JLT_FMA(x[4], t4, t1); /* omega3*1/2*I3*omega3 + v_nu*1/2*m*v_nu */
+    const double t10 = JLT_FMA(p[35], t3, t9); /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) + omega3*1/2*I3*omega3 + v_nu*1/2*m*v_nu */
+    const double t11 = JLT_FMA(t7, t8, t10); /* v_tau scaled*1/2*m*R^2*v_tau scaled + t10 */
+    const double t12 = x[3]*p[38]; /* omega_n*R*I1 */
     const double t13 = x[9]*t12; /* s*omega_n*R*I1 */
-    const double t14 = x[4]*p[33]; /* omega3*R*I3 */
+    const double t14 = x[4]*p[39]; /* omega3*R*I3 */
     const double t15 = JLT_FNMA(x[0], t14, t13); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
     const double t16 = cos(x[5]); /* C = cos(chi) */
-    const double t17 = t1*p[4]; /* omega_n*gamma3*I1 */
-    const double t18 = JLT_FMA(t2, p[5], t17); /* omega3*s*I3 + omega_n*gamma3*I1 */
-    const double t19 = JLT_FMA(t4, p[27], t18); /* M_nu = v_tau*m*R + omega3*s*I3 + omega_n*gamma3*I1 */
+    const double t17 = t6*p[4]; /* omega_n*gamma3*I1 */
+    const double t18 = JLT_FMA(t5, p[5], t17); /* omega3*s*I3 + omega_n*gamma3*I1 */
+    const double t19 = JLT_FMA(t7, p[40], t18); /* M_nu = v_tau scaled*m*R^2 + omega3*s*I3 + omega_n*gamma3*I1 */
     const double t20 = t16*t19; /* C*M_nu */
     const double t21 = sin(x[5]); /* S = sin(chi) */
     const double t22 = x[2]*p[4]; /* omega_tau*I1 */
-    const double t23 = JLT_FNMA(x[1], p[27], t22); /* M_tau = omega_tau*I1 - v_nu*m*R */
+    const double t23 = JLT_FNMA(x[1], p[41], t22); /* M_tau = omega_tau*I1 - v_nu*m*R */
     const double t24 = JLT_FMA(t21, t23, t20); /* S*M_tau + C*M_nu */
     const double t25 = t19*t21; /* M_nu*S */
     const double t26 = JLT_FNMA(t16, t23, t25); /* M_nu*S - C*M_tau */
@@ -682,40 +682,40 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[9]; /* omega3*s */
-    const double t1 = JLT_FMA(x[3], x[0], t0); /* omega_n*gamma3 + omega3*s */
-    const double t2 = p[34]*t1; /* m*R^2*(omega_n*gamma3 + omega3*s) */
-    const double t3 = x[3]*t2; /* omega_n*m*R^2*(omega_n*gamma3 + omega3*s) */
+    const double t1 = JLT_FMA(x[3], x[0], t0); /* v_tau scaled = omega_n*gamma3 + omega3*s */
+    const double t2 = p[40]*t1; /* m*R^2*v_tau scaled */
+    const double t3 = x[3]*t2; /* omega_n*m*R^2*v_tau scaled */
     const double t4 = p[0]*x[1]; /* m*v_nu */
     const double t5 = p[4]*x[2]; /* I1*omega_tau */
     const double t6 = x[3]*p[4]; /* omega_n*I1 */
-    const double t7 = JLT_FMA(x[0], t2, t6); /* gamma3*m*R^2*(omega_n*gamma3 + omega3*s) + omega_n*I1 */
+    const double t7 = JLT_FMA(x[0], t2, t6); /* gamma3*m*R^2*v_tau scaled + omega_n*I1 */
     const double t8 = x[4]*p[5]; /* omega3*I3 */
-    const double t9 = JLT_FMA(x[9], t2, t8); /* s*m*R^2*(omega_n*gamma3 + omega3*s) + omega3*I3 */
-    const double t10 = x[4]*t2; /* omega3*m*R^2*(omega_n*gamma3 + omega3*s) */
-    const double t11 = x[4]*p[35]; /* omega3*(-R*I3) */
-    const double t12 = x[9]*p[32]; /* s*R*I1 */
-    const double t13 = x[0]*p[35]; /* gamma3*(-R*I3) */
-    const double t14 = x[3]*p[32]; /* omega_n*R*I1 */
+    const double t9 = JLT_FMA(x[9], t2, t8); /* s*m*R^2*v_tau scaled + omega3*I3 */
+    const double t10 = x[4]*t2; /* omega3*m*R^2*v_tau scaled */
+    const double t11 = x[4]*p[42]; /* omega3*(-R*I3) */
+    const double t12 = x[9]*p[38]; /* s*R*I1 */
+    const double t13 = x[0]*p[42]; /* gamma3*(-R*I3) */
+    const double t14 = x[3]*p[38]; /* omega_n*R*I1 */
     const double t15 = cos(x[5]); /* C = cos(chi) */
-    const double t16 = x[3]*p[36]; /* d(M_nu)/d(gamma3) = omega_n*(I1 + m*R^2) */
+    const double t16 = x[3]*p[43]; /* d(M_nu)/d(gamma3) = omega_n*(I1 + m*R^2) */
     const double t17 = t15*t16; /* C*d(M_nu)/d(gamma3) */
     const double t18 = sin(x[5]); /* S = sin(chi) */
-    const double t19 = p[37]*t18; /* (-m*R)*S */
+    const double t19 = p[44]*t18; /* (-m*R)*S */
     const double t20 = p[4]*t18; /* I1*S */
-    const double t21 = x[0]*p[36]; /* d(M_nu)/d(omega_n) = gamma3*(I1 + m*R^2) */
+    const double t21 = x[0]*p[43]; /* d(M_nu)/d(omega_n) = gamma3*(I1 + m*R^2) */
     const double t22 = t15*t21; /* C*d(M_nu)/d(omega_n) */
-    const double t23 = x[9]*p[38]; /* d(M_nu)/d(omega3) = s*(I3 + m*R^2) */
+    const double t23 = x[9]*p[45]; /* d(M_nu)/d(omega3) = s*(I3 + m*R^2) */
     const double t24 = t15*t23; /* C*d(M_nu)/d(omega3) */
-    const double t25 = JLT_FMA(x[0], t6, t2); /* gamma3*omega_n*I1 + m*R^2*(omega_n*gamma3 + omega3*s) */
-    const double t26 = JLT_FMA(t0, p[5], t25); /* M_nu = omega3*s*I3 + gamma3*omega_n*I1 + m*R^2*(omega_n*gamma3 + omega3*s) */
+    const double t25 = JLT_FMA(x[0], t6, t2); /* gamma3*omega_n*I1 + m*R^2*v_tau scaled */
+    const double t26 = JLT_FMA(t0, p[5], t25); /* M_nu = omega3*s*I3 + gamma3*omega_n*I1 + m*R^2*v_tau scaled */
     const double t27 = t18*t26; /* S*M_nu */
-    const double t28 = JLT_FNMA(x[1], p[27], t5); /* M_tau = I1*omega_tau - v_nu*m*R */
+    const double t28 = JLT_FNMA(x[1], p[41], t5); /* M_tau = I1*omega_tau - v_nu*m*R */
     const double t29 = JLT_FMS(t15, t28, t27); /* C*M_tau - S*M_nu */
-    const double t30 = x[4]*p[38]; /* d(M_nu)/d(s) = omega3*(I3 + m*R^2) */
+    const double t30 = x[4]*p[45]; /* d(M_nu)/d(s) = omega3*(I3 + m*R^2) */
     const double t31 = t15*t30; /* C*d(M_nu)/d(s) */
     const double t32 = t16*t18; /* d(M_nu)/d(gamma3)*S */
-    const double t33 = t15*p[27]; /* C*m*R */
-    const double t34 = t15*p[39]; /* C*(-I1) */
+    const double t33 = t15*p[41]; /* C*m*R */
+    const double t34 = t15*p[46]; /* C*(-I1) */
     const double t35 = t18*t21; /* S*d(M_nu)/d(omega_n) */
     const double t36 = t18*t23; /* S*d(M_nu)/d(omega3) */
     const double t37 = t15*t26; /* C*M_nu */
@@ -792,36 +792,34 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    double t22[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
-    double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
+    double u41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
+    double u43[JLT_JET_ORDER_MAX + 1];
     double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
-    double u46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
     double t48[JLT_JET_ORDER_MAX + 1];
-    double u48[JLT_JET_ORDER_MAX + 1];
     double t49[JLT_JET_ORDER_MAX + 1];
-    double t50[JLT_JET_ORDER_MAX + 1];
-    double t51[JLT_JET_ORDER_MAX + 1];
-    double t52[JLT_JET_ORDER_MAX + 1];
-    double t53[JLT_JET_ORDER_MAX + 1];
-    double t54[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -844,45 +842,43 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t14[k] = t7[k]*p[6] + t9[k];
         t15[k] = jlt_jet_product(x3, t14, k);
         t16[k] = -t15[k];
-        t20[k] = x9[k]*p[9];
-        t22[k] = x0[k]*p[10];
-        t23[k] = jlt_jet_product(x9, t20, k) + (k == 0 ? p[8] : 0);
-        t24[k] = jlt_jet_product(x0, t22, k) + t23[k];
-        t26[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t24, t26, k);
-        t28[k] = x2[k]*p[1] + x1[k];
-        t29[k] = jlt_jet_product(t26, t28, k);
-        t30[k] = x2[k] - p[7]*t29[k];
-        t31[k] = jlt_jet_product(t9, t30, k);
-        t33[k] = jlt_jet_product(t7, t26, k);
-        t34[k] = x2[k]*p[11];
-        t35[k] = jlt_jet_product(t33, t34, k) + t31[k];
-        t37[k] = x9[k]*p[23];
-        t38[k] = jlt_jet_product(x3, t37, k);
-        t39[k] = jlt_jet_product(t29, t38, k);
-        t41[k] = jlt_jet_product(t2, x0, k);
-        t42[k] = p[21]*t41[k];
-        t43[k] = jlt_jet_product(t33, t42, k) - t39[k];
-        t44[k] = -x3[k];
-        t46[k] = jlt_jet_cosine(x5, t46, u46, k);
-        t47[k] = jlt_jet_product(x1, t46, k);
-        t48[k] = jlt_jet_sine(x5, t48, u48, k);
-        t49[k] = jlt_jet_product(t11, t48, k) + t47[k];
-        t50[k] = jlt_jet_product(x9, t49, k);
-        t51[k] = jlt_jet_product(x1, t48, k);
-        t52[k] = t51[k] - jlt_jet_product(t11, t46, k);
-        t53[k] = jlt_jet_product(x9, t52, k);
-        t54[k] = -t41[k];
+        t19[k] = x0[k]*p[6];
+        t20[k] = jlt_jet_product(x9, x9, k) + (k == 0 ? p[7] : 0);
+        t21[k] = jlt_jet_product(x0, t19, k) + t20[k];
+        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t21, t23, k);
+        t24[k] = jlt_jet_product(t7, t23, k);
+        t25[k] = p[9]*t24[k] + t9[k];
+        t26[k] = jlt_jet_product(x2, t25, k);
+        t29[k] = p[8]*x1[k] + x2[k];
+        t30[k] = jlt_jet_product(t23, t29, k);
+        t31[k] = t9[k]*p[6];
+        t32[k] = t26[k] - jlt_jet_product(t30, t31, k);
+        t33[k] = jlt_jet_product(x9, x3, k);
+        t34[k] = jlt_jet_product(t30, t33, k);
+        t36[k] = jlt_jet_product(t2, x0, k);
+        t37[k] = p[10]*t36[k];
+        t38[k] = jlt_jet_product(t24, t37, k) - t34[k];
+        t39[k] = -x3[k];
+        t41[k] = jlt_jet_cosine(x5, t41, u41, k);
+        t42[k] = jlt_jet_product(x1, t41, k);
+        t43[k] = jlt_jet_sine(x5, t43, u43, k);
+        t44[k] = jlt_jet_product(t11, t43, k) + t42[k];
+        t45[k] = jlt_jet_product(x9, t44, k);
+        t46[k] = jlt_jet_product(x1, t43, k);
+        t47[k] = t46[k] - jlt_jet_product(t11, t41, k);
+        t48[k] = jlt_jet_product(x9, t47, k);
+        t49[k] = -t36[k];
         double *restrict next = coefficients + (k + 1)*11;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
         next[1] = x1[k + 1] = t12[k]/(k + 1);
         next[2] = x2[k + 1] = t16[k]/(k + 1);
-        next[3] = x3[k + 1] = t35[k]/(k + 1);
-        next[4] = x4[k + 1] = t43[k]/(k + 1);
-        next[5] = x5[k + 1] = t44[k]/(k + 1);
+        next[3] = x3[k + 1] = t32[k]/(k + 1);
+        next[4] = x4[k + 1] = t38[k]/(k + 1);
+        next[5] = x5[k + 1] = t39[k]/(k + 1);
         next[6] = x6[k + 1] = t10[k]/(k + 1);
-        next[7] = x7[k + 1] = t50[k]/(k + 1);
-        next[8] = x8[k + 1] = t53[k]/(k + 1);
-        next[9] = x9[k + 1] = t54[k]/(k + 1);
+        next[7] = x7[k + 1] = t45[k]/(k + 1);
+        next[8] = x8[k + 1] = t48[k]/(k + 1);
+        next[9] = x9[k + 1] = t49[k]/(k + 1);
         next[10] = x9[k]/(k + 1);
     }
 }
@@ -974,20 +970,20 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .sha256 = "c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_track,
-    .state_count = 10, .param_count = 6, .block_count = 40,
+    .state_count = 10, .param_count = 6, .block_count = 47,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 10, { 4, 23, 9, 1, 0, 2, 7, 8 }, { 17, 71, 0, 6, 0, 2, 10, 7 },
+    .rhs = { rhs, 10, { 4, 21, 9, 1, 0, 2, 7, 8 }, { 17, 71, 0, 6, 0, 2, 10, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 100, { 10, 63, 23, 1, 0, 2, 10, 18 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
+    .jacobian = { jacobian, 100, { 12, 59, 22, 1, 0, 2, 9, 18 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 110, { 14, 72, 24, 1, 0, 2, 9, 27 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
+    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 7, 24 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .divergence = { divergence, 1, { 0, 7, 4, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
+    .divergence = { divergence, 1, { 1, 5, 3, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .integral_values = { integral_values, 4, { 1, 14, 10, 0, 0, 2, 6, 7 }, { 11, 38, 0, 0, 0, 2, 8, 7 },
+    .integral_values = { integral_values, 4, { 1, 14, 10, 0, 0, 2, 6, 8 }, { 11, 38, 0, 0, 0, 2, 8, 7 },
         "" },
     .integral_gradients = { integral_gradients, 40, { 0, 30, 8, 0, 0, 2, 7, 10 }, { 16, 71, 0, 0, 0, 2, 7, 10 },
         "" },
