@@ -256,7 +256,7 @@ static int gain_of(const place *items, size_t count)
 static place *best_of(extractor *e, places *list, bool are_terms, uint64_t *best_score)
 {
     place *best = NULL;
-    qsort(list->items, list->count, sizeof *list->items, compare_places);
+    if (list->count > 1) qsort(list->items, list->count, sizeof *list->items, compare_places);
     for (size_t i = 0, n = 0; i < list->count; i += n) {
         n = 1;
         while (i + n < list->count && list->items[i + n].key == list->items[i].key) n++;

@@ -19,7 +19,7 @@ done
 
 cp "$JLT_SOURCE_DIR/tests/unit/install_consumer.c.in" "$scratch/consumer.c"
 sanitize=()
-if nm "$JLT_BINARY_DIR/libjellett.a" 2>/dev/null | grep -q __asan_init; then sanitize=(-fsanitize=address,undefined); fi
+if nm "$JLT_BINARY_DIR/libjellett.a" 2>/dev/null | grep __asan_init > /dev/null; then sanitize=(-fsanitize=address,undefined); fi
 
 pc=$(find "$tree" -name jellett.pc)
 library=$(dirname "$(find "$tree" -name 'libjellett.so')")
