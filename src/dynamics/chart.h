@@ -33,10 +33,6 @@ struct jlt_chart {
     /* Density, in the coordinates q, of the flux of volume through the section on its levels; f = dx/dtau at x. */
     double (*flux)(const jlt_chart *self, const double *x, const double *f);
 
-    /* What the trace of df/dx counts beyond the divergence on the levels: the rates of relations that states satisfy
-     * (s^2 + gamma3^2 = 1 for a lifted root). NULL: nothing. */
-    double (*excess)(const jlt_chart *self, const double *x, const double *f, const double *jacobian);
-
     /* Normal reaction of the support; the model holds while it is positive. NULL: no such limit. */
     double (*contact)(const jlt_chart *self, const double *x, const double *f);
 

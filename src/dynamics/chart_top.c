@@ -96,26 +96,14 @@ static void lower(const jlt_chart *base, double *q, double *slope, const double 
 }
 
 /* Volume dgamma3 dv_nu domega_tau dv_tau = (dt omega_tau') dE deta dgamma3 * d(v_nu, v_tau)/d(eta, E), and the last factor
- * is W ratio dW/dE = ratio/m. With s lifted the volume on s^2 + gamma3^2 = 1 carries 1/(2s), and f holds s omega_tau'. */
+ * is W ratio dW/dE = ratio/m. The lifted field keeps s^2 + gamma3^2 exactly, so that the trace of its Jacobian is the
+ * divergence on s^2 + gamma3^2 = 1, whose volume carries 1/(2s); f holds s omega_tau'. */
 static double flux(const jlt_chart *base, const double *x, const double *f)
 {
     const jlt_chart_top *self = (const jlt_chart_top *)base;
     const geometry here = at(self, x[JLT_CHART_TOP_GAMMA3], x[JLT_CHART_TOP_S]);
 
     return sqrt(here.K / (self->m * here.Theta)) * f[JLT_CHART_TOP_OMEGA_TAU] / x[JLT_CHART_TOP_S];
-}
-
-/* C = s^2 + gamma3^2 - 1 obeys C' = kappa C. On C = 0, kappa grad C = J^T grad C + (Hessian of C) f. */
-static double excess(const jlt_chart *base, const double *x, const double *f, const double *jacobian)
-{
-    const double gamma3 = x[JLT_CHART_TOP_GAMMA3], s = x[JLT_CHART_TOP_S];
-    const double *row_gamma3 = jacobian + JLT_CHART_TOP_GAMMA3 * base->states;
-    const double *row_s = jacobian + JLT_CHART_TOP_S * base->states;
-    const double along_gamma3 =
-        gamma3 * row_gamma3[JLT_CHART_TOP_GAMMA3] + s * row_s[JLT_CHART_TOP_GAMMA3] + f[JLT_CHART_TOP_GAMMA3];
-    const double along_s = gamma3 * row_gamma3[JLT_CHART_TOP_S] + s * row_s[JLT_CHART_TOP_S] + f[JLT_CHART_TOP_S];
-
-    return (gamma3 * along_gamma3 + s * along_s) / (gamma3 * gamma3 + s * s);
 }
 
 /* The centre of mass is at the height R + a3 gamma3, so N = m (g + a3 gamma3''), gamma3' = s omega_tau, s' = -gamma3 omega_tau:
@@ -155,7 +143,6 @@ void jlt_chart_top_init(jlt_chart_top *out, double m, double R, double g, double
     out->base.lift = lift;
     out->base.lower = lower;
     out->base.flux = flux;
-    out->base.excess = excess;
     out->base.contact = contact;
     out->base.side = side;
     out->m = m;
