@@ -1,0 +1,310 @@
+/* Branches of manifolds, homoclinic points, continuation, exponents, fates and visited cells: what must hold of each. */
+#include "unit/check.h"
+
+#include <stdlib.h>
+
+#include "dynamics/fates.h"
+#include "dynamics/homoclinic.h"
+#include "dynamics/lyapunov.h"
+#include "dynamics/separation.h"
+#include "dynamics/system.h"
+#include "kernel/descriptor.h"
+
+static jlt_system *top(double tolerance)
+{
+    const jlt_flow options = { .tolerance = tolerance, .direction = JLT_RISING };
+    const jlt_top_values values = jlt_system_defaults();
+    jlt_system *system;
+
+    assert_ok(jlt_system_top(&system, &values, &options));
+    return system;
+}
+
+static jlt_periodic saddle_of(jlt_map *map)
+{
+    const double guess[2] = { 0, -0.6136 };
+    jlt_periodic saddle;
+
+    assert_ok(jlt_periodic_find(map, &saddle, guess, 1, NULL));
+    assert_int_equal(saddle.type, JLT_ORBIT_FLIP_SADDLE);
+    return saddle;
+}
+
+/* F(gamma(sigma)) = gamma(sigma + 1) by construction up to rounding, and gamma lies on the manifold up to the square of the
+ * seed: halving the seed, with sigma shifted to match, moves points along the curve alone. */
+static void branches_are_invariant(void **unused)
+{
+    jlt_system *system = top(1e-13);
+    jlt_branch branch;
+    jlt_image image;
+    jlt_map *map;
+    double q[2], next[2];
+
+    (void)unused;
+    assert_ok(jlt_map_create(&map, &system->flow));
+    const jlt_periodic saddle = saddle_of(map);
+    for (int stable = 0; stable < 2; stable++) {
+        assert_ok(jlt_branch_init(&branch, map, &saddle, 0, stable, 1, 1e-4));
+        assert_int_equal(branch.returns, 2);
+        assert_near(branch.lambda, 1.24275395055591 * 1.24275395055591, 1e-10);
+        for (double sigma = 0.3; sigma < 20; sigma += 4.2) {
+            assert_ok(jlt_branch_point(&branch, q, NULL, sigma));
+            assert_ok(jlt_branch_point(&branch, next, NULL, sigma + 1));
+            assert_ok(jlt_map_point(map, &image, q, branch.returns, branch.time_direction));
+            assert_true(jlt_chart_distance(system->flow.chart, image.q, next) < 1e-9);
+        }
+    }
+    jlt_map_destroy(map);
+    jlt_system_destroy(system);
+}
+
+/* The stable branch, grown backwards in time, is the mirror image of the unstable one. Polygons of different points on one
+ * curve: each point is near the other polygon by the sag of a piece, spacing^2 times curvature over 8. */
+static void stable_branch_mirrors_the_unstable_one(void **unused)
+{
+    const jlt_manifold_options options = { .spacing = 0.004, .length_max = 0.5 };
+    jlt_system *system = top(1e-12);
+    const jlt_chart *chart = system->flow.chart;
+    jlt_manifold unstable = { 0 }, stable = { 0 }, mirrored = { 0 };
+    jlt_branch u, s;
+    jlt_map *map;
+
+    (void)unused;
+    assert_ok(jlt_map_create(&map, &system->flow));
+    const jlt_periodic saddle = saddle_of(map);
+    assert_ok(jlt_branch_init(&u, map, &saddle, 0, false, 1, 1e-4));
+    assert_ok(jlt_manifold_grow(&unstable, &u, &options));
+    assert_int_equal(unstable.end, JLT_MANIFOLD_LENGTH);
+    assert_ok(jlt_manifold_reflect(&mirrored, &unstable, chart));
+    for (int side = -1; side <= 1; side += 2) {
+        assert_ok(jlt_branch_init(&s, map, &saddle, 0, true, side, 1e-4));
+        if (-u.v[0] * s.v[0] + u.v[1] * s.v[1] < 0) continue;
+        assert_ok(jlt_manifold_grow(&stable, &s, &options));
+        for (size_t i = 0; i < stable.count && stable.length[i] < 0.49; i++) {
+            double nearest = 1;
+            for (size_t j = 0; j < mirrored.count; j++)
+                nearest = fmin(nearest, jlt_chart_distance(chart, stable.points + 2 * i, mirrored.points + 2 * j));
+            assert_true(nearest < 0.0041);
+        }
+        jlt_manifold_clear(&stable);
+    }
+    for (size_t i = 1; i < unstable.count; i++) {
+        assert_true(unstable.sigma[i] > unstable.sigma[i - 1]);
+        assert_true(unstable.length[i] - unstable.length[i - 1] < 0.0041);
+    }
+    jlt_manifold_clear(&unstable);
+    jlt_manifold_clear(&mirrored);
+    jlt_map_destroy(map);
+    jlt_system_destroy(system);
+}
+
+/* The primary homoclinic points of Figure 3b: on both branches to rounding, transverse beyond their error bars. */
+static void separatrices_cross_transversally(void **unused)
+{
+    const jlt_manifold_options options = { .length_max = 0.55 };
+    jlt_system *system = top(1e-13), *rough = top(1e-12);
+    jlt_manifold curves[2] = { { 0 } };
+    jlt_homoclinic *points = NULL;
+    jlt_branch branches[2];
+    jlt_map *map, *coarse;
+    size_t count = 0, transverse = 0;
+
+    (void)unused;
+    assert_ok(jlt_map_create(&map, &system->flow));
+    assert_ok(jlt_map_create(&coarse, &rough->flow));
+    const jlt_periodic saddle = saddle_of(map);
+    for (int stable = 0; stable < 2; stable++) {
+        assert_ok(jlt_branch_init(&branches[stable], map, &saddle, 0, stable, 1, 1e-4));
+        assert_ok(jlt_manifold_grow(&curves[stable], &branches[stable], &options));
+    }
+    assert_ok(jlt_homoclinic_find(&points, &count, &curves[0], &branches[0], &curves[1], &branches[1], coarse));
+    for (size_t i = 0; i < count; i++) {
+        assert_true(points[i].residual < 1e-8);
+        transverse += fabs(points[i].angle) > 0.1 && points[i].angle_error < 1e-4;
+        if (i + 1 < count) assert_true(points[i].sigma_unstable < points[i + 1].sigma_unstable);
+        if (i > 0 && i + 1 < count) assert_true(points[i].lobe * points[i - 1].lobe < 0);
+    }
+    assert_true(transverse >= 2);
+    free(points);
+    for (int k = 0; k < 2; k++) jlt_manifold_clear(&curves[k]);
+    jlt_map_destroy(map);
+    jlt_map_destroy(coarse);
+    jlt_system_destroy(system);
+    jlt_system_destroy(rough);
+}
+
+typedef struct {
+    jlt_continuation_point doubling, fold;
+    bool has_doubling, has_fold;
+    double worst;
+    size_t count;
+} run_record;
+
+static jlt_status record(void *context, const jlt_continuation_point *point)
+{
+    run_record *self = context;
+
+    self->count++;
+    self->worst = fmax(self->worst, point->orbit.residual);
+    if (point->kind == JLT_BIFURCATION_DOUBLING && !self->has_doubling) self->doubling = *point, self->has_doubling = true;
+    if (point->kind == JLT_BIFURCATION_FOLD && !self->has_fold) self->fold = *point, self->has_fold = true;
+    return JLT_OK;
+}
+
+/* The fixed point doubles its period where its trace is -2; the doubled branch then folds where its trace is 2. Oracle: the
+ * trace of orbits found at fixed energies on both sides, without continuation. */
+static void bifurcations_lie_where_multipliers_say(void **unused)
+{
+    jlt_system_family family = { .values = jlt_system_defaults(), .name = "E" };
+    const jlt_family maps = { jlt_system_map_at, &family };
+    const jlt_continuation_options options = { .low = 1.7, .high = 2.2, .points_max = 200 };
+    jlt_continuation_point start = { .value = 2.15 }, other;
+    jlt_continuation_end end;
+    run_record first = { .count = 0 }, second = { .count = 0 };
+    jlt_map *map;
+
+    (void)unused;
+    family.options = (jlt_flow){ .tolerance = 1e-13, .direction = JLT_RISING };
+    assert_ok(jlt_system_map_at(&family, &map, 2.15));
+    start.orbit = saddle_of(map);
+    assert_ok(jlt_continuation_run(&end, &maps, &start, -1, &options, record, &first));
+    assert_int_equal(end, JLT_CONTINUATION_RANGE);
+    assert_true(first.has_doubling && first.worst < 1e-12);
+    assert_near(first.doubling.orbit.trace, -2, 1e-8);
+    for (int side = -1; side <= 1; side += 2) {
+        jlt_periodic orbit;
+        assert_ok(jlt_system_map_at(&family, &map, first.doubling.value + side * 1e-4));
+        assert_ok(jlt_periodic_find(map, &orbit, first.doubling.orbit.points, 1, NULL));
+        assert_true(side * (orbit.trace + 2) < 0);
+    }
+    assert_ok(jlt_continuation_switch(&other, &maps, &first.doubling, 1, 0.01, &options));
+    assert_int_equal(other.orbit.period, 2);
+    assert_near(other.orbit.T, 2 * first.doubling.orbit.T, 0.02);
+    assert_ok(jlt_continuation_run(&end, &maps, &other, 1, &options, record, &second));
+    assert_true(second.has_fold && second.worst < 1e-11);
+    assert_near(second.fold.orbit.trace, 1 + second.fold.orbit.determinant, 1e-6);
+    jlt_system_family_clear(&family);
+}
+
+/* Oracle: 0.9056 for the Lorenz attractor (Viswanath 1998) within the statistics of 3000 time units; the sum is the constant
+ * divergence -41/3 up to the flux at the two ends over t. */
+static void exponents_of_the_lorenz_attractor(void **unused)
+{
+    const jlt_descriptor *d = jlt_descriptor_find("lorenz", NULL, NULL, NULL);
+    const jlt_flow options = { .tolerance = 1e-10, .direction = JLT_RISING };
+    const double params[3] = { 10, 28, 8. / 3 }, q[2] = { -13.7, -19.5 };
+    jlt_lyapunov_state state;
+    jlt_system *system;
+    jlt_map *map;
+
+    (void)unused;
+    assert_ok(jlt_system_plane(&system, d, params, 2, 27, NULL, &options));
+    assert_ok(jlt_map_create(&map, &system->flow));
+    assert_ok(jlt_lyapunov_run(map, &state, q, 4000, NULL, NULL));
+    assert_int_equal(state.returns, 4000);
+    assert_near(state.exponents[0], 0.9056, 0.02);
+    assert_near(state.sum_check, -41. / 3, 1e-9);
+    assert_near(state.exponents[0] + state.exponents[1], -41. / 3, 10 / state.t);
+    jlt_map_destroy(map);
+    jlt_system_destroy(system);
+}
+
+/* On a periodic orbit the finite-time exponents are its multipliers' logarithms: the 2-norm is that of DP^n. */
+static void exponents_of_a_periodic_orbit_are_its_multipliers(void **unused)
+{
+    jlt_system *system = top(1e-13);
+    double exponent, t;
+    jlt_map *map;
+
+    (void)unused;
+    assert_ok(jlt_map_create(&map, &system->flow));
+    const jlt_periodic saddle = saddle_of(map);
+    const double *a = saddle.slope;
+    const double square = a[0] * a[0] + a[1] * a[1] + a[2] * a[2] + a[3] * a[3], det = a[0] * a[3] - a[1] * a[2];
+    assert_ok(jlt_lyapunov_finite(map, &exponent, &t, saddle.points, 1));
+    assert_near(t, saddle.T, 1e-12);
+    assert_near(exponent * t, log((square + sqrt(square * square - 4 * det * det)) / 2) / 2, 1e-12);
+    jlt_map_destroy(map);
+    jlt_system_destroy(system);
+}
+
+/* The option decides whether loss of contact ends an orbit; orbits of (5.1) that turn over lose it on the way. */
+static void loss_of_contact_ends_orbits_when_asked(void **unused)
+{
+    const double q[2] = { 2, -0.5 };
+    jlt_system *system = top(1e-12);
+    jlt_flow ending = system->flow;
+    jlt_section *section;
+    jlt_fates_count count = { 0 };
+    jlt_fates_end end;
+    double f[5], share, error;
+
+    (void)unused;
+    assert_ok(jlt_section_create(&section, &system->flow));
+    assert_ok(jlt_fates_follow(section, &end, q, 50));
+    assert_int_equal(end.fate, JLT_FATE_POLE_PLUS);
+    assert_true(end.contact < 0);
+    jlt_fates_add(&count, &end);
+    jlt_section_destroy(section);
+    ending.end_at_contact_loss = true;
+    assert_ok(jlt_section_create(&section, &ending));
+    assert_ok(jlt_fates_follow(section, &end, q, 50));
+    assert_int_equal(end.fate, JLT_FATE_LOST_CONTACT);
+    system->field.call(end.x, system->field.p, f);
+    assert_near(system->flow.chart->contact(system->flow.chart, end.x, f), 0, 1e-10);
+    jlt_fates_add(&count, &end);
+    jlt_fates_share(&share, &error, &count, JLT_FATE_POLE_PLUS, false);
+    assert_near(share, 0.5, 0);
+    assert_near(error, sqrt(0.125), 1e-15);
+    jlt_fates_share(&share, &error, &count, JLT_FATE_POLE_PLUS, true);
+    assert_near(share, 0, 0);
+    jlt_section_destroy(section);
+    jlt_system_destroy(system);
+}
+
+/* Two known cases: an island of symmetric tori, where the forward and backward sets agree, and an attracting fixed point whose
+ * mirror image repels, where they share nothing. */
+static void attractor_and_repeller_are_told_apart(void **unused)
+{
+    const jlt_separation_options options = { .low = { -3.2, -1 }, .high = { 3.2, 1 }, .cells = { 80, 80 },
+                                             .settle = 60, .returns = 256 };
+    const double island[4] = { 0.43, -0.62, -0.43, -0.62 }, basin[2] = { 2.8395, -0.95874 };
+    double starts[4];
+    jlt_top_values values = { 1, 1, 1, 0.591, 0.494, 0.548, 2.15, 0.161 };
+    const jlt_flow flow = { .tolerance = 1e-11, .direction = JLT_RISING };
+    jlt_separation rows[48];
+    jlt_system *system = top(1e-11);
+    size_t count;
+
+    (void)unused;
+    assert_ok(jlt_separation_measure(rows, &count, &system->flow, island, 2, &options));
+    assert_int_equal(count, 9);
+    assert_int_equal(rows[8].alive_forward, 2);
+    assert_near(rows[8].overlap, 1, 0.1);
+    assert_near(rows[8].mirror_overlap, 1, 0.1);
+    jlt_system_destroy(system);
+
+    assert_ok(jlt_system_top(&system, &values, &flow));
+    starts[0] = basin[0], starts[1] = basin[1];
+    starts[2] = -basin[0], starts[3] = basin[1];
+    assert_ok(jlt_separation_measure(rows, &count, &system->flow, starts, 2, &options));
+    assert_true(rows[8].alive_forward >= 1 && rows[8].alive_backward >= 1);
+    assert_near(rows[8].overlap, 0, 0);
+    assert_near(rows[8].mirror_overlap, 1, 0);
+    jlt_system_destroy(system);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(branches_are_invariant),
+        cmocka_unit_test(stable_branch_mirrors_the_unstable_one),
+        cmocka_unit_test(separatrices_cross_transversally),
+        cmocka_unit_test(bifurcations_lie_where_multipliers_say),
+        cmocka_unit_test(exponents_of_the_lorenz_attractor),
+        cmocka_unit_test(exponents_of_a_periodic_orbit_are_its_multipliers),
+        cmocka_unit_test(loss_of_contact_ends_orbits_when_asked),
+        cmocka_unit_test(attractor_and_repeller_are_told_apart),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
