@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# The commands of the dynamics, as typed: rows against quadruple precision, headers that repeat the run, exit statuses,
+# pictures, and what an interrupt leaves.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+data=$JLT_SOURCE_DIR/tests/reference/data
+status=0
+fail() { echo "$*"; status=1; }
+expect() { # STATUS COMMAND...
+    local want=$1
+    shift
+    "$@" > out 2> err < /dev/null
+    local got=$?
+    [ $got -eq "$want" ] || { fail "$*: status $got, not $want"; head -3 err; }
+}
+
+# Returns: eta, gamma3, t, v_nu, omega_n, omega3 of all four orbits within 1e-11.
+jellett section --level E=2.15,G=-0.56 --tol 1e-13 --returns 10 \
+    $(awk -F, 'NR > 1 && $2 == 0 { printf "--start eta=%s,gamma3=%s ", $3, $4 }' "$data/returns_51.csv") > rows.csv 2> err ||
+    fail "section: $(cat err)"
+grep -v '^#' rows.csv | head -1 | grep -qx 'orbit,return,t,eta,gamma3,v_nu,omega_n,omega3,fate' || fail "section: columns"
+worst=$(paste -d, <(grep -v '^[#o]' rows.csv) <(tail -n +2 "$data/returns_51.csv") | awk -F, '
+    function abs(x) { return x < 0 ? -x : x }
+    { if ($1 != $10 || $2 != $11 || $9 != "alive") print "rows differ: " $0
+      d[1] = $4 - $12; d[2] = $5 - $13; d[3] = $3 - $14; d[4] = $6 - $15; d[5] = $7 - $16; d[6] = $8 - $17
+      for (i in d) if (abs(d[i]) > worst) worst = abs(d[i])
+      n++ }
+    END { if (n != 44) print n " rows"; print worst > "worst"; exit !(worst < 1e-11) }') || fail "section: $worst $(cat worst)"
+[ -z "$worst" ] || fail "section: $worst"
+
+# The header repeats the run, bit for bit.
+command=$(sed -n 's/^# command: //p' rows.csv)
+eval "$command" 2> /dev/null | cmp -s - rows.csv || fail "the header's command gives other rows"
+
+# Fates: pole, time and limits.
+jellett fates --tol 1e-13 $(awk -F, 'NR > 1 { printf "--start eta=%s,gamma3=%s ", $1, $2 }' "$data/poles_51.csv") \
+    > fates.csv 2> err || fail "fates: $(cat err)"
+grep -v '^#' fates.csv | head -1 | grep -qx 'eta,gamma3,fate,t_end,v_nu_end,omega_tau_end,omega3_end' || fail "fates: columns"
+paste -d, <(grep -v '^[#e]' fates.csv) <(tail -n +2 "$data/poles_51.csv") | awk -F, '
+    function abs(x) { return x < 0 ? -x : x }
+    $3 != ($10 > 0 ? "pole+" : "pole-") { exit 1 }
+    abs($4 - $11) > 1e-11 || abs($5 - $12) > 1e-10 || abs($6 - $13) > 1e-10 || abs($7 - $14) > 1e-10 { exit 1 }
+    END { exit NR != 4 }' || fail "fates: not those of the reference"
+
+# Orbits: the symmetric fixed point.
+jellett orbits --period 1 --grid 0x0 > orbits.csv || fail "orbits"
+grep -v '^#' orbits.csv | head -1 |
+    grep -qx 'period,eta,gamma3,T,trace,det,mu1_re,mu1_im,mu2_re,mu2_im,symmetric,type,residual' || fail "orbits: columns"
+awk -F, '
+    function abs(x) { return x < 0 ? -x : x }
+    $1 == 1 && abs($2) < 1e-11 && abs($3 + 0.613584389706638) < 1e-11 && abs($5 + 2.047418461622422) < 1e-11 &&
+    abs($6 - 1) < 1e-11 && $11 == "yes" { found = 1 }
+    END { exit !found }' orbits.csv || fail "orbits: the symmetric fixed point is missing"
+
+# What cannot be used says so.
+expect 3 jellett section --level E=-5 --start eta=0,gamma3=0
+grep -q 'raise E' err || fail "an empty level: $(cat err)"
+expect 3 jellett section --level E=0.4 --start eta=0,gamma3=0.5
+expect 3 jellett section --start eta=0,gamma3=1
+expect 3 jellett section --start eta=x,gamma3=0
+expect 3 jellett section --start eta=0
+expect 3 jellett section --set mass=1 --start eta=0,gamma3=0
+expect 3 jellett section --start eta=0,gamma3=0 --tol 2
+expect 2 jellett section
+expect 2 jellett section --start eta=0,gamma3=0 --direction sideways
+expect 2 jellett section --start eta=0,gamma3=0 --method euler
+expect 3 jellett manifolds --start eta=0.43,gamma3=-0.62 --period 2
+expect 2 jellett continue
+expect 3 jellett continue --along mass=1:2
+expect 5 jellett section --start eta=0,gamma3=-0.6 --returns 1 --output no/such/folder.csv
+expect 0 jellett lyapunov --returns 20
+expect 0 jellett continue --along E=2.1:2.2
+expect 0 jellett separation --grid 2x2 --returns 4 --settle 0
+expect 0 jellett fates --grid 4x4 --sweep E=1:2:2
+expect 0 jellett section --start eta=2,gamma3=-0.5 --contact end
+grep -q ',lost_contact$' out || fail "--contact end: no lost_contact"
+if command -v gnuplot > /dev/null; then
+    expect 0 jellett section --grid 6x4 --returns 20 --plot picture.svg --keep picture.gp
+    grep -q '<svg' picture.svg && [ -s picture.gp ] || fail "no picture"
+    [ "$(head -c 4 picture.svg)" = "<?xm" ] || fail "the picture is no SVG"
+fi
+
+# An interrupt ends with whole rows and says what is saved.
+jellett section --start eta=0.1,gamma3=-0.6 --returns 100000000 --output long.csv 2> err &
+child=$!
+sleep 1
+kill -INT $child
+wait $child || fail "interrupted: status $?"
+grep -q 'interrupted; [0-9]* whole rows' err || fail "interrupted: $(cat err)"
+[ "$(grep -c '^0,' long.csv)" -eq "$(sed -n 's/.*interrupted; \([0-9]*\) whole rows.*/\1/p' err)" ] || fail "saved rows"
+tail -1 long.csv | grep -qE '^0(,[-+.e0-9]+){7},alive$' || fail "the last row is broken"
+[ -z "$(find . -name 'long.csv.*')" ] || fail "a temporary file is left"
+exit $status
