@@ -68,7 +68,7 @@ jlt_status jlt_pole_judge(jlt_pole_verdict *out, const jlt_stepper *stepper, dou
     const jlt_status st = slowest_decay(&out->kappa, stepper);
     if (st != JLT_OK) return st;
     out->mu = mu;
-    out->ends = out->kappa > 0 && worst <= left * out->kappa;
+    out->ends = worst <= left * out->kappa; /* never where something grows, kappa < 0 */
     out->t_end = jlt_stepper_time(stepper) + (s > 0 ? stepper->direction * s / mu : 0);
     return JLT_OK;
 }

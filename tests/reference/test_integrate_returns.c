@@ -194,12 +194,17 @@ static void the_generic_orbit_ends_at_a_pole_before_its_last_two_rows(void **unu
     }
     assert_near(ends[0], 1.7478, 5e-5);
     assert_near(ends[0], ends[1], 1e-10);
-    assert_ok(jlt_orbit_create(&orbit, NULL, &own, &(jlt_options){ .tolerance = 1e-13 }));
-    assert_ok(jlt_orbit_start(orbit, 0, rows + 1, +1));
-    const jlt_status st = jlt_orbit_propagate(orbit, 4, x);
-    assert_true(st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS);
-    assert_true(x[0] <= 1 && isfinite(x[3]));
-    jlt_orbit_destroy(orbit);
+    const char *const methods[] = { "dop853", "rk8pd", "rkf45", "msadams", "gauss" };
+    for (unsigned m = 0; m < 5; m++) {
+        assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &own,
+                                   &(jlt_options){ .tolerance = 1e-10, .max_steps = 100000 }));
+        assert_ok(jlt_orbit_start(orbit, 0, rows + 1, +1));
+        const jlt_status st = jlt_orbit_propagate(orbit, 4, x);
+        assert_true(st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS || st == JLT_ERR_BUDGET);
+        for (unsigned i = 0; i < 5; i++) assert_true(isfinite(x[i]));
+        assert_true(x[0] <= 1);
+        jlt_orbit_destroy(orbit);
+    }
 }
 
 static void the_rod_flow_agrees(void **unused)
