@@ -76,7 +76,8 @@ static void add_formula(body *b, ttc_text *formula, ttc_value value, binding nee
 {
     const char *label = ttc_program_label_of(b->program, value);
     if (label != NULL) {
-        ttc_text_add(formula, label);
+        bool bracket = needed == BINDS_ATOM && strpbrk(label, "*/") != NULL;
+        ttc_text_format(formula, bracket ? "(%s)" : "%s", label);
     } else if (b->formulas[value].length > FORMULA_LIMIT) {
         ttc_text_format(formula, "t%zu", b->numbers[value]);
     } else {
@@ -178,6 +179,17 @@ static void add_statement(body *b, ttc_value value, size_t *count)
     ttc_text_add(b->text, " */\n");
 }
 
+/* An output is written out at once, so that its temporary need not be kept. */
+static void add_outputs(body *b, ttc_value value, size_t offset)
+{
+    for (size_t k = 0; k < ttc_program_output_count(b->program); k++) {
+        if (ttc_program_output_at(b->program, k) != value) continue;
+        ttc_text_format(b->text, "    %s%zu%s", b->dialect->output, offset + k, b->dialect->output_middle);
+        add_operand(b, value);
+        ttc_text_format(b->text, "%s;\n", b->dialect->output_end);
+    }
+}
+
 void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program *program, const ttc_field *field,
                    const ttc_block *block, const char *parameters, size_t offset)
 {
@@ -190,11 +202,9 @@ void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program
         text->failed = true;
         goto done;
     }
-    for (size_t k = 0; k < n; k++) add_statement(&b, (ttc_value)k, &count);
-    for (size_t k = 0; k < ttc_program_output_count(program); k++) {
-        ttc_text_format(text, "    %s%zu%s", dialect->output, offset + k, dialect->output_middle);
-        add_operand(&b, ttc_program_output_at(program, k));
-        ttc_text_format(text, "%s;\n", dialect->output_end);
+    for (size_t k = 0; k < n; k++) {
+        add_statement(&b, (ttc_value)k, &count);
+        add_outputs(&b, (ttc_value)k, offset);
     }
 done:
     for (size_t k = 0; b.formulas != NULL && k < n; k++) {

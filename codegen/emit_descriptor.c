@@ -83,6 +83,10 @@ static void add_header(ttc_text *text, ttc_kernels *k)
     ttc_text_add(text, " *\n *  Accuracy: ");
     ttc_text_add_comment(text, losses.length == 0 ? "no denominator or radicand of the field vanishes in the domain"
                                                   : ttc_text_string(&losses));
+    const ttc_kernel *both = k->kernels + TTC_KERNEL_RHS_JACOBIAN;
+    if (ttc_program_count(both->optimized).divide < ttc_program_count(both->naive).divide)
+        ttc_text_add(text, ".\n *  One division serves all denominators: their product may leave the range of double precision where none of them\n"
+                           " *  does, which raises the overflow or underflow exception, or gives an infinity or NaN");
     ttc_text_add(text, ".\n */\n");
     text->failed |= losses.failed;
     ttc_text_clear(&losses);

@@ -150,7 +150,9 @@ ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id 
         }
     }
     ttc_program *program = best.best == NULL ? NULL : finish(best.best, block);
+    ttc_program *scheduled = program == NULL ? NULL : ttc_program_schedule(program);
+    ttc_program_destroy(program);
     ttc_system_destroy(best.best);
     for (int k = 0; k < STARTS; k++) ttc_system_destroy(starts[k]);
-    return program;
+    return scheduled;
 }

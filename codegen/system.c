@@ -1,6 +1,8 @@
 /* Variables, cubes and sums. */
 #include "system.h"
 
+#include "emit.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,6 +11,8 @@ ttc_system *ttc_system_clone(const ttc_system *system)
     ttc_system *copy = calloc(1, sizeof *copy);
     if (copy == NULL) return NULL;
     *copy = *system;
+    copy->names = NULL;
+    copy->name_count = 0;
     copy->capacity = system->count + 32;
     copy->variables = calloc(copy->capacity, sizeof *copy->variables);
     copy->outputs = calloc(system->output_count + 1, sizeof *copy->outputs);
@@ -38,9 +42,25 @@ void ttc_system_destroy(ttc_system *system)
 {
     if (system == NULL) return;
     for (uint32_t i = 0; i < system->count; i++) free(system->variables[i].definition.cubes);
+    for (size_t i = 0; i < system->name_count; i++) free(system->names[i]);
+    free(system->names);
     free(system->variables);
     free(system->outputs);
     free(system);
+}
+
+void ttc_system_write_name(const ttc_system *system, ttc_text *text, uint32_t variable)
+{
+    const ttc_variable *v = system->variables + variable;
+    const ttc_field *field = system->field;
+    if (v->kind == TTC_VARIABLE_INPUT) ttc_text_add(text, field->symbols[field->states[v->operand]].name);
+    if (v->label == NULL) return;
+    ttc_text_add(text, v->label);
+    if (v->divisor == TTC_NONE) return;
+    bool bracket = ttc_kind_of(field->graph, v->divisor) != TTC_SYMBOL;
+    ttc_text_add(text, bracket ? "/(" : "/");
+    ttc_emit_formula(text, field->graph, v->divisor, ttc_emit_symbol_name, (void *)(uintptr_t)field);
+    if (bracket) ttc_text_add(text, ")");
 }
 
 uint32_t ttc_system_add_variable(ttc_system *system, ttc_variable_kind kind, uint32_t operand)

@@ -8,6 +8,7 @@
 #define TTC_SYSTEM_H
 
 #include "field.h"
+#include "text.h"
 
 enum { TTC_CUBE_LIMIT = 24 }; /* factors of a cube; longer products are split into units */
 
@@ -32,7 +33,7 @@ typedef struct {
     bool is_output;
     uint32_t operand;          /* INPUT: position of the state; functions: variable */
     ttc_polynomial definition; /* UNIT */
-    const char *label;         /* borrowed from the field; NULL when it has none */
+    const char *label;         /* borrowed from the field, or from `names`; NULL when it has none */
     ttc_id divisor;            /* the variable is its label divided by this; TTC_NONE: by nothing */
 } ttc_variable;
 
@@ -43,6 +44,8 @@ typedef struct {
     uint32_t count, capacity;
     uint32_t *outputs; /* variables */
     uint32_t output_count;
+    char **names; /* labels made here; a clone does not have them */
+    size_t name_count;
     bool failed;       /* memory is out, or the graph refused */
 } ttc_system;
 
@@ -50,6 +53,9 @@ typedef struct {
 ttc_system *ttc_system_create(ttc_field *field, const ttc_id *outputs, size_t count);
 ttc_system *ttc_system_clone(const ttc_system *system); /* NULL: memory */
 void ttc_system_destroy(ttc_system *system);            /* legal on NULL */
+
+/* What a variable is called in comments, "" when it has no name. */
+void ttc_system_write_name(const ttc_system *system, ttc_text *text, uint32_t variable);
 
 uint32_t ttc_system_add_variable(ttc_system *system, ttc_variable_kind kind, uint32_t operand);
 void ttc_polynomial_add(ttc_system *system, ttc_polynomial *p, const ttc_cube *cube);

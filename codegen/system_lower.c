@@ -1,7 +1,5 @@
 #include "system_lower.h"
 
-#include "text.h"
-
 #include <stdlib.h>
 
 /* Rough latencies, in the time of a multiplication: they only order operations. */
@@ -173,14 +171,12 @@ static ttc_value lower_polynomial(lowering *l, const ttc_polynomial *p)
     return value;
 }
 
-static void label(lowering *l, const ttc_variable *v, ttc_value value)
+static void label(lowering *l, uint32_t variable, ttc_value value)
 {
-    if (v->label == NULL) return;
     ttc_text text = { 0 };
-    ttc_text_add(&text, v->label);
-    if (v->divisor != TTC_NONE) ttc_text_add(&text, " scaled");
+    ttc_system_write_name(l->system, &text, variable);
     l->failed |= text.failed;
-    if (!l->failed) ttc_program_label(l->program, value, ttc_text_string(&text));
+    if (!l->failed && text.length > 0) ttc_program_label(l->program, value, ttc_text_string(&text));
     ttc_text_clear(&text);
 }
 
@@ -214,7 +210,7 @@ static ttc_value lower_variable(lowering *l, uint32_t variable)
         value = apply(l, TTC_OP_SINE, operand, TTC_NO_VALUE);
         break;
     }
-    if (!l->failed) label(l, v, value);
+    if (!l->failed) label(l, variable, value);
     l->values[variable] = value;
     return value;
 }

@@ -3,6 +3,7 @@
 #include "system.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { MOST = 12 }; /* denominators in one division */
 
@@ -10,6 +11,7 @@ typedef struct {
     ttc_system *system;
     uint32_t members[MOST]; /* reciprocal variables of one level */
     unsigned count;
+    uint32_t operands[MOST];
     uint32_t *variable;     /* by subset: variable + 1 that holds it */
 } group;
 
@@ -57,6 +59,34 @@ static unsigned size_of(unsigned subset)
     return size;
 }
 
+/* "1/(a*b)", when all operands have names. */
+static void name_subset(group *g, uint32_t variable, unsigned subset)
+{
+    ttc_system *system = g->system;
+    ttc_text text = { 0 };
+    bool named = true;
+    ttc_text_add(&text, size_of(subset) > 1 ? "1/(" : "1/");
+    for (unsigned i = 0, k = 0; i < g->count && named; i++) {
+        if ((subset & 1u << i) == 0) continue;
+        if (k++ > 0) ttc_text_add(&text, "*");
+        ttc_text name = { 0 };
+        ttc_system_write_name(system, &name, g->operands[i]);
+        named = name.length > 0 && !name.failed;
+        bool bracket = named && strchr(name.bytes, '/') != NULL;
+        ttc_text_format(&text, bracket ? "(%s)" : "%s", ttc_text_string(&name));
+        ttc_text_clear(&name);
+    }
+    if (size_of(subset) > 1) ttc_text_add(&text, ")");
+    char **names = named && !text.failed ? realloc(system->names, (system->name_count + 1) * sizeof *names) : NULL;
+    if (names == NULL) {
+        ttc_text_clear(&text);
+        return;
+    }
+    system->names = names;
+    names[system->name_count++] = text.bytes;
+    system->variables[variable].label = text.bytes;
+}
+
 static void define_by_product(ttc_system *system, uint32_t variable, uint32_t a, uint32_t b)
 {
     ttc_cube cube = ttc_cube_one(system);
@@ -98,7 +128,8 @@ static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset)
     uint32_t larger = derive(g, wanted, subset | 1u << member);
     uint32_t variable = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
     if (system->failed) return 0;
-    define_by_product(system, variable, larger, system->variables[g->members[member]].operand);
+    define_by_product(system, variable, larger, g->operands[member]);
+    name_subset(g, variable, subset);
     g->variable[subset] = variable + 1;
     return variable;
 }
@@ -120,9 +151,8 @@ static void share_group(group *g)
     uint32_t known = system->count;
     unsigned char *wanted = calloc(subsets, 1);
     unsigned *subset = calloc(known + 1, sizeof *subset);
-    uint32_t *operands = calloc(g->count, sizeof *operands);
     g->variable = calloc(subsets, sizeof *g->variable);
-    system->failed |= wanted == NULL || subset == NULL || operands == NULL || g->variable == NULL;
+    system->failed |= wanted == NULL || subset == NULL || g->variable == NULL;
     if (system->failed) goto done;
     for (uint32_t v = 0; v < known; v++) {
         subset[v] = subset_of(g, v);
@@ -130,7 +160,7 @@ static void share_group(group *g)
     }
     wanted[0] = 0;
     ttc_cube product = ttc_cube_one(system);
-    for (unsigned i = 0; i < g->count; i++) ttc_cube_multiply(&product, system->variables[g->members[i]].operand);
+    for (unsigned i = 0; i < g->count; i++) ttc_cube_multiply(&product, g->operands[i]);
     uint32_t all = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
     if (system->failed) goto done;
     ttc_polynomial_add(system, &system->variables[all].definition, &product);
@@ -143,7 +173,6 @@ static void share_group(group *g)
 done:
     free(wanted);
     free(subset);
-    free(operands);
     free(g->variable);
 }
 
@@ -158,7 +187,10 @@ void ttc_system_share_reciprocals(ttc_system *system)
     for (unsigned level = 2; level <= deepest && !system->failed; level++) {
         group g = { .system = system };
         for (uint32_t v = 0; v < count && g.count < MOST; v++)
-            if (system->variables[v].kind == TTC_VARIABLE_RECIPROCAL && levels[v] == level) g.members[g.count++] = v;
+            if (system->variables[v].kind == TTC_VARIABLE_RECIPROCAL && levels[v] == level) {
+                g.members[g.count] = v;
+                g.operands[g.count++] = system->variables[v].operand;
+            }
         if (g.count > 1) share_group(&g);
     }
     free(levels);
