@@ -43,8 +43,8 @@ static void prepare(const double *restrict params, double *restrict out)
     out[1] = params[1];
     out[2] = params[2];
     const double t0 = params[0]/2.0; /* m/2 */
-    const double t1 = params[1]/2.0; /* I/2 */
     out[3] = t0;
+    const double t1 = params[1]/2.0; /* I/2 */
     out[4] = t1;
 }
 
@@ -87,25 +87,25 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[1] = x[0];
     const double t0 = p[3]*x[0]; /* 1/2*m*v */
     const double t1 = x[0]*t0; /* v*1/2*m*v */
+    out[2] = x[1];
     const double t2 = p[4]*x[1]; /* 1/2*I*w */
     const double t3 = JLT_FMA(x[1], t2, t1); /* w*1/2*I*w + v*1/2*m*v */
     out[0] = t3;
-    out[1] = x[0];
-    out[2] = x[1];
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = p[0]*x[0]; /* m*v */
-    const double t1 = p[1]*x[1]; /* I*w */
     out[0] = t0;
+    const double t1 = p[1]*x[1]; /* I*w */
     out[1] = t1;
     out[2] = 1.0;
+    out[5] = 1.0;
     out[3] = 0.0;
     out[4] = 0.0;
-    out[5] = 1.0;
 }
 
 static void measure_values(const double *restrict x, const double *restrict p, double *restrict out)

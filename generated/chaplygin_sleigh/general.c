@@ -7,12 +7,14 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 0    4    0    0    0    0      2    2   (10)
  *  jacobian            0    3    0    0    0    0      1    1   (16)
- *  rhs_jacobian        2    6    0    0    0    0      3    3   (26)
+ *  rhs_jacobian        2    6    0    0    0    0      3    2   (26)
  *  divergence          0    1    0    0    0    0      1    1   (7)
  *  integral_values     0    3    1    0    0    0      3    3   (10)
  *  integral_gradients  0    2    0    0    0    0      1    1   (5)
  *
  *  Accuracy: no denominator or radicand of the field vanishes in the domain.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -35,58 +37,58 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t1 = params[2]*params[2]; /* a*a */
     const double t2 = params[0]*t1; /* m*a*a */
     const double t3 = params[1] + t2; /* I + m*a*a */
+    out[8] = t3;
     const double t4 = t0/t3; /* m*a/(I + m*a*a) */
+    out[5] = t4;
     const double t5 = -t4; /* -m*a/(I + m*a*a) */
+    out[3] = t5;
     const double t6 = params[2]*2.0; /* a*2 */
+    out[4] = t6;
     const double t7 = params[0]/2.0; /* m/2 */
+    out[6] = t7;
     const double t8 = params[1]*(1.0 / 2.0); /* I*1/2 */
     const double t9 = t2*(1.0 / 2.0); /* m*a*a*1/2 */
     const double t10 = t8 + t9; /* I*1/2 + m*a*a*1/2 */
-    out[3] = t5;
-    out[4] = t6;
-    out[5] = t4;
-    out[6] = t7;
     out[7] = t10;
-    out[8] = t3;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = p[2]*x[1]; /* a*w */
     const double t1 = x[1]*t0; /* w*a*w */
+    out[0] = t1;
     const double t2 = x[1]*p[3]; /* w*(-m*a/(I + m*a^2)) */
     const double t3 = x[0]*t2; /* v*w*(-m*a/(I + m*a^2)) */
-    out[0] = t1;
     out[1] = t3;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[4]*x[1]; /* 2*a*w */
-    const double t1 = x[1]*p[3]; /* w*(-m*a/(I + m*a^2)) */
-    const double t2 = p[3]*x[0]; /* (-m*a/(I + m*a^2))*v */
     out[0] = 0.0;
+    const double t0 = p[4]*x[1]; /* 2*a*w */
     out[1] = t0;
+    const double t1 = x[1]*p[3]; /* w*(-m*a/(I + m*a^2)) */
     out[2] = t1;
+    const double t2 = p[3]*x[0]; /* (-m*a/(I + m*a^2))*v */
     out[3] = t2;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[2]*x[1]; /* a*w */
-    const double t1 = x[1]*t0; /* w*a*w */
-    const double t2 = p[5]*x[0]; /* m*a/(I + m*a^2)*v */
-    const double t3 = x[1]*t2; /* w*m*a/(I + m*a^2)*v */
-    const double t4 = -t3; /* -w*m*a/(I + m*a^2)*v */
-    const double t5 = x[1]*p[4]; /* w*2*a */
-    const double t6 = x[1]*p[3]; /* w*(-m*a/(I + m*a^2)) */
-    const double t7 = -t2; /* -m*a/(I + m*a^2)*v */
-    out[0] = t1;
-    out[1] = t4;
     out[2] = 0.0;
-    out[3] = t5;
-    out[4] = t6;
-    out[5] = t7;
+    const double t0 = x[1]*p[4]; /* w*2*a */
+    out[3] = t0;
+    const double t1 = x[1]*p[3]; /* w*(-m*a/(I + m*a^2)) */
+    out[4] = t1;
+    const double t2 = p[5]*x[0]; /* m*a/(I + m*a^2)*v */
+    const double t3 = -t2; /* -m*a/(I + m*a^2)*v */
+    out[5] = t3;
+    const double t4 = x[1]*t2; /* w*m*a/(I + m*a^2)*v */
+    const double t5 = -t4; /* -w*m*a/(I + m*a^2)*v */
+    out[1] = t5;
+    const double t6 = p[2]*x[1]; /* a*w */
+    const double t7 = x[1]*t6; /* w*a*w */
+    out[0] = t7;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -107,8 +109,8 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = p[0]*x[0]; /* m*v */
-    const double t1 = p[8]*x[1]; /* (I + m*a^2)*w */
     out[0] = t0;
+    const double t1 = p[8]*x[1]; /* (I + m*a^2)*w */
     out[1] = t1;
 }
 
@@ -177,18 +179,21 @@ static void family0_trace(const double *restrict x, const double *restrict param
 
 static void family0_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
 {
+    out[2] = 0.0;
     const double t0 = params[2]*params[2]; /* a*a */
     const double t1 = params[0]*t0; /* m*a*a */
     const double t2 = params[1] + t1; /* I + m*a*a */
+    out[0] = t2;
     const double t3 = params[0]*params[2]; /* m*a */
     const double t4 = t3*x[0]; /* m*a*v */
-    out[0] = t2;
     out[1] = t4;
-    out[2] = 0.0;
 }
 
 static void family0_matrix(const double *restrict x, const double *restrict params, double *restrict out)
 {
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
     const double t0 = params[0]*params[2]; /* m*a */
     const double t1 = t0*x[0]; /* m*a*v */
     const double t2 = params[2]*params[2]; /* a*a */
@@ -196,9 +201,6 @@ static void family0_matrix(const double *restrict x, const double *restrict para
     const double t4 = params[1] + t3; /* I + m*a*a */
     const double t5 = t1/t4; /* m*a*v/(I + m*a*a) */
     const double t6 = -t5; /* -m*a*v/(I + m*a*a) */
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
     out[3] = t6;
 }
 
@@ -259,7 +261,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
         "" },
     .jacobian = { jacobian, 4, { 0, 3, 0, 0, 0, 0, 1, 1 }, { 4, 10, 0, 2, 0, 0, 5, 3 },
         "" },
-    .rhs_jacobian = { rhs_jacobian, 6, { 2, 6, 0, 0, 0, 0, 3, 3 }, { 6, 17, 0, 3, 0, 0, 5, 3 },
+    .rhs_jacobian = { rhs_jacobian, 6, { 2, 6, 0, 0, 0, 0, 3, 2 }, { 6, 17, 0, 3, 0, 0, 5, 3 },
         "" },
     .divergence = { divergence, 1, { 0, 1, 0, 0, 0, 0, 1, 1 }, { 2, 4, 0, 1, 0, 0, 5, 3 },
         "" },

@@ -30,11 +30,11 @@ static void prepare(const double *restrict params, double *restrict out)
     out[1] = params[1];
     out[2] = params[2];
     const double t0 = -params[0]; /* -sigma */
+    out[3] = t0;
     const double t1 = -params[2]; /* -beta */
+    out[4] = t1;
     const double t2 = (-1.0) - params[0]; /* -1 - sigma */
     const double t3 = t2 - params[2]; /* -1 - sigma - beta */
-    out[3] = t0;
-    out[4] = t1;
     out[5] = t3;
 }
 
@@ -42,50 +42,50 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = x[0] - x[1]; /* x - y */
     const double t1 = p[3]*t0; /* (-sigma)*(x - y) */
+    out[0] = t1;
     const double t2 = p[1] - x[2]; /* rho - z */
     const double t3 = JLT_FMS(x[0], t2, x[1]); /* x*(rho - z) - y */
+    out[1] = t3;
     const double t4 = x[0]*x[1]; /* x*y */
     const double t5 = JLT_FNMA(x[2], p[2], t4); /* x*y - z*beta */
-    out[0] = t1;
-    out[1] = t3;
     out[2] = t5;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[1] - x[2]; /* rho - z */
-    const double t1 = -x[0]; /* -x */
     out[0] = p[3];
     out[1] = p[0];
     out[2] = 0.0;
+    const double t0 = p[1] - x[2]; /* rho - z */
     out[3] = t0;
     out[4] = (-1.0);
+    out[7] = x[0];
+    const double t1 = -x[0]; /* -x */
     out[5] = t1;
     out[6] = x[1];
-    out[7] = x[0];
     out[8] = p[4];
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[3] = p[3];
+    out[10] = x[0];
+    out[9] = x[1];
     const double t0 = x[0] - x[1]; /* x - y */
     const double t1 = p[3]*t0; /* (-sigma)*(x - y) */
+    out[0] = t1;
     const double t2 = p[1] - x[2]; /* rho - z */
+    out[6] = t2;
     const double t3 = JLT_FMS(x[0], t2, x[1]); /* x*(rho - z) - y */
+    out[1] = t3;
     const double t4 = x[0]*x[1]; /* x*y */
     const double t5 = JLT_FNMA(x[2], p[2], t4); /* x*y - z*beta */
-    const double t6 = -x[0]; /* -x */
-    out[0] = t1;
-    out[1] = t3;
     out[2] = t5;
-    out[3] = p[3];
     out[4] = p[0];
     out[5] = 0.0;
-    out[6] = t2;
     out[7] = (-1.0);
+    const double t6 = -x[0]; /* -x */
     out[8] = t6;
-    out[9] = x[1];
-    out[10] = x[0];
     out[11] = p[4];
 }
 
@@ -164,16 +164,16 @@ static void family0_point(const double *restrict x, const double *restrict param
 static void family0_matrix(const double *restrict x, const double *restrict params, double *restrict out)
 {
     (void)x;
-    const double t0 = -params[0]; /* -sigma */
-    const double t1 = -params[2]; /* -beta */
-    out[0] = t0;
-    out[1] = params[0];
-    out[2] = 0.0;
-    out[3] = params[1];
     out[4] = (-1.0);
+    out[1] = params[0];
+    const double t0 = -params[0]; /* -sigma */
+    out[0] = t0;
+    out[2] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[7] = 0.0;
+    out[3] = params[1];
+    const double t1 = -params[2]; /* -beta */
     out[8] = t1;
 }
 
@@ -181,20 +181,20 @@ static const unsigned char family1_is_free[] = { 1, 0, 0 };
 
 static void family1_impose(const double *restrict x, const double *restrict params, double *restrict out)
 {
+    out[0] = params[0];
+    out[2] = params[2];
     const double t0 = x[0]*x[0]; /* x*x */
     const double t1 = t0/params[2]; /* x*x/beta */
     const double t2 = 1.0 + t1; /* rho = 1 + x*x/beta */
-    out[0] = params[0];
     out[1] = t2;
-    out[2] = params[2];
 }
 
 static void family1_point(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* x*x */
-    const double t1 = t0/params[2]; /* z = x*x/beta */
     out[0] = x[0];
     out[1] = x[0];
+    const double t0 = x[0]*x[0]; /* x*x */
+    const double t1 = t0/params[2]; /* z = x*x/beta */
     out[2] = t1;
 }
 
@@ -208,17 +208,17 @@ static void family1_trace(const double *restrict x, const double *restrict param
 
 static void family1_matrix(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = -params[0]; /* -sigma */
-    const double t1 = -x[0]; /* -x */
-    const double t2 = -params[2]; /* -beta */
-    out[0] = t0;
-    out[1] = params[0];
-    out[2] = 0.0;
-    out[3] = 1.0;
     out[4] = (-1.0);
-    out[5] = t1;
+    out[3] = 1.0;
+    out[1] = params[0];
+    const double t0 = -params[0]; /* -sigma */
+    out[0] = t0;
+    out[2] = 0.0;
     out[6] = x[0];
     out[7] = x[0];
+    const double t1 = -x[0]; /* -x */
+    out[5] = t1;
+    const double t2 = -params[2]; /* -beta */
     out[8] = t2;
 }
 

@@ -37,47 +37,47 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = x[1] + x[2]; /* y + z */
     const double t1 = -t0; /* -(y + z) */
+    out[0] = t1;
     const double t2 = JLT_FMA(x[1], p[0], x[0]); /* y*a + x */
+    out[1] = t2;
     const double t3 = p[2] - x[0]; /* c - x */
     const double t4 = JLT_FNMA(x[2], t3, p[1]); /* b - z*(c - x) */
-    out[0] = t1;
-    out[1] = t2;
     out[2] = t4;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0] - p[2]; /* x - c */
     out[0] = 0.0;
+    out[5] = 0.0;
+    out[7] = 0.0;
+    out[3] = 1.0;
     out[1] = (-1.0);
     out[2] = (-1.0);
-    out[3] = 1.0;
     out[4] = p[0];
-    out[5] = 0.0;
     out[6] = x[2];
-    out[7] = 0.0;
+    const double t0 = x[0] - p[2]; /* x - c */
     out[8] = t0;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[9] = x[2];
     const double t0 = x[1] + x[2]; /* y + z */
     const double t1 = -t0; /* -(y + z) */
+    out[0] = t1;
+    out[7] = p[0];
     const double t2 = JLT_FMA(x[1], p[0], x[0]); /* y*a + x */
+    out[1] = t2;
     const double t3 = p[2] - x[0]; /* c - x */
     const double t4 = JLT_FNMA(x[2], t3, p[1]); /* b - z*(c - x) */
-    const double t5 = x[0] - p[2]; /* x - c */
-    out[0] = t1;
-    out[1] = t2;
     out[2] = t4;
     out[3] = 0.0;
+    out[8] = 0.0;
+    out[10] = 0.0;
+    out[6] = 1.0;
     out[4] = (-1.0);
     out[5] = (-1.0);
-    out[6] = 1.0;
-    out[7] = p[0];
-    out[8] = 0.0;
-    out[9] = x[2];
-    out[10] = 0.0;
+    const double t5 = x[0] - p[2]; /* x - c */
     out[11] = t5;
 }
 
@@ -136,21 +136,21 @@ static const unsigned char family0_is_free[] = { 1, 0, 0 };
 
 static void family0_impose(const double *restrict x, const double *restrict params, double *restrict out)
 {
+    out[0] = params[0];
+    out[2] = params[2];
     const double t0 = params[2] - x[0]; /* c - x */
     const double t1 = x[0]*t0; /* x*(c - x) */
     const double t2 = t1/params[0]; /* b = x*(c - x)/a */
-    out[0] = params[0];
     out[1] = t2;
-    out[2] = params[2];
 }
 
 static void family0_point(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = x[0]/params[0]; /* z = x/a */
-    const double t1 = -t0; /* y = -z */
     out[0] = x[0];
-    out[1] = t1;
+    const double t0 = x[0]/params[0]; /* z = x/a */
     out[2] = t0;
+    const double t1 = -t0; /* y = -z */
+    out[1] = t1;
 }
 
 static void family0_trace(const double *restrict x, const double *restrict params, double *restrict out)
@@ -162,16 +162,16 @@ static void family0_trace(const double *restrict x, const double *restrict param
 
 static void family0_matrix(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = x[0]/params[0]; /* x/a */
-    const double t1 = x[0] - params[2]; /* x - c */
     out[0] = 0.0;
+    out[5] = 0.0;
+    out[7] = 0.0;
     out[1] = (-1.0);
     out[2] = (-1.0);
     out[3] = 1.0;
     out[4] = params[0];
-    out[5] = 0.0;
+    const double t0 = x[0]/params[0]; /* x/a */
     out[6] = t0;
-    out[7] = 0.0;
+    const double t1 = x[0] - params[2]; /* x - c */
     out[8] = t1;
 }
 

@@ -6,16 +6,18 @@
  *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 5   16    4    1    1    0     12    8   (65)
- *  jacobian            6   31   10    1    1    0     14   12   (196)
- *  rhs_jacobian        5   33   14    1    1    0     15   14   (237)
+ *  rhs                 5   16    4    1    1    0     12    6   (65)
+ *  jacobian            6   31   10    1    1    0     14   11   (196)
+ *  rhs_jacobian        5   33   14    1    1    0     15   10   (237)
  *  divergence          3    5    1    1    1    0      5    4   (24)
- *  integral_values     2   10    8    0    2    0      7    7   (47)
- *  integral_gradients  2   16    7    1    2    0      9    7   (71)
+ *  integral_values     2   10    8    0    2    0      7    5   (47)
+ *  integral_gradients  2   16    7    1    2    0      9    6   (71)
  *  measure_values      2    3    2    0    1    0      5    4   (21)
- *  measure_divergences 2    7    2    1    2    0      6    5   (47)
+ *  measure_divergences 2    7    2    1    2    0      6    4   (47)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -50,25 +52,42 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[1]*params[1]; /* R*R */
     const double t1 = params[0]*t0; /* m*R*R */
+    out[31] = t1;
     const double t2 = t1 + params[4]; /* K = m*R*R + I1 */
+    out[32] = t2;
+    out[36] = t2;
     const double t3 = t1/t2; /* m*R*R/K */
+    out[6] = t3;
     const double t4 = params[5]/t1; /* I3/(m*R*R) */
+    out[7] = t4;
     const double t5 = params[5]/params[4]; /* I3/I1 */
+    out[8] = t5;
     const double t6 = params[4]/t2; /* I1/K */
+    out[9] = t6;
     const double t7 = params[5]/t2; /* I3/K */
+    out[10] = t7;
     const double t8 = t1*params[4]; /* m*R*R*I1 */
+    out[20] = t8;
     const double t9 = params[5]*params[5]; /* I3*I3 */
     const double t10 = t1*params[5]; /* m*R*R*I3 */
+    out[21] = t10;
     const double t11 = t9 + t10; /* I3*I3 + m*R*R*I3 */
+    out[22] = t11;
     const double t12 = t11/t8; /* (I3*I3 + m*R*R*I3)/(m*R*R*I1) */
+    out[11] = t12;
     const double t13 = params[4] - params[5]; /* I1 - I3 */
     const double t14 = t13/params[4]; /* (I1 - I3)/I1 */
+    out[12] = t14;
     const double t15 = t6*2.0; /* I1/K*2 */
     const double t16 = -t15; /* -I1/K*2 */
     const double t17 = t16 - t3; /* -I1/K*2 - m*R*R/K */
+    out[13] = t17;
     const double t18 = -t7; /* -I3/K */
+    out[14] = t18;
     const double t19 = -t3; /* -m*R*R/K */
+    out[15] = t19;
     const double t20 = t18 - t3; /* -I3/K - m*R*R/K */
+    out[16] = t20;
     const double t21 = params[0]*params[0]; /* m*m */
     const double t22 = t0*t0; /* R*R*R*R */
     const double t23 = t21*t22; /* m*m*R*R*R*R */
@@ -78,58 +97,41 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t27 = t8 - t10; /* m*R*R*I1 - m*R*R*I3 */
     const double t28 = t26*t27; /* (I3*I3 + m*R*R*I3)*2*(m*R*R*I1 - m*R*R*I3) */
     const double t29 = t28/t25; /* (I3*I3 + m*R*R*I3)*2*(m*R*R*I1 - m*R*R*I3)/(m*m*R*R*R*R*I1*I1) */
+    out[17] = t29;
     const double t30 = t1*t24; /* m*R*R*I1*I1 */
     const double t31 = t13*2.0; /* (I1 - I3)*2 */
     const double t32 = t27*t31; /* (m*R*R*I1 - m*R*R*I3)*(I1 - I3)*2 */
     const double t33 = t32/t30; /* (m*R*R*I1 - m*R*R*I3)*(I1 - I3)*2/(m*R*R*I1*I1) */
+    out[18] = t33;
     const double t34 = params[4]*params[5]; /* I1*I3 */
+    out[19] = t34;
     const double t35 = t1*t13; /* m*R*R*(I1 - I3) */
+    out[23] = t35;
     const double t36 = t3 + t15; /* m*R*R/K + I1/K*2 */
+    out[24] = t36;
     const double t37 = t8*2.0; /* m*R*R*I1*2 */
     const double t38 = t10*2.0; /* m*R*R*I3*2 */
     const double t39 = t37 - t38; /* m*R*R*I1*2 - m*R*R*I3*2 */
+    out[25] = t39;
     const double t40 = params[4]/2.0; /* I1/2 */
+    out[26] = t40;
     const double t41 = params[5]/2.0; /* I3/2 */
+    out[27] = t41;
     const double t42 = t1/2.0; /* m*R*R/2 */
+    out[28] = t42;
     const double t43 = params[1]*params[4]; /* R*I1 */
+    out[29] = t43;
     const double t44 = params[1]*params[5]; /* R*I3 */
+    out[30] = t44;
     const double t45 = -t43; /* -R*I1 */
+    out[33] = t45;
     const double t46 = -t44; /* -R*I3 */
+    out[34] = t46;
     const double t47 = t10 - t8; /* m*R*R*I3 - m*R*R*I1 */
+    out[35] = t47;
     const double t48 = t27 - t35; /* m*R*R*I1 - m*R*R*I3 - m*R*R*(I1 - I3) */
     const double t49 = t2*t48; /* K*(m*R*R*I1 - m*R*R*I3 - m*R*R*(I1 - I3)) */
     const double t50 = -t49; /* -K*(m*R*R*I1 - m*R*R*I3 - m*R*R*(I1 - I3)) */
-    out[6] = t3;
-    out[7] = t4;
-    out[8] = t5;
-    out[9] = t6;
-    out[10] = t7;
-    out[11] = t12;
-    out[12] = t14;
-    out[13] = t17;
-    out[14] = t18;
-    out[15] = t19;
-    out[16] = t20;
-    out[17] = t29;
-    out[18] = t33;
-    out[19] = t34;
-    out[20] = t8;
-    out[21] = t10;
-    out[22] = t11;
-    out[23] = t35;
-    out[24] = t36;
-    out[25] = t39;
-    out[26] = t40;
-    out[27] = t41;
-    out[28] = t42;
-    out[29] = t43;
-    out[30] = t44;
-    out[31] = t1;
-    out[32] = t2;
-    out[33] = t45;
-    out[34] = t46;
-    out[35] = t47;
-    out[36] = t2;
     out[37] = t50;
 }
 
@@ -138,181 +140,181 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[1]*t3; /* omega_tau*s */
-    const double t5 = t3*x[3]; /* s*omega3 */
-    const double t6 = x[0]*x[2]; /* gamma3*omega_n */
-    const double t7 = t5 + t6; /* v_tau scaled = s*omega3 + gamma3*omega_n */
-    const double t8 = x[0]*p[8]; /* gamma3*I3/I1 */
-    const double t9 = t2 + p[7]; /* (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
-    const double t10 = JLT_FMA(x[0], t8, t9); /* Theta scaled = gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
-    const double t11 = t3*t10; /* s*Theta scaled */
-    const double t12 = 1.0/t11; /* 1/(s*Theta scaled) */
-    const double t13 = t10*t12; /* Theta scaled*1/(s*Theta scaled) */
-    const double t14 = p[6]*t7; /* m*R^2/K*v_tau scaled */
-    const double t15 = t13*t14; /* Theta scaled*1/(s*Theta scaled)*m*R^2/K*v_tau scaled */
-    const double t16 = t6*t13; /* gamma3*omega_n*Theta scaled*1/(s*Theta scaled) */
-    const double t17 = JLT_FMA(x[3], p[10], t15); /* omega3*I3/K + Theta scaled*1/(s*Theta scaled)*m*R^2/K*v_tau scaled */
-    const double t18 = JLT_FMA(p[9], t16, t17); /* I1/K*gamma3*omega_n*Theta scaled*1/(s*Theta scaled) + t17 */
-    const double t19 = x[2]*t18; /* omega_n*(I1/K*gamma3*omega_n*Theta scaled*1/(s*Theta scaled) + t17) */
-    const double t20 = -t19; /* -t19 */
-    const double t21 = t5*t12; /* s*omega3*1/(s*Theta scaled) */
-    const double t22 = JLT_FMA(p[11], t21, t16); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega3*1/(s*Theta scaled) + gamma3*omega_n*Theta scaled*1/(s*Theta scaled) */
+    const double t3 = x[0]*p[8]; /* gamma3*I3/I1 */
+    const double t4 = p[7] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*s */
+    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*s) */
+    const double t9 = t5*t8; /* 1/s = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
+    const double t10 = x[3]*t6; /* omega3*s */
+    const double t11 = x[1]*t6; /* omega_tau*s */
+    out[0] = t11;
+    const double t12 = t8*t10; /* 1/(Theta/(m*R^2*I1)*s)*omega3*s */
+    const double t13 = x[0]*x[2]; /* gamma3*omega_n */
+    const double t14 = t10 + t13; /* v_tau/R = omega3*s + gamma3*omega_n */
+    const double t15 = p[6]*t14; /* m*R^2/K*v_tau/R */
+    const double t16 = t9*t15; /* 1/s*m*R^2/K*v_tau/R */
+    const double t17 = t9*t13; /* 1/s*gamma3*omega_n */
+    const double t18 = JLT_FMA(x[3], p[10], t16); /* omega3*I3/K + 1/s*m*R^2/K*v_tau/R */
+    const double t19 = JLT_FMA(p[9], t17, t18); /* I1/K*1/s*gamma3*omega_n + omega3*I3/K + 1/s*m*R^2/K*v_tau/R */
+    const double t20 = x[2]*t19; /* omega_n*(I1/K*1/s*gamma3*omega_n + omega3*I3/K + 1/s*m*R^2/K*v_tau/R) */
+    const double t21 = -t20; /* -t20 */
+    out[1] = t21;
+    const double t22 = JLT_FMA(p[11], t12, t17); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s)*omega3*s + 1/s*gamma3*omega_n */
     const double t23 = x[1]*t22; /* omega_tau*t22 */
-    const double t24 = x[0]*p[12]; /* gamma3*(I1 - I3)/I1 */
-    const double t25 = t4*t24; /* omega_tau*s*gamma3*(I1 - I3)/I1 */
-    const double t26 = t21*t25; /* s*omega3*1/(s*Theta scaled)*omega_tau*s*gamma3*(I1 - I3)/I1 */
-    out[0] = t4;
-    out[1] = t20;
     out[2] = t23;
+    const double t24 = x[0]*p[12]; /* gamma3*(I1 - I3)/I1 */
+    const double t25 = t11*t24; /* omega_tau*s*gamma3*(I1 - I3)/I1 */
+    const double t26 = t12*t25; /* 1/(Theta/(m*R^2*I1)*s)*omega3*s*omega_tau*s*gamma3*(I1 - I3)/I1 */
     out[3] = t26;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = x[0]*p[8]; /* gamma3*I3/I1 */
-    const double t4 = p[7] + t2; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t7 = t5*t6; /* Theta scaled*s */
-    const double t8 = 1.0/t7; /* 1/(Theta scaled*s) */
-    const double t9 = t5*t8; /* Theta scaled*1/(Theta scaled*s) */
-    const double t10 = x[0]*t9; /* gamma3*Theta scaled*1/(Theta scaled*s) */
-    const double t11 = x[1]*t10; /* omega_tau*gamma3*Theta scaled*1/(Theta scaled*s) */
-    const double t12 = -t11; /* -omega_tau*gamma3*Theta scaled*1/(Theta scaled*s) */
-    const double t13 = t9*x[2]; /* Theta scaled*1/(Theta scaled*s)*omega_n */
-    const double t14 = t9*t13; /* Theta scaled*1/(Theta scaled*s)*Theta scaled*1/(Theta scaled*s)*omega_n */
-    const double t15 = p[9]*t14; /* I1/K*t14 */
-    const double t16 = t10*x[3]; /* gamma3*Theta scaled*1/(Theta scaled*s)*omega3 */
-    const double t17 = x[2] - t16; /* d(v_tau)/d(gamma3) scaled = omega_n - gamma3*Theta scaled*1/(Theta scaled*s)*omega3 */
-    const double t18 = t6*x[3]; /* s*omega3 */
-    const double t19 = JLT_FMA(x[0], x[2], t18); /* v_tau scaled = gamma3*omega_n + s*omega3 */
-    const double t20 = t9*t19; /* Theta scaled*1/(Theta scaled*s)*v_tau scaled */
-    const double t21 = JLT_FMA(t10, t20, t17); /* gamma3*Theta scaled*1/(Theta scaled*s)*Theta scaled*1/(Theta scaled*s)*v_tau scaled + d(v_tau)/d(gamma3) scaled */
-    const double t22 = JLT_FMA(p[6], t21, t15); /* m*R^2/K*t21 + I1/K*t14 */
-    const double t23 = t13*t22; /* Theta scaled*1/(Theta scaled*s)*omega_n*(m*R^2/K*t21 + I1/K*t14) */
-    const double t24 = -t23; /* -t23 */
-    const double t25 = x[0]*t13; /* gamma3*Theta scaled*1/(Theta scaled*s)*omega_n */
-    const double t26 = x[3]*p[14]; /* omega3*(-I3/K) */
-    const double t27 = JLT_FMA(t20, p[15], t26); /* Theta scaled*1/(Theta scaled*s)*v_tau scaled*(-m*R^2/K) + omega3*(-I3/K) */
-    const double t28 = JLT_FMA(p[13], t25, t27); /* (-2*I1/K - m*R^2/K)*gamma3*Theta scaled*1/(Theta scaled*s)*omega_n + t27 */
-    const double t29 = x[2]*p[16]; /* omega_n*(-I3/K - m*R^2/K) */
-    const double t30 = t6*t8; /* s*1/(Theta scaled*s) */
-    const double t31 = x[1]*t30; /* omega_tau*s*1/(Theta scaled*s) */
-    const double t32 = x[3]*t30; /* omega3*s*1/(Theta scaled*s) */
-    const double t33 = x[0]*t31; /* gamma3*omega_tau*s*1/(Theta scaled*s) */
-    const double t34 = t32*t33; /* omega3*s*1/(Theta scaled*s)*gamma3*omega_tau*s*1/(Theta scaled*s) */
-    const double t35 = p[17]*t34; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*t34 */
-    const double t36 = x[1]*t9; /* omega_tau*Theta scaled*1/(Theta scaled*s) */
-    const double t37 = JLT_FMA(t14, t36, t35); /* t14*omega_tau*Theta scaled*1/(Theta scaled*s) + 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*t34 */
-    const double t38 = JLT_FMA(t32, p[11], t25); /* omega3*s*1/(Theta scaled*s)*(I3^2 + m*R^2*I3)/(m*R^2*I1) + gamma3*Theta scaled*1/(Theta scaled*s)*omega_n */
-    const double t39 = t31*p[11]; /* omega_tau*s*1/(Theta scaled*s)*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t40 = t31*p[12]; /* omega_tau*s*1/(Theta scaled*s)*(I1 - I3)/I1 */
-    const double t41 = JLT_FMS(x[0], t16, t18); /* gamma3*gamma3*Theta scaled*1/(Theta scaled*s)*omega3 - s*omega3 */
-    const double t42 = t40*t41; /* omega_tau*s*1/(Theta scaled*s)*(I1 - I3)/I1*t41 */
-    const double t43 = x[0]*t6; /* gamma3*s */
-    const double t44 = p[18]*t43; /* 2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*gamma3*s */
-    const double t45 = JLT_FMS(t34, t44, t42); /* t34*2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*gamma3*s - omega_tau*s*1/(Theta scaled*s)*(I1 - I3)/I1*t41 */
-    const double t46 = p[12]*t43; /* (I1 - I3)/I1*gamma3*s */
-    const double t47 = t32*t46; /* omega3*s*1/(Theta scaled*s)*(I1 - I3)/I1*gamma3*s */
-    const double t48 = t40*t43; /* omega_tau*s*1/(Theta scaled*s)*(I1 - I3)/I1*gamma3*s */
-    out[0] = t12;
-    out[1] = t6;
     out[2] = 0.0;
     out[3] = 0.0;
-    out[4] = t24;
     out[5] = 0.0;
-    out[6] = t28;
-    out[7] = t29;
-    out[8] = t37;
-    out[9] = t38;
-    out[10] = t11;
-    out[11] = t39;
-    out[12] = t45;
-    out[13] = t47;
     out[14] = 0.0;
-    out[15] = t48;
+    const double t0 = x[2]*p[16]; /* omega_n*(-I3/K - m*R^2/K) */
+    out[7] = t0;
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = x[0]*p[8]; /* gamma3*I3/I1 */
+    const double t5 = p[7] + t3; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
+    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
+    const double t7 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[1] = t7;
+    const double t8 = t6*t7; /* Theta/(m*R^2*I1)*s */
+    const double t9 = 1.0/t8; /* 1/(Theta/(m*R^2*I1)*s) */
+    const double t10 = t6*t9; /* 1/s = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
+    const double t11 = t7*t9; /* 1/(Theta/(m*R^2*I1)) = s*1/(Theta/(m*R^2*I1)*s) */
+    const double t12 = x[0]*t10; /* gamma3*1/s */
+    const double t13 = x[3]*t7; /* omega3*s */
+    const double t14 = x[0]*t7; /* gamma3*s */
+    const double t15 = x[2]*t10; /* omega_n*1/s */
+    const double t16 = x[3]*t12; /* omega3*gamma3*1/s */
+    const double t17 = JLT_FMA(x[0], x[2], t13); /* v_tau/R = gamma3*omega_n + omega3*s */
+    const double t18 = t10*t17; /* 1/s*v_tau/R */
+    const double t19 = JLT_FMS(x[0], t16, t13); /* gamma3*omega3*gamma3*1/s - omega3*s */
+    const double t20 = x[2] - t16; /* d(v_tau)/d(gamma3)/R = omega_n - omega3*gamma3*1/s */
+    const double t21 = JLT_FMA(t12, t18, t20); /* gamma3*1/s*1/s*v_tau/R + d(v_tau)/d(gamma3)/R */
+    const double t22 = x[1]*t12; /* omega_tau*gamma3*1/s */
+    out[10] = t22;
+    const double t23 = -t22; /* -omega_tau*gamma3*1/s */
+    out[0] = t23;
+    const double t24 = t10*t15; /* 1/s*omega_n*1/s */
+    const double t25 = x[1]*t10; /* omega_tau*1/s */
+    const double t26 = x[1]*t11; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t27 = x[3]*t11; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t28 = p[11]*t26; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[11] = t28;
+    const double t29 = p[9]*t24; /* I1/K*1/s*omega_n*1/s */
+    const double t30 = JLT_FMA(p[6], t21, t29); /* m*R^2/K*(gamma3*1/s*1/s*v_tau/R + d(v_tau)/d(gamma3)/R) + I1/K*1/s*omega_n*1/s */
+    const double t31 = t15*t30; /* omega_n*1/s*t30 */
+    const double t32 = -t31; /* -omega_n*1/s*t30 */
+    out[4] = t32;
+    const double t33 = x[0]*t15; /* gamma3*omega_n*1/s */
+    const double t34 = JLT_FMA(p[11], t27, t33); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*omega_n*1/s */
+    out[9] = t34;
+    const double t35 = x[0]*t26; /* gamma3*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t36 = t27*t35; /* omega3*1/(Theta/(m*R^2*I1))*gamma3*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t37 = p[12]*t26; /* (I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t38 = t19*t37; /* (gamma3*omega3*gamma3*1/s - omega3*s)*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t39 = t14*t37; /* gamma3*s*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[15] = t39;
+    const double t40 = x[3]*p[14]; /* omega3*(-I3/K) */
+    const double t41 = JLT_FMA(p[15], t18, t40); /* (-m*R^2/K)*1/s*v_tau/R + omega3*(-I3/K) */
+    const double t42 = JLT_FMA(p[13], t33, t41); /* (-2*I1/K - m*R^2/K)*gamma3*omega_n*1/s + (-m*R^2/K)*1/s*v_tau/R + omega3*(-I3/K) */
+    out[6] = t42;
+    const double t43 = p[17]*t36; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*t36 */
+    const double t44 = JLT_FMA(t24, t25, t43); /* 1/s*omega_n*1/s*omega_tau*1/s + 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*t36 */
+    out[8] = t44;
+    const double t45 = p[18]*t14; /* 2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*gamma3*s */
+    const double t46 = JLT_FMS(t36, t45, t38); /* t36*2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*gamma3*s - t38 */
+    out[12] = t46;
+    const double t47 = p[12]*t14; /* (I1 - I3)/I1*gamma3*s */
+    const double t48 = t27*t47; /* omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*gamma3*s */
+    out[13] = t48;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[1]*t3; /* omega_tau*s */
-    const double t5 = x[0]*p[21]; /* gamma3*m*R^2*I3 */
-    const double t6 = JLT_FMA(x[0], t5, p[19]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t7 = JLT_FMA(t2, p[20], t6); /* Theta = (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t8 = t3*t7; /* s*Theta */
-    const double t9 = 1.0/t8; /* 1/(s*Theta) */
-    const double t10 = t7*t9; /* Theta*1/(s*Theta) */
-    const double t11 = x[0]*t10; /* gamma3*Theta*1/(s*Theta) */
-    const double t12 = x[2]*t11; /* omega_n*gamma3*Theta*1/(s*Theta) */
-    const double t13 = t3*x[3]; /* s*omega3 */
-    const double t14 = JLT_FMA(t10, t13, t12); /* Theta*1/(s*Theta)*s*omega3 + omega_n*gamma3*Theta*1/(s*Theta) */
-    const double t15 = p[6]*t14; /* m*R^2/K*t14 */
-    const double t16 = JLT_FMA(p[10], x[3], t15); /* I3/K*omega3 + m*R^2/K*t14 */
-    const double t17 = JLT_FMA(p[9], t12, t16); /* I1/K*omega_n*gamma3*Theta*1/(s*Theta) + I3/K*omega3 + m*R^2/K*t14 */
-    const double t18 = x[2]*t17; /* omega_n*t17 */
-    const double t19 = -t18; /* -omega_n*t17 */
-    const double t20 = t3*t9; /* s*1/(s*Theta) */
-    const double t21 = x[1]*t20; /* omega_tau*s*1/(s*Theta) */
-    const double t22 = x[3]*t21; /* omega3*omega_tau*s*1/(s*Theta) */
-    const double t23 = p[22]*t22; /* (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/(s*Theta) */
-    const double t24 = JLT_FMA(x[1], t12, t23); /* omega_tau*omega_n*gamma3*Theta*1/(s*Theta) + (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/(s*Theta) */
-    const double t25 = x[0]*p[23]; /* gamma3*m*R^2*(I1 - I3) */
-    const double t26 = t3*t25; /* s*gamma3*m*R^2*(I1 - I3) */
-    const double t27 = t22*t26; /* omega3*omega_tau*s*1/(s*Theta)*s*gamma3*m*R^2*(I1 - I3) */
-    const double t28 = x[1]*t11; /* omega_tau*gamma3*Theta*1/(s*Theta) */
-    const double t29 = -t28; /* -omega_tau*gamma3*Theta*1/(s*Theta) */
-    const double t30 = JLT_FMS(x[3], p[6], t15); /* omega3*m*R^2/K - m*R^2/K*t14 */
-    const double t31 = t11*t30; /* gamma3*Theta*1/(s*Theta)*(omega3*m*R^2/K - m*R^2/K*t14) */
-    const double t32 = x[2]*t10; /* omega_n*Theta*1/(s*Theta) */
-    const double t33 = t10*t32; /* Theta*1/(s*Theta)*omega_n*Theta*1/(s*Theta) */
-    const double t34 = JLT_FNMA(x[2], p[6], t31); /* gamma3*Theta*1/(s*Theta)*(omega3*m*R^2/K - m*R^2/K*t14) - omega_n*m*R^2/K */
-    const double t35 = JLT_FNMA(p[9], t33, t34); /* t34 - I1/K*Theta*1/(s*Theta)*omega_n*Theta*1/(s*Theta) */
-    const double t36 = t32*t35; /* omega_n*Theta*1/(s*Theta)*(t34 - I1/K*Theta*1/(s*Theta)*omega_n*Theta*1/(s*Theta)) */
-    const double t37 = JLT_FMA(t12, p[24], t16); /* omega_n*gamma3*Theta*1/(s*Theta)*(2*I1/K + m*R^2/K) + I3/K*omega3 + m*R^2/K*t14 */
-    const double t38 = -t37; /* -t37 */
-    const double t39 = x[2]*p[16]; /* omega_n*(-I3/K - m*R^2/K) */
-    const double t40 = x[0]*p[25]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t41 = t20*t40; /* s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t42 = t23*t41; /* (I3^2 + m*R^2*I3)*omega3*omega_tau*s*1/(s*Theta)*s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t43 = x[1]*t10; /* omega_tau*Theta*1/(s*Theta) */
-    const double t44 = JLT_FMA(t33, t43, t42); /* Theta*1/(s*Theta)*omega_n*Theta*1/(s*Theta)*omega_tau*Theta*1/(s*Theta) + t42 */
-    const double t45 = x[3]*t20; /* omega3*s*1/(s*Theta) */
-    const double t46 = JLT_FMA(p[22], t45, t12); /* (I3^2 + m*R^2*I3)*omega3*s*1/(s*Theta) + omega_n*gamma3*Theta*1/(s*Theta) */
-    const double t47 = p[22]*t21; /* (I3^2 + m*R^2*I3)*omega_tau*s*1/(s*Theta) */
-    const double t48 = t26*t41; /* s*gamma3*m*R^2*(I1 - I3)*s*1/(s*Theta)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t49 = JLT_FMS(x[0], t11, t3); /* gamma3*gamma3*Theta*1/(s*Theta) - s */
-    const double t50 = JLT_FNMA(p[23], t49, t48); /* t48 - m*R^2*(I1 - I3)*(gamma3*gamma3*Theta*1/(s*Theta) - s) */
-    const double t51 = t22*t50; /* omega3*omega_tau*s*1/(s*Theta)*(t48 - m*R^2*(I1 - I3)*(gamma3*gamma3*Theta*1/(s*Theta) - s)) */
-    const double t52 = t26*t45; /* s*gamma3*m*R^2*(I1 - I3)*omega3*s*1/(s*Theta) */
-    const double t53 = t21*t26; /* omega_tau*s*1/(s*Theta)*s*gamma3*m*R^2*(I1 - I3) */
-    out[0] = t4;
-    out[1] = t19;
-    out[2] = t24;
-    out[3] = t27;
-    out[4] = t29;
-    out[5] = t3;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t36;
     out[9] = 0.0;
-    out[10] = t38;
-    out[11] = t39;
-    out[12] = t44;
-    out[13] = t46;
-    out[14] = t28;
-    out[15] = t47;
-    out[16] = t51;
-    out[17] = t52;
     out[18] = 0.0;
-    out[19] = t53;
+    const double t0 = x[2]*p[16]; /* omega_n*(-I3/K - m*R^2/K) */
+    out[11] = t0;
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(1 + gamma3) */
+    const double t4 = x[0]*p[21]; /* gamma3*m*R^2*I3 */
+    const double t5 = JLT_FMA(x[0], t4, p[19]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t6 = JLT_FMA(p[20], t3, t5); /* Theta = m*R^2*I1*(1 - gamma3)*(1 + gamma3) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t7 = sqrt(t3); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    out[5] = t7;
+    const double t8 = x[1]*t7; /* omega_tau*s */
+    out[0] = t8;
+    const double t9 = t6*t7; /* Theta*s */
+    const double t10 = 1.0/t9; /* 1/(Theta*s) */
+    const double t11 = t6*t10; /* 1/s = Theta*1/(Theta*s) */
+    const double t12 = t7*t10; /* 1/Theta = s*1/(Theta*s) */
+    const double t13 = x[0]*t11; /* gamma3*1/s */
+    const double t14 = x[2]*t13; /* omega_n*gamma3*1/s */
+    const double t15 = x[3]*t7; /* omega3*s */
+    const double t16 = JLT_FMA(t11, t15, t14); /* 1/s*omega3*s + omega_n*gamma3*1/s */
+    const double t17 = p[6]*t16; /* m*R^2/K*(1/s*omega3*s + omega_n*gamma3*1/s) */
+    const double t18 = x[1]*t12; /* omega_tau*1/Theta */
+    const double t19 = p[22]*t18; /* (I3^2 + m*R^2*I3)*omega_tau*1/Theta */
+    out[15] = t19;
+    const double t20 = x[0]*p[23]; /* gamma3*m*R^2*(I1 - I3) */
+    const double t21 = t7*t20; /* s*gamma3*m*R^2*(I1 - I3) */
+    const double t22 = JLT_FMS(x[0], t13, t7); /* gamma3*gamma3*1/s - s */
+    const double t23 = t18*t21; /* omega_tau*1/Theta*s*gamma3*m*R^2*(I1 - I3) */
+    out[19] = t23;
+    const double t24 = x[3]*t18; /* omega3*omega_tau*1/Theta */
+    const double t25 = t21*t24; /* s*gamma3*m*R^2*(I1 - I3)*omega3*omega_tau*1/Theta */
+    out[3] = t25;
+    const double t26 = JLT_FMS(x[3], p[6], t17); /* omega3*m*R^2/K - m*R^2/K*(1/s*omega3*s + omega_n*gamma3*1/s) */
+    const double t27 = JLT_FMA(p[10], x[3], t17); /* I3/K*omega3 + m*R^2/K*(1/s*omega3*s + omega_n*gamma3*1/s) */
+    const double t28 = t13*t26; /* gamma3*1/s*(omega3*m*R^2/K - m*R^2/K*(1/s*omega3*s + omega_n*gamma3*1/s)) */
+    const double t29 = JLT_FNMA(x[2], p[6], t28); /* t28 - omega_n*m*R^2/K */
+    const double t30 = x[1]*t13; /* omega_tau*gamma3*1/s */
+    out[14] = t30;
+    const double t31 = -t30; /* -omega_tau*gamma3*1/s */
+    out[4] = t31;
+    const double t32 = x[0]*p[25]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t33 = t12*t32; /* 1/Theta*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t34 = x[3]*t12; /* omega3*1/Theta */
+    const double t35 = JLT_FMA(p[22], t34, t14); /* (I3^2 + m*R^2*I3)*omega3*1/Theta + omega_n*gamma3*1/s */
+    out[13] = t35;
+    const double t36 = t21*t34; /* s*gamma3*m*R^2*(I1 - I3)*omega3*1/Theta */
+    out[17] = t36;
+    const double t37 = t21*t33; /* s*gamma3*m*R^2*(I1 - I3)*1/Theta*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t38 = JLT_FNMA(p[23], t22, t37); /* t37 - m*R^2*(I1 - I3)*(gamma3*gamma3*1/s - s) */
+    const double t39 = t24*t38; /* omega3*omega_tau*1/Theta*(t37 - m*R^2*(I1 - I3)*(gamma3*gamma3*1/s - s)) */
+    out[16] = t39;
+    const double t40 = p[22]*t24; /* (I3^2 + m*R^2*I3)*omega3*omega_tau*1/Theta */
+    const double t41 = t33*t40; /* 1/Theta*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*(I3^2 + m*R^2*I3)*omega3*omega_tau*1/Theta */
+    const double t42 = JLT_FMA(x[1], t14, t40); /* omega_tau*omega_n*gamma3*1/s + (I3^2 + m*R^2*I3)*omega3*omega_tau*1/Theta */
+    out[2] = t42;
+    const double t43 = x[2]*t11; /* omega_n*1/s */
+    const double t44 = JLT_FMA(p[9], t14, t27); /* I1/K*omega_n*gamma3*1/s + I3/K*omega3 + m*R^2/K*(1/s*omega3*s + omega_n*gamma3*1/s) */
+    const double t45 = JLT_FMA(p[24], t14, t27); /* (2*I1/K + m*R^2/K)*omega_n*gamma3*1/s + I3/K*omega3 + m*R^2/K*(1/s*omega3*s + omega_n*gamma3*1/s) */
+    const double t46 = -t45; /* -t45 */
+    out[10] = t46;
+    const double t47 = x[2]*t44; /* omega_n*t44 */
+    const double t48 = -t47; /* -omega_n*t44 */
+    out[1] = t48;
+    const double t49 = t11*t43; /* 1/s*omega_n*1/s */
+    const double t50 = JLT_FNMA(p[9], t49, t29); /* t28 - omega_n*m*R^2/K - I1/K*1/s*omega_n*1/s */
+    const double t51 = t43*t50; /* omega_n*1/s*(t28 - omega_n*m*R^2/K - I1/K*1/s*omega_n*1/s) */
+    out[8] = t51;
+    const double t52 = x[1]*t11; /* omega_tau*1/s */
+    const double t53 = JLT_FMA(t49, t52, t41); /* 1/s*omega_n*1/s*omega_tau*1/s + t41 */
+    out[12] = t53;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -323,44 +325,15 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = x[0]*p[8]; /* gamma3*I3/I1 */
     const double t5 = t2 + p[7]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
-    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta scaled = gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
     const double t7 = p[12]*x[0]; /* (I1 - I3)/I1*gamma3 */
     const double t8 = x[1]*t7; /* omega_tau*(I1 - I3)/I1*gamma3 */
     const double t9 = t3*t8; /* s*omega_tau*(I1 - I3)/I1*gamma3 */
-    const double t10 = t9/t6; /* s*omega_tau*(I1 - I3)/I1*gamma3/Theta scaled */
+    const double t10 = t9/t6; /* s*omega_tau*(I1 - I3)/I1*gamma3/(Theta/(m*R^2*I1)) */
     out[0] = t10;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
-{
-    const double t0 = x[1]*x[1]; /* omega_tau*omega_tau */
-    const double t1 = JLT_FMA(x[2], x[2], t0); /* omega_n*omega_n + omega_tau*omega_tau */
-    const double t2 = p[26]*t1; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t3 = p[27]*x[3]; /* 1/2*I3*omega3 */
-    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t6 = t4*t5; /* (1 - gamma3)*(1 + gamma3) */
-    const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t8 = x[3]*t7; /* omega3*s */
-    const double t9 = JLT_FMA(x[2], x[0], t8); /* v_tau scaled = omega_n*gamma3 + omega3*s */
-    const double t10 = JLT_FMA(t9, t9, t0); /* v_tau scaled*v_tau scaled + omega_tau*omega_tau */
-    const double t11 = JLT_FMA(x[3], t3, t2); /* omega3*1/2*I3*omega3 + 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t12 = JLT_FMA(p[28], t10, t11); /* 1/2*m*R^2*(v_tau scaled*v_tau scaled + omega_tau*omega_tau) + t11 */
-    const double t13 = x[2]*p[29]; /* omega_n*R*I1 */
-    const double t14 = t7*t13; /* s*omega_n*R*I1 */
-    const double t15 = x[3]*p[30]; /* omega3*R*I3 */
-    const double t16 = JLT_FNMA(x[0], t15, t14); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
-    const double t17 = x[0]*p[21]; /* gamma3*m*R^2*I3 */
-    const double t18 = JLT_FMA(x[0], t17, p[19]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t19 = JLT_FMA(t6, p[20], t18); /* Theta = (1 - gamma3)*(1 + gamma3)*m*R^2*I1 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t20 = sqrt(t19); /* h = sqrt(Theta) */
-    const double t21 = x[3]*t20; /* omega3*h */
-    out[0] = t12;
-    out[1] = t16;
-    out[2] = t21;
-}
-
-static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
@@ -368,40 +341,69 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t3 = x[0]*p[21]; /* gamma3*m*R^2*I3 */
     const double t4 = JLT_FMA(x[0], t3, p[19]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
     const double t5 = JLT_FMA(p[20], t2, t4); /* Theta = m*R^2*I1*(1 - gamma3)*(1 + gamma3) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t6 = sqrt(t5); /* h = sqrt(Theta) */
-    const double t7 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t8 = t6*t7; /* h*s */
-    const double t9 = x[0]/t8; /* gamma3/(h*s) */
-    const double t10 = t6*t9; /* h*gamma3/(h*s) */
-    const double t11 = JLT_FNMA(x[3], t10, x[2]); /* d(v_tau)/d(gamma3) scaled = omega_n - omega3*h*gamma3/(h*s) */
-    const double t12 = x[3]*t7; /* omega3*s */
-    const double t13 = JLT_FMA(x[2], x[0], t12); /* v_tau scaled = omega_n*gamma3 + omega3*s */
-    const double t14 = p[31]*t13; /* m*R^2*v_tau scaled */
-    const double t15 = t11*t14; /* d(v_tau)/d(gamma3) scaled*m*R^2*v_tau scaled */
-    const double t16 = p[32]*x[1]; /* (I1 + m*R^2)*omega_tau */
-    const double t17 = x[2]*p[4]; /* omega_n*I1 */
-    const double t18 = JLT_FMA(x[0], t14, t17); /* gamma3*m*R^2*v_tau scaled + omega_n*I1 */
-    const double t19 = x[3]*p[5]; /* omega3*I3 */
-    const double t20 = JLT_FMA(t7, t14, t19); /* s*m*R^2*v_tau scaled + omega3*I3 */
-    const double t21 = x[2]*p[33]; /* omega_n*(-R*I1) */
-    const double t22 = t10*t21; /* h*gamma3/(h*s)*omega_n*(-R*I1) */
-    const double t23 = JLT_FMA(x[3], p[34], t22); /* omega3*(-R*I3) + h*gamma3/(h*s)*omega_n*(-R*I1) */
-    const double t24 = t7*p[29]; /* s*R*I1 */
-    const double t25 = x[0]*p[34]; /* gamma3*(-R*I3) */
-    const double t26 = t12*p[35]; /* omega3*s*(-m*R^2*I1 + m*R^2*I3) */
-    const double t27 = t9*t26; /* gamma3/(h*s)*omega3*s*(-m*R^2*I1 + m*R^2*I3) */
-    out[0] = t15;
-    out[1] = t16;
-    out[2] = t18;
-    out[3] = t20;
-    out[4] = t23;
+    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t7 = sqrt(t5); /* h = sqrt(Theta) */
+    const double t8 = x[3]*t7; /* omega3*h */
+    out[2] = t8;
+    const double t9 = x[1]*x[1]; /* omega_tau*omega_tau */
+    const double t10 = JLT_FMA(x[2], x[2], t9); /* omega_n*omega_n + omega_tau*omega_tau */
+    const double t11 = p[26]*t10; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
+    const double t12 = x[3]*t6; /* omega3*s */
+    const double t13 = JLT_FMA(x[2], x[0], t12); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t14 = JLT_FMA(t13, t13, t9); /* v_tau/R*v_tau/R + omega_tau*omega_tau */
+    const double t15 = p[27]*x[3]; /* 1/2*I3*omega3 */
+    const double t16 = JLT_FMA(x[3], t15, t11); /* omega3*1/2*I3*omega3 + 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
+    const double t17 = JLT_FMA(p[28], t14, t16); /* 1/2*m*R^2*(v_tau/R*v_tau/R + omega_tau*omega_tau) + t16 */
+    out[0] = t17;
+    const double t18 = x[2]*p[29]; /* omega_n*R*I1 */
+    const double t19 = t6*t18; /* s*omega_n*R*I1 */
+    const double t20 = x[3]*p[30]; /* omega3*R*I3 */
+    const double t21 = JLT_FNMA(x[0], t20, t19); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
+    out[1] = t21;
+}
+
+static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
+{
     out[5] = 0.0;
-    out[6] = t24;
-    out[7] = t25;
-    out[8] = t27;
     out[9] = 0.0;
     out[10] = 0.0;
-    out[11] = t6;
+    const double t0 = p[32]*x[1]; /* (I1 + m*R^2)*omega_tau */
+    out[1] = t0;
+    const double t1 = x[0]*p[34]; /* gamma3*(-R*I3) */
+    out[7] = t1;
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
+    const double t5 = x[0]*p[21]; /* gamma3*m*R^2*I3 */
+    const double t6 = JLT_FMA(x[0], t5, p[19]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t7 = JLT_FMA(p[20], t4, t6); /* Theta = m*R^2*I1*(1 - gamma3)*(1 + gamma3) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t8 = sqrt(t7); /* h = sqrt(Theta) */
+    out[11] = t8;
+    const double t9 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t10 = p[29]*t9; /* R*I1*s */
+    out[6] = t10;
+    const double t11 = t8*t9; /* h*s */
+    const double t12 = x[0]/t11; /* gamma3/(h*s) */
+    const double t13 = t8*t12; /* h*gamma3/(h*s) */
+    const double t14 = x[3]*t9; /* omega3*s */
+    const double t15 = JLT_FMA(x[2], x[0], t14); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t16 = p[31]*t15; /* m*R^2*v_tau/R */
+    const double t17 = p[35]*t14; /* (-m*R^2*I1 + m*R^2*I3)*omega3*s */
+    const double t18 = t12*t17; /* gamma3/(h*s)*(-m*R^2*I1 + m*R^2*I3)*omega3*s */
+    out[8] = t18;
+    const double t19 = x[2]*p[33]; /* omega_n*(-R*I1) */
+    const double t20 = t13*t19; /* h*gamma3/(h*s)*omega_n*(-R*I1) */
+    const double t21 = JLT_FMA(x[3], p[34], t20); /* omega3*(-R*I3) + h*gamma3/(h*s)*omega_n*(-R*I1) */
+    out[4] = t21;
+    const double t22 = JLT_FNMA(x[3], t13, x[2]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*h*gamma3/(h*s) */
+    const double t23 = t16*t22; /* m*R^2*v_tau/R*d(v_tau)/d(gamma3)/R */
+    out[0] = t23;
+    const double t24 = x[2]*p[4]; /* omega_n*I1 */
+    const double t25 = JLT_FMA(x[0], t16, t24); /* gamma3*m*R^2*v_tau/R + omega_n*I1 */
+    out[2] = t25;
+    const double t26 = x[3]*p[5]; /* omega3*I3 */
+    const double t27 = JLT_FMA(t9, t16, t26); /* s*m*R^2*v_tau/R + omega3*I3 */
+    out[3] = t27;
 }
 
 static void measure_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -422,17 +424,17 @@ static void measure_divergences(const double *restrict x, const double *restrict
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = x[0]*p[21]; /* gamma3*m*R^2*I3 */
-    const double t5 = JLT_FMA(x[0], t4, p[19]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t6 = JLT_FMA(t2, p[20], t5); /* Theta = (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t7 = sqrt(t6); /* h = sqrt(Theta) */
-    const double t8 = t6*t7; /* Theta*h */
-    const double t9 = p[37]*x[0]; /* (-K*(m*R^2*I1 - m*R^2*I3 - m*R^2*(I1 - I3)))*gamma3 */
-    const double t10 = x[1]*t9; /* omega_tau*(-K*(m*R^2*I1 - m*R^2*I3 - m*R^2*(I1 - I3)))*gamma3 */
-    const double t11 = t6*t10; /* Theta*t10 */
-    const double t12 = t3*t11; /* s*Theta*t10 */
-    const double t13 = t12/t8; /* s*Theta*t10/(Theta*h) */
+    const double t3 = x[0]*p[21]; /* gamma3*m*R^2*I3 */
+    const double t4 = JLT_FMA(x[0], t3, p[19]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t5 = JLT_FMA(p[20], t2, t4); /* Theta = m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t7 = p[37]*x[0]; /* (-K*(m*R^2*I1 - m*R^2*I3 - m*R^2*(I1 - I3)))*gamma3 */
+    const double t8 = x[1]*t7; /* omega_tau*(-K*(m*R^2*I1 - m*R^2*I3 - m*R^2*(I1 - I3)))*gamma3 */
+    const double t9 = t5*t8; /* Theta*t8 */
+    const double t10 = t6*t9; /* s*Theta*t8 */
+    const double t11 = sqrt(t5); /* h = sqrt(Theta) */
+    const double t12 = t5*t11; /* Theta*h */
+    const double t13 = t10/t12; /* s*Theta*t8/(Theta*h) */
     out[0] = t13;
 }
 
@@ -443,14 +445,10 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t4[JLT_JET_ORDER_MAX + 1];
-    double t5[JLT_JET_ORDER_MAX + 1];
-    double t6[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
-    double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
@@ -459,14 +457,18 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
@@ -475,37 +477,37 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = x3[0] = x[3];
     for (unsigned k = 0; k < order; k++) {
-        t3[k] = (k == 0 ? 1.0 : 0) - x0[k];
-        t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
-        t5[k] = jlt_jet_product(t3, t4, k);
-        t6[k] = jlt_jet_root(t5[k], t6, k);
-        t7[k] = jlt_jet_product(x1, t6, k);
-        t11[k] = jlt_jet_product(t6, x3, k);
-        t12[k] = jlt_jet_product(x0, x2, k);
-        t13[k] = t11[k] + t12[k];
-        t16[k] = x0[k]*p[8];
-        t17[k] = t5[k] + (k == 0 ? p[7] : 0);
-        t18[k] = jlt_jet_product(x0, t16, k) + t17[k];
-        t19[k] = jlt_jet_product(t6, t18, k);
+        t12[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t13[k] = (k == 0 ? 1.0 : 0) + x0[k];
+        t14[k] = jlt_jet_product(t12, t13, k);
+        t15[k] = x0[k]*p[8];
+        t16[k] = (k == 0 ? p[7] : 0) + t14[k];
+        t17[k] = jlt_jet_product(x0, t15, k) + t16[k];
+        t18[k] = jlt_jet_root(t14[k], t18, k);
+        t19[k] = jlt_jet_product(t17, t18, k);
         t20[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t19, t20, k);
-        t21[k] = jlt_jet_product(t18, t20, k);
-        t22[k] = p[6]*t13[k];
-        t23[k] = jlt_jet_product(t21, t22, k);
-        t25[k] = jlt_jet_product(t12, t21, k);
-        t27[k] = x3[k]*p[10] + t23[k];
-        t28[k] = p[9]*t25[k] + t27[k];
-        t29[k] = jlt_jet_product(x2, t28, k);
-        t30[k] = -t29[k];
-        t32[k] = jlt_jet_product(t11, t20, k);
-        t33[k] = p[11]*t32[k] + t25[k];
-        t34[k] = jlt_jet_product(x1, t33, k);
+        t21[k] = jlt_jet_product(t17, t20, k);
+        t22[k] = jlt_jet_product(x3, t18, k);
+        t23[k] = jlt_jet_product(x1, t18, k);
+        t24[k] = jlt_jet_product(t20, t22, k);
+        t25[k] = jlt_jet_product(x0, x2, k);
+        t26[k] = t22[k] + t25[k];
+        t27[k] = p[6]*t26[k];
+        t28[k] = jlt_jet_product(t21, t27, k);
+        t29[k] = jlt_jet_product(t21, t25, k);
+        t30[k] = x3[k]*p[10] + t28[k];
+        t31[k] = p[9]*t29[k] + t30[k];
+        t32[k] = jlt_jet_product(x2, t31, k);
+        t33[k] = -t32[k];
+        t34[k] = p[11]*t24[k] + t29[k];
+        t35[k] = jlt_jet_product(x1, t34, k);
         t36[k] = x0[k]*p[12];
-        t37[k] = jlt_jet_product(t7, t36, k);
-        t38[k] = jlt_jet_product(t32, t37, k);
+        t37[k] = jlt_jet_product(t23, t36, k);
+        t38[k] = jlt_jet_product(t24, t37, k);
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t30[k]/(k + 1);
-        next[2] = x2[k + 1] = t34[k]/(k + 1);
+        next[0] = x0[k + 1] = t23[k]/(k + 1);
+        next[1] = x1[k + 1] = t33[k]/(k + 1);
+        next[2] = x2[k + 1] = t35[k]/(k + 1);
         next[3] = x3[k + 1] = t38[k]/(k + 1);
     }
 }
@@ -620,21 +622,21 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 5, 16, 4, 1, 1, 0, 12, 8 }, { 11, 46, 0, 7, 1, 0, 10, 7 },
+    .rhs = { rhs, 4, { 5, 16, 4, 1, 1, 0, 12, 6 }, { 11, 46, 0, 7, 1, 0, 10, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 6, 31, 10, 1, 1, 0, 14, 12 }, { 31, 137, 0, 27, 1, 0, 11, 8 },
+    .jacobian = { jacobian, 16, { 6, 31, 10, 1, 1, 0, 14, 11 }, { 31, 137, 0, 27, 1, 0, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 5, 33, 14, 1, 1, 0, 15, 14 }, { 37, 165, 0, 34, 1, 0, 11, 10 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 5, 33, 14, 1, 1, 0, 15, 10 }, { 37, 165, 0, 34, 1, 0, 11, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 3, 5, 1, 1, 1, 0, 5, 4 }, { 4, 18, 0, 1, 1, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_values = { integral_values, 3, { 2, 10, 8, 0, 2, 0, 7, 7 }, { 9, 36, 0, 0, 2, 0, 10, 6 },
+    .integral_values = { integral_values, 3, { 2, 10, 8, 0, 2, 0, 7, 5 }, { 9, 36, 0, 0, 2, 0, 10, 6 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 12, { 2, 16, 7, 1, 2, 0, 9, 7 }, { 12, 54, 0, 3, 2, 0, 10, 6 },
+    .integral_gradients = { integral_gradients, 12, { 2, 16, 7, 1, 2, 0, 9, 6 }, { 12, 54, 0, 3, 2, 0, 10, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by h: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { measure_values, 1, { 2, 3, 2, 0, 1, 0, 5, 4 }, { 4, 15, 0, 0, 2, 0, 9, 5 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
-    .measure_divergences = { measure_divergences, 1, { 2, 7, 2, 1, 2, 0, 6, 5 }, { 7, 36, 0, 2, 2, 0, 12, 7 },
+    .measure_divergences = { measure_divergences, 1, { 2, 7, 2, 1, 2, 0, 6, 4 }, { 7, 36, 0, 2, 2, 0, 12, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; divides by h: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },

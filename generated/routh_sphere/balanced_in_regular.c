@@ -7,15 +7,17 @@
  *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   12    4    1    0    0      6    6   (67)
- *  jacobian            7   31    8    1    0    0      8   10   (241)
+ *  rhs                 2   12    4    1    0    0      6    5   (67)
+ *  jacobian            7   31    8    1    0    0      8    9   (241)
  *  rhs_jacobian        10   38   10    1    0    0     10   13   (287)
  *  divergence          1    5    1    1    0    0      4    4   (22)
- *  integral_values     0   10    8    0    1    0      5    5   (44)
+ *  integral_values     0   10    8    0    1    0      5    4   (44)
  *  integral_gradients  0   15    5    1    1    0      6    4   (62)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -50,26 +52,42 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[1]*params[1]; /* R*R */
     const double t1 = params[0]*t0; /* m*R*R */
+    out[34] = t1;
     const double t2 = params[4] + t1; /* K = I1 + m*R*R */
+    out[35] = t2;
     const double t3 = params[4]/t2; /* I1/K */
+    out[25] = t3;
     const double t4 = t1/t2; /* m*R*R/K */
+    out[26] = t4;
     const double t5 = t3 + t4; /* I1/K + m*R*R/K */
+    out[6] = t5;
     const double t6 = params[5]/t2; /* I3/K */
+    out[27] = t6;
     const double t7 = t4 + t6; /* m*R*R/K + I3/K */
+    out[7] = t7;
     const double t8 = params[5]*params[5]; /* I3*I3 */
     const double t9 = t1*params[5]; /* m*R*R*I3 */
+    out[11] = t9;
     const double t10 = t8 + t9; /* I3*I3 + m*R*R*I3 */
+    out[8] = t10;
     const double t11 = params[4]*params[5]; /* I1*I3 */
+    out[9] = t11;
     const double t12 = params[4]*t1; /* I1*m*R*R */
+    out[10] = t12;
     const double t13 = params[4] - params[5]; /* I1 - I3 */
     const double t14 = t1*t13; /* m*R*R*(I1 - I3) */
+    out[12] = t14;
     const double t15 = -t3; /* -I1/K */
     const double t16 = t15 - t4; /* -I1/K - m*R*R/K */
+    out[13] = t16;
     const double t17 = t3*2.0; /* I1/K*2 */
     const double t18 = -t17; /* -I1/K*2 */
     const double t19 = t18 - t4; /* -I1/K*2 - m*R*R/K */
+    out[14] = t19;
     const double t20 = -t6; /* -I3/K */
+    out[15] = t20;
     const double t21 = -t4; /* -m*R*R/K */
+    out[16] = t21;
     const double t22 = params[0]*params[0]; /* m*m */
     const double t23 = t0*t0; /* R*R*R*R */
     const double t24 = t22*t23; /* m*m*R*R*R*R */
@@ -81,255 +99,239 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t30 = t28 + t29; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
     const double t31 = 2.0*t30; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
     const double t32 = t31/t26; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
+    out[17] = t32;
     const double t33 = params[5]/t1; /* I3/(m*R*R) */
+    out[18] = t33;
     const double t34 = params[5]/params[4]; /* I3/I1 */
+    out[19] = t34;
     const double t35 = t10/t12; /* (I3*I3 + m*R*R*I3)/(I1*m*R*R) */
+    out[20] = t35;
     const double t36 = t8*t12; /* I3*I3*I1*m*R*R */
     const double t37 = params[4]*t24; /* I1*m*m*R*R*R*R */
     const double t38 = params[5]*t37; /* I3*I1*m*m*R*R*R*R */
     const double t39 = t36 + t38; /* I3*I3*I1*m*R*R + I3*I1*m*m*R*R*R*R */
     const double t40 = 2.0*t39; /* 2*(I3*I3*I1*m*R*R + I3*I1*m*m*R*R*R*R) */
     const double t41 = t40/t26; /* 2*(I3*I3*I1*m*R*R + I3*I1*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
+    out[21] = t41;
     const double t42 = t13/params[4]; /* (I1 - I3)/I1 */
+    out[22] = t42;
     const double t43 = params[5]*2.0; /* I3*2 */
     const double t44 = t13*t43; /* (I1 - I3)*I3*2 */
     const double t45 = t44/t25; /* (I1 - I3)*I3*2/(I1*I1) */
+    out[23] = t45;
     const double t46 = t13*(-2.0); /* (I1 - I3)*(-2) */
     const double t47 = t46/params[4]; /* (I1 - I3)*(-2)/I1 */
-    const double t48 = t4 + t17; /* m*R*R/K + I1/K*2 */
-    const double t49 = params[4]/2.0; /* I1/2 */
-    const double t50 = params[5]/2.0; /* I3/2 */
-    const double t51 = t1/2.0; /* m*R*R/2 */
-    const double t52 = params[4]*params[1]; /* I1*R */
-    const double t53 = params[1]*params[5]; /* R*I3 */
-    const double t54 = -t53; /* -R*I3 */
-    out[6] = t5;
-    out[7] = t7;
-    out[8] = t10;
-    out[9] = t11;
-    out[10] = t12;
-    out[11] = t9;
-    out[12] = t14;
-    out[13] = t16;
-    out[14] = t19;
-    out[15] = t20;
-    out[16] = t21;
-    out[17] = t32;
-    out[18] = t33;
-    out[19] = t34;
-    out[20] = t35;
-    out[21] = t41;
-    out[22] = t42;
-    out[23] = t45;
     out[24] = t47;
-    out[25] = t3;
-    out[26] = t4;
-    out[27] = t6;
+    const double t48 = t4 + t17; /* m*R*R/K + I1/K*2 */
     out[28] = t48;
+    const double t49 = params[4]/2.0; /* I1/2 */
     out[29] = t49;
+    const double t50 = params[5]/2.0; /* I3/2 */
     out[30] = t50;
+    const double t51 = t1/2.0; /* m*R*R/2 */
     out[31] = t51;
+    const double t52 = params[4]*params[1]; /* I1*R */
     out[32] = t52;
+    const double t53 = params[1]*params[5]; /* R*I3 */
     out[33] = t53;
-    out[34] = t1;
-    out[35] = t2;
+    const double t54 = -t53; /* -R*I3 */
     out[36] = t54;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[1]; /* s*omega_tau */
-    const double t1 = x[4]*t0; /* s*s*omega_tau */
-    const double t2 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t3 = p[6]*t2; /* (I1/K + m*R^2/K)*omega_n*gamma3 */
+    const double t0 = x[4]*p[10]; /* s*m*R^2*I1 */
+    const double t1 = JLT_FMA(x[4], t0, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t2 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
+    const double t3 = JLT_FMA(x[0], t2, t1); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t4 = x[4]*x[3]; /* s*omega3 */
-    const double t5 = JLT_FMA(p[7], t4, t3); /* (I3/K + m*R^2/K)*s*omega3 + (I1/K + m*R^2/K)*omega_n*gamma3 */
-    const double t6 = x[2]*t5; /* omega_n*((I3/K + m*R^2/K)*s*omega3 + (I1/K + m*R^2/K)*omega_n*gamma3) */
-    const double t7 = -t6; /* -t6 */
-    const double t8 = x[4]*p[10]; /* s*m*R^2*I1 */
-    const double t9 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t10 = JLT_FMA(x[4], t8, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t11 = JLT_FMA(x[0], t9, t10); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t12 = t4/t11; /* s*omega3/Theta */
-    const double t13 = JLT_FMA(p[8], t12, t2); /* (I3^2 + m*R^2*I3)*s*omega3/Theta + omega_n*gamma3 */
+    const double t5 = t4/t3; /* s*omega3/Theta */
+    const double t6 = x[2]*x[0]; /* omega_n*gamma3 */
+    const double t7 = x[4]*x[1]; /* s*omega_tau */
+    const double t8 = x[4]*t7; /* s*s*omega_tau */
+    out[0] = t8;
+    const double t9 = x[0]*t7; /* gamma3*s*omega_tau */
+    const double t10 = -t9; /* -gamma3*s*omega_tau */
+    out[4] = t10;
+    const double t11 = p[12]*t9; /* m*R^2*(I1 - I3)*gamma3*s*omega_tau */
+    const double t12 = t5*t11; /* s*omega3/Theta*m*R^2*(I1 - I3)*gamma3*s*omega_tau */
+    out[3] = t12;
+    const double t13 = JLT_FMA(p[8], t5, t6); /* (I3^2 + m*R^2*I3)*s*omega3/Theta + omega_n*gamma3 */
     const double t14 = x[1]*t13; /* omega_tau*((I3^2 + m*R^2*I3)*s*omega3/Theta + omega_n*gamma3) */
-    const double t15 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t16 = p[12]*t15; /* m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
-    const double t17 = t12*t16; /* s*omega3/Theta*m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
-    const double t18 = -t15; /* -s*omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t7;
     out[2] = t14;
-    out[3] = t17;
-    out[4] = t18;
+    const double t15 = p[6]*t6; /* (I1/K + m*R^2/K)*omega_n*gamma3 */
+    const double t16 = JLT_FMA(p[7], t4, t15); /* (I3/K + m*R^2/K)*s*omega3 + (I1/K + m*R^2/K)*omega_n*gamma3 */
+    const double t17 = x[2]*t16; /* omega_n*((I3/K + m*R^2/K)*s*omega3 + (I1/K + m*R^2/K)*omega_n*gamma3) */
+    const double t18 = -t17; /* -t17 */
+    out[1] = t18;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = x[4]*x[1]; /* s*omega_tau */
-    const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    const double t3 = p[13]*x[2]; /* (-I1/K - m*R^2/K)*omega_n */
-    const double t4 = x[2]*t3; /* omega_n*(-I1/K - m*R^2/K)*omega_n */
-    const double t5 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t6 = p[14]*t5; /* (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
-    const double t7 = x[4]*x[3]; /* s*omega3 */
-    const double t8 = t5 + t7; /* v_tau scaled = omega_n*gamma3 + s*omega3 */
-    const double t9 = JLT_FMA(p[15], t7, t6); /* (-I3/K)*s*omega3 + (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
-    const double t10 = JLT_FMA(p[16], t8, t9); /* (-m*R^2/K)*v_tau scaled + (-I3/K)*s*omega3 + (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
-    const double t11 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
-    const double t12 = x[4]*t11; /* s*omega_n*(I3/K + m*R^2/K) */
-    const double t13 = -t12; /* -s*omega_n*(I3/K + m*R^2/K) */
-    const double t14 = x[3]*t11; /* omega3*omega_n*(I3/K + m*R^2/K) */
-    const double t15 = -t14; /* -omega3*omega_n*(I3/K + m*R^2/K) */
-    const double t16 = x[1]*x[2]; /* omega_tau*omega_n */
-    const double t17 = x[0]*p[19]; /* gamma3*I3/I1 */
-    const double t18 = t0 + p[18]; /* s*s + I3/(m*R^2) */
-    const double t19 = JLT_FMA(x[0], t17, t18); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t20 = 1.0/t19; /* 1/Theta scaled */
-    const double t21 = x[1]*x[0]; /* omega_tau*gamma3 */
-    const double t22 = t7*t20; /* s*omega3*1/Theta scaled */
-    const double t23 = t21*t22; /* omega_tau*gamma3*s*omega3*1/Theta scaled */
-    const double t24 = p[17]*t20; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*1/Theta scaled */
-    const double t25 = JLT_FNMA(t23, t24, t16); /* omega_tau*omega_n - omega_tau*gamma3*s*omega3*1/Theta scaled*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*1/Theta scaled */
-    const double t26 = JLT_FMA(t22, p[20], t5); /* s*omega3*1/Theta scaled*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 */
-    const double t27 = t1*p[20]; /* s*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t28 = t20*t27; /* 1/Theta scaled*s*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t29 = x[1]*p[20]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t30 = x[3]*t29; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t31 = t1*t22; /* s*omega_tau*s*omega3*1/Theta scaled */
-    const double t32 = JLT_FNMA(p[21], t31, t30); /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*s*omega_tau*s*omega3*1/Theta scaled */
-    const double t33 = t20*t32; /* 1/Theta scaled*t32 */
-    const double t34 = t31*p[22]; /* s*omega_tau*s*omega3*1/Theta scaled*(I1 - I3)/I1 */
-    const double t35 = x[4]*x[0]; /* s*gamma3 */
-    const double t36 = t20*t35; /* 1/Theta scaled*s*gamma3 */
-    const double t37 = p[23]*t36; /* 2*I3*(I1 - I3)/I1^2*1/Theta scaled*s*gamma3 */
-    const double t38 = JLT_FNMA(t23, t37, t34); /* s*omega_tau*s*omega3*1/Theta scaled*(I1 - I3)/I1 - omega_tau*gamma3*s*omega3*1/Theta scaled*2*I3*(I1 - I3)/I1^2*1/Theta scaled*s*gamma3 */
-    const double t39 = p[22]*t36; /* (I1 - I3)/I1*1/Theta scaled*s*gamma3 */
-    const double t40 = t7*t39; /* s*omega3*(I1 - I3)/I1*1/Theta scaled*s*gamma3 */
-    const double t41 = t1*t39; /* s*omega_tau*(I1 - I3)/I1*1/Theta scaled*s*gamma3 */
-    const double t42 = JLT_FMS(t31, t36, t23); /* s*omega_tau*s*omega3*1/Theta scaled*1/Theta scaled*s*gamma3 - omega_tau*gamma3*s*omega3*1/Theta scaled */
-    const double t43 = p[24]*t42; /* (-2*(I1 - I3)/I1)*t42 */
-    const double t44 = -t1; /* -s*omega_tau */
-    const double t45 = -t35; /* -s*gamma3 */
-    const double t46 = -t21; /* -omega_tau*gamma3 */
     out[0] = 0.0;
-    out[1] = t0;
     out[2] = 0.0;
     out[3] = 0.0;
-    out[4] = t2;
-    out[5] = t4;
     out[6] = 0.0;
-    out[7] = t10;
-    out[8] = t13;
-    out[9] = t15;
-    out[10] = t25;
-    out[11] = t26;
-    out[12] = t21;
-    out[13] = t28;
-    out[14] = t33;
-    out[15] = t38;
-    out[16] = t40;
     out[17] = 0.0;
-    out[18] = t41;
-    out[19] = t43;
-    out[20] = t44;
-    out[21] = t45;
     out[22] = 0.0;
     out[23] = 0.0;
-    out[24] = t46;
+    const double t0 = x[4]*x[4]; /* s*s */
+    out[1] = t0;
+    const double t1 = p[18] + t0; /* I3/(m*R^2) + s*s */
+    const double t2 = x[0]*p[19]; /* gamma3*I3/I1 */
+    const double t3 = JLT_FMA(x[0], t2, t1); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t4 = 1.0/t3; /* 1/(Theta/(m*R^2*I1)) */
+    const double t5 = x[4]*x[3]; /* s*omega3 */
+    const double t6 = x[4]*x[1]; /* s*omega_tau */
+    const double t7 = 2.0*t6; /* 2*s*omega_tau */
+    out[4] = t7;
+    const double t8 = -t6; /* -s*omega_tau */
+    out[20] = t8;
+    const double t9 = x[2]*x[0]; /* omega_n*gamma3 */
+    const double t10 = x[1]*x[0]; /* omega_tau*gamma3 */
+    out[12] = t10;
+    const double t11 = -t10; /* -omega_tau*gamma3 */
+    out[24] = t11;
+    const double t12 = t4*t5; /* 1/(Theta/(m*R^2*I1))*s*omega3 */
+    const double t13 = t10*t12; /* omega_tau*gamma3*1/(Theta/(m*R^2*I1))*s*omega3 */
+    const double t14 = JLT_FMA(p[20], t12, t9); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*s*omega3 + omega_n*gamma3 */
+    out[11] = t14;
+    const double t15 = t6*t12; /* s*omega_tau*1/(Theta/(m*R^2*I1))*s*omega3 */
+    const double t16 = x[1]*p[20]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t17 = x[3]*t16; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t18 = JLT_FNMA(p[21], t15, t17); /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*s*omega_tau*1/(Theta/(m*R^2*I1))*s*omega3 */
+    const double t19 = t4*t18; /* 1/(Theta/(m*R^2*I1))*t18 */
+    out[14] = t19;
+    const double t20 = x[4]*x[0]; /* s*gamma3 */
+    const double t21 = -t20; /* -s*gamma3 */
+    out[21] = t21;
+    const double t22 = t4*t20; /* 1/(Theta/(m*R^2*I1))*s*gamma3 */
+    const double t23 = p[14]*t9; /* (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
+    const double t24 = t5 + t9; /* v_tau/R = s*omega3 + omega_n*gamma3 */
+    const double t25 = JLT_FMA(p[15], t5, t23); /* (-I3/K)*s*omega3 + (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
+    const double t26 = JLT_FMA(p[16], t24, t25); /* (-m*R^2/K)*v_tau/R + (-I3/K)*s*omega3 + (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
+    out[7] = t26;
+    const double t27 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
+    const double t28 = p[13]*x[2]; /* (-I1/K - m*R^2/K)*omega_n */
+    const double t29 = x[2]*t28; /* omega_n*(-I1/K - m*R^2/K)*omega_n */
+    out[5] = t29;
+    const double t30 = x[4]*t27; /* s*omega_n*(I3/K + m*R^2/K) */
+    const double t31 = -t30; /* -s*omega_n*(I3/K + m*R^2/K) */
+    out[8] = t31;
+    const double t32 = x[3]*t27; /* omega3*omega_n*(I3/K + m*R^2/K) */
+    const double t33 = -t32; /* -omega3*omega_n*(I3/K + m*R^2/K) */
+    out[9] = t33;
+    const double t34 = x[1]*x[2]; /* omega_tau*omega_n */
+    const double t35 = p[17]*t4; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*1/(Theta/(m*R^2*I1)) */
+    const double t36 = JLT_FNMA(t13, t35, t34); /* omega_tau*omega_n - omega_tau*gamma3*1/(Theta/(m*R^2*I1))*s*omega3*t35 */
+    out[10] = t36;
+    const double t37 = p[20]*t6; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega_tau */
+    const double t38 = t4*t37; /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega_tau */
+    out[13] = t38;
+    const double t39 = p[22]*t15; /* (I1 - I3)/I1*s*omega_tau*1/(Theta/(m*R^2*I1))*s*omega3 */
+    const double t40 = JLT_FMS(t15, t22, t13); /* s*omega_tau*1/(Theta/(m*R^2*I1))*s*omega3*1/(Theta/(m*R^2*I1))*s*gamma3 - omega_tau*gamma3*1/(Theta/(m*R^2*I1))*s*omega3 */
+    const double t41 = p[24]*t40; /* (-2*(I1 - I3)/I1)*t40 */
+    out[19] = t41;
+    const double t42 = p[23]*t22; /* 2*I3*(I1 - I3)/I1^2*1/(Theta/(m*R^2*I1))*s*gamma3 */
+    const double t43 = JLT_FNMA(t13, t42, t39); /* (I1 - I3)/I1*s*omega_tau*1/(Theta/(m*R^2*I1))*s*omega3 - omega_tau*gamma3*1/(Theta/(m*R^2*I1))*s*omega3*2*I3*(I1 - I3)/I1^2*1/(Theta/(m*R^2*I1))*s*gamma3 */
+    out[15] = t43;
+    const double t44 = p[22]*t22; /* (I1 - I3)/I1*1/(Theta/(m*R^2*I1))*s*gamma3 */
+    const double t45 = t5*t44; /* s*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1))*s*gamma3 */
+    out[16] = t45;
+    const double t46 = t6*t44; /* s*omega_tau*(I1 - I3)/I1*1/(Theta/(m*R^2*I1))*s*gamma3 */
+    out[18] = t46;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[1]; /* s*omega_tau */
     const double t1 = x[4]*t0; /* s*s*omega_tau */
+    out[0] = t1;
     const double t2 = x[2]*x[0]; /* omega_n*gamma3 */
     const double t3 = x[4]*x[3]; /* s*omega3 */
-    const double t4 = t2 + t3; /* v_tau scaled = omega_n*gamma3 + s*omega3 */
-    const double t5 = p[26]*t4; /* m*R^2/K*v_tau scaled */
-    const double t6 = JLT_FMA(t3, p[27], t5); /* s*omega3*I3/K + m*R^2/K*v_tau scaled */
-    const double t7 = JLT_FMA(p[25], t2, t6); /* I1/K*omega_n*gamma3 + s*omega3*I3/K + m*R^2/K*v_tau scaled */
-    const double t8 = x[2]*t7; /* omega_n*(I1/K*omega_n*gamma3 + s*omega3*I3/K + m*R^2/K*v_tau scaled) */
+    const double t4 = t2 + t3; /* v_tau/R = omega_n*gamma3 + s*omega3 */
+    const double t5 = p[26]*t4; /* m*R^2/K*v_tau/R */
+    const double t6 = JLT_FMA(t3, p[27], t5); /* s*omega3*I3/K + m*R^2/K*v_tau/R */
+    const double t7 = JLT_FMA(p[25], t2, t6); /* I1/K*omega_n*gamma3 + s*omega3*I3/K + m*R^2/K*v_tau/R */
+    const double t8 = x[2]*t7; /* omega_n*(I1/K*omega_n*gamma3 + s*omega3*I3/K + m*R^2/K*v_tau/R) */
     const double t9 = -t8; /* -t8 */
+    out[1] = t9;
     const double t10 = x[1]*t2; /* omega_tau*omega_n*gamma3 */
     const double t11 = x[4]*x[4]; /* s*s */
+    out[6] = t11;
     const double t12 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t13 = p[18] + t11; /* I3/(m*R^2) + s*s */
-    const double t14 = JLT_FMA(p[19], t12, t13); /* Theta scaled = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
-    const double t15 = 1.0/t14; /* 1/Theta scaled */
-    const double t16 = x[4]*t15; /* s*1/Theta scaled */
-    const double t17 = x[1]*t16; /* omega_tau*s*1/Theta scaled */
-    const double t18 = x[3]*t17; /* omega3*omega_tau*s*1/Theta scaled */
-    const double t19 = JLT_FMA(p[20], t18, t10); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*omega_tau*s*1/Theta scaled + omega_tau*omega_n*gamma3 */
+    const double t14 = JLT_FMA(p[19], t12, t13); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
+    const double t15 = 1.0/t14; /* 1/(Theta/(m*R^2*I1)) */
+    const double t16 = x[4]*t15; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t17 = x[1]*t16; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t18 = x[3]*t17; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t19 = JLT_FMA(p[20], t18, t10); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) + omega_tau*omega_n*gamma3 */
+    out[2] = t19;
     const double t20 = x[4]*x[0]; /* s*gamma3 */
-    const double t21 = t18*p[22]; /* omega3*omega_tau*s*1/Theta scaled*(I1 - I3)/I1 */
-    const double t22 = t20*t21; /* s*gamma3*omega3*omega_tau*s*1/Theta scaled*(I1 - I3)/I1 */
+    const double t21 = t18*p[22]; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t22 = t20*t21; /* s*gamma3*omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    out[3] = t22;
     const double t23 = t0*x[0]; /* s*omega_tau*gamma3 */
     const double t24 = -t23; /* -s*omega_tau*gamma3 */
+    out[4] = t24;
+    out[5] = 0.0;
+    out[7] = 0.0;
+    out[8] = 0.0;
+    out[11] = 0.0;
+    out[22] = 0.0;
+    out[27] = 0.0;
+    out[28] = 0.0;
     const double t25 = t0*2.0; /* s*omega_tau*2 */
+    out[9] = t25;
     const double t26 = x[2]*p[13]; /* omega_n*(-I1/K - m*R^2/K) */
     const double t27 = x[2]*t26; /* omega_n*omega_n*(-I1/K - m*R^2/K) */
-    const double t28 = JLT_FMA(t2, p[28], t6); /* omega_n*gamma3*(2*I1/K + m*R^2/K) + s*omega3*I3/K + m*R^2/K*v_tau scaled */
+    out[10] = t27;
+    const double t28 = JLT_FMA(t2, p[28], t6); /* omega_n*gamma3*(2*I1/K + m*R^2/K) + s*omega3*I3/K + m*R^2/K*v_tau/R */
     const double t29 = -t28; /* -t28 */
+    out[12] = t29;
     const double t30 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
     const double t31 = x[4]*t30; /* s*omega_n*(I3/K + m*R^2/K) */
     const double t32 = -t31; /* -s*omega_n*(I3/K + m*R^2/K) */
+    out[13] = t32;
     const double t33 = x[3]*t30; /* omega3*omega_n*(I3/K + m*R^2/K) */
     const double t34 = -t33; /* -omega3*omega_n*(I3/K + m*R^2/K) */
+    out[14] = t34;
     const double t35 = x[1]*x[2]; /* omega_tau*omega_n */
-    const double t36 = x[0]*t18; /* gamma3*omega3*omega_tau*s*1/Theta scaled */
-    const double t37 = t15*p[17]; /* 1/Theta scaled*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2) */
-    const double t38 = JLT_FNMA(t36, t37, t35); /* omega_tau*omega_n - gamma3*omega3*omega_tau*s*1/Theta scaled*1/Theta scaled*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2) */
-    const double t39 = x[3]*t16; /* omega3*s*1/Theta scaled */
-    const double t40 = JLT_FMA(p[20], t39, t2); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*s*1/Theta scaled + omega_n*gamma3 */
+    const double t36 = x[0]*t18; /* gamma3*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t37 = t15*p[17]; /* 1/(Theta/(m*R^2*I1))*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2) */
+    const double t38 = JLT_FNMA(t36, t37, t35); /* omega_tau*omega_n - gamma3*omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t37 */
+    out[15] = t38;
+    const double t39 = x[3]*t16; /* omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t40 = JLT_FMA(p[20], t39, t2); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*s*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 */
+    out[16] = t40;
     const double t41 = x[1]*x[0]; /* omega_tau*gamma3 */
-    const double t42 = p[20]*t17; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*s*1/Theta scaled */
+    out[17] = t41;
+    const double t42 = p[20]*t17; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    out[18] = t42;
     const double t43 = x[1]*p[20]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
     const double t44 = x[3]*t43; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t45 = t15*t44; /* 1/Theta scaled*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t46 = t16*t18; /* s*1/Theta scaled*omega3*omega_tau*s*1/Theta scaled */
-    const double t47 = JLT_FNMA(p[21], t46, t45); /* 1/Theta scaled*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*s*1/Theta scaled*omega3*omega_tau*s*1/Theta scaled */
-    const double t48 = x[4]*t21; /* s*omega3*omega_tau*s*1/Theta scaled*(I1 - I3)/I1 */
-    const double t49 = t12*p[23]; /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
-    const double t50 = JLT_FNMA(t46, t49, t48); /* s*omega3*omega_tau*s*1/Theta scaled*(I1 - I3)/I1 - s*1/Theta scaled*omega3*omega_tau*s*1/Theta scaled*gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
-    const double t51 = t20*p[22]; /* s*gamma3*(I1 - I3)/I1 */
-    const double t52 = t39*t51; /* omega3*s*1/Theta scaled*s*gamma3*(I1 - I3)/I1 */
-    const double t53 = t17*t51; /* omega_tau*s*1/Theta scaled*s*gamma3*(I1 - I3)/I1 */
-    const double t54 = JLT_FMS(t20, t46, t36); /* s*gamma3*s*1/Theta scaled*omega3*omega_tau*s*1/Theta scaled - gamma3*omega3*omega_tau*s*1/Theta scaled */
-    const double t55 = p[24]*t54; /* (-2*(I1 - I3)/I1)*t54 */
-    const double t56 = -t0; /* -s*omega_tau */
-    const double t57 = -t20; /* -s*gamma3 */
-    const double t58 = -t41; /* -omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t9;
-    out[2] = t19;
-    out[3] = t22;
-    out[4] = t24;
-    out[5] = 0.0;
-    out[6] = t11;
-    out[7] = 0.0;
-    out[8] = 0.0;
-    out[9] = t25;
-    out[10] = t27;
-    out[11] = 0.0;
-    out[12] = t29;
-    out[13] = t32;
-    out[14] = t34;
-    out[15] = t38;
-    out[16] = t40;
-    out[17] = t41;
-    out[18] = t42;
+    const double t45 = t15*t44; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t46 = t16*t18; /* s*1/(Theta/(m*R^2*I1))*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t47 = JLT_FNMA(p[21], t46, t45); /* t45 - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*t46 */
     out[19] = t47;
+    const double t48 = x[4]*t21; /* s*omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t49 = t12*p[23]; /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t50 = JLT_FNMA(t46, t49, t48); /* s*omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 - t46*gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
     out[20] = t50;
+    const double t51 = t20*p[22]; /* s*gamma3*(I1 - I3)/I1 */
+    const double t52 = t39*t51; /* omega3*s*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 */
     out[21] = t52;
-    out[22] = 0.0;
+    const double t53 = t17*t51; /* omega_tau*s*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 */
     out[23] = t53;
+    const double t54 = JLT_FMS(t20, t46, t36); /* s*gamma3*t46 - gamma3*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t55 = p[24]*t54; /* (-2*(I1 - I3)/I1)*t54 */
     out[24] = t55;
+    const double t56 = -t0; /* -s*omega_tau */
     out[25] = t56;
+    const double t57 = -t20; /* -s*gamma3 */
     out[26] = t57;
-    out[27] = 0.0;
-    out[28] = 0.0;
+    const double t58 = -t41; /* -omega_tau*gamma3 */
     out[29] = t58;
 }
 
@@ -338,78 +340,78 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = x[4]*x[4]; /* s*s */
     const double t1 = x[0]*p[19]; /* gamma3*I3/I1 */
     const double t2 = p[18] + t0; /* I3/(m*R^2) + s*s */
-    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
     const double t4 = p[22]*x[0]; /* (I1 - I3)/I1*gamma3 */
     const double t5 = x[1]*t4; /* omega_tau*(I1 - I3)/I1*gamma3 */
     const double t6 = t0*t5; /* s*s*omega_tau*(I1 - I3)/I1*gamma3 */
-    const double t7 = t6/t3; /* s*s*omega_tau*(I1 - I3)/I1*gamma3/Theta scaled */
+    const double t7 = t6/t3; /* s*s*omega_tau*(I1 - I3)/I1*gamma3/(Theta/(m*R^2*I1)) */
     out[0] = t7;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[1]*x[1]; /* omega_tau*omega_tau */
-    const double t1 = JLT_FMA(x[2], x[2], t0); /* omega_n*omega_n + omega_tau*omega_tau */
-    const double t2 = p[29]*t1; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t3 = p[30]*x[3]; /* 1/2*I3*omega3 */
-    const double t4 = x[3]*x[4]; /* omega3*s */
-    const double t5 = JLT_FMA(x[2], x[0], t4); /* v_tau scaled = omega_n*gamma3 + omega3*s */
-    const double t6 = JLT_FMA(t5, t5, t0); /* v_tau scaled*v_tau scaled + omega_tau*omega_tau */
-    const double t7 = JLT_FMA(x[3], t3, t2); /* omega3*1/2*I3*omega3 + 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t8 = JLT_FMA(p[31], t6, t7); /* 1/2*m*R^2*(v_tau scaled*v_tau scaled + omega_tau*omega_tau) + t7 */
-    const double t9 = x[2]*p[32]; /* omega_n*R*I1 */
-    const double t10 = x[4]*t9; /* s*omega_n*R*I1 */
-    const double t11 = x[3]*p[33]; /* omega3*R*I3 */
-    const double t12 = JLT_FNMA(x[0], t11, t10); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
-    const double t13 = x[4]*p[10]; /* s*m*R^2*I1 */
-    const double t14 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
-    const double t15 = JLT_FMA(x[4], t13, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t16 = JLT_FMA(x[0], t14, t15); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t17 = sqrt(t16); /* h = sqrt(Theta) */
-    const double t18 = x[3]*t17; /* omega3*h */
-    out[0] = t8;
-    out[1] = t12;
-    out[2] = t18;
+    const double t0 = x[4]*p[10]; /* s*m*R^2*I1 */
+    const double t1 = JLT_FMA(x[4], t0, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t2 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
+    const double t3 = JLT_FMA(x[0], t2, t1); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t4 = sqrt(t3); /* h = sqrt(Theta) */
+    const double t5 = x[3]*t4; /* omega3*h */
+    out[2] = t5;
+    const double t6 = x[1]*x[1]; /* omega_tau*omega_tau */
+    const double t7 = JLT_FMA(x[2], x[2], t6); /* omega_n*omega_n + omega_tau*omega_tau */
+    const double t8 = p[29]*t7; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
+    const double t9 = x[3]*x[4]; /* omega3*s */
+    const double t10 = JLT_FMA(x[2], x[0], t9); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t11 = JLT_FMA(t10, t10, t6); /* v_tau/R*v_tau/R + omega_tau*omega_tau */
+    const double t12 = p[30]*x[3]; /* 1/2*I3*omega3 */
+    const double t13 = JLT_FMA(x[3], t12, t8); /* omega3*1/2*I3*omega3 + 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
+    const double t14 = JLT_FMA(p[31], t11, t13); /* 1/2*m*R^2*(v_tau/R*v_tau/R + omega_tau*omega_tau) + t13 */
+    out[0] = t14;
+    const double t15 = x[2]*p[32]; /* omega_n*R*I1 */
+    const double t16 = x[4]*t15; /* s*omega_n*R*I1 */
+    const double t17 = x[3]*p[33]; /* omega3*R*I3 */
+    const double t18 = JLT_FNMA(x[0], t17, t16); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
+    out[1] = t18;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[3]*x[4]; /* omega3*s */
-    const double t1 = JLT_FMA(x[2], x[0], t0); /* v_tau scaled = omega_n*gamma3 + omega3*s */
-    const double t2 = p[34]*t1; /* m*R^2*v_tau scaled */
-    const double t3 = x[2]*t2; /* omega_n*m*R^2*v_tau scaled */
+    const double t1 = JLT_FMA(x[2], x[0], t0); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t2 = p[34]*t1; /* m*R^2*v_tau/R */
+    const double t3 = x[2]*t2; /* omega_n*m*R^2*v_tau/R */
+    out[0] = t3;
     const double t4 = p[35]*x[1]; /* (I1 + m*R^2)*omega_tau */
+    out[1] = t4;
     const double t5 = x[2]*p[4]; /* omega_n*I1 */
-    const double t6 = JLT_FMA(x[0], t2, t5); /* gamma3*m*R^2*v_tau scaled + omega_n*I1 */
+    const double t6 = JLT_FMA(x[0], t2, t5); /* gamma3*m*R^2*v_tau/R + omega_n*I1 */
+    out[2] = t6;
     const double t7 = x[3]*p[5]; /* omega3*I3 */
-    const double t8 = JLT_FMA(x[4], t2, t7); /* s*m*R^2*v_tau scaled + omega3*I3 */
-    const double t9 = x[3]*t2; /* omega3*m*R^2*v_tau scaled */
+    const double t8 = JLT_FMA(x[4], t2, t7); /* s*m*R^2*v_tau/R + omega3*I3 */
+    out[3] = t8;
+    const double t9 = x[3]*t2; /* omega3*m*R^2*v_tau/R */
+    out[4] = t9;
     const double t10 = x[3]*p[36]; /* omega3*(-R*I3) */
+    out[5] = t10;
+    out[6] = 0.0;
+    out[11] = 0.0;
+    out[12] = 0.0;
     const double t11 = x[4]*p[32]; /* s*R*I1 */
+    out[7] = t11;
     const double t12 = x[0]*p[36]; /* gamma3*(-R*I3) */
+    out[8] = t12;
     const double t13 = x[2]*p[32]; /* omega_n*R*I1 */
+    out[9] = t13;
     const double t14 = x[0]*p[11]; /* gamma3*m*R^2*I3 */
     const double t15 = x[4]*p[10]; /* s*m*R^2*I1 */
     const double t16 = JLT_FMA(x[4], t15, p[9]); /* s*s*m*R^2*I1 + I1*I3 */
     const double t17 = JLT_FMA(x[0], t14, t16); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t18 = sqrt(t17); /* h = sqrt(Theta) */
+    out[13] = t18;
     const double t19 = x[3]/t18; /* omega3/h */
     const double t20 = t14*t19; /* gamma3*m*R^2*I3*omega3/h */
-    const double t21 = t15*t19; /* s*m*R^2*I1*omega3/h */
-    out[0] = t3;
-    out[1] = t4;
-    out[2] = t6;
-    out[3] = t8;
-    out[4] = t9;
-    out[5] = t10;
-    out[6] = 0.0;
-    out[7] = t11;
-    out[8] = t12;
-    out[9] = t13;
     out[10] = t20;
-    out[11] = 0.0;
-    out[12] = 0.0;
-    out[13] = t18;
+    const double t21 = t15*t19; /* s*m*R^2*I1*omega3/h */
     out[14] = t21;
 }
 
@@ -427,21 +429,21 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
     double x4[JLT_JET_ORDER_MAX + 1];
-    double t2[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
-    double t8[JLT_JET_ORDER_MAX + 1];
-    double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
@@ -453,31 +455,31 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[4] = x4[0] = x[4];
     coefficients[5] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t2[k] = jlt_jet_product(x4, x1, k);
-        t3[k] = jlt_jet_product(x4, t2, k);
-        t7[k] = jlt_jet_product(x2, x0, k);
-        t8[k] = p[6]*t7[k];
-        t11[k] = jlt_jet_product(x4, x3, k);
-        t12[k] = p[7]*t11[k] + t8[k];
-        t13[k] = jlt_jet_product(x2, t12, k);
-        t14[k] = -t13[k];
-        t18[k] = x4[k]*p[10];
-        t20[k] = x0[k]*p[11];
-        t21[k] = jlt_jet_product(x4, t18, k) + (k == 0 ? p[9] : 0);
-        t22[k] = jlt_jet_product(x0, t20, k) + t21[k];
-        t23[k] = jlt_jet_quotient(t11[k], t22, t23, k);
-        t24[k] = p[8]*t23[k] + t7[k];
-        t25[k] = jlt_jet_product(x1, t24, k);
-        t27[k] = jlt_jet_product(t2, x0, k);
-        t28[k] = p[12]*t27[k];
-        t29[k] = jlt_jet_product(t23, t28, k);
-        t30[k] = -t27[k];
+        t12[k] = x4[k]*p[10];
+        t13[k] = jlt_jet_product(x4, t12, k) + (k == 0 ? p[9] : 0);
+        t14[k] = x0[k]*p[11];
+        t15[k] = jlt_jet_product(x0, t14, k) + t13[k];
+        t16[k] = jlt_jet_product(x4, x3, k);
+        t17[k] = jlt_jet_quotient(t16[k], t15, t17, k);
+        t18[k] = jlt_jet_product(x2, x0, k);
+        t19[k] = jlt_jet_product(x4, x1, k);
+        t20[k] = jlt_jet_product(x4, t19, k);
+        t21[k] = jlt_jet_product(x0, t19, k);
+        t22[k] = -t21[k];
+        t23[k] = p[12]*t21[k];
+        t24[k] = jlt_jet_product(t17, t23, k);
+        t25[k] = p[8]*t17[k] + t18[k];
+        t26[k] = jlt_jet_product(x1, t25, k);
+        t27[k] = p[6]*t18[k];
+        t28[k] = p[7]*t16[k] + t27[k];
+        t29[k] = jlt_jet_product(x2, t28, k);
+        t30[k] = -t29[k];
         double *restrict next = coefficients + (k + 1)*6;
-        next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t14[k]/(k + 1);
-        next[2] = x2[k + 1] = t25[k]/(k + 1);
-        next[3] = x3[k + 1] = t29[k]/(k + 1);
-        next[4] = x4[k + 1] = t30[k]/(k + 1);
+        next[0] = x0[k + 1] = t20[k]/(k + 1);
+        next[1] = x1[k + 1] = t30[k]/(k + 1);
+        next[2] = x2[k + 1] = t26[k]/(k + 1);
+        next[3] = x3[k + 1] = t24[k]/(k + 1);
+        next[4] = x4[k + 1] = t22[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -552,15 +554,15 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 2, 12, 4, 1, 0, 0, 6, 6 }, { 11, 50, 0, 6, 0, 0, 9, 6 },
+    .rhs = { rhs, 5, { 2, 12, 4, 1, 0, 0, 6, 5 }, { 11, 50, 0, 6, 0, 0, 9, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 25, { 7, 31, 8, 1, 0, 0, 8, 10 }, { 33, 182, 0, 26, 0, 0, 12, 6 },
+    .jacobian = { jacobian, 25, { 7, 31, 8, 1, 0, 0, 8, 9 }, { 33, 182, 0, 26, 0, 0, 12, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .rhs_jacobian = { rhs_jacobian, 30, { 10, 38, 10, 1, 0, 0, 10, 13 }, { 40, 215, 0, 32, 0, 0, 12, 8 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .divergence = { divergence, 1, { 1, 5, 1, 1, 0, 0, 4, 4 }, { 3, 18, 0, 1, 0, 0, 7, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .integral_values = { integral_values, 3, { 0, 10, 8, 0, 1, 0, 5, 5 }, { 8, 35, 0, 0, 1, 0, 8, 5 },
+    .integral_values = { integral_values, 3, { 0, 10, 8, 0, 1, 0, 5, 4 }, { 8, 35, 0, 0, 1, 0, 8, 5 },
         "takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
     .integral_gradients = { integral_gradients, 15, { 0, 15, 5, 1, 1, 0, 6, 4 }, { 8, 51, 0, 2, 1, 0, 8, 5 },
         "divides by h: grows without bound, and so do rounding errors, where it vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },

@@ -8,14 +8,16 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   14    5    1    0    0      7    6   (63)
- *  jacobian            9   37   10    1    0    0      8   13   (242)
- *  rhs_jacobian        13   44   11    1    0    0      9   17   (290)
+ *  jacobian            9   37   10    1    0    0      8   11   (242)
+ *  rhs_jacobian        13   44   11    1    0    0      9   14   (290)
  *  divergence          0    3    3    1    0    0      4    4   (21)
- *  integral_values     0    9    7    0    0    0      6    5   (39)
+ *  integral_values     0    9    7    0    0    0      6    4   (39)
  *  integral_gradients  0   14    4    0    0    0      4    3   (46)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -49,12 +51,18 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     const double t0 = params[5]*params[5]; /* I3*I3 */
+    out[7] = t0;
     const double t1 = params[1]*params[1]; /* R*R */
+    out[16] = t1;
     const double t2 = params[0]*t1; /* m*R*R */
+    out[19] = t2;
     const double t3 = params[5]*t2; /* I3*m*R*R */
+    out[8] = t3;
     const double t4 = t0 + t3; /* I3*I3 + I3*m*R*R */
+    out[6] = t4;
     const double t5 = params[0]*params[1]; /* m*R */
     const double t6 = params[5]*t5; /* I3*m*R */
+    out[9] = t6;
     const double t7 = params[5]*t0; /* I3*I3*I3 */
     const double t8 = t2*t7; /* m*R*R*I3*I3*I3 */
     const double t9 = t8*2.0; /* m*R*R*I3*I3*I3*2 */
@@ -64,37 +72,31 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t13 = t0*t12; /* I3*I3*m*m*R*R*R*R */
     const double t14 = 2.0*t13; /* 2*I3*I3*m*m*R*R*R*R */
     const double t15 = t9 + t14; /* m*R*R*I3*I3*I3*2 + 2*I3*I3*m*m*R*R*R*R */
+    out[10] = t15;
     const double t16 = 2.0*t10; /* 2*m*m */
     const double t17 = params[1]*t1; /* R*R*R */
     const double t18 = t16*t17; /* 2*m*m*R*R*R */
     const double t19 = t0*t18; /* I3*I3*2*m*m*R*R*R */
+    out[11] = t19;
     const double t20 = -t6; /* -I3*m*R */
+    out[12] = t20;
     const double t21 = -t3; /* -I3*m*R*R */
+    out[13] = t21;
     const double t22 = params[0]/2.0; /* m/2 */
+    out[14] = t22;
     const double t23 = params[5]/params[0]; /* I3/m */
+    out[15] = t23;
     const double t24 = params[5]*params[1]; /* I3*R */
+    out[20] = t24;
     const double t25 = -t24; /* -I3*R */
+    out[17] = t25;
     const double t26 = t0*params[0]; /* I3*I3*m */
+    out[18] = t26;
     const double t27 = params[0]*2.0; /* m*2 */
     const double t28 = t0*t27; /* I3*I3*m*2 */
+    out[21] = t28;
     const double t29 = params[1]*t27; /* R*m*2 */
     const double t30 = t0*t29; /* I3*I3*R*m*2 */
-    out[6] = t4;
-    out[7] = t0;
-    out[8] = t3;
-    out[9] = t6;
-    out[10] = t15;
-    out[11] = t19;
-    out[12] = t20;
-    out[13] = t21;
-    out[14] = t22;
-    out[15] = t23;
-    out[16] = t1;
-    out[17] = t25;
-    out[18] = t26;
-    out[19] = t2;
-    out[20] = t24;
-    out[21] = t28;
     out[22] = t30;
 }
 
@@ -102,12 +104,15 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = x[5]*x[2]; /* s*omega_tau */
     const double t1 = x[5]*t0; /* s*s*omega_tau */
+    out[0] = t1;
     const double t2 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t3 = x[5]*x[4]; /* s*omega3 */
     const double t4 = t2 + t3; /* omega_n*gamma3 + s*omega3 */
     const double t5 = x[3]*t4; /* omega_n*(omega_n*gamma3 + s*omega3) */
     const double t6 = p[1]*t5; /* R*omega_n*(omega_n*gamma3 + s*omega3) */
+    out[1] = t6;
     const double t7 = -t5; /* -omega_n*(omega_n*gamma3 + s*omega3) */
+    out[2] = t7;
     const double t8 = x[5]*x[5]; /* s*s */
     const double t9 = JLT_FMA(x[0], x[0], t8); /* gamma3*gamma3 + s*s */
     const double t10 = JLT_FMA(p[8], t9, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
@@ -119,228 +124,225 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t16 = p[9]*t15; /* m*R*I3*V */
     const double t17 = t11*t16; /* 1/Theta*m*R*I3*V */
     const double t18 = JLT_FNMA(t2, t17, t14); /* t14 - omega_n*gamma3*1/Theta*m*R*I3*V */
+    out[3] = t18;
     const double t19 = x[5]*x[3]; /* s*omega_n */
     const double t20 = t17*t19; /* 1/Theta*m*R*I3*V*s*omega_n */
     const double t21 = -t20; /* -1/Theta*m*R*I3*V*s*omega_n */
+    out[4] = t21;
     const double t22 = t0*x[0]; /* s*omega_tau*gamma3 */
     const double t23 = -t22; /* -s*omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t6;
-    out[2] = t7;
-    out[3] = t18;
-    out[4] = t21;
     out[5] = t23;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[5]*x[5]; /* s*s */
-    const double t1 = x[5]*x[2]; /* s*omega_tau */
-    const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
-    const double t5 = x[5]*x[4]; /* s*omega3 */
-    const double t6 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t7 = JLT_FMA(2.0, t6, t5); /* 2*omega_n*gamma3 + s*omega3 */
-    const double t8 = p[1]*t7; /* R*(2*omega_n*gamma3 + s*omega3) */
-    const double t9 = x[5]*x[3]; /* s*omega_n */
-    const double t10 = p[1]*t9; /* R*s*omega_n */
-    const double t11 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t12 = p[1]*t11; /* R*omega_n*omega3 */
-    const double t13 = -t3; /* -omega_n*omega_n */
-    const double t14 = -t7; /* -(2*omega_n*gamma3 + s*omega3) */
-    const double t15 = -t9; /* -s*omega_n */
-    const double t16 = -t11; /* -omega_n*omega3 */
-    const double t17 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t18 = JLT_FMA(p[8], t17, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t19 = 1.0/t18; /* 1/Theta */
-    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t21 = p[9]*t20; /* m*R*I3*V */
-    const double t22 = t19*t21; /* 1/Theta*m*R*I3*V */
-    const double t23 = x[2] - t22; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t24 = x[3]*t23; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t25 = x[4]*t19; /* omega3*1/Theta */
-    const double t26 = t1*p[10]; /* s*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t27 = t25*t26; /* omega3*1/Theta*s*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t28 = t20*p[11]; /* V*2*m^2*R^3*I3^2 */
-    const double t29 = t6*t19; /* omega_n*gamma3*1/Theta */
-    const double t30 = JLT_FNMA(t28, t29, t27); /* omega3*1/Theta*s*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) - V*2*m^2*R^3*I3^2*omega_n*gamma3*1/Theta */
-    const double t31 = x[0]*t19; /* gamma3*1/Theta */
-    const double t32 = JLT_FNMA(t30, t31, t24); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - t30*gamma3*1/Theta */
-    const double t33 = t29*p[12]; /* omega_n*gamma3*1/Theta*(-m*R*I3) */
-    const double t34 = x[5]*t19; /* s*1/Theta */
-    const double t35 = x[4]*p[6]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t36 = JLT_FMA(t34, t35, t6); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 */
-    const double t37 = JLT_FNMA(p[8], t29, t36); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
-    const double t38 = x[0]*t23; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t39 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t40 = t34*t39; /* s*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t41 = t25*t39; /* omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t42 = JLT_FNMA(t30, t34, t41); /* omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) - t30*s*1/Theta */
-    const double t43 = t28*t34; /* V*2*m^2*R^3*I3^2*s*1/Theta */
-    const double t44 = t29*t43; /* omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2*s*1/Theta */
-    const double t45 = x[3]*t34; /* omega_n*s*1/Theta */
-    const double t46 = p[12]*t45; /* (-m*R*I3)*omega_n*s*1/Theta */
-    const double t47 = t45*p[13]; /* omega_n*s*1/Theta*(-m*R^2*I3) */
-    const double t48 = t21*t34; /* m*R*I3*V*s*1/Theta */
-    const double t49 = -t48; /* -m*R*I3*V*s*1/Theta */
-    const double t50 = x[3]*t22; /* omega_n*1/Theta*m*R*I3*V */
-    const double t51 = JLT_FMS(t43, t45, t50); /* V*2*m^2*R^3*I3^2*s*1/Theta*omega_n*s*1/Theta - omega_n*1/Theta*m*R*I3*V */
-    const double t52 = -t1; /* -s*omega_tau */
-    const double t53 = x[5]*x[0]; /* s*gamma3 */
-    const double t54 = -t53; /* -s*gamma3 */
-    const double t55 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t56 = -t55; /* -omega_tau*gamma3 */
     out[0] = 0.0;
     out[1] = 0.0;
-    out[2] = t0;
     out[3] = 0.0;
     out[4] = 0.0;
-    out[5] = t2;
-    out[6] = t4;
     out[7] = 0.0;
     out[8] = 0.0;
-    out[9] = t8;
-    out[10] = t10;
-    out[11] = t12;
-    out[12] = t13;
     out[13] = 0.0;
     out[14] = 0.0;
-    out[15] = t14;
-    out[16] = t15;
-    out[17] = t16;
-    out[18] = t32;
-    out[19] = t33;
-    out[20] = t37;
-    out[21] = t38;
-    out[22] = t40;
-    out[23] = t42;
-    out[24] = t44;
-    out[25] = t46;
-    out[26] = t47;
-    out[27] = t49;
     out[28] = 0.0;
-    out[29] = t51;
-    out[30] = t52;
     out[31] = 0.0;
-    out[32] = t54;
     out[33] = 0.0;
     out[34] = 0.0;
+    const double t0 = x[5]*x[5]; /* s*s */
+    out[2] = t0;
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[8], t1, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t3 = 1.0/t2; /* 1/Theta */
+    const double t4 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t5 = x[5]*x[2]; /* s*omega_tau */
+    const double t6 = 2.0*t5; /* 2*s*omega_tau */
+    out[5] = t6;
+    const double t7 = -t5; /* -s*omega_tau */
+    out[30] = t7;
+    const double t8 = p[10]*t5; /* (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*s*omega_tau */
+    const double t9 = p[9]*t4; /* m*R*I3*V */
+    const double t10 = p[11]*t4; /* 2*m^2*R^3*I3^2*V */
+    const double t11 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t12 = t3*t9; /* 1/Theta*m*R*I3*V */
+    const double t13 = x[4]*t3; /* omega3*1/Theta */
+    const double t14 = t8*t13; /* (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*s*omega_tau*omega3*1/Theta */
+    const double t15 = x[5]*x[4]; /* s*omega3 */
+    const double t16 = JLT_FMA(2.0, t11, t15); /* 2*omega_n*gamma3 + s*omega3 */
+    const double t17 = p[1]*t16; /* R*(2*omega_n*gamma3 + s*omega3) */
+    out[9] = t17;
+    const double t18 = -t16; /* -(2*omega_n*gamma3 + s*omega3) */
+    out[15] = t18;
+    const double t19 = x[2] - t12; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t20 = x[3]*t12; /* omega_n*1/Theta*m*R*I3*V */
+    const double t21 = x[0]*t19; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[21] = t21;
+    const double t22 = x[3]*t19; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t23 = t3*t11; /* 1/Theta*omega_n*gamma3 */
+    const double t24 = JLT_FNMA(t10, t23, t14); /* (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*s*omega_tau*omega3*1/Theta - 2*m^2*R^3*I3^2*V*1/Theta*omega_n*gamma3 */
+    const double t25 = p[12]*t23; /* (-m*R*I3)*1/Theta*omega_n*gamma3 */
+    out[19] = t25;
+    const double t26 = x[5]*t3; /* s*1/Theta */
+    const double t27 = x[0]*t3; /* gamma3*1/Theta */
+    const double t28 = JLT_FNMA(t24, t27, t22); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - t24*gamma3*1/Theta */
+    out[18] = t28;
+    const double t29 = t10*t26; /* 2*m^2*R^3*I3^2*V*s*1/Theta */
+    const double t30 = t9*t26; /* m*R*I3*V*s*1/Theta */
+    const double t31 = -t30; /* -m*R*I3*V*s*1/Theta */
+    out[27] = t31;
+    const double t32 = t23*t29; /* 1/Theta*omega_n*gamma3*2*m^2*R^3*I3^2*V*s*1/Theta */
+    out[24] = t32;
+    const double t33 = x[4]*p[6]; /* omega3*(I3^2 + m*R^2*I3) */
+    const double t34 = JLT_FMA(t26, t33, t11); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 */
+    const double t35 = JLT_FNMA(p[8], t23, t34); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
+    out[20] = t35;
+    const double t36 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t37 = t13*t36; /* omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t38 = JLT_FNMA(t24, t26, t37); /* omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) - t24*s*1/Theta */
+    out[23] = t38;
+    const double t39 = t26*t36; /* s*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
+    out[22] = t39;
+    const double t40 = x[3]*t26; /* omega_n*s*1/Theta */
+    const double t41 = JLT_FMS(t29, t40, t20); /* 2*m^2*R^3*I3^2*V*s*1/Theta*omega_n*s*1/Theta - omega_n*1/Theta*m*R*I3*V */
+    out[29] = t41;
+    const double t42 = p[12]*t40; /* (-m*R*I3)*omega_n*s*1/Theta */
+    out[25] = t42;
+    const double t43 = p[13]*t40; /* (-m*R^2*I3)*omega_n*s*1/Theta */
+    out[26] = t43;
+    const double t44 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t45 = p[1]*t44; /* R*omega_n*omega_n */
+    out[6] = t45;
+    const double t46 = -t44; /* -omega_n*omega_n */
+    out[12] = t46;
+    const double t47 = x[5]*x[3]; /* s*omega_n */
+    const double t48 = p[1]*t47; /* R*s*omega_n */
+    out[10] = t48;
+    const double t49 = -t47; /* -s*omega_n */
+    out[16] = t49;
+    const double t50 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t51 = p[1]*t50; /* R*omega_n*omega3 */
+    out[11] = t51;
+    const double t52 = -t50; /* -omega_n*omega3 */
+    out[17] = t52;
+    const double t53 = x[5]*x[0]; /* s*gamma3 */
+    const double t54 = -t53; /* -s*gamma3 */
+    out[32] = t54;
+    const double t55 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t56 = -t55; /* -omega_tau*gamma3 */
     out[35] = t56;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[5]*x[2]; /* s*omega_tau */
-    const double t1 = x[5]*t0; /* s*s*omega_tau */
-    const double t2 = p[1]*x[3]; /* R*omega_n */
-    const double t3 = x[5]*x[4]; /* s*omega3 */
-    const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t5 = t3 + t4; /* s*omega3 + omega_n*gamma3 */
-    const double t6 = t2*t5; /* R*omega_n*(s*omega3 + omega_n*gamma3) */
-    const double t7 = x[3]*t5; /* omega_n*(s*omega3 + omega_n*gamma3) */
-    const double t8 = -t7; /* -omega_n*(s*omega3 + omega_n*gamma3) */
-    const double t9 = x[5]*x[5]; /* s*s */
-    const double t10 = JLT_FMA(x[0], x[0], t9); /* gamma3*gamma3 + s*s */
-    const double t11 = JLT_FMA(p[8], t10, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t12 = 1.0/t11; /* 1/Theta */
-    const double t13 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t14 = p[9]*t13; /* m*R*I3*V */
-    const double t15 = t12*t14; /* 1/Theta*m*R*I3*V */
-    const double t16 = x[2] - t15; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t17 = t4*t16; /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t18 = x[5]*t12; /* s*1/Theta */
-    const double t19 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t20 = x[4]*t19; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t21 = JLT_FMA(t18, t20, t17); /* s*1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) + omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t22 = x[3]*t18; /* omega_n*s*1/Theta */
-    const double t23 = t14*t22; /* m*R*I3*V*omega_n*s*1/Theta */
-    const double t24 = -t23; /* -m*R*I3*V*omega_n*s*1/Theta */
-    const double t25 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t26 = -t25; /* -s*omega_tau*gamma3 */
-    const double t27 = t0*2.0; /* s*omega_tau*2 */
-    const double t28 = x[3]*t2; /* omega_n*R*omega_n */
-    const double t29 = JLT_FMA(t4, 2.0, t3); /* omega_n*gamma3*2 + s*omega3 */
-    const double t30 = p[1]*t29; /* R*(omega_n*gamma3*2 + s*omega3) */
-    const double t31 = x[5]*t2; /* s*R*omega_n */
-    const double t32 = t2*x[4]; /* R*omega_n*omega3 */
-    const double t33 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t34 = -t33; /* -omega_n*omega_n */
-    const double t35 = -t29; /* -(omega_n*gamma3*2 + s*omega3) */
-    const double t36 = x[5]*x[3]; /* s*omega_n */
-    const double t37 = -t36; /* -s*omega_n */
-    const double t38 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t39 = -t38; /* -omega_n*omega3 */
-    const double t40 = x[3]*t16; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t41 = x[4]*t18; /* omega3*s*1/Theta */
-    const double t42 = x[2]*p[10]; /* omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t43 = t41*t42; /* omega3*s*1/Theta*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t44 = t4*t12; /* omega_n*gamma3*1/Theta */
-    const double t45 = t13*p[11]; /* V*2*m^2*R^3*I3^2 */
-    const double t46 = JLT_FNMA(t44, t45, t43); /* omega3*s*1/Theta*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) - omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2 */
-    const double t47 = x[0]*t12; /* gamma3*1/Theta */
-    const double t48 = JLT_FNMA(t46, t47, t40); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - t46*gamma3*1/Theta */
-    const double t49 = t44*p[12]; /* omega_n*gamma3*1/Theta*(-m*R*I3) */
-    const double t50 = JLT_FNMA(p[8], t44, t4); /* omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
-    const double t51 = JLT_FMA(p[6], t41, t50); /* (I3^2 + m*R^2*I3)*omega3*s*1/Theta + omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
-    const double t52 = x[0]*t16; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t53 = t18*t19; /* s*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t54 = t12*t20; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t55 = JLT_FNMA(t18, t46, t54); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - s*1/Theta*t46 */
-    const double t56 = t18*t45; /* s*1/Theta*V*2*m^2*R^3*I3^2 */
-    const double t57 = t44*t56; /* omega_n*gamma3*1/Theta*s*1/Theta*V*2*m^2*R^3*I3^2 */
-    const double t58 = t22*p[12]; /* omega_n*s*1/Theta*(-m*R*I3) */
-    const double t59 = t22*p[13]; /* omega_n*s*1/Theta*(-m*R^2*I3) */
-    const double t60 = t14*t18; /* m*R*I3*V*s*1/Theta */
-    const double t61 = -t60; /* -m*R*I3*V*s*1/Theta */
-    const double t62 = x[3]*t15; /* omega_n*1/Theta*m*R*I3*V */
-    const double t63 = JLT_FMS(t22, t56, t62); /* omega_n*s*1/Theta*s*1/Theta*V*2*m^2*R^3*I3^2 - omega_n*1/Theta*m*R*I3*V */
-    const double t64 = -t0; /* -s*omega_tau */
-    const double t65 = x[5]*x[0]; /* s*gamma3 */
-    const double t66 = -t65; /* -s*gamma3 */
-    const double t67 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t68 = -t67; /* -omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t6;
-    out[2] = t8;
-    out[3] = t21;
-    out[4] = t24;
-    out[5] = t26;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t9;
     out[9] = 0.0;
     out[10] = 0.0;
-    out[11] = t27;
-    out[12] = t28;
     out[13] = 0.0;
     out[14] = 0.0;
-    out[15] = t30;
-    out[16] = t31;
-    out[17] = t32;
-    out[18] = t34;
     out[19] = 0.0;
     out[20] = 0.0;
-    out[21] = t35;
-    out[22] = t37;
-    out[23] = t39;
-    out[24] = t48;
-    out[25] = t49;
-    out[26] = t51;
-    out[27] = t52;
-    out[28] = t53;
-    out[29] = t55;
-    out[30] = t57;
-    out[31] = t58;
-    out[32] = t59;
-    out[33] = t61;
     out[34] = 0.0;
-    out[35] = t63;
-    out[36] = t64;
     out[37] = 0.0;
-    out[38] = t66;
     out[39] = 0.0;
     out[40] = 0.0;
+    const double t0 = x[5]*x[5]; /* s*s */
+    out[8] = t0;
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[8], t1, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t3 = 1.0/t2; /* 1/Theta */
+    const double t4 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t5 = p[9]*t4; /* m*R*I3*V */
+    const double t6 = p[11]*t4; /* 2*m^2*R^3*I3^2*V */
+    const double t7 = x[5]*t3; /* s*1/Theta */
+    const double t8 = x[5]*x[4]; /* s*omega3 */
+    const double t9 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t10 = t3*t5; /* 1/Theta*m*R*I3*V */
+    const double t11 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t12 = t7*t11; /* s*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
+    out[28] = t12;
+    const double t13 = x[4]*t11; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t14 = x[4]*t7; /* omega3*s*1/Theta */
+    const double t15 = x[2]*p[10]; /* omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
+    const double t16 = t14*t15; /* omega3*s*1/Theta*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
+    const double t17 = x[5]*x[2]; /* s*omega_tau */
+    const double t18 = x[5]*t17; /* s*s*omega_tau */
+    out[0] = t18;
+    const double t19 = 2.0*t17; /* 2*s*omega_tau */
+    out[11] = t19;
+    const double t20 = -t17; /* -s*omega_tau */
+    out[36] = t20;
+    const double t21 = x[0]*t17; /* gamma3*s*omega_tau */
+    const double t22 = -t21; /* -gamma3*s*omega_tau */
+    out[5] = t22;
+    const double t23 = t8 + t9; /* s*omega3 + omega_n*gamma3 */
+    const double t24 = JLT_FMA(2.0, t9, t8); /* 2*omega_n*gamma3 + s*omega3 */
+    const double t25 = p[1]*t24; /* R*(2*omega_n*gamma3 + s*omega3) */
+    out[15] = t25;
+    const double t26 = -t24; /* -(2*omega_n*gamma3 + s*omega3) */
+    out[21] = t26;
+    const double t27 = x[2] - t10; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t28 = x[3]*t10; /* omega_n*1/Theta*m*R*I3*V */
+    const double t29 = x[0]*t27; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[27] = t29;
+    const double t30 = x[3]*t7; /* omega_n*s*1/Theta */
+    const double t31 = p[12]*t30; /* (-m*R*I3)*omega_n*s*1/Theta */
+    out[31] = t31;
+    const double t32 = p[13]*t30; /* (-m*R^2*I3)*omega_n*s*1/Theta */
+    out[32] = t32;
+    const double t33 = t3*t9; /* 1/Theta*omega_n*gamma3 */
+    const double t34 = JLT_FNMA(t6, t33, t16); /* omega3*s*1/Theta*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) - 2*m^2*R^3*I3^2*V*1/Theta*omega_n*gamma3 */
+    const double t35 = t6*t7; /* 2*m^2*R^3*I3^2*V*s*1/Theta */
+    const double t36 = JLT_FMS(t30, t35, t28); /* omega_n*s*1/Theta*2*m^2*R^3*I3^2*V*s*1/Theta - omega_n*1/Theta*m*R*I3*V */
+    out[35] = t36;
+    const double t37 = t33*t35; /* 1/Theta*omega_n*gamma3*2*m^2*R^3*I3^2*V*s*1/Theta */
+    out[30] = t37;
+    const double t38 = t5*t30; /* m*R*I3*V*omega_n*s*1/Theta */
+    const double t39 = -t38; /* -m*R*I3*V*omega_n*s*1/Theta */
+    out[4] = t39;
+    const double t40 = t5*t7; /* m*R*I3*V*s*1/Theta */
+    const double t41 = -t40; /* -m*R*I3*V*s*1/Theta */
+    out[33] = t41;
+    const double t42 = p[12]*t33; /* (-m*R*I3)*1/Theta*omega_n*gamma3 */
+    out[25] = t42;
+    const double t43 = JLT_FNMA(p[8], t33, t9); /* omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
+    const double t44 = JLT_FMA(p[6], t14, t43); /* (I3^2 + m*R^2*I3)*omega3*s*1/Theta + omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
+    out[26] = t44;
+    const double t45 = t9*t27; /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t46 = JLT_FMA(t7, t13, t45); /* s*1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) + omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[3] = t46;
+    const double t47 = x[3]*t27; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t48 = t3*t13; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t49 = JLT_FNMA(t7, t34, t48); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - s*1/Theta*t34 */
+    out[29] = t49;
+    const double t50 = x[0]*t3; /* gamma3*1/Theta */
+    const double t51 = JLT_FNMA(t34, t50, t47); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - t34*gamma3*1/Theta */
+    out[24] = t51;
+    const double t52 = p[1]*x[3]; /* R*omega_n */
+    const double t53 = t23*t52; /* (s*omega3 + omega_n*gamma3)*R*omega_n */
+    out[1] = t53;
+    const double t54 = x[3]*t23; /* omega_n*(s*omega3 + omega_n*gamma3) */
+    const double t55 = -t54; /* -omega_n*(s*omega3 + omega_n*gamma3) */
+    out[2] = t55;
+    const double t56 = x[3]*t52; /* omega_n*R*omega_n */
+    out[12] = t56;
+    const double t57 = x[5]*t52; /* s*R*omega_n */
+    out[16] = t57;
+    const double t58 = x[4]*t52; /* omega3*R*omega_n */
+    out[17] = t58;
+    const double t59 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t60 = -t59; /* -omega_n*omega_n */
+    out[18] = t60;
+    const double t61 = x[5]*x[3]; /* s*omega_n */
+    const double t62 = -t61; /* -s*omega_n */
+    out[22] = t62;
+    const double t63 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t64 = -t63; /* -omega_n*omega3 */
+    out[23] = t64;
+    const double t65 = x[5]*x[0]; /* s*gamma3 */
+    const double t66 = -t65; /* -s*gamma3 */
+    out[38] = t66;
+    const double t67 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t68 = -t67; /* -omega_tau*gamma3 */
     out[41] = t68;
 }
 
@@ -358,72 +360,72 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t1 = x[4]*x[4]; /* omega3*omega3 */
-    const double t2 = JLT_FMA(x[3], x[3], t1); /* omega_n*omega_n + omega3*omega3 */
-    const double t3 = JLT_FMA(x[2], x[2], t2); /* omega_tau*omega_tau + omega_n*omega_n + omega3*omega3 */
-    const double t4 = x[4]*x[5]; /* omega3*s */
-    const double t5 = JLT_FMA(x[3], x[0], t4); /* v_tau scaled = omega_n*gamma3 + omega3*s */
-    const double t6 = p[16]*t5; /* R^2*v_tau scaled */
-    const double t7 = JLT_FMA(p[15], t3, t0); /* I3/m*(omega_tau*omega_tau + omega_n*omega_n + omega3*omega3) + v_nu*v_nu */
-    const double t8 = JLT_FMA(t5, t6, t7); /* energy scaled = v_tau scaled*R^2*v_tau scaled + t7 */
-    const double t9 = p[14]*t8; /* 1/2*m*energy scaled */
+    const double t0 = x[4]*x[4]; /* omega3*omega3 */
+    const double t1 = JLT_FMA(x[3], x[3], t0); /* omega_n*omega_n + omega3*omega3 */
+    const double t2 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n + omega3*omega3 */
+    const double t3 = x[4]*x[5]; /* omega3*s */
+    const double t4 = JLT_FMA(x[3], x[0], t3); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t5 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t6 = JLT_FMA(p[15], t2, t5); /* I3/m*(omega_tau*omega_tau + omega_n*omega_n + omega3*omega3) + v_nu*v_nu */
+    const double t7 = p[16]*t4; /* R^2*v_tau/R */
+    const double t8 = JLT_FMA(t4, t7, t6); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + t6 */
+    const double t9 = p[14]*t8; /* 1/2*m*energy/(1/2*m) */
+    out[0] = t9;
     const double t10 = x[4]*x[0]; /* omega3*gamma3 */
     const double t11 = JLT_FNMA(x[3], x[5], t10); /* omega3*gamma3 - omega_n*s */
     const double t12 = p[17]*t11; /* (-R*I3)*(omega3*gamma3 - omega_n*s) */
+    out[1] = t12;
     const double t13 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    out[3] = t13;
     const double t14 = p[18]*t13; /* m*I3^2*(omega_tau*R + v_nu) */
     const double t15 = t13*t14; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
-    out[0] = t9;
-    out[1] = t12;
     out[2] = t15;
-    out[3] = t13;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[5]; /* omega3*s */
-    const double t1 = JLT_FMA(x[3], x[0], t0); /* v_tau scaled = omega_n*gamma3 + omega3*s */
-    const double t2 = p[19]*t1; /* m*R^2*v_tau scaled */
-    const double t3 = x[3]*t2; /* omega_n*m*R^2*v_tau scaled */
-    const double t4 = p[0]*x[1]; /* m*v_nu */
-    const double t5 = p[5]*x[2]; /* I3*omega_tau */
-    const double t6 = x[3]*p[5]; /* omega_n*I3 */
-    const double t7 = JLT_FMA(x[0], t2, t6); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau scaled + omega_n*I3 */
-    const double t8 = x[4]*p[5]; /* omega3*I3 */
-    const double t9 = JLT_FMA(x[5], t2, t8); /* d(energy)/d(omega3) = s*m*R^2*v_tau scaled + omega3*I3 */
-    const double t10 = x[4]*t2; /* omega3*m*R^2*v_tau scaled */
-    const double t11 = x[4]*p[17]; /* omega3*(-R*I3) */
-    const double t12 = x[5]*p[20]; /* s*R*I3 */
-    const double t13 = x[0]*p[17]; /* gamma3*(-R*I3) */
-    const double t14 = x[3]*p[20]; /* omega_n*R*I3 */
-    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t16 = p[21]*t15; /* 2*m*I3^2*(omega_tau*R + v_nu) */
-    const double t17 = t15*p[22]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
+    const double t1 = JLT_FMA(x[3], x[0], t0); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t2 = p[19]*t1; /* m*R^2*v_tau/R */
+    const double t3 = x[3]*t2; /* omega_n*m*R^2*v_tau/R */
     out[0] = t3;
+    const double t4 = p[0]*x[1]; /* m*v_nu */
     out[1] = t4;
+    const double t5 = p[5]*x[2]; /* I3*omega_tau */
     out[2] = t5;
+    const double t6 = x[3]*p[5]; /* omega_n*I3 */
+    const double t7 = JLT_FMA(x[0], t2, t6); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau/R + omega_n*I3 */
     out[3] = t7;
+    const double t8 = x[4]*p[5]; /* omega3*I3 */
+    const double t9 = JLT_FMA(x[5], t2, t8); /* d(energy)/d(omega3) = s*m*R^2*v_tau/R + omega3*I3 */
     out[4] = t9;
+    const double t10 = x[4]*t2; /* omega3*m*R^2*v_tau/R */
     out[5] = t10;
+    const double t11 = x[4]*p[17]; /* omega3*(-R*I3) */
     out[6] = t11;
     out[7] = 0.0;
     out[8] = 0.0;
-    out[9] = t12;
-    out[10] = t13;
-    out[11] = t14;
     out[12] = 0.0;
-    out[13] = t16;
-    out[14] = t17;
     out[15] = 0.0;
     out[16] = 0.0;
     out[17] = 0.0;
     out[18] = 0.0;
-    out[19] = 1.0;
-    out[20] = p[1];
     out[21] = 0.0;
     out[22] = 0.0;
     out[23] = 0.0;
+    const double t12 = x[5]*p[20]; /* s*R*I3 */
+    out[9] = t12;
+    const double t13 = x[0]*p[17]; /* gamma3*(-R*I3) */
+    out[10] = t13;
+    const double t14 = x[3]*p[20]; /* omega_n*R*I3 */
+    out[11] = t14;
+    out[20] = p[1];
+    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t16 = p[21]*t15; /* 2*m*I3^2*(omega_tau*R + v_nu) */
+    out[13] = t16;
+    const double t17 = t15*p[22]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
+    out[14] = t17;
+    out[19] = 1.0;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -587,13 +589,13 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .prepare = prepare,
     .rhs = { rhs, 6, { 4, 14, 5, 1, 0, 0, 7, 6 }, { 11, 48, 0, 4, 0, 0, 10, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .jacobian = { jacobian, 36, { 9, 37, 10, 1, 0, 0, 8, 13 }, { 30, 190, 0, 22, 0, 0, 12, 6 },
+    .jacobian = { jacobian, 36, { 9, 37, 10, 1, 0, 0, 8, 11 }, { 30, 190, 0, 22, 0, 0, 12, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 13, 44, 11, 1, 0, 0, 9, 17 }, { 38, 226, 0, 26, 0, 0, 12, 6 },
+    .rhs_jacobian = { rhs_jacobian, 42, { 13, 44, 11, 1, 0, 0, 9, 14 }, { 38, 226, 0, 26, 0, 0, 12, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .divergence = { divergence, 1, { 0, 3, 3, 1, 0, 0, 4, 4 }, { 4, 16, 0, 1, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .integral_values = { integral_values, 4, { 0, 9, 7, 0, 0, 0, 6, 5 }, { 8, 31, 0, 0, 0, 0, 9, 4 },
+    .integral_values = { integral_values, 4, { 0, 9, 7, 0, 0, 0, 6, 4 }, { 8, 31, 0, 0, 0, 0, 9, 4 },
         "" },
     .integral_gradients = { integral_gradients, 24, { 0, 14, 4, 0, 0, 0, 4, 3 }, { 7, 39, 0, 0, 0, 0, 5, 4 },
         "" },

@@ -9,15 +9,17 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   15    6    1    0    0     10    6   (47)
- *  jacobian            6   30    8    1    0    0     12    9   (180)
- *  rhs_jacobian        8   37    9    1    0    0     13   11   (205)
+ *  jacobian            6   30    8    1    0    0     12    6   (180)
+ *  rhs_jacobian        8   37    9    1    0    0     13    9   (205)
  *  divergence          2    3    3    1    0    0      7    3   (23)
- *  integral_values     0    9    7    1    0    0      8    5   (39)
- *  integral_gradients  1   16    9    1    0    0      8    9   (72)
+ *  integral_values     0    9    7    1    0    0      8    4   (39)
+ *  integral_gradients  1   16    9    1    0    0      8    8   (72)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          0    2    1    1    0    0      4    2   (7)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -53,60 +55,60 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     out[6] = params[6];
     const double t0 = 1.0/params[5]; /* 1/I3 */
+    out[7] = t0;
     const double t1 = params[5]*params[1]; /* I3*R */
+    out[8] = t1;
     const double t2 = params[5]*params[5]; /* I3*I3 */
+    out[10] = t2;
     const double t3 = params[1]*t2; /* R*I3*I3 */
     const double t4 = 1.0/t3; /* 1/(R*I3*I3) */
+    out[9] = t4;
     const double t5 = params[1]*params[1]; /* R*R */
+    out[25] = t5;
     const double t6 = params[0]*t5; /* m*R*R */
+    out[27] = t6;
     const double t7 = params[5]*t6; /* I3*m*R*R */
+    out[11] = t7;
     const double t8 = t2*t5; /* I3*I3*R*R */
     const double t9 = (-1.0)/t8; /* (-1)/(I3*I3*R*R) */
+    out[12] = t9;
     const double t10 = (-1.0)/t1; /* (-1)/(I3*R) */
+    out[13] = t10;
     const double t11 = -params[0]; /* -m */
+    out[14] = t11;
     const double t12 = 2.0/t1; /* 2/(I3*R) */
+    out[15] = t12;
     const double t13 = 1.0/t8; /* 1/(I3*I3*R*R) */
+    out[16] = t13;
     const double t14 = 1.0/t1; /* 1/(I3*R) */
+    out[17] = t14;
     const double t15 = (-2.0)/t3; /* (-2)/(R*I3*I3) */
+    out[18] = t15;
     const double t16 = 2.0/t8; /* 2/(I3*I3*R*R) */
+    out[19] = t16;
     const double t17 = params[1]*params[0]; /* R*m */
     const double t18 = params[5]*t17; /* I3*R*m */
+    out[20] = t18;
     const double t19 = params[0]*params[0]; /* m*m */
     const double t20 = 2.0*t19; /* 2*m*m */
     const double t21 = t5*t20; /* R*R*2*m*m */
     const double t22 = params[5]*t21; /* I3*R*R*2*m*m */
+    out[21] = t22;
     const double t23 = -t17; /* -R*m */
+    out[22] = t23;
     const double t24 = params[0]/2.0; /* m/2 */
+    out[23] = t24;
     const double t25 = params[5]/params[0]; /* I3/m */
+    out[24] = t25;
     const double t26 = t2*params[0]; /* I3*I3*m */
+    out[26] = t26;
     const double t27 = 1.0/params[1]; /* 1/R */
+    out[28] = t27;
     const double t28 = params[0]*2.0; /* m*2 */
     const double t29 = t2*t28; /* I3*I3*m*2 */
+    out[29] = t29;
     const double t30 = params[1]*t28; /* R*m*2 */
     const double t31 = t2*t30; /* I3*I3*R*m*2 */
-    out[7] = t0;
-    out[8] = t1;
-    out[9] = t4;
-    out[10] = t2;
-    out[11] = t7;
-    out[12] = t9;
-    out[13] = t10;
-    out[14] = t11;
-    out[15] = t12;
-    out[16] = t13;
-    out[17] = t14;
-    out[18] = t15;
-    out[19] = t16;
-    out[20] = t18;
-    out[21] = t22;
-    out[22] = t23;
-    out[23] = t24;
-    out[24] = t25;
-    out[25] = t5;
-    out[26] = t26;
-    out[27] = t6;
-    out[28] = t27;
-    out[29] = t29;
     out[30] = t31;
 }
 
@@ -114,6 +116,7 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = x[4]*x[4]; /* s*s */
     const double t1 = x[2]*t0; /* omega_tau*s*s */
+    out[0] = t1;
     const double t2 = p[8]*x[0]; /* R*I3*gamma3 */
     const double t3 = JLT_FMA(x[3], t2, p[6]); /* omega3*R*I3*gamma3 + G_level */
     const double t4 = x[3]*t3; /* omega3*(omega3*R*I3*gamma3 + G_level) */
@@ -126,182 +129,181 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t11 = x[0]*t10; /* gamma3*Theta*(omega3*R*I3*gamma3 + G_level)/(s*Theta) */
     const double t12 = t10*t11; /* Theta*(omega3*R*I3*gamma3 + G_level)/(s*Theta)*gamma3*Theta*(omega3*R*I3*gamma3 + G_level)/(s*Theta) */
     const double t13 = JLT_FMA(p[9], t12, t5); /* 1/(R*I3^2)*t12 + 1/I3*omega3*(omega3*R*I3*gamma3 + G_level) */
+    out[1] = t13;
     const double t14 = t12*p[12]; /* t12*(-1/(R^2*I3^2)) */
     const double t15 = JLT_FMA(t4, p[13], t14); /* omega3*(omega3*R*I3*gamma3 + G_level)*(-1/(R*I3)) + t12*(-1/(R^2*I3^2)) */
+    out[2] = t15;
     const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t17 = x[4]*p[14]; /* s*(-m) */
     const double t18 = t16*t17; /* V*s*(-m) */
     const double t19 = t9*t18; /* (omega3*R*I3*gamma3 + G_level)/(s*Theta)*V*s*(-m) */
+    out[3] = t19;
     const double t20 = x[2]*x[4]; /* omega_tau*s */
     const double t21 = x[0]*t20; /* gamma3*omega_tau*s */
     const double t22 = -t21; /* -gamma3*omega_tau*s */
-    out[0] = t1;
-    out[1] = t13;
-    out[2] = t15;
-    out[3] = t19;
     out[4] = t22;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = x[4]*x[2]; /* s*omega_tau */
-    const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    const double t3 = p[8]*x[0]; /* R*I3*gamma3 */
-    const double t4 = JLT_FMA(x[3], t3, p[6]); /* omega3*R*I3*gamma3 + G_level */
-    const double t5 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t6 = JLT_FMA(p[11], t5, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t7 = x[4]*t6; /* s*Theta */
-    const double t8 = 1.0/t7; /* 1/(s*Theta) */
-    const double t9 = t6*t8; /* Theta*1/(s*Theta) */
-    const double t10 = t4*t9; /* (omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t11 = x[0]*t9; /* gamma3*Theta*1/(s*Theta) */
-    const double t12 = p[15]*t10; /* 2/(R*I3)*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t13 = JLT_FMA(t11, t12, x[3]); /* gamma3*Theta*1/(s*Theta)*2/(R*I3)*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) + omega3 */
-    const double t14 = x[3]*t13; /* omega3*t13 */
-    const double t15 = t10*t10; /* (omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta)*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t16 = JLT_FMA(p[16], t15, t14); /* 1/(R^2*I3^2)*t15 + omega3*t13 */
-    const double t17 = p[1]*t16; /* R*(1/(R^2*I3^2)*t15 + omega3*t13) */
-    const double t18 = t4*p[17]; /* (omega3*R*I3*gamma3 + G_level)*1/(R*I3) */
-    const double t19 = JLT_FMA(x[0], t13, t18); /* gamma3*t13 + (omega3*R*I3*gamma3 + G_level)*1/(R*I3) */
-    const double t20 = p[1]*t19; /* R*(gamma3*t13 + (omega3*R*I3*gamma3 + G_level)*1/(R*I3)) */
-    const double t21 = t11*t15; /* gamma3*Theta*1/(s*Theta)*t15 */
-    const double t22 = p[18]*t21; /* (-2/(R*I3^2))*gamma3*Theta*1/(s*Theta)*t15 */
-    const double t23 = -t16; /* -(1/(R^2*I3^2)*t15 + omega3*t13) */
-    const double t24 = -t19; /* -(gamma3*t13 + (omega3*R*I3*gamma3 + G_level)*1/(R*I3)) */
-    const double t25 = t21*p[19]; /* gamma3*Theta*1/(s*Theta)*t15*2/(R^2*I3^2) */
-    const double t26 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t27 = x[4]*t8; /* s*1/(s*Theta) */
-    const double t28 = t26*t27; /* V*s*1/(s*Theta) */
-    const double t29 = p[20]*t28; /* m*R*I3*V*s*1/(s*Theta) */
-    const double t30 = x[3]*t29; /* omega3*m*R*I3*V*s*1/(s*Theta) */
-    const double t31 = t4*t27; /* (omega3*R*I3*gamma3 + G_level)*s*1/(s*Theta) */
-    const double t32 = t28*p[21]; /* V*s*1/(s*Theta)*2*m^2*R^2*I3 */
-    const double t33 = t31*t32; /* (omega3*R*I3*gamma3 + G_level)*s*1/(s*Theta)*V*s*1/(s*Theta)*2*m^2*R^2*I3 */
-    const double t34 = JLT_FMS(x[0], t33, t30); /* gamma3*t33 - omega3*m*R*I3*V*s*1/(s*Theta) */
-    const double t35 = t31*p[14]; /* (omega3*R*I3*gamma3 + G_level)*s*1/(s*Theta)*(-m) */
-    const double t36 = t31*p[22]; /* (omega3*R*I3*gamma3 + G_level)*s*1/(s*Theta)*(-m*R) */
-    const double t37 = x[0]*t29; /* gamma3*m*R*I3*V*s*1/(s*Theta) */
-    const double t38 = -t37; /* -gamma3*m*R*I3*V*s*1/(s*Theta) */
-    const double t39 = x[4]*t33; /* s*t33 */
-    const double t40 = -t1; /* -s*omega_tau */
-    const double t41 = x[4]*x[0]; /* s*gamma3 */
-    const double t42 = -t41; /* -s*gamma3 */
-    const double t43 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t44 = -t43; /* -omega_tau*gamma3 */
     out[0] = 0.0;
     out[1] = 0.0;
-    out[2] = t0;
     out[3] = 0.0;
-    out[4] = t2;
-    out[5] = t17;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t20;
-    out[9] = t22;
-    out[10] = t23;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t24;
-    out[14] = t25;
-    out[15] = t34;
-    out[16] = t35;
-    out[17] = t36;
-    out[18] = t38;
-    out[19] = t39;
-    out[20] = t40;
     out[21] = 0.0;
-    out[22] = t42;
     out[23] = 0.0;
+    const double t0 = x[4]*x[4]; /* s*s */
+    out[2] = t0;
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[11], t1, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t3 = x[4]*t2; /* s*Theta */
+    const double t4 = 1.0/t3; /* 1/(s*Theta) */
+    const double t5 = t2*t4; /* 1/s = Theta*1/(s*Theta) */
+    const double t6 = x[4]*t4; /* 1/Theta = s*1/(s*Theta) */
+    const double t7 = p[8]*x[0]; /* R*I3*gamma3 */
+    const double t8 = JLT_FMA(x[3], t7, p[6]); /* omega3*R*I3*gamma3 + G_level */
+    const double t9 = t5*t8; /* 1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t10 = x[0]*t5; /* gamma3*1/s */
+    const double t11 = p[15]*t9; /* 2/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t12 = JLT_FMA(t10, t11, x[3]); /* gamma3*1/s*2/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3 */
+    const double t13 = t9*t9; /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t14 = t10*t13; /* gamma3*1/s*t13 */
+    const double t15 = p[18]*t14; /* (-2/(R*I3^2))*gamma3*1/s*t13 */
+    out[9] = t15;
+    const double t16 = p[19]*t14; /* 2/(R^2*I3^2)*gamma3*1/s*t13 */
+    out[14] = t16;
+    const double t17 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t18 = t6*t17; /* 1/Theta*V */
+    const double t19 = t6*t8; /* 1/Theta*(omega3*R*I3*gamma3 + G_level) */
+    const double t20 = p[17]*t8; /* 1/(R*I3)*(omega3*R*I3*gamma3 + G_level) */
+    const double t21 = JLT_FMA(x[0], t12, t20); /* gamma3*t12 + 1/(R*I3)*(omega3*R*I3*gamma3 + G_level) */
+    const double t22 = x[3]*t12; /* omega3*t12 */
+    const double t23 = JLT_FMA(p[16], t13, t22); /* 1/(R^2*I3^2)*t13 + omega3*t12 */
+    const double t24 = p[1]*t23; /* R*(1/(R^2*I3^2)*t13 + omega3*t12) */
+    out[5] = t24;
+    const double t25 = -t23; /* -(1/(R^2*I3^2)*t13 + omega3*t12) */
+    out[10] = t25;
+    const double t26 = p[1]*t21; /* R*(gamma3*t12 + 1/(R*I3)*(omega3*R*I3*gamma3 + G_level)) */
+    out[8] = t26;
+    const double t27 = -t21; /* -(gamma3*t12 + 1/(R*I3)*(omega3*R*I3*gamma3 + G_level)) */
+    out[13] = t27;
+    const double t28 = p[14]*t19; /* (-m)*1/Theta*(omega3*R*I3*gamma3 + G_level) */
+    out[16] = t28;
+    const double t29 = p[22]*t19; /* (-m*R)*1/Theta*(omega3*R*I3*gamma3 + G_level) */
+    out[17] = t29;
+    const double t30 = p[20]*t18; /* m*R*I3*1/Theta*V */
+    const double t31 = p[21]*t18; /* 2*m^2*R^2*I3*1/Theta*V */
+    const double t32 = t19*t31; /* 1/Theta*(omega3*R*I3*gamma3 + G_level)*2*m^2*R^2*I3*1/Theta*V */
+    const double t33 = x[4]*t32; /* s*t32 */
+    out[19] = t33;
+    const double t34 = x[4]*x[2]; /* s*omega_tau */
+    const double t35 = 2.0*t34; /* 2*s*omega_tau */
+    out[4] = t35;
+    const double t36 = -t34; /* -s*omega_tau */
+    out[20] = t36;
+    const double t37 = x[3]*t30; /* omega3*m*R*I3*1/Theta*V */
+    const double t38 = JLT_FMS(x[0], t32, t37); /* gamma3*t32 - omega3*m*R*I3*1/Theta*V */
+    out[15] = t38;
+    const double t39 = x[0]*t30; /* gamma3*m*R*I3*1/Theta*V */
+    const double t40 = -t39; /* -gamma3*m*R*I3*1/Theta*V */
+    out[18] = t40;
+    const double t41 = x[4]*x[0]; /* s*gamma3 */
+    const double t42 = -t41; /* -s*gamma3 */
+    out[22] = t42;
+    const double t43 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t44 = -t43; /* -omega_tau*gamma3 */
     out[24] = t44;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[2]; /* s*omega_tau */
-    const double t1 = x[4]*t0; /* s*s*omega_tau */
-    const double t2 = p[8]*x[0]; /* R*I3*gamma3 */
-    const double t3 = JLT_FMA(x[3], t2, p[6]); /* omega3*R*I3*gamma3 + G_level */
-    const double t4 = x[4]*x[4]; /* s*s */
-    const double t5 = JLT_FMA(x[0], x[0], t4); /* gamma3*gamma3 + s*s */
-    const double t6 = JLT_FMA(p[11], t5, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t7 = x[4]*t6; /* s*Theta */
-    const double t8 = 1.0/t7; /* 1/(s*Theta) */
-    const double t9 = t6*t8; /* Theta*1/(s*Theta) */
-    const double t10 = t3*t9; /* (omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t11 = x[4]*t10; /* s*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t12 = p[17]*t11; /* 1/(R*I3)*s*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t13 = x[3]*t12; /* omega3*1/(R*I3)*s*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t14 = x[0]*t10; /* gamma3*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t15 = t10*p[16]; /* (omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta)*1/(R^2*I3^2) */
-    const double t16 = JLT_FMA(t14, t15, t13); /* gamma3*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta)*t15 + t13 */
-    const double t17 = p[1]*t16; /* R*t16 */
-    const double t18 = -t16; /* -t16 */
-    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t20 = x[4]*t8; /* s*1/(s*Theta) */
-    const double t21 = t19*t20; /* V*s*1/(s*Theta) */
-    const double t22 = p[14]*t21; /* (-m)*V*s*1/(s*Theta) */
-    const double t23 = t11*t22; /* s*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta)*(-m)*V*s*1/(s*Theta) */
-    const double t24 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t25 = -t24; /* -s*omega_tau*gamma3 */
-    const double t26 = t0*2.0; /* s*omega_tau*2 */
-    const double t27 = t9*t14; /* Theta*1/(s*Theta)*gamma3*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t28 = JLT_FMA(p[15], t27, x[3]); /* 2/(R*I3)*t27 + omega3 */
-    const double t29 = x[3]*t28; /* omega3*(2/(R*I3)*t27 + omega3) */
-    const double t30 = JLT_FMA(t10, t15, t29); /* (omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta)*t15 + omega3*(2/(R*I3)*t27 + omega3) */
-    const double t31 = p[1]*t30; /* R*t30 */
-    const double t32 = JLT_FMA(x[0], t28, t12); /* gamma3*(2/(R*I3)*t27 + omega3) + 1/(R*I3)*s*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta) */
-    const double t33 = p[1]*t32; /* R*t32 */
-    const double t34 = t10*t27; /* (omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta)*t27 */
-    const double t35 = p[18]*t34; /* (-2/(R*I3^2))*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta)*t27 */
-    const double t36 = -t30; /* -t30 */
-    const double t37 = -t32; /* -t32 */
-    const double t38 = t34*p[19]; /* (omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta)*t27*2/(R^2*I3^2) */
-    const double t39 = t21*p[20]; /* V*s*1/(s*Theta)*m*R*I3 */
-    const double t40 = x[3]*t39; /* omega3*V*s*1/(s*Theta)*m*R*I3 */
-    const double t41 = t11*t20; /* s*(omega3*R*I3*gamma3 + G_level)*Theta*1/(s*Theta)*s*1/(s*Theta) */
-    const double t42 = t21*p[21]; /* V*s*1/(s*Theta)*2*m^2*R^2*I3 */
-    const double t43 = t41*t42; /* t41*V*s*1/(s*Theta)*2*m^2*R^2*I3 */
-    const double t44 = JLT_FMS(x[0], t43, t40); /* gamma3*t41*V*s*1/(s*Theta)*2*m^2*R^2*I3 - omega3*V*s*1/(s*Theta)*m*R*I3 */
-    const double t45 = p[14]*t41; /* (-m)*t41 */
-    const double t46 = t41*p[22]; /* t41*(-m*R) */
-    const double t47 = x[0]*t39; /* gamma3*V*s*1/(s*Theta)*m*R*I3 */
-    const double t48 = -t47; /* -gamma3*V*s*1/(s*Theta)*m*R*I3 */
-    const double t49 = x[4]*t43; /* s*t41*V*s*1/(s*Theta)*2*m^2*R^2*I3 */
-    const double t50 = -t0; /* -s*omega_tau */
-    const double t51 = x[4]*x[0]; /* s*gamma3 */
-    const double t52 = -t51; /* -s*gamma3 */
-    const double t53 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t54 = -t53; /* -omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t17;
-    out[2] = t18;
-    out[3] = t23;
-    out[4] = t25;
     out[5] = 0.0;
     out[6] = 0.0;
-    out[7] = t4;
     out[8] = 0.0;
-    out[9] = t26;
-    out[10] = t31;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t33;
-    out[14] = t35;
-    out[15] = t36;
     out[16] = 0.0;
     out[17] = 0.0;
-    out[18] = t37;
-    out[19] = t38;
-    out[20] = t44;
-    out[21] = t45;
-    out[22] = t46;
-    out[23] = t48;
-    out[24] = t49;
-    out[25] = t50;
     out[26] = 0.0;
-    out[27] = t52;
     out[28] = 0.0;
+    const double t0 = x[4]*x[4]; /* s*s */
+    out[7] = t0;
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[11], t1, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t3 = x[4]*t2; /* s*Theta */
+    const double t4 = 1.0/t3; /* 1/(s*Theta) */
+    const double t5 = t2*t4; /* 1/s = Theta*1/(s*Theta) */
+    const double t6 = x[4]*t4; /* 1/Theta = s*1/(s*Theta) */
+    const double t7 = p[8]*x[0]; /* R*I3*gamma3 */
+    const double t8 = JLT_FMA(x[3], t7, p[6]); /* omega3*R*I3*gamma3 + G_level */
+    const double t9 = t5*t8; /* 1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t10 = x[0]*t9; /* gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t11 = t5*t10; /* 1/s*gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t12 = x[4]*t9; /* s*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t13 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t14 = t6*t13; /* 1/Theta*V */
+    const double t15 = t6*t12; /* 1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t16 = p[14]*t15; /* (-m)*1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level) */
+    out[21] = t16;
+    const double t17 = p[22]*t15; /* (-m*R)*1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level) */
+    out[22] = t17;
+    const double t18 = p[17]*t12; /* 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t19 = JLT_FMA(p[15], t11, x[3]); /* 2/(R*I3)*1/s*gamma3*1/s*(omega3*R*I3*gamma3 + G_level) + omega3 */
+    const double t20 = t9*t11; /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/s*gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t21 = p[18]*t20; /* (-2/(R*I3^2))*t20 */
+    out[14] = t21;
+    const double t22 = p[19]*t20; /* 2/(R^2*I3^2)*t20 */
+    out[19] = t22;
+    const double t23 = x[4]*x[2]; /* s*omega_tau */
+    const double t24 = x[4]*t23; /* s*s*omega_tau */
+    out[0] = t24;
+    const double t25 = 2.0*t23; /* 2*s*omega_tau */
+    out[9] = t25;
+    const double t26 = -t23; /* -s*omega_tau */
+    out[25] = t26;
+    const double t27 = x[0]*t23; /* gamma3*s*omega_tau */
+    const double t28 = -t27; /* -gamma3*s*omega_tau */
+    out[4] = t28;
+    const double t29 = x[3]*t18; /* omega3*1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t30 = JLT_FMA(x[0], t19, t18); /* gamma3*t19 + 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t31 = x[3]*t19; /* omega3*t19 */
+    const double t32 = p[1]*t30; /* R*(gamma3*t19 + 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level)) */
+    out[13] = t32;
+    const double t33 = -t30; /* -(gamma3*t19 + 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level)) */
+    out[18] = t33;
+    const double t34 = p[16]*t9; /* 1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t35 = JLT_FMA(t10, t34, t29); /* gamma3*1/s*(omega3*R*I3*gamma3 + G_level)*1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t36 = JLT_FMA(t9, t34, t31); /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*t19 */
+    const double t37 = p[1]*t35; /* R*t35 */
+    out[1] = t37;
+    const double t38 = -t35; /* -t35 */
+    out[2] = t38;
+    const double t39 = p[1]*t36; /* R*t36 */
+    out[10] = t39;
+    const double t40 = -t36; /* -t36 */
+    out[15] = t40;
+    const double t41 = p[20]*t14; /* m*R*I3*1/Theta*V */
+    const double t42 = p[21]*t14; /* 2*m^2*R^2*I3*1/Theta*V */
+    const double t43 = t15*t42; /* 1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level)*2*m^2*R^2*I3*1/Theta*V */
+    const double t44 = p[14]*t14; /* (-m)*1/Theta*V */
+    const double t45 = t12*t44; /* s*1/s*(omega3*R*I3*gamma3 + G_level)*(-m)*1/Theta*V */
+    out[3] = t45;
+    const double t46 = x[4]*t43; /* s*t43 */
+    out[24] = t46;
+    const double t47 = x[3]*t41; /* omega3*m*R*I3*1/Theta*V */
+    const double t48 = JLT_FMS(x[0], t43, t47); /* gamma3*t43 - omega3*m*R*I3*1/Theta*V */
+    out[20] = t48;
+    const double t49 = x[0]*t41; /* gamma3*m*R*I3*1/Theta*V */
+    const double t50 = -t49; /* -gamma3*m*R*I3*1/Theta*V */
+    out[23] = t50;
+    const double t51 = x[4]*x[0]; /* s*gamma3 */
+    const double t52 = -t51; /* -s*gamma3 */
+    out[27] = t52;
+    const double t53 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t54 = -t53; /* -omega_tau*gamma3 */
     out[29] = t54;
 }
 
@@ -321,72 +323,72 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t1 = x[3]*x[3]; /* omega3*omega3 */
-    const double t2 = x[3]*p[8]; /* omega3*R*I3 */
-    const double t3 = JLT_FMA(x[0], t2, p[6]); /* gamma3*omega3*R*I3 + G_level */
-    const double t4 = p[17]*t3; /* 1/(R*I3)*(gamma3*omega3*R*I3 + G_level) */
-    const double t5 = t4/x[4]; /* omega_n = 1/(R*I3)*(gamma3*omega3*R*I3 + G_level)/s */
-    const double t6 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega3*omega3 */
-    const double t7 = JLT_FMA(t5, t5, t6); /* omega_n*omega_n + omega_tau*omega_tau + omega3*omega3 */
-    const double t8 = x[3]*x[4]; /* omega3*s */
-    const double t9 = JLT_FMA(x[0], t5, t8); /* v_tau scaled = gamma3*omega_n + omega3*s */
-    const double t10 = p[25]*t9; /* R^2*v_tau scaled */
-    const double t11 = JLT_FMA(p[24], t7, t0); /* I3/m*(omega_n*omega_n + omega_tau*omega_tau + omega3*omega3) + v_nu*v_nu */
-    const double t12 = JLT_FMA(t9, t10, t11); /* energy scaled = v_tau scaled*R^2*v_tau scaled + t11 */
-    const double t13 = p[23]*t12; /* 1/2*m*energy scaled */
+    const double t0 = x[3]*p[8]; /* omega3*R*I3 */
+    const double t1 = JLT_FMA(x[0], t0, p[6]); /* gamma3*omega3*R*I3 + G_level */
+    const double t2 = p[17]*t1; /* 1/(R*I3)*(gamma3*omega3*R*I3 + G_level) */
+    const double t3 = t2/x[4]; /* omega_n = 1/(R*I3)*(gamma3*omega3*R*I3 + G_level)/s */
+    const double t4 = x[3]*x[3]; /* omega3*omega3 */
+    const double t5 = JLT_FMA(x[2], x[2], t4); /* omega_tau*omega_tau + omega3*omega3 */
+    const double t6 = JLT_FMA(t3, t3, t5); /* omega_n*omega_n + omega_tau*omega_tau + omega3*omega3 */
+    const double t7 = x[3]*x[4]; /* omega3*s */
+    const double t8 = JLT_FMA(x[0], t3, t7); /* v_tau/R = gamma3*omega_n + omega3*s */
+    const double t9 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t10 = JLT_FMA(p[24], t6, t9); /* I3/m*(omega_n*omega_n + omega_tau*omega_tau + omega3*omega3) + v_nu*v_nu */
+    const double t11 = p[25]*t8; /* R^2*v_tau/R */
+    const double t12 = JLT_FMA(t8, t11, t10); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + t10 */
+    const double t13 = p[23]*t12; /* 1/2*m*energy/(1/2*m) */
+    out[0] = t13;
     const double t14 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    out[2] = t14;
     const double t15 = p[26]*t14; /* m*I3^2*(omega_tau*R + v_nu) */
     const double t16 = t14*t15; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
-    out[0] = t13;
     out[1] = t16;
-    out[2] = t14;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[5]*x[3]; /* I3*omega3 */
-    const double t1 = 1.0/x[4]; /* 1/s */
-    const double t2 = x[3]*x[0]; /* omega3*gamma3 */
-    const double t3 = JLT_FMA(p[8], t2, p[6]); /* R*I3*omega3*gamma3 + G_level */
-    const double t4 = t1*t3; /* 1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t5 = p[17]*t4; /* 1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t6 = t1*t5; /* 1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t7 = t0*t6; /* I3*omega3*1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t8 = JLT_FMA(t1, t2, t5); /* d(v_tau)/d(gamma3) scaled = 1/s*omega3*gamma3 + 1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t9 = x[0]*t5; /* gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t10 = JLT_FMA(x[3], x[4], t9); /* v_tau scaled = omega3*s + gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t11 = p[27]*t10; /* m*R^2*v_tau scaled */
-    const double t12 = JLT_FMA(t8, t11, t7); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3) scaled*m*R^2*v_tau scaled + I3*omega3*1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t13 = p[0]*x[1]; /* m*v_nu */
-    const double t14 = p[5]*x[2]; /* I3*omega_tau */
-    const double t15 = t1*t9; /* 1/s*gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t16 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t17 = JLT_FMA(t1, t16, x[4]); /* d(v_tau)/d(omega3) scaled = 1/s*gamma3*gamma3 + s */
-    const double t18 = JLT_FMA(p[5], t15, t0); /* I3*1/s*gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) + I3*omega3 */
-    const double t19 = JLT_FMA(t11, t17, t18); /* d(energy)/d(omega3) = m*R^2*v_tau scaled*d(v_tau)/d(omega3) scaled + t18 */
-    const double t20 = t4*p[28]; /* 1/s*(R*I3*omega3*gamma3 + G_level)*1/R */
-    const double t21 = t6*t20; /* 1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level)*1/s*(R*I3*omega3*gamma3 + G_level)*1/R */
-    const double t22 = x[3] - t15; /* d(v_tau)/d(s) scaled = omega3 - 1/s*gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t23 = JLT_FMS(t11, t22, t21); /* d(energy)/d(s) = m*R^2*v_tau scaled*d(v_tau)/d(s) scaled - t21 */
-    const double t24 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t25 = p[29]*t24; /* 2*m*I3^2*(omega_tau*R + v_nu) */
-    const double t26 = t24*p[30]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
-    out[0] = t12;
-    out[1] = t13;
-    out[2] = t14;
-    out[3] = t19;
-    out[4] = t23;
+    out[11] = 1.0;
     out[5] = 0.0;
-    out[6] = t25;
-    out[7] = t26;
     out[8] = 0.0;
     out[9] = 0.0;
     out[10] = 0.0;
-    out[11] = 1.0;
-    out[12] = p[1];
     out[13] = 0.0;
     out[14] = 0.0;
+    out[12] = p[1];
+    const double t0 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t0;
+    const double t1 = p[5]*x[2]; /* I3*omega_tau */
+    out[2] = t1;
+    const double t2 = x[3]*x[0]; /* omega3*gamma3 */
+    const double t3 = 1.0/x[4]; /* 1/s */
+    const double t4 = JLT_FMA(p[8], t2, p[6]); /* R*I3*omega3*gamma3 + G_level */
+    const double t5 = t3*t4; /* 1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t6 = p[17]*t5; /* 1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t7 = p[28]*t5; /* 1/R*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t8 = JLT_FMA(t2, t3, t6); /* d(v_tau)/d(gamma3)/R = omega3*gamma3*1/s + 1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t9 = x[0]*t6; /* gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t10 = t3*t6; /* 1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t11 = t7*t10; /* 1/R*1/s*(R*I3*omega3*gamma3 + G_level)*1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t12 = p[5]*x[3]; /* I3*omega3 */
+    const double t13 = t10*t12; /* 1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level)*I3*omega3 */
+    const double t14 = JLT_FMA(x[3], x[4], t9); /* v_tau/R = omega3*s + gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t15 = t3*t9; /* 1/s*gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t16 = p[27]*t14; /* m*R^2*v_tau/R */
+    const double t17 = JLT_FMA(t8, t16, t13); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R + 1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level)*I3*omega3 */
+    out[0] = t17;
+    const double t18 = JLT_FMA(p[5], t15, t12); /* I3*1/s*gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) + I3*omega3 */
+    const double t19 = x[3] - t15; /* d(v_tau)/d(s)/R = omega3 - 1/s*gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
+    const double t20 = JLT_FMS(t16, t19, t11); /* d(energy)/d(s) = m*R^2*v_tau/R*d(v_tau)/d(s)/R - t11 */
+    out[4] = t20;
+    const double t21 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t22 = JLT_FMA(t3, t21, x[4]); /* d(v_tau)/d(omega3)/R = 1/s*gamma3*gamma3 + s */
+    const double t23 = JLT_FMA(t16, t22, t18); /* d(energy)/d(omega3) = m*R^2*v_tau/R*d(v_tau)/d(omega3)/R + t18 */
+    out[3] = t23;
+    const double t24 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t25 = p[29]*t24; /* 2*m*I3^2*(omega_tau*R + v_nu) */
+    out[6] = t25;
+    const double t26 = p[30]*t24; /* 2*m*R*I3^2*(omega_tau*R + v_nu) */
+    out[7] = t26;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -550,15 +552,15 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 15, 6, 1, 0, 0, 10, 6 }, { 9, 36, 0, 2, 0, 0, 10, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .jacobian = { jacobian, 25, { 6, 30, 8, 1, 0, 0, 12, 9 }, { 32, 131, 0, 17, 0, 0, 11, 8 },
+    .jacobian = { jacobian, 25, { 6, 30, 8, 1, 0, 0, 12, 6 }, { 32, 131, 0, 17, 0, 0, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 8, 37, 9, 1, 0, 0, 13, 11 }, { 37, 150, 0, 18, 0, 0, 11, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 8, 37, 9, 1, 0, 0, 13, 9 }, { 37, 150, 0, 18, 0, 0, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .divergence = { divergence, 1, { 2, 3, 3, 1, 0, 0, 7, 3 }, { 5, 17, 0, 1, 0, 0, 8, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .integral_values = { integral_values, 3, { 0, 9, 7, 1, 0, 0, 8, 5 }, { 8, 30, 0, 1, 0, 0, 13, 6 },
+    .integral_values = { integral_values, 3, { 0, 9, 7, 1, 0, 0, 8, 4 }, { 8, 30, 0, 1, 0, 0, 13, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .integral_gradients = { integral_gradients, 15, { 1, 16, 9, 1, 0, 0, 8, 9 }, { 13, 52, 0, 7, 0, 0, 10, 7 },
+    .integral_gradients = { integral_gradients, 15, { 1, 16, 9, 1, 0, 0, 8, 8 }, { 13, 52, 0, 7, 0, 0, 10, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

@@ -7,15 +7,17 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   18    5    1    1    0     11    7   (62)
- *  jacobian            5   27   10    1    1    0     13   12   (171)
- *  rhs_jacobian        6   31   11    1    1    0     13   13   (208)
- *  divergence          2   11    2    1    1    0      9    7   (38)
- *  integral_values     2   10    7    1    1    0     10    6   (42)
+ *  rhs                 2   18    5    1    1    0     11    5   (62)
+ *  jacobian            5   27   10    1    1    0     13   10   (171)
+ *  rhs_jacobian        6   31   11    1    1    0     13   11   (208)
+ *  divergence          2   11    2    1    1    0      9    6   (38)
+ *  integral_values     2   10    7    1    1    0     10    4   (42)
  *  integral_gradients  2   18    9    1    1    0     14    8   (66)
  *  eliminated          2    3    1    1    1    0      5    3   (10)
  *
  *  Accuracy: divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -51,46 +53,46 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     out[6] = params[6];
     const double t0 = -params[1]; /* -R */
+    out[7] = t0;
     const double t1 = params[1]*params[5]; /* R*I3 */
+    out[9] = t1;
     const double t2 = 1.0/t1; /* 1/(R*I3) */
+    out[8] = t2;
     const double t3 = params[5]*params[5]; /* I3*I3 */
     const double t4 = params[1]*params[1]; /* R*R */
+    out[19] = t4;
     const double t5 = params[0]*t4; /* m*R*R */
+    out[22] = t5;
     const double t6 = params[5]*t5; /* I3*m*R*R */
+    out[14] = t6;
     const double t7 = t3 + t6; /* I3*I3 + I3*m*R*R */
+    out[10] = t7;
     const double t8 = t7/t1; /* (I3*I3 + I3*m*R*R)/(R*I3) */
+    out[11] = t8;
     const double t9 = params[1]*params[0]; /* R*m */
     const double t10 = params[5]*t9; /* I3*R*m */
+    out[12] = t10;
     const double t11 = -t10; /* -I3*R*m */
+    out[13] = t11;
     const double t12 = t7*t10; /* (I3*I3 + I3*m*R*R)*I3*R*m */
+    out[15] = t12;
     const double t13 = t7*t7; /* (I3*I3 + I3*m*R*R)*(I3*I3 + I3*m*R*R) */
+    out[16] = t13;
     const double t14 = params[0]/2.0; /* m/2 */
+    out[17] = t14;
     const double t15 = params[5]/params[0]; /* I3/m */
+    out[18] = t15;
     const double t16 = t3*params[0]; /* I3*I3*m */
+    out[20] = t16;
     const double t17 = 1.0/params[1]; /* 1/R */
+    out[21] = t17;
     const double t18 = params[0]*2.0; /* m*2 */
     const double t19 = t3*t18; /* I3*I3*m*2 */
+    out[23] = t19;
     const double t20 = params[1]*t18; /* R*m*2 */
     const double t21 = t3*t20; /* I3*I3*R*m*2 */
-    const double t22 = (-1.0)/t1; /* (-1)/(R*I3) */
-    out[7] = t0;
-    out[8] = t2;
-    out[9] = t1;
-    out[10] = t7;
-    out[11] = t8;
-    out[12] = t10;
-    out[13] = t11;
-    out[14] = t6;
-    out[15] = t12;
-    out[16] = t13;
-    out[17] = t14;
-    out[18] = t15;
-    out[19] = t4;
-    out[20] = t16;
-    out[21] = t17;
-    out[22] = t5;
-    out[23] = t19;
     out[24] = t21;
+    const double t22 = (-1.0)/t1; /* (-1)/(R*I3) */
     out[25] = t22;
 }
 
@@ -101,224 +103,225 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = x[2]*t3; /* omega_tau*s */
-    const double t5 = x[3]*p[9]; /* omega_n*R*I3 */
-    const double t6 = JLT_FNMA(t3, t5, p[6]); /* G_level - s*omega_n*R*I3 */
-    const double t7 = x[0]*t3; /* gamma3*s */
-    const double t8 = p[10]*t7; /* (I3^2 + m*R^2*I3)*gamma3*s */
-    const double t9 = 1.0/t8; /* 1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t10 = p[10]*t9; /* (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t11 = t3*t6; /* s*(G_level - s*omega_n*R*I3) */
-    const double t12 = t10*t11; /* (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s)*s*(G_level - s*omega_n*R*I3) */
-    const double t13 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t14 = x[3]*t13; /* omega_n*gamma3*gamma3 */
-    const double t15 = t10*t14; /* (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s)*omega_n*gamma3*gamma3 */
-    const double t16 = JLT_FMS(p[8], t12, t15); /* 1/(R*I3)*t12 - t15 */
-    const double t17 = x[3]*t16; /* omega_n*(1/(R*I3)*t12 - t15) */
-    const double t18 = p[7]*t17; /* (-R)*omega_n*(1/(R*I3)*t12 - t15) */
-    const double t19 = x[2]*t15; /* omega_tau*t15 */
-    const double t20 = x[2]*p[11]; /* omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
-    const double t21 = t12*t20; /* t12*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
+    out[0] = t4;
+    const double t5 = x[0]*t3; /* gamma3*s */
+    const double t6 = p[10]*t5; /* (I3^2 + m*R^2*I3)*gamma3*s */
+    const double t7 = 1.0/t6; /* 1/((I3^2 + m*R^2*I3)*gamma3*s) */
+    const double t8 = t5*t7; /* gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
+    const double t9 = p[10]*t7; /* 1/(gamma3*s) = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
+    const double t10 = x[3]*p[9]; /* omega_n*R*I3 */
+    const double t11 = JLT_FNMA(t3, t10, p[6]); /* G_level - s*omega_n*R*I3 */
+    const double t12 = t3*t11; /* s*(G_level - s*omega_n*R*I3) */
+    const double t13 = t9*t12; /* 1/(gamma3*s)*s*(G_level - s*omega_n*R*I3) */
+    const double t14 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t15 = x[3]*t14; /* omega_n*gamma3*gamma3 */
+    const double t16 = t9*t15; /* 1/(gamma3*s)*omega_n*gamma3*gamma3 */
+    const double t17 = x[2]*p[11]; /* omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
+    const double t18 = t13*t17; /* 1/(gamma3*s)*s*(G_level - s*omega_n*R*I3)*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
+    const double t19 = JLT_FMS(p[8], t13, t16); /* 1/(R*I3)*1/(gamma3*s)*s*(G_level - s*omega_n*R*I3) - 1/(gamma3*s)*omega_n*gamma3*gamma3 */
+    const double t20 = x[3]*t19; /* omega_n*t19 */
+    out[2] = t20;
+    const double t21 = p[7]*t20; /* (-R)*omega_n*t19 */
+    out[1] = t21;
     const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t23 = p[12]*t22; /* m*R*I3*V */
-    const double t24 = JLT_FMA(t15, t23, t21); /* t15*m*R*I3*V + t12*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
-    const double t25 = t7*t9; /* gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t26 = JLT_FNMA(t24, t25, t19); /* omega_tau*t15 - (t15*m*R*I3*V + t12*omega_tau*(I3^2 + m*R^2*I3)/(R*I3))*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    out[0] = t4;
-    out[1] = t18;
-    out[2] = t17;
+    const double t24 = JLT_FMA(t16, t23, t18); /* 1/(gamma3*s)*omega_n*gamma3*gamma3*m*R*I3*V + t18 */
+    const double t25 = x[2]*t16; /* omega_tau*1/(gamma3*s)*omega_n*gamma3*gamma3 */
+    const double t26 = JLT_FNMA(t8, t24, t25); /* omega_tau*1/(gamma3*s)*omega_n*gamma3*gamma3 - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*(1/(gamma3*s)*omega_n*gamma3*gamma3*m*R*I3*V + t18) */
     out[3] = t26;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[1] = 0.0;
+    out[3] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[2] = t3;
     const double t4 = x[0]*t3; /* gamma3*s */
     const double t5 = p[10]*t4; /* (I3^2 + m*R^2*I3)*gamma3*s */
     const double t6 = 1.0/t5; /* 1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t7 = p[10]*t6; /* (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t8 = x[0]*t7; /* gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t9 = x[0]*t8; /* gamma3*gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t10 = x[2]*t9; /* omega_tau*t9 */
-    const double t11 = -t10; /* -omega_tau*t9 */
-    const double t12 = t3*x[3]; /* s*omega_n */
-    const double t13 = JLT_FNMA(p[9], t12, p[6]); /* G_level - R*I3*s*omega_n */
-    const double t14 = t3*t7; /* s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t15 = p[8]*t13; /* 1/(R*I3)*(G_level - R*I3*s*omega_n) */
-    const double t16 = t14*t15; /* s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s)*1/(R*I3)*(G_level - R*I3*s*omega_n) */
-    const double t17 = t8*x[3]; /* gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s)*omega_n */
-    const double t18 = JLT_FMS(t14, t16, t17); /* d(omega3)/d(gamma3) = s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s)*t16 - t17 */
-    const double t19 = t8*t8; /* gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s)*gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t20 = t17*t19; /* t17*t19 */
-    const double t21 = t18 + t20; /* d(omega3)/d(gamma3) + t17*t19 */
-    const double t22 = x[3]*t21; /* omega_n*(d(omega3)/d(gamma3) + t17*t19) */
-    const double t23 = p[1]*t22; /* R*omega_n*(d(omega3)/d(gamma3) + t17*t19) */
-    const double t24 = x[0]*t17; /* gamma3*t17 */
-    const double t25 = JLT_FNMA(t12, t14, t16); /* t16 - s*omega_n*s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t26 = JLT_FNMA(2.0, t24, t25); /* t25 - 2*gamma3*t17 */
-    const double t27 = p[7]*t26; /* (-R)*(t25 - 2*gamma3*t17) */
-    const double t28 = -t22; /* -omega_n*(d(omega3)/d(gamma3) + t17*t19) */
-    const double t29 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t30 = t4*t6; /* gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t31 = p[12]*t29; /* m*R*I3*V */
-    const double t32 = JLT_FNMA(t30, t31, x[2]); /* omega_tau - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*m*R*I3*V */
-    const double t33 = t20*t32; /* t17*t19*(omega_tau - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*m*R*I3*V) */
-    const double t34 = p[10]*t30; /* (I3^2 + m*R^2*I3)*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t35 = x[2]*t34; /* omega_tau*(I3^2 + m*R^2*I3)*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t36 = JLT_FMA(t18, t35, t33); /* d(omega3)/d(gamma3)*t35 + t33 */
-    const double t37 = t24*t30; /* gamma3*t17*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t38 = p[13]*t37; /* (-m*R*I3)*gamma3*t17*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t39 = JLT_FNMA(t16, t34, t24); /* gamma3*t17 - t16*(I3^2 + m*R^2*I3)*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t40 = JLT_FNMA(t37, p[14], t39); /* t39 - gamma3*t17*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*m*R^2*I3 */
-    const double t41 = t9*t32; /* t9*(omega_tau - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*m*R*I3*V) */
-    const double t42 = t3*t14; /* s*s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t43 = JLT_FMA(t35, t42, t41); /* t35*s*s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) + t41 */
-    out[0] = t11;
-    out[1] = 0.0;
-    out[2] = t3;
-    out[3] = 0.0;
-    out[4] = t23;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = t27;
-    out[8] = t28;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = t26;
-    out[12] = t36;
-    out[13] = t38;
-    out[14] = t40;
+    const double t7 = t4*t6; /* 1/Theta = gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
+    const double t8 = p[10]*t6; /* 1/(s*gamma3) = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
+    const double t9 = x[3]*t3; /* omega_n*s */
+    const double t10 = JLT_FNMA(p[9], t9, p[6]); /* G_level - R*I3*omega_n*s */
+    const double t11 = p[8]*t10; /* 1/(R*I3)*(G_level - R*I3*omega_n*s) */
+    const double t12 = x[0]*t8; /* 1/s = gamma3*1/(s*gamma3) */
+    const double t13 = t3*t8; /* 1/gamma3 = s*1/(s*gamma3) */
+    const double t14 = t11*t13; /* 1/(R*I3)*(G_level - R*I3*omega_n*s)*1/gamma3 */
+    const double t15 = JLT_FNMA(t9, t13, t14); /* 1/(R*I3)*(G_level - R*I3*omega_n*s)*1/gamma3 - omega_n*s*1/gamma3 */
+    const double t16 = t3*t13; /* s*1/gamma3 */
+    const double t17 = x[3]*t12; /* omega_n*1/s */
+    const double t18 = JLT_FMS(t13, t14, t17); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - R*I3*omega_n*s)*1/gamma3 - omega_n*1/s */
+    const double t19 = t12*t12; /* 1/s*1/s */
+    const double t20 = t17*t19; /* omega_n*1/s*1/s*1/s */
+    const double t21 = x[0]*t12; /* gamma3*1/s */
+    const double t22 = x[0]*t17; /* gamma3*omega_n*1/s */
+    const double t23 = JLT_FNMA(2.0, t22, t15); /* t15 - 2*gamma3*omega_n*1/s */
+    out[11] = t23;
+    const double t24 = p[7]*t23; /* (-R)*(t15 - 2*gamma3*omega_n*1/s) */
+    out[7] = t24;
+    const double t25 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t26 = p[12]*t25; /* m*R*I3*V */
+    const double t27 = JLT_FNMA(t7, t26, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t28 = t18 + t20; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
+    const double t29 = x[3]*t28; /* omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    const double t30 = t20*t27; /* omega_n*1/s*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t31 = t21*t27; /* gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t32 = x[2]*t21; /* omega_tau*gamma3*1/s */
+    const double t33 = -t32; /* -omega_tau*gamma3*1/s */
+    out[0] = t33;
+    const double t34 = p[1]*t29; /* R*omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    out[4] = t34;
+    const double t35 = -t29; /* -omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    out[8] = t35;
+    const double t36 = p[10]*t7; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t37 = t7*t22; /* 1/Theta*gamma3*omega_n*1/s */
+    const double t38 = JLT_FNMA(t14, t36, t22); /* gamma3*omega_n*1/s - 1/(R*I3)*(G_level - R*I3*omega_n*s)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t39 = JLT_FNMA(p[14], t37, t38); /* t38 - m*R^2*I3*1/Theta*gamma3*omega_n*1/s */
+    out[14] = t39;
+    const double t40 = p[13]*t37; /* (-m*R*I3)*1/Theta*gamma3*omega_n*1/s */
+    out[13] = t40;
+    const double t41 = x[2]*t36; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t42 = JLT_FMA(t18, t41, t30); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + omega_n*1/s*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[12] = t42;
+    const double t43 = JLT_FMA(t16, t41, t31); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
     out[15] = t43;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[5] = 0.0;
+    out[7] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[13] = 0.0;
+    out[14] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    const double t5 = x[3]*p[9]; /* omega_n*R*I3 */
-    const double t6 = JLT_FNMA(t3, t5, p[6]); /* G_level - s*omega_n*R*I3 */
-    const double t7 = x[0]*t3; /* gamma3*s */
-    const double t8 = p[10]*t7; /* (I3^2 + m*R^2*I3)*gamma3*s */
-    const double t9 = 1.0/t8; /* 1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t10 = p[10]*t9; /* (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t11 = t3*t10; /* s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t12 = p[8]*t6; /* 1/(R*I3)*(G_level - s*omega_n*R*I3) */
-    const double t13 = t11*t12; /* s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s)*1/(R*I3)*(G_level - s*omega_n*R*I3) */
-    const double t14 = x[0]*t10; /* gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t15 = x[0]*t14; /* gamma3*gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t16 = x[3]*t15; /* omega_n*t15 */
-    const double t17 = t13 - t16; /* t13 - omega_n*t15 */
-    const double t18 = x[3]*t17; /* omega_n*(t13 - omega_n*t15) */
-    const double t19 = p[7]*t18; /* (-R)*omega_n*(t13 - omega_n*t15) */
-    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t21 = t7*t9; /* gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t22 = p[12]*t20; /* m*R*I3*V */
-    const double t23 = JLT_FNMA(t21, t22, x[2]); /* omega_tau - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*m*R*I3*V */
-    const double t24 = t16*t23; /* omega_n*t15*(omega_tau - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*m*R*I3*V) */
-    const double t25 = p[10]*t21; /* (I3^2 + m*R^2*I3)*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t26 = x[2]*t25; /* omega_tau*(I3^2 + m*R^2*I3)*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t27 = JLT_FNMA(t13, t26, t24); /* t24 - t13*t26 */
-    const double t28 = x[2]*t15; /* omega_tau*t15 */
-    const double t29 = -t28; /* -omega_tau*t15 */
-    const double t30 = x[3]*t14; /* omega_n*gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t31 = JLT_FMS(t11, t13, t30); /* d(omega3)/d(gamma3) = s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s)*t13 - t30 */
-    const double t32 = t14*t14; /* gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s)*gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t33 = t30*t32; /* t30*t32 */
-    const double t34 = t31 + t33; /* d(omega3)/d(gamma3) + t30*t32 */
-    const double t35 = x[3]*t34; /* omega_n*(d(omega3)/d(gamma3) + t30*t32) */
-    const double t36 = p[1]*t35; /* R*omega_n*(d(omega3)/d(gamma3) + t30*t32) */
-    const double t37 = t3*t11; /* s*s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t38 = JLT_FNMA(x[3], t37, t13); /* t13 - omega_n*s*s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t39 = JLT_FNMA(t16, 2.0, t38); /* t38 - omega_n*t15*2 */
-    const double t40 = p[7]*t39; /* (-R)*(t38 - omega_n*t15*2) */
-    const double t41 = -t35; /* -omega_n*(d(omega3)/d(gamma3) + t30*t32) */
-    const double t42 = t23*t33; /* (omega_tau - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*m*R*I3*V)*t30*t32 */
-    const double t43 = JLT_FMA(t26, t31, t42); /* t26*d(omega3)/d(gamma3) + t42 */
-    const double t44 = t16*t21; /* omega_n*t15*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t45 = p[13]*t44; /* (-m*R*I3)*omega_n*t15*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t46 = JLT_FNMA(t13, t25, t16); /* omega_n*t15 - t13*(I3^2 + m*R^2*I3)*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t47 = JLT_FNMA(t44, p[14], t46); /* t46 - omega_n*t15*gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*m*R^2*I3 */
-    const double t48 = t15*t23; /* t15*(omega_tau - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*m*R*I3*V) */
-    const double t49 = JLT_FMA(t26, t37, t48); /* t26*s*s*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) + t48 */
-    out[0] = t4;
-    out[1] = t19;
-    out[2] = t18;
-    out[3] = t27;
-    out[4] = t29;
-    out[5] = 0.0;
     out[6] = t3;
-    out[7] = 0.0;
-    out[8] = t36;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = t40;
-    out[12] = t41;
-    out[13] = 0.0;
-    out[14] = 0.0;
-    out[15] = t39;
-    out[16] = t43;
-    out[17] = t45;
-    out[18] = t47;
-    out[19] = t49;
+    const double t4 = x[2]*t3; /* omega_tau*s */
+    out[0] = t4;
+    const double t5 = x[0]*t3; /* gamma3*s */
+    const double t6 = p[10]*t5; /* (I3^2 + m*R^2*I3)*gamma3*s */
+    const double t7 = 1.0/t6; /* 1/((I3^2 + m*R^2*I3)*gamma3*s) */
+    const double t8 = t5*t7; /* 1/Theta = gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
+    const double t9 = p[10]*t7; /* 1/(gamma3*s) = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
+    const double t10 = x[3]*p[9]; /* omega_n*R*I3 */
+    const double t11 = JLT_FNMA(t3, t10, p[6]); /* G_level - s*omega_n*R*I3 */
+    const double t12 = p[8]*t11; /* 1/(R*I3)*(G_level - s*omega_n*R*I3) */
+    const double t13 = t3*t9; /* 1/gamma3 = s*1/(gamma3*s) */
+    const double t14 = x[0]*t9; /* 1/s = gamma3*1/(gamma3*s) */
+    const double t15 = t12*t13; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
+    const double t16 = t3*t13; /* s*1/gamma3 */
+    const double t17 = x[0]*t14; /* gamma3*1/s */
+    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t19 = p[12]*t18; /* m*R*I3*V */
+    const double t20 = JLT_FNMA(t8, t19, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t21 = x[3]*t14; /* omega_n*1/s */
+    const double t22 = t14*t14; /* 1/s*1/s */
+    const double t23 = JLT_FMS(t13, t15, t21); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s */
+    const double t24 = t21*t22; /* omega_n*1/s*1/s*1/s */
+    const double t25 = x[3]*t17; /* omega_n*gamma3*1/s */
+    const double t26 = t15 - t25; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*gamma3*1/s */
+    const double t27 = x[3]*t26; /* omega_n*t26 */
+    out[2] = t27;
+    const double t28 = p[7]*t27; /* (-R)*omega_n*t26 */
+    out[1] = t28;
+    const double t29 = p[10]*t8; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t30 = t8*t25; /* 1/Theta*omega_n*gamma3*1/s */
+    const double t31 = p[13]*t30; /* (-m*R*I3)*1/Theta*omega_n*gamma3*1/s */
+    out[17] = t31;
+    const double t32 = t23 + t24; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
+    const double t33 = x[3]*t32; /* omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    const double t34 = t20*t24; /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
+    const double t35 = p[1]*t33; /* R*omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    out[8] = t35;
+    const double t36 = -t33; /* -omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    out[12] = t36;
+    const double t37 = JLT_FNMA(x[3], t16, t15); /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*s*1/gamma3 */
+    const double t38 = JLT_FNMA(2.0, t25, t37); /* t37 - 2*omega_n*gamma3*1/s */
+    out[15] = t38;
+    const double t39 = p[7]*t38; /* (-R)*(t37 - 2*omega_n*gamma3*1/s) */
+    out[11] = t39;
+    const double t40 = t20*t25; /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*gamma3*1/s */
+    const double t41 = JLT_FNMA(t15, t29, t25); /* omega_n*gamma3*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t42 = JLT_FNMA(p[14], t30, t41); /* t41 - m*R^2*I3*1/Theta*omega_n*gamma3*1/s */
+    out[18] = t42;
+    const double t43 = x[2]*t29; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t44 = JLT_FNMA(t15, t43, t40); /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*gamma3*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[3] = t44;
+    const double t45 = JLT_FMA(t23, t43, t34); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
+    out[16] = t45;
+    const double t46 = t17*t20; /* gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t47 = JLT_FMA(t16, t43, t46); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[19] = t47;
+    const double t48 = x[2]*t17; /* omega_tau*gamma3*1/s */
+    const double t49 = -t48; /* -omega_tau*gamma3*1/s */
+    out[4] = t49;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = x[0]*p[10]; /* gamma3*(I3^2 + m*R^2*I3) */
-    const double t6 = t4*t5; /* s*gamma3*(I3^2 + m*R^2*I3) */
-    const double t7 = 1.0/t6; /* 1/(s*gamma3*(I3^2 + m*R^2*I3)) */
-    const double t8 = x[0]*t7; /* gamma3*1/(s*gamma3*(I3^2 + m*R^2*I3)) */
-    const double t9 = p[15]*x[0]; /* m*R*I3*(I3^2 + m*R^2*I3)*gamma3 */
-    const double t10 = t0*t9; /* V*m*R*I3*(I3^2 + m*R^2*I3)*gamma3 */
-    const double t11 = t8*t10; /* gamma3*1/(s*gamma3*(I3^2 + m*R^2*I3))*V*m*R*I3*(I3^2 + m*R^2*I3)*gamma3 */
-    const double t12 = x[2]*p[16]; /* omega_tau*(I3^2 + m*R^2*I3)^2 */
-    const double t13 = t3*t12; /* (1 - gamma3)*(gamma3 + 1)*omega_tau*(I3^2 + m*R^2*I3)^2 */
-    const double t14 = JLT_FMS(t7, t13, t11); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/(s*gamma3*(I3^2 + m*R^2*I3))*(1 - gamma3)*(gamma3 + 1)*omega_tau*(I3^2 + m*R^2*I3)^2 - t11 */
-    const double t15 = t4*t8; /* s*gamma3*1/(s*gamma3*(I3^2 + m*R^2*I3)) */
-    const double t16 = t14*t15; /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n)*s*gamma3*1/(s*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = x[0]*p[10]; /* gamma3*(I3^2 + m*R^2*I3) */
+    const double t5 = t3*t4; /* s*gamma3*(I3^2 + m*R^2*I3) */
+    const double t6 = 1.0/t5; /* 1/(s*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t7 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
+    const double t8 = p[15]*x[0]; /* m*R*I3*(I3^2 + m*R^2*I3)*gamma3 */
+    const double t9 = t7*t8; /* V*m*R*I3*(I3^2 + m*R^2*I3)*gamma3 */
+    const double t10 = x[0]*t6; /* 1/(Theta*s) = gamma3*1/(s*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t11 = t9*t10; /* V*m*R*I3*(I3^2 + m*R^2*I3)*gamma3*1/(Theta*s) */
+    const double t12 = t3*t10; /* s*1/(Theta*s) */
+    const double t13 = x[2]*p[16]; /* omega_tau*(I3^2 + m*R^2*I3)^2 */
+    const double t14 = t2*t13; /* (1 - gamma3)*(gamma3 + 1)*omega_tau*(I3^2 + m*R^2*I3)^2 */
+    const double t15 = JLT_FMS(t6, t14, t11); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/(s*gamma3*(I3^2 + m*R^2*I3))*(1 - gamma3)*(gamma3 + 1)*omega_tau*(I3^2 + m*R^2*I3)^2 - V*m*R*I3*(I3^2 + m*R^2*I3)*gamma3*1/(Theta*s) */
+    const double t16 = t12*t15; /* s*1/(Theta*s)*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) */
     out[0] = t16;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t1 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t6 = p[9]*x[3]; /* R*I3*omega_n */
-    const double t7 = JLT_FNMA(t5, t6, p[6]); /* G_level - s*R*I3*omega_n */
-    const double t8 = p[8]/x[0]; /* 1/(R*I3)/gamma3 */
-    const double t9 = t7*t8; /* (G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3 */
-    const double t10 = JLT_FMA(x[3], x[3], t1); /* omega_n*omega_n + omega_tau*omega_tau */
-    const double t11 = JLT_FMA(t9, t9, t10); /* (G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3*(G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3 + omega_n*omega_n + omega_tau*omega_tau */
-    const double t12 = t5*t9; /* s*(G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3 */
-    const double t13 = JLT_FMS(x[0], x[3], t12); /* v_tau scaled = gamma3*omega_n - s*(G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3 */
-    const double t14 = p[19]*t13; /* R^2*v_tau scaled */
-    const double t15 = JLT_FMA(p[18], t11, t0); /* I3/m*t11 + v_nu*v_nu */
-    const double t16 = JLT_FMA(t13, t14, t15); /* energy scaled = v_tau scaled*R^2*v_tau scaled + I3/m*t11 + v_nu*v_nu */
-    const double t17 = p[17]*t16; /* 1/2*m*energy scaled */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = p[9]*x[3]; /* R*I3*omega_n */
+    const double t5 = JLT_FNMA(t3, t4, p[6]); /* G_level - s*R*I3*omega_n */
+    const double t6 = p[8]/x[0]; /* 1/(R*I3)/gamma3 */
+    const double t7 = t5*t6; /* (G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3 */
+    const double t8 = t3*t7; /* s*(G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3 */
+    const double t9 = JLT_FMS(x[0], x[3], t8); /* v_tau/R = gamma3*omega_n - s*(G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3 */
+    const double t10 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t11 = JLT_FMA(x[3], x[3], t10); /* omega_n*omega_n + omega_tau*omega_tau */
+    const double t12 = JLT_FMA(t7, t7, t11); /* (G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3*(G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3 + omega_n*omega_n + omega_tau*omega_tau */
+    const double t13 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t14 = JLT_FMA(p[18], t12, t13); /* I3/m*t12 + v_nu*v_nu */
+    const double t15 = p[19]*t9; /* R^2*v_tau/R */
+    const double t16 = JLT_FMA(t9, t15, t14); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + I3/m*t12 + v_nu*v_nu */
+    const double t17 = p[17]*t16; /* 1/2*m*energy/(1/2*m) */
+    out[0] = t17;
     const double t18 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    out[2] = t18;
     const double t19 = p[20]*t18; /* m*I3^2*(omega_tau*R + v_nu) */
     const double t20 = t18*t19; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
-    out[0] = t17;
     out[1] = t20;
-    out[2] = t18;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[9] = 1.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
@@ -327,41 +330,40 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t5 = JLT_FNMA(t3, t4, p[6]); /* G_level - s*R*I3*omega_n */
     const double t6 = x[0]*t3; /* gamma3*s */
     const double t7 = 1.0/t6; /* 1/(gamma3*s) */
-    const double t8 = t3*t7; /* s*1/(gamma3*s) */
-    const double t9 = t5*t8; /* (G_level - s*R*I3*omega_n)*s*1/(gamma3*s) */
-    const double t10 = p[8]*t9; /* 1/(R*I3)*(G_level - s*R*I3*omega_n)*s*1/(gamma3*s) */
-    const double t11 = t8*t10; /* s*1/(gamma3*s)*1/(R*I3)*(G_level - s*R*I3*omega_n)*s*1/(gamma3*s) */
-    const double t12 = x[0]*t7; /* gamma3*1/(gamma3*s) */
-    const double t13 = JLT_FNMA(x[3], t12, t11); /* d(omega3)/d(gamma3) = t11 - omega_n*gamma3*1/(gamma3*s) */
-    const double t14 = t9*p[21]; /* (G_level - s*R*I3*omega_n)*s*1/(gamma3*s)*1/R */
-    const double t15 = t13*t14; /* d(omega3)/d(gamma3)*(G_level - s*R*I3*omega_n)*s*1/(gamma3*s)*1/R */
-    const double t16 = x[0]*t12; /* gamma3*gamma3*1/(gamma3*s) */
-    const double t17 = JLT_FMA(t10, t16, x[3]); /* 1/(R*I3)*(G_level - s*R*I3*omega_n)*s*1/(gamma3*s)*gamma3*gamma3*1/(gamma3*s) + omega_n */
-    const double t18 = JLT_FMA(t3, t13, t17); /* d(v_tau)/d(gamma3) scaled = s*d(omega3)/d(gamma3) + t17 */
-    const double t19 = t3*t10; /* s*1/(R*I3)*(G_level - s*R*I3*omega_n)*s*1/(gamma3*s) */
-    const double t20 = JLT_FMS(x[3], x[0], t19); /* v_tau scaled = omega_n*gamma3 - s*1/(R*I3)*(G_level - s*R*I3*omega_n)*s*1/(gamma3*s) */
-    const double t21 = p[22]*t20; /* m*R^2*v_tau scaled */
-    const double t22 = JLT_FMS(t18, t21, t15); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3) scaled*m*R^2*v_tau scaled - t15 */
-    const double t23 = p[0]*x[1]; /* m*v_nu */
-    const double t24 = p[5]*x[2]; /* I3*omega_tau */
-    const double t25 = JLT_FMS(t3, t14, t21); /* s*(G_level - s*R*I3*omega_n)*s*1/(gamma3*s)*1/R - m*R^2*v_tau scaled */
-    const double t26 = t8*t25; /* s*1/(gamma3*s)*t25 */
-    const double t27 = JLT_FMS(x[3], p[5], t26); /* d(energy)/d(omega_n) = omega_n*I3 - s*1/(gamma3*s)*t25 */
-    const double t28 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t29 = p[23]*t28; /* 2*m*I3^2*(omega_tau*R + v_nu) */
-    const double t30 = t28*p[24]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
+    const double t8 = t3*t7; /* 1/gamma3 = s*1/(gamma3*s) */
+    const double t9 = t5*t8; /* (G_level - s*R*I3*omega_n)*1/gamma3 */
+    const double t10 = p[8]*t9; /* 1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3 */
+    const double t11 = t8*t10; /* 1/gamma3*1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3 */
+    const double t12 = x[0]*t7; /* 1/s = gamma3*1/(gamma3*s) */
+    const double t13 = JLT_FNMA(x[3], t12, t11); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3 - omega_n*1/s */
+    const double t14 = t9*p[21]; /* (G_level - s*R*I3*omega_n)*1/gamma3*1/R */
+    const double t15 = t13*t14; /* d(omega3)/d(gamma3)*(G_level - s*R*I3*omega_n)*1/gamma3*1/R */
+    const double t16 = x[0]*t12; /* gamma3*1/s */
+    const double t17 = JLT_FMA(t10, t16, x[3]); /* 1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3*gamma3*1/s + omega_n */
+    const double t18 = JLT_FMA(t3, t13, t17); /* d(v_tau)/d(gamma3)/R = s*d(omega3)/d(gamma3) + t17 */
+    const double t19 = t3*t10; /* s*1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3 */
+    const double t20 = JLT_FMS(x[3], x[0], t19); /* v_tau/R = omega_n*gamma3 - s*1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3 */
+    const double t21 = p[22]*t20; /* m*R^2*v_tau/R */
+    const double t22 = JLT_FMS(t18, t21, t15); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - d(omega3)/d(gamma3)*(G_level - s*R*I3*omega_n)*1/gamma3*1/R */
     out[0] = t22;
+    const double t23 = p[0]*x[1]; /* m*v_nu */
     out[1] = t23;
+    const double t24 = p[5]*x[2]; /* I3*omega_tau */
     out[2] = t24;
+    const double t25 = JLT_FMS(t3, t14, t21); /* s*(G_level - s*R*I3*omega_n)*1/gamma3*1/R - m*R^2*v_tau/R */
+    const double t26 = t8*t25; /* 1/gamma3*(s*(G_level - s*R*I3*omega_n)*1/gamma3*1/R - m*R^2*v_tau/R) */
+    const double t27 = JLT_FMS(x[3], p[5], t26); /* d(energy)/d(omega_n) = omega_n*I3 - t26 */
     out[3] = t27;
     out[4] = 0.0;
-    out[5] = t29;
-    out[6] = t30;
     out[7] = 0.0;
     out[8] = 0.0;
-    out[9] = 1.0;
-    out[10] = p[1];
     out[11] = 0.0;
+    out[10] = p[1];
+    const double t28 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t29 = p[23]*t28; /* 2*m*I3^2*(omega_tau*R + v_nu) */
+    out[5] = t29;
+    const double t30 = t28*p[24]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
+    out[6] = t30;
 }
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
@@ -384,13 +386,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t4[JLT_JET_ORDER_MAX + 1];
-    double t5[JLT_JET_ORDER_MAX + 1];
-    double t6[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
@@ -404,8 +402,12 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
@@ -416,37 +418,37 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = x3[0] = x[3];
     for (unsigned k = 0; k < order; k++) {
-        t3[k] = (k == 0 ? 1.0 : 0) - x0[k];
-        t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
-        t5[k] = jlt_jet_product(t3, t4, k);
-        t6[k] = jlt_jet_root(t5[k], t6, k);
-        t7[k] = jlt_jet_product(x2, t6, k);
-        t13[k] = x3[k]*p[9];
-        t14[k] = (k == 0 ? p[6] : 0) - jlt_jet_product(t6, t13, k);
-        t16[k] = jlt_jet_product(x0, t6, k);
-        t17[k] = p[10]*t16[k];
-        t18[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t17, t18, k);
+        t13[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t14[k] = (k == 0 ? 1.0 : 0) + x0[k];
+        t15[k] = jlt_jet_product(t13, t14, k);
+        t16[k] = jlt_jet_root(t15[k], t16, k);
+        t17[k] = jlt_jet_product(x2, t16, k);
+        t18[k] = jlt_jet_product(x0, t16, k);
         t19[k] = p[10]*t18[k];
-        t20[k] = jlt_jet_product(t6, t14, k);
-        t21[k] = jlt_jet_product(t19, t20, k);
-        t22[k] = jlt_jet_product(x0, x0, k);
-        t23[k] = jlt_jet_product(x3, t22, k);
-        t24[k] = jlt_jet_product(t19, t23, k);
-        t25[k] = p[8]*t21[k] - t24[k];
-        t26[k] = jlt_jet_product(x3, t25, k);
-        t27[k] = p[7]*t26[k];
-        t28[k] = jlt_jet_product(x2, t24, k);
+        t20[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t19, t20, k);
+        t21[k] = jlt_jet_product(t18, t20, k);
+        t22[k] = p[10]*t20[k];
+        t23[k] = x3[k]*p[9];
+        t24[k] = (k == 0 ? p[6] : 0) - jlt_jet_product(t16, t23, k);
+        t25[k] = jlt_jet_product(t16, t24, k);
+        t26[k] = jlt_jet_product(t22, t25, k);
+        t27[k] = jlt_jet_product(x0, x0, k);
+        t28[k] = jlt_jet_product(x3, t27, k);
+        t29[k] = jlt_jet_product(t22, t28, k);
         t30[k] = x2[k]*p[11];
-        t31[k] = jlt_jet_product(t21, t30, k);
+        t31[k] = jlt_jet_product(t26, t30, k);
+        t32[k] = p[8]*t26[k] - t29[k];
+        t33[k] = jlt_jet_product(x3, t32, k);
+        t34[k] = p[7]*t33[k];
         t35[k] = x2[k]*p[1] + x1[k];
         t36[k] = p[12]*t35[k];
-        t37[k] = jlt_jet_product(t24, t36, k) + t31[k];
-        t38[k] = jlt_jet_product(t16, t18, k);
-        t39[k] = t28[k] - jlt_jet_product(t37, t38, k);
+        t37[k] = jlt_jet_product(t29, t36, k) + t31[k];
+        t38[k] = jlt_jet_product(x2, t29, k);
+        t39[k] = t38[k] - jlt_jet_product(t21, t37, k);
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t27[k]/(k + 1);
-        next[2] = x2[k + 1] = t26[k]/(k + 1);
+        next[0] = x0[k + 1] = t17[k]/(k + 1);
+        next[1] = x1[k + 1] = t34[k]/(k + 1);
+        next[2] = x2[k + 1] = t33[k]/(k + 1);
         next[3] = x3[k + 1] = t39[k]/(k + 1);
     }
 }
@@ -523,15 +525,15 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3 
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 2, 18, 5, 1, 1, 0, 11, 7 }, { 11, 43, 0, 7, 1, 0, 11, 8 },
+    .rhs = { rhs, 4, { 2, 18, 5, 1, 1, 0, 11, 5 }, { 11, 43, 0, 7, 1, 0, 11, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 5, 27, 10, 1, 1, 0, 13, 12 }, { 30, 113, 0, 27, 1, 0, 12, 9 },
+    .jacobian = { jacobian, 16, { 5, 27, 10, 1, 1, 0, 13, 10 }, { 30, 113, 0, 27, 1, 0, 12, 9 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 6, 31, 11, 1, 1, 0, 13, 13 }, { 36, 138, 0, 33, 1, 0, 12, 9 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 6, 31, 11, 1, 1, 0, 13, 11 }, { 36, 138, 0, 33, 1, 0, 12, 9 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 2, 11, 2, 1, 1, 0, 9, 7 }, { 6, 28, 0, 3, 1, 0, 10, 6 },
+    .divergence = { divergence, 1, { 2, 11, 2, 1, 1, 0, 9, 6 }, { 6, 28, 0, 3, 1, 0, 10, 6 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_values = { integral_values, 3, { 2, 10, 7, 1, 1, 0, 10, 6 }, { 9, 31, 0, 1, 1, 0, 15, 5 },
+    .integral_values = { integral_values, 3, { 2, 10, 7, 1, 1, 0, 10, 4 }, { 9, 31, 0, 1, 1, 0, 15, 5 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_gradients = { integral_gradients, 12, { 2, 18, 9, 1, 1, 0, 14, 8 }, { 13, 46, 0, 6, 1, 0, 13, 9 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

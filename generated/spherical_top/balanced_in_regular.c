@@ -9,13 +9,15 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   16    7    1    0    0      8    6   (75)
  *  jacobian            9   46   16    1    0    0     10   14   (321)
- *  rhs_jacobian        10   55   17    1    0    0      7   16   (381)
+ *  rhs_jacobian        10   55   17    1    0    0      7   15   (381)
  *  divergence          1    5    3    1    0    0      5    4   (30)
  *  integral_values     0   13   10    0    0    0      6    6   (55)
  *  integral_gradients  0   21    6    0    0    0      4    4   (81)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -49,22 +51,34 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     const double t0 = params[5]/params[4]; /* I3/I1 */
+    out[6] = t0;
     const double t1 = params[1]*params[1]; /* R*R */
     const double t2 = params[0]*t1; /* m*R*R */
+    out[41] = t2;
     const double t3 = params[5]/t2; /* I3/(m*R*R) */
+    out[7] = t3;
     const double t4 = 1.0/params[1]; /* 1/R */
+    out[8] = t4;
     const double t5 = params[4]*t2; /* I1*m*R*R */
+    out[22] = t5;
     const double t6 = params[5]*params[5]; /* I3*I3 */
     const double t7 = params[5]*t2; /* I3*m*R*R */
+    out[23] = t7;
     const double t8 = t6 + t7; /* I3*I3 + I3*m*R*R */
+    out[24] = t8;
     const double t9 = t8/t5; /* (I3*I3 + I3*m*R*R)/(I1*m*R*R) */
+    out[9] = t9;
     const double t10 = params[4] - params[5]; /* I1 - I3 */
     const double t11 = t10/params[4]; /* (I1 - I3)/I1 */
+    out[10] = t11;
     const double t12 = params[1]*2.0; /* R*2 */
+    out[11] = t12;
     const double t13 = -t0; /* -I3/I1 */
+    out[12] = t13;
     const double t14 = params[4]*params[4]; /* I1*I1 */
     const double t15 = t6*2.0; /* I3*I3*2 */
     const double t16 = t15/t14; /* I3*I3*2/(I1*I1) */
+    out[13] = t16;
     const double t17 = params[0]*params[0]; /* m*m */
     const double t18 = t1*t1; /* R*R*R*R */
     const double t19 = t17*t18; /* m*m*R*R*R*R */
@@ -75,86 +89,74 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t24 = t22 + t23; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
     const double t25 = 2.0*t24; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
     const double t26 = t25/t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
+    out[14] = t26;
     const double t27 = params[4]*params[1]; /* I1*R */
+    out[37] = t27;
     const double t28 = params[5]/t27; /* I3/(I1*R) */
+    out[33] = t28;
     const double t29 = -t28; /* -I3/(I1*R) */
+    out[15] = t29;
     const double t30 = t5*t6; /* I1*m*R*R*I3*I3 */
     const double t31 = params[4]*t19; /* I1*m*m*R*R*R*R */
     const double t32 = params[5]*t31; /* I3*I1*m*m*R*R*R*R */
     const double t33 = t30 + t32; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
     const double t34 = 2.0*t33; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
     const double t35 = t34/t20; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
+    out[16] = t35;
     const double t36 = params[5]*2.0; /* I3*2 */
     const double t37 = t36/params[4]; /* I3*2/I1 */
+    out[17] = t37;
     const double t38 = t10*t36; /* (I1 - I3)*I3*2 */
     const double t39 = t38/t14; /* (I1 - I3)*I3*2/(I1*I1) */
+    out[18] = t39;
     const double t40 = (-1.0)/params[1]; /* (-1)/R */
+    out[19] = t40;
     const double t41 = t10*2.0; /* (I1 - I3)*2 */
     const double t42 = t41/params[4]; /* (I1 - I3)*2/I1 */
+    out[20] = t42;
     const double t43 = params[4]*params[5]; /* I1*I3 */
+    out[21] = t43;
     const double t44 = params[0]*params[1]; /* m*R */
     const double t45 = params[5]*t44; /* I3*m*R */
+    out[25] = t45;
     const double t46 = params[4]*t44; /* I1*m*R */
+    out[26] = t46;
     const double t47 = t2*t10; /* m*R*R*(I1 - I3) */
+    out[27] = t47;
     const double t48 = params[0]*2.0; /* m*2 */
     const double t49 = t1*t48; /* R*R*m*2 */
     const double t50 = params[5]*t49; /* I3*R*R*m*2 */
+    out[28] = t50;
     const double t51 = -t45; /* -I3*m*R */
+    out[29] = t51;
     const double t52 = params[4]*t49; /* I1*R*R*m*2 */
+    out[30] = t52;
     const double t53 = -t46; /* -I1*m*R */
+    out[31] = t53;
     const double t54 = t10*t49; /* (I1 - I3)*R*R*m*2 */
+    out[32] = t54;
     const double t55 = params[4]/2.0; /* I1/2 */
+    out[34] = t55;
     const double t56 = params[0]/params[4]; /* m/I1 */
+    out[35] = t56;
     const double t57 = t2/params[4]; /* m*R*R/I1 */
+    out[36] = t57;
     const double t58 = params[5]*params[1]; /* I3*R */
+    out[38] = t58;
     const double t59 = params[0]*t14; /* m*I1*I1 */
+    out[39] = t59;
     const double t60 = t5*t10; /* I1*m*R*R*(I1 - I3) */
+    out[40] = t60;
     const double t61 = -t58; /* -I3*R */
+    out[42] = t61;
     const double t62 = t10*t50; /* (I1 - I3)*I3*R*R*m*2 */
+    out[43] = t62;
     const double t63 = t14*t48; /* I1*I1*m*2 */
+    out[44] = t63;
     const double t64 = params[1]*t48; /* R*m*2 */
     const double t65 = t14*t64; /* I1*I1*R*m*2 */
-    const double t66 = t10*t52; /* (I1 - I3)*I1*R*R*m*2 */
-    out[6] = t0;
-    out[7] = t3;
-    out[8] = t4;
-    out[9] = t9;
-    out[10] = t11;
-    out[11] = t12;
-    out[12] = t13;
-    out[13] = t16;
-    out[14] = t26;
-    out[15] = t29;
-    out[16] = t35;
-    out[17] = t37;
-    out[18] = t39;
-    out[19] = t40;
-    out[20] = t42;
-    out[21] = t43;
-    out[22] = t5;
-    out[23] = t7;
-    out[24] = t8;
-    out[25] = t45;
-    out[26] = t46;
-    out[27] = t47;
-    out[28] = t50;
-    out[29] = t51;
-    out[30] = t52;
-    out[31] = t53;
-    out[32] = t54;
-    out[33] = t28;
-    out[34] = t55;
-    out[35] = t56;
-    out[36] = t57;
-    out[37] = t27;
-    out[38] = t58;
-    out[39] = t59;
-    out[40] = t60;
-    out[41] = t2;
-    out[42] = t61;
-    out[43] = t62;
-    out[44] = t63;
     out[45] = t65;
+    const double t66 = t10*t52; /* (I1 - I3)*I1*R*R*m*2 */
     out[46] = t66;
 }
 
@@ -162,278 +164,278 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = x[5]*x[2]; /* s*omega_tau */
     const double t1 = x[5]*t0; /* s*s*omega_tau */
+    out[0] = t1;
     const double t2 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t3 = x[5]*x[4]; /* s*omega3 */
     const double t4 = t2 + t3; /* omega_n*gamma3 + s*omega3 */
     const double t5 = p[1]*x[3]; /* R*omega_n */
     const double t6 = t4*t5; /* (omega_n*gamma3 + s*omega3)*R*omega_n */
+    out[1] = t6;
     const double t7 = JLT_FMA(t3, p[6], t2); /* s*omega3*I3/I1 + omega_n*gamma3 */
     const double t8 = x[3]*t7; /* omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
     const double t9 = -t8; /* -omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
+    out[2] = t9;
     const double t10 = x[0]*p[6]; /* gamma3*I3/I1 */
     const double t11 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
-    const double t12 = JLT_FMA(x[0], t10, t11); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t13 = 1.0/t12; /* 1/Theta scaled */
-    const double t14 = JLT_FMA(p[8], x[1], x[2]); /* V scaled = 1/R*v_nu + omega_tau */
-    const double t15 = t13*t14; /* 1/Theta scaled*V scaled */
-    const double t16 = JLT_FNMA(p[6], t15, x[2]); /* omega_tau - I3/I1*1/Theta scaled*V scaled */
-    const double t17 = t2*t16; /* omega_n*gamma3*(omega_tau - I3/I1*1/Theta scaled*V scaled) */
+    const double t12 = JLT_FMA(x[0], t10, t11); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t13 = 1.0/t12; /* 1/(Theta/(m*R^2*I1)) */
+    const double t14 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t15 = t13*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t16 = JLT_FNMA(p[6], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t17 = t2*t16; /* omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
     const double t18 = t0*x[4]; /* s*omega_tau*omega3 */
-    const double t19 = t13*t18; /* 1/Theta scaled*s*omega_tau*omega3 */
-    const double t20 = JLT_FMA(p[9], t19, t17); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/Theta scaled*s*omega_tau*omega3 + omega_n*gamma3*(omega_tau - I3/I1*1/Theta scaled*V scaled) */
-    const double t21 = x[3]*t15; /* omega_n*1/Theta scaled*V scaled */
+    const double t19 = t13*t18; /* 1/(Theta/(m*R^2*I1))*s*omega_tau*omega3 */
+    const double t20 = JLT_FMA(p[9], t19, t17); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*s*omega_tau*omega3 + omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[3] = t20;
+    const double t21 = x[3]*t15; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
     const double t22 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
-    const double t23 = JLT_FNMA(t19, t22, t21); /* omega_n*1/Theta scaled*V scaled - 1/Theta scaled*s*omega_tau*omega3*gamma3*(I1 - I3)/I1 */
+    const double t23 = JLT_FNMA(t19, t22, t21); /* omega_n*1/(Theta/(m*R^2*I1))*V/R - 1/(Theta/(m*R^2*I1))*s*omega_tau*omega3*gamma3*(I1 - I3)/I1 */
     const double t24 = x[5]*t23; /* s*t23 */
     const double t25 = -t24; /* -s*t23 */
+    out[4] = t25;
     const double t26 = t0*x[0]; /* s*omega_tau*gamma3 */
     const double t27 = -t26; /* -s*omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t6;
-    out[2] = t9;
-    out[3] = t20;
-    out[4] = t25;
     out[5] = t27;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[7] = 0.0;
+    out[8] = 0.0;
+    out[13] = 0.0;
+    out[14] = 0.0;
+    out[31] = 0.0;
+    out[33] = 0.0;
+    out[34] = 0.0;
     const double t0 = x[5]*x[5]; /* s*s */
+    out[2] = t0;
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
+    out[5] = t2;
     const double t3 = x[3]*x[3]; /* omega_n*omega_n */
     const double t4 = p[1]*t3; /* R*omega_n*omega_n */
+    out[6] = t4;
     const double t5 = x[5]*x[4]; /* s*omega3 */
     const double t6 = p[1]*t5; /* R*s*omega3 */
     const double t7 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t8 = JLT_FMA(p[11], t7, t6); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    out[9] = t8;
     const double t9 = p[1]*x[3]; /* R*omega_n */
     const double t10 = x[5]*t9; /* s*R*omega_n */
+    out[10] = t10;
     const double t11 = x[4]*t9; /* omega3*R*omega_n */
+    out[11] = t11;
     const double t12 = -t3; /* -omega_n*omega_n */
+    out[12] = t12;
     const double t13 = t7*(-2.0); /* omega_n*gamma3*(-2) */
     const double t14 = JLT_FMA(t5, p[12], t13); /* s*omega3*(-I3/I1) + omega_n*gamma3*(-2) */
+    out[15] = t14;
     const double t15 = x[3]*p[6]; /* omega_n*I3/I1 */
     const double t16 = x[5]*t15; /* s*omega_n*I3/I1 */
     const double t17 = -t16; /* -s*omega_n*I3/I1 */
+    out[16] = t17;
     const double t18 = x[4]*t15; /* omega3*omega_n*I3/I1 */
     const double t19 = -t18; /* -omega3*omega_n*I3/I1 */
+    out[17] = t19;
     const double t20 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t21 = t0 + p[7]; /* s*s + I3/(m*R^2) */
-    const double t22 = JLT_FMA(p[6], t20, t21); /* Theta scaled = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
-    const double t23 = 1.0/t22; /* 1/Theta scaled */
-    const double t24 = JLT_FMA(p[8], x[1], x[2]); /* V scaled = 1/R*v_nu + omega_tau */
-    const double t25 = t23*t24; /* 1/Theta scaled*V scaled */
-    const double t26 = JLT_FNMA(p[6], t25, x[2]); /* omega_tau - I3/I1*1/Theta scaled*V scaled */
-    const double t27 = x[3]*t26; /* omega_n*(omega_tau - I3/I1*1/Theta scaled*V scaled) */
-    const double t28 = x[3]*t25; /* omega_n*1/Theta scaled*V scaled */
+    const double t22 = JLT_FMA(p[6], t20, t21); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
+    const double t23 = 1.0/t22; /* 1/(Theta/(m*R^2*I1)) */
+    const double t24 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t25 = t23*t24; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t26 = JLT_FNMA(p[6], t25, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t27 = x[3]*t26; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t28 = x[3]*t25; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
     const double t29 = t20*p[13]; /* gamma3*gamma3*2*I3^2/I1^2 */
-    const double t30 = t28*t29; /* omega_n*1/Theta scaled*V scaled*gamma3*gamma3*2*I3^2/I1^2 */
+    const double t30 = t28*t29; /* omega_n*1/(Theta/(m*R^2*I1))*V/R*gamma3*gamma3*2*I3^2/I1^2 */
     const double t31 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t32 = x[5]*t23; /* s*1/Theta scaled */
-    const double t33 = x[0]*t32; /* gamma3*s*1/Theta scaled */
-    const double t34 = t31*t33; /* omega_tau*omega3*gamma3*s*1/Theta scaled */
-    const double t35 = JLT_FNMA(p[14], t34, t30); /* omega_n*1/Theta scaled*V scaled*gamma3*gamma3*2*I3^2/I1^2 - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega_tau*omega3*gamma3*s*1/Theta scaled */
-    const double t36 = JLT_FMA(t23, t35, t27); /* 1/Theta scaled*t35 + omega_n*(omega_tau - I3/I1*1/Theta scaled*V scaled) */
-    const double t37 = t7*t23; /* omega_n*gamma3*1/Theta scaled */
-    const double t38 = p[15]*t37; /* (-I3/(R*I1))*omega_n*gamma3*1/Theta scaled */
-    const double t39 = t32*p[9]; /* s*1/Theta scaled*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t40 = JLT_FNMA(p[6], t37, t7); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/Theta scaled */
-    const double t41 = JLT_FMA(x[4], t39, t40); /* omega3*s*1/Theta scaled*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/Theta scaled */
-    const double t42 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/Theta scaled*V scaled) */
-    const double t43 = x[2]*t39; /* omega_tau*s*1/Theta scaled*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t44 = t23*p[9]; /* 1/Theta scaled*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t45 = t32*p[16]; /* s*1/Theta scaled*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) */
-    const double t46 = JLT_FNMA(t32, t45, t44); /* 1/Theta scaled*(I3^2 + m*R^2*I3)/(m*R^2*I1) - s*1/Theta scaled*t45 */
-    const double t47 = t28*p[17]; /* omega_n*1/Theta scaled*V scaled*2*I3/I1 */
-    const double t48 = t33*t47; /* gamma3*s*1/Theta scaled*omega_n*1/Theta scaled*V scaled*2*I3/I1 */
+    const double t32 = x[5]*t23; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t33 = x[0]*t32; /* gamma3*s*1/(Theta/(m*R^2*I1)) */
+    const double t34 = t31*t33; /* omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1)) */
+    const double t35 = JLT_FNMA(p[14], t34, t30); /* omega_n*1/(Theta/(m*R^2*I1))*V/R*gamma3*gamma3*2*I3^2/I1^2 - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1)) */
+    const double t36 = JLT_FMA(t23, t35, t27); /* 1/(Theta/(m*R^2*I1))*t35 + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[18] = t36;
+    const double t37 = t7*t23; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t38 = p[15]*t37; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[19] = t38;
+    const double t39 = t32*p[9]; /* s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t40 = JLT_FNMA(p[6], t37, t7); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t41 = JLT_FMA(x[4], t39, t40); /* omega3*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[20] = t41;
+    const double t42 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[21] = t42;
+    const double t43 = x[2]*t39; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[22] = t43;
+    const double t44 = t23*p[9]; /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t45 = t32*p[16]; /* s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) */
+    const double t46 = JLT_FNMA(t32, t45, t44); /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) - s*1/(Theta/(m*R^2*I1))*t45 */
+    const double t47 = t28*p[17]; /* omega_n*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
+    const double t48 = t33*t47; /* gamma3*s*1/(Theta/(m*R^2*I1))*omega_n*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
     const double t49 = JLT_FMA(t31, t46, t48); /* omega_tau*omega3*t46 + t48 */
-    const double t50 = x[5]*t32; /* s*s*1/Theta scaled */
+    out[23] = t49;
+    const double t50 = x[5]*t32; /* s*s*1/(Theta/(m*R^2*I1)) */
     const double t51 = t31*p[10]; /* omega_tau*omega3*(I1 - I3)/I1 */
-    const double t52 = t33*p[18]; /* gamma3*s*1/Theta scaled*2*I3*(I1 - I3)/I1^2 */
-    const double t53 = JLT_FMA(t50, t51, t48); /* s*s*1/Theta scaled*omega_tau*omega3*(I1 - I3)/I1 + t48 */
-    const double t54 = JLT_FNMA(t34, t52, t53); /* s*s*1/Theta scaled*omega_tau*omega3*(I1 - I3)/I1 + t48 - omega_tau*omega3*gamma3*s*1/Theta scaled*gamma3*s*1/Theta scaled*2*I3*(I1 - I3)/I1^2 */
-    const double t55 = x[3]*t32; /* omega_n*s*1/Theta scaled */
-    const double t56 = p[19]*t55; /* (-1/R)*omega_n*s*1/Theta scaled */
-    const double t57 = t33*p[10]; /* gamma3*s*1/Theta scaled*(I1 - I3)/I1 */
-    const double t58 = JLT_FMS(t5, t57, t55); /* s*omega3*gamma3*s*1/Theta scaled*(I1 - I3)/I1 - omega_n*s*1/Theta scaled */
-    const double t59 = t24*t32; /* V scaled*s*1/Theta scaled */
-    const double t60 = -t59; /* -V scaled*s*1/Theta scaled */
-    const double t61 = t1*t57; /* s*omega_tau*gamma3*s*1/Theta scaled*(I1 - I3)/I1 */
-    const double t62 = 1.0 - t50; /* 1 - s*s*1/Theta scaled */
-    const double t63 = p[20]*t62; /* 2*(I1 - I3)/I1*(1 - s*s*1/Theta scaled) */
-    const double t64 = 2.0*t55; /* 2*omega_n*s*1/Theta scaled */
-    const double t65 = JLT_FMS(t59, t64, t28); /* V scaled*s*1/Theta scaled*2*omega_n*s*1/Theta scaled - omega_n*1/Theta scaled*V scaled */
-    const double t66 = JLT_FMA(t34, t63, t65); /* omega_tau*omega3*gamma3*s*1/Theta scaled*2*(I1 - I3)/I1*(1 - s*s*1/Theta scaled) + t65 */
+    const double t52 = t33*p[18]; /* gamma3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
+    const double t53 = JLT_FMA(t50, t51, t48); /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 + t48 */
+    const double t54 = JLT_FNMA(t34, t52, t53); /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 + t48 - omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*gamma3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
+    out[24] = t54;
+    const double t55 = x[3]*t32; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t56 = p[19]*t55; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[25] = t56;
+    const double t57 = t33*p[10]; /* gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t58 = JLT_FMS(t5, t57, t55); /* s*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 - omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[26] = t58;
+    const double t59 = t24*t32; /* V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t60 = -t59; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
+    out[27] = t60;
+    const double t61 = t1*t57; /* s*omega_tau*gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    out[28] = t61;
+    const double t62 = 1.0 - t50; /* 1 - s*s*1/(Theta/(m*R^2*I1)) */
+    const double t63 = p[20]*t62; /* 2*(I1 - I3)/I1*(1 - s*s*1/(Theta/(m*R^2*I1))) */
+    const double t64 = 2.0*t55; /* 2*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t65 = JLT_FMS(t59, t64, t28); /* V/R*s*1/(Theta/(m*R^2*I1))*2*omega_n*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t66 = JLT_FMA(t34, t63, t65); /* omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*2*(I1 - I3)/I1*(1 - s*s*1/(Theta/(m*R^2*I1))) + t65 */
+    out[29] = t66;
     const double t67 = -t1; /* -s*omega_tau */
+    out[30] = t67;
     const double t68 = x[5]*x[0]; /* s*gamma3 */
     const double t69 = -t68; /* -s*gamma3 */
+    out[32] = t69;
     const double t70 = x[2]*x[0]; /* omega_tau*gamma3 */
     const double t71 = -t70; /* -omega_tau*gamma3 */
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = t0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = t2;
-    out[6] = t4;
-    out[7] = 0.0;
-    out[8] = 0.0;
-    out[9] = t8;
-    out[10] = t10;
-    out[11] = t11;
-    out[12] = t12;
-    out[13] = 0.0;
-    out[14] = 0.0;
-    out[15] = t14;
-    out[16] = t17;
-    out[17] = t19;
-    out[18] = t36;
-    out[19] = t38;
-    out[20] = t41;
-    out[21] = t42;
-    out[22] = t43;
-    out[23] = t49;
-    out[24] = t54;
-    out[25] = t56;
-    out[26] = t58;
-    out[27] = t60;
-    out[28] = t61;
-    out[29] = t66;
-    out[30] = t67;
-    out[31] = 0.0;
-    out[32] = t69;
-    out[33] = 0.0;
-    out[34] = 0.0;
     out[35] = t71;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[5]*x[2]; /* s*omega_tau */
-    const double t1 = x[5]*t0; /* s*s*omega_tau */
-    const double t2 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t3 = x[5]*x[4]; /* s*omega3 */
-    const double t4 = t2 + t3; /* omega_n*gamma3 + s*omega3 */
-    const double t5 = p[1]*x[3]; /* R*omega_n */
-    const double t6 = t4*t5; /* (omega_n*gamma3 + s*omega3)*R*omega_n */
-    const double t7 = t3*p[6]; /* s*omega3*I3/I1 */
-    const double t8 = t2 + t7; /* omega_n*gamma3 + s*omega3*I3/I1 */
-    const double t9 = x[3]*t8; /* omega_n*(omega_n*gamma3 + s*omega3*I3/I1) */
-    const double t10 = -t9; /* -omega_n*(omega_n*gamma3 + s*omega3*I3/I1) */
-    const double t11 = x[5]*x[5]; /* s*s */
-    const double t12 = x[0]*p[23]; /* gamma3*m*R^2*I3 */
-    const double t13 = JLT_FMA(p[22], t11, p[21]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t14 = JLT_FMA(x[0], t12, t13); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t15 = 1.0/t14; /* 1/Theta */
-    const double t16 = x[4]*p[24]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t17 = t0*t16; /* s*omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t19 = p[25]*t18; /* m*R*I3*V */
-    const double t20 = JLT_FNMA(t2, t19, t17); /* numerator of d(omega_n)/dt over Theta = s*omega_tau*omega3*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
-    const double t21 = t15*t20; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t22 = JLT_FMA(x[2], t2, t21); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t23 = x[5]*x[3]; /* s*omega_n */
-    const double t24 = t18*p[26]; /* V*m*R*I1 */
-    const double t25 = t23*t24; /* s*omega_n*V*m*R*I1 */
-    const double t26 = t3*p[27]; /* s*omega3*m*R^2*(I1 - I3) */
-    const double t27 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t28 = JLT_FMS(t26, t27, t25); /* numerator of d(omega3)/dt over Theta = s*omega3*m*R^2*(I1 - I3)*s*omega_tau*gamma3 - s*omega_n*V*m*R*I1 */
-    const double t29 = t15*t28; /* 1/Theta*numerator of d(omega3)/dt over Theta */
-    const double t30 = -t27; /* -s*omega_tau*gamma3 */
-    const double t31 = t0*2.0; /* s*omega_tau*2 */
-    const double t32 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t33 = p[1]*t32; /* R*omega_n*omega_n */
-    const double t34 = p[1]*t3; /* R*s*omega3 */
-    const double t35 = JLT_FMA(t2, p[11], t34); /* omega_n*gamma3*2*R + R*s*omega3 */
-    const double t36 = p[1]*t23; /* R*s*omega_n */
-    const double t37 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t38 = p[1]*t37; /* R*omega_n*omega3 */
-    const double t39 = -t32; /* -omega_n*omega_n */
-    const double t40 = JLT_FMA(t2, 2.0, t7); /* omega_n*gamma3*2 + s*omega3*I3/I1 */
-    const double t41 = -t40; /* -(omega_n*gamma3*2 + s*omega3*I3/I1) */
-    const double t42 = t23*p[12]; /* s*omega_n*(-I3/I1) */
-    const double t43 = t37*p[12]; /* omega_n*omega3*(-I3/I1) */
-    const double t44 = JLT_FNMA(t15, t19, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t45 = x[3]*t44; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t46 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
-    const double t47 = t15*t46; /* 1/Theta*gamma3*2*m*R^2*I3 */
-    const double t48 = JLT_FNMA(t21, t47, t45); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    const double t49 = t2*p[29]; /* omega_n*gamma3*(-m*R*I3) */
-    const double t50 = t15*t49; /* 1/Theta*omega_n*gamma3*(-m*R*I3) */
-    const double t51 = t3*p[24]; /* s*omega3*(I3^2 + m*R^2*I3) */
-    const double t52 = JLT_FNMA(t2, p[23], t51); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R^2*I3 */
-    const double t53 = JLT_FMA(t15, t52, t2); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    const double t54 = x[0]*t44; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t55 = t0*t15; /* s*omega_tau*1/Theta */
-    const double t56 = p[24]*t55; /* (I3^2 + m*R^2*I3)*s*omega_tau*1/Theta */
-    const double t57 = x[2]*t16; /* omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t58 = t15*t57; /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t59 = x[5]*t15; /* s*1/Theta */
-    const double t60 = p[30]*t59; /* 2*m*R^2*I1*s*1/Theta */
-    const double t61 = JLT_FNMA(t21, t60, t58); /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    const double t62 = t26*t55; /* s*omega3*m*R^2*(I1 - I3)*s*omega_tau*1/Theta */
-    const double t63 = JLT_FNMA(t29, t47, t62); /* s*omega3*m*R^2*(I1 - I3)*s*omega_tau*1/Theta - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    const double t64 = t23*p[31]; /* s*omega_n*(-m*R*I1) */
-    const double t65 = t15*t64; /* 1/Theta*s*omega_n*(-m*R*I1) */
-    const double t66 = x[5]*x[0]; /* s*gamma3 */
-    const double t67 = t26*t66; /* s*omega3*m*R^2*(I1 - I3)*s*gamma3 */
-    const double t68 = JLT_FNMA(p[22], t23, t67); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*omega3*m*R^2*(I1 - I3)*s*gamma3 - m*R^2*I1*s*omega_n */
-    const double t69 = t15*t68; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
-    const double t70 = t24*t59; /* V*m*R*I1*s*1/Theta */
-    const double t71 = -t70; /* -V*m*R*I1*s*1/Theta */
-    const double t72 = p[27]*t27; /* m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
-    const double t73 = t59*t72; /* s*1/Theta*m*R^2*(I1 - I3)*s*omega_tau*gamma3 */
-    const double t74 = x[3]*t24; /* omega_n*V*m*R*I1 */
-    const double t75 = x[4]*p[32]; /* omega3*2*m*R^2*(I1 - I3) */
-    const double t76 = JLT_FMS(t27, t75, t74); /* d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega_tau*gamma3*omega3*2*m*R^2*(I1 - I3) - omega_n*V*m*R*I1 */
-    const double t77 = t15*t76; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t78 = JLT_FNMA(t29, t60, t77); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    const double t79 = -t0; /* -s*omega_tau */
-    const double t80 = -t66; /* -s*gamma3 */
-    const double t81 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t82 = -t81; /* -omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t6;
-    out[2] = t10;
-    out[3] = t22;
-    out[4] = t29;
-    out[5] = t30;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t11;
     out[9] = 0.0;
     out[10] = 0.0;
-    out[11] = t31;
-    out[12] = t33;
     out[13] = 0.0;
     out[14] = 0.0;
-    out[15] = t35;
-    out[16] = t36;
-    out[17] = t38;
-    out[18] = t39;
     out[19] = 0.0;
     out[20] = 0.0;
-    out[21] = t41;
-    out[22] = t42;
-    out[23] = t43;
-    out[24] = t48;
-    out[25] = t50;
-    out[26] = t53;
-    out[27] = t54;
-    out[28] = t56;
-    out[29] = t61;
-    out[30] = t63;
-    out[31] = t65;
-    out[32] = t69;
-    out[33] = t71;
-    out[34] = t73;
-    out[35] = t78;
-    out[36] = t79;
     out[37] = 0.0;
-    out[38] = t80;
     out[39] = 0.0;
     out[40] = 0.0;
+    const double t0 = x[5]*x[5]; /* s*s */
+    out[8] = t0;
+    const double t1 = JLT_FMA(p[22], t0, p[21]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t2 = x[0]*p[23]; /* gamma3*m*R^2*I3 */
+    const double t3 = JLT_FMA(x[0], t2, t1); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
+    const double t4 = 1.0/t3; /* 1/Theta */
+    const double t5 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t6 = x[5]*x[2]; /* s*omega_tau */
+    const double t7 = x[5]*t6; /* s*s*omega_tau */
+    out[0] = t7;
+    const double t8 = 2.0*t6; /* 2*s*omega_tau */
+    out[11] = t8;
+    const double t9 = -t6; /* -s*omega_tau */
+    out[36] = t9;
+    const double t10 = x[5]*x[4]; /* s*omega3 */
+    const double t11 = x[4]*p[24]; /* omega3*(I3^2 + m*R^2*I3) */
+    const double t12 = x[5]*x[3]; /* s*omega_n */
+    const double t13 = p[1]*t12; /* R*s*omega_n */
+    out[16] = t13;
+    const double t14 = p[12]*t12; /* (-I3/I1)*s*omega_n */
+    out[22] = t14;
+    const double t15 = p[26]*t5; /* m*R*I1*V */
+    const double t16 = p[25]*t5; /* m*R*I3*V */
+    const double t17 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t18 = p[6]*t10; /* I3/I1*s*omega3 */
+    const double t19 = t6*t11; /* s*omega_tau*omega3*(I3^2 + m*R^2*I3) */
+    const double t20 = JLT_FNMA(t16, t17, t19); /* numerator of d(omega_n)/dt over Theta = s*omega_tau*omega3*(I3^2 + m*R^2*I3) - m*R*I3*V*omega_n*gamma3 */
+    const double t21 = JLT_FNMA(t4, t16, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t22 = x[2]*t11; /* omega_tau*omega3*(I3^2 + m*R^2*I3) */
+    const double t23 = t4*t20; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t24 = t4*t22; /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) */
+    const double t25 = JLT_FMA(x[2], t17, t23); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t25;
+    const double t26 = x[0]*t21; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[27] = t26;
+    const double t27 = x[3]*t21; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t28 = t12*t15; /* s*omega_n*m*R*I1*V */
+    const double t29 = p[27]*t10; /* m*R^2*(I1 - I3)*s*omega3 */
+    const double t30 = x[0]*t6; /* gamma3*s*omega_tau */
+    const double t31 = JLT_FMS(t29, t30, t28); /* numerator of d(omega3)/dt over Theta = m*R^2*(I1 - I3)*s*omega3*gamma3*s*omega_tau - s*omega_n*m*R*I1*V */
+    const double t32 = t4*t6; /* 1/Theta*s*omega_tau */
+    const double t33 = t4*t31; /* 1/Theta*numerator of d(omega3)/dt over Theta */
+    out[4] = t33;
+    const double t34 = -t30; /* -gamma3*s*omega_tau */
+    out[5] = t34;
+    const double t35 = p[24]*t32; /* (I3^2 + m*R^2*I3)*1/Theta*s*omega_tau */
+    out[28] = t35;
+    const double t36 = t29*t32; /* m*R^2*(I1 - I3)*s*omega3*1/Theta*s*omega_tau */
+    const double t37 = x[5]*x[0]; /* s*gamma3 */
+    const double t38 = t29*t37; /* m*R^2*(I1 - I3)*s*omega3*s*gamma3 */
+    const double t39 = -t37; /* -s*gamma3 */
+    out[38] = t39;
+    const double t40 = JLT_FNMA(p[22], t12, t38); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = m*R^2*(I1 - I3)*s*omega3*s*gamma3 - m*R^2*I1*s*omega_n */
+    const double t41 = t4*t40; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
+    out[32] = t41;
+    const double t42 = p[31]*t12; /* (-m*R*I1)*s*omega_n */
+    const double t43 = t4*t42; /* 1/Theta*(-m*R*I1)*s*omega_n */
+    out[31] = t43;
+    const double t44 = x[3]*t15; /* omega_n*m*R*I1*V */
+    const double t45 = x[4]*p[32]; /* omega3*2*m*R^2*(I1 - I3) */
+    const double t46 = JLT_FMS(t30, t45, t44); /* d(numerator of d(omega3)/dt over Theta)/d(s) = gamma3*s*omega_tau*omega3*2*m*R^2*(I1 - I3) - omega_n*m*R*I1*V */
+    const double t47 = p[27]*t30; /* m*R^2*(I1 - I3)*gamma3*s*omega_tau */
+    const double t48 = t4*t46; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t49 = t17 + t18; /* omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t50 = x[3]*t49; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    const double t51 = -t50; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    out[2] = t51;
+    const double t52 = JLT_FMA(2.0, t17, t18); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t53 = -t52; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
+    out[21] = t53;
+    const double t54 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
+    const double t55 = t4*t54; /* 1/Theta*gamma3*2*m*R^2*I3 */
+    const double t56 = JLT_FNMA(t23, t55, t27); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[24] = t56;
+    const double t57 = JLT_FNMA(t33, t55, t36); /* m*R^2*(I1 - I3)*s*omega3*1/Theta*s*omega_tau - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[30] = t57;
+    const double t58 = p[24]*t10; /* (I3^2 + m*R^2*I3)*s*omega3 */
+    const double t59 = JLT_FNMA(p[23], t17, t58); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
+    const double t60 = JLT_FMA(t4, t59, t17); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[26] = t60;
+    const double t61 = x[5]*t4; /* s*1/Theta */
+    const double t62 = t47*t61; /* m*R^2*(I1 - I3)*gamma3*s*omega_tau*s*1/Theta */
+    out[34] = t62;
+    const double t63 = t15*t61; /* m*R*I1*V*s*1/Theta */
+    const double t64 = -t63; /* -m*R*I1*V*s*1/Theta */
+    out[33] = t64;
+    const double t65 = p[30]*t61; /* 2*m*R^2*I1*s*1/Theta */
+    const double t66 = JLT_FNMA(t23, t65, t24); /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[29] = t66;
+    const double t67 = JLT_FNMA(t33, t65, t48); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[35] = t67;
+    const double t68 = t10 + t17; /* s*omega3 + omega_n*gamma3 */
+    const double t69 = p[1]*t10; /* R*s*omega3 */
+    const double t70 = JLT_FMA(p[11], t17, t69); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    out[15] = t70;
+    const double t71 = p[29]*t17; /* (-m*R*I3)*omega_n*gamma3 */
+    const double t72 = t4*t71; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
+    out[25] = t72;
+    const double t73 = p[1]*x[3]; /* R*omega_n */
+    const double t74 = t68*t73; /* (s*omega3 + omega_n*gamma3)*R*omega_n */
+    out[1] = t74;
+    const double t75 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t76 = p[1]*t75; /* R*omega_n*omega_n */
+    out[12] = t76;
+    const double t77 = -t75; /* -omega_n*omega_n */
+    out[18] = t77;
+    const double t78 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t79 = p[1]*t78; /* R*omega_n*omega3 */
+    out[17] = t79;
+    const double t80 = p[12]*t78; /* (-I3/I1)*omega_n*omega3 */
+    out[23] = t80;
+    const double t81 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t82 = -t81; /* -omega_tau*gamma3 */
     out[41] = t82;
 }
 
@@ -442,13 +444,13 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = x[5]*x[5]; /* s*s */
     const double t1 = x[0]*p[6]; /* gamma3*I3/I1 */
     const double t2 = p[7] + t0; /* I3/(m*R^2) + s*s */
-    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
     const double t4 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
     const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
     const double t6 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t7 = JLT_FNMA(p[33], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
     const double t8 = x[0]*t7; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V) */
-    const double t9 = t8/t3; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/Theta scaled */
+    const double t9 = t8/t3; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/(Theta/(m*R^2*I1)) */
     out[0] = t9;
 }
 
@@ -458,76 +460,76 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = x[3]*x[3]; /* omega_n*omega_n */
     const double t2 = x[4]*x[4]; /* omega3*omega3 */
     const double t3 = x[4]*x[5]; /* omega3*s */
-    const double t4 = JLT_FMA(x[3], x[0], t3); /* v_tau scaled = omega_n*gamma3 + omega3*s */
-    const double t5 = p[36]*t4; /* m*R^2/I1*v_tau scaled */
+    const double t4 = JLT_FMA(x[3], x[0], t3); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t5 = p[36]*t4; /* m*R^2/I1*v_tau/R */
     const double t6 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t7 = JLT_FMA(x[1], t0, t6); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t8 = JLT_FMA(p[6], t2, t7); /* I3/I1*omega3*omega3 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
-    const double t9 = JLT_FMA(t4, t5, t8); /* energy scaled = v_tau scaled*m*R^2/I1*v_tau scaled + t8 */
-    const double t10 = p[34]*t9; /* 1/2*I1*energy scaled */
+    const double t9 = JLT_FMA(t4, t5, t8); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t8 */
+    const double t10 = p[34]*t9; /* 1/2*I1*energy/(1/2*I1) */
+    out[0] = t10;
     const double t11 = x[3]*p[37]; /* omega_n*R*I1 */
     const double t12 = x[5]*t11; /* s*omega_n*R*I1 */
     const double t13 = x[4]*p[38]; /* omega3*R*I3 */
     const double t14 = JLT_FNMA(x[0], t13, t12); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
+    out[1] = t14;
     const double t15 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     const double t16 = p[39]*t15; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t17 = t15*t16; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t18 = p[6]*x[0]; /* I3/I1*gamma3 */
     const double t19 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
-    const double t20 = JLT_FMA(x[0], t18, t19); /* Theta scaled = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
+    const double t20 = JLT_FMA(x[0], t18, t19); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
     const double t21 = t2*p[40]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
-    const double t22 = JLT_FMA(t20, t21, t17); /* Theta scaled*omega3*omega3*m*R^2*I1*(I1 - I3) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
-    out[0] = t10;
-    out[1] = t14;
+    const double t22 = JLT_FMA(t20, t21, t17); /* Theta/(m*R^2*I1)*omega3*omega3*m*R^2*I1*(I1 - I3) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[2] = t22;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[5]; /* omega3*s */
-    const double t1 = JLT_FMA(x[3], x[0], t0); /* v_tau scaled = omega_n*gamma3 + omega3*s */
-    const double t2 = p[41]*t1; /* m*R^2*v_tau scaled */
-    const double t3 = x[3]*t2; /* omega_n*m*R^2*v_tau scaled */
-    const double t4 = p[0]*x[1]; /* m*v_nu */
-    const double t5 = p[4]*x[2]; /* I1*omega_tau */
-    const double t6 = x[3]*p[4]; /* omega_n*I1 */
-    const double t7 = JLT_FMA(x[0], t2, t6); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau scaled + omega_n*I1 */
-    const double t8 = x[4]*p[5]; /* omega3*I3 */
-    const double t9 = JLT_FMA(x[5], t2, t8); /* d(energy)/d(omega3) = s*m*R^2*v_tau scaled + omega3*I3 */
-    const double t10 = x[4]*t2; /* omega3*m*R^2*v_tau scaled */
-    const double t11 = x[4]*p[42]; /* omega3*(-R*I3) */
-    const double t12 = x[5]*p[37]; /* s*R*I1 */
-    const double t13 = x[0]*p[42]; /* gamma3*(-R*I3) */
-    const double t14 = x[3]*p[37]; /* omega_n*R*I1 */
-    const double t15 = x[4]*p[43]; /* omega3*2*m*R^2*I3*(I1 - I3) */
-    const double t16 = x[4]*x[0]; /* omega3*gamma3 */
-    const double t17 = t15*t16; /* omega3*2*m*R^2*I3*(I1 - I3)*omega3*gamma3 */
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t19 = p[44]*t18; /* 2*m*I1^2*(omega_tau*R + v_nu) */
-    const double t20 = t18*p[45]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
-    const double t21 = x[0]*p[6]; /* gamma3*I3/I1 */
-    const double t22 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
-    const double t23 = JLT_FMA(x[0], t21, t22); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t24 = x[4]*p[46]; /* omega3*2*m*R^2*I1*(I1 - I3) */
-    const double t25 = t23*t24; /* Theta scaled*omega3*2*m*R^2*I1*(I1 - I3) */
-    const double t26 = t0*t24; /* omega3*s*omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t1 = JLT_FMA(x[3], x[0], t0); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t2 = p[41]*t1; /* m*R^2*v_tau/R */
+    const double t3 = x[3]*t2; /* omega_n*m*R^2*v_tau/R */
     out[0] = t3;
+    const double t4 = p[0]*x[1]; /* m*v_nu */
     out[1] = t4;
+    const double t5 = p[4]*x[2]; /* I1*omega_tau */
     out[2] = t5;
+    const double t6 = x[3]*p[4]; /* omega_n*I1 */
+    const double t7 = JLT_FMA(x[0], t2, t6); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau/R + omega_n*I1 */
     out[3] = t7;
+    const double t8 = x[4]*p[5]; /* omega3*I3 */
+    const double t9 = JLT_FMA(x[5], t2, t8); /* d(energy)/d(omega3) = s*m*R^2*v_tau/R + omega3*I3 */
     out[4] = t9;
+    const double t10 = x[4]*t2; /* omega3*m*R^2*v_tau/R */
     out[5] = t10;
+    const double t11 = x[4]*p[42]; /* omega3*(-R*I3) */
     out[6] = t11;
     out[7] = 0.0;
     out[8] = 0.0;
-    out[9] = t12;
-    out[10] = t13;
-    out[11] = t14;
-    out[12] = t17;
-    out[13] = t19;
-    out[14] = t20;
     out[15] = 0.0;
+    const double t12 = x[5]*p[37]; /* s*R*I1 */
+    out[9] = t12;
+    const double t13 = x[0]*p[42]; /* gamma3*(-R*I3) */
+    out[10] = t13;
+    const double t14 = x[3]*p[37]; /* omega_n*R*I1 */
+    out[11] = t14;
+    const double t15 = x[4]*p[43]; /* omega3*2*m*R^2*I3*(I1 - I3) */
+    const double t16 = x[4]*x[0]; /* omega3*gamma3 */
+    const double t17 = t15*t16; /* omega3*2*m*R^2*I3*(I1 - I3)*omega3*gamma3 */
+    out[12] = t17;
+    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t19 = p[44]*t18; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    out[13] = t19;
+    const double t20 = t18*p[45]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    out[14] = t20;
+    const double t21 = x[0]*p[6]; /* gamma3*I3/I1 */
+    const double t22 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
+    const double t23 = JLT_FMA(x[0], t21, t22); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t24 = x[4]*p[46]; /* omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t25 = t23*t24; /* Theta/(m*R^2*I1)*omega3*2*m*R^2*I1*(I1 - I3) */
     out[16] = t25;
+    const double t26 = t0*t24; /* omega3*s*omega3*2*m*R^2*I1*(I1 - I3) */
     out[17] = t26;
 }
 
@@ -699,7 +701,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular = {
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .jacobian = { jacobian, 36, { 9, 46, 16, 1, 0, 0, 10, 14 }, { 40, 250, 0, 31, 0, 0, 13, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 10, 55, 17, 1, 0, 0, 7, 16 }, { 49, 295, 0, 37, 0, 0, 13, 7 },
+    .rhs_jacobian = { rhs_jacobian, 42, { 10, 55, 17, 1, 0, 0, 7, 15 }, { 49, 295, 0, 37, 0, 0, 13, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .divergence = { divergence, 1, { 1, 5, 3, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },

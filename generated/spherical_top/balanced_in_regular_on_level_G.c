@@ -8,9 +8,9 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 1   18    7    1    0    0      9   10   (59)
+ *  rhs                 1   18    7    1    0    0      9    8   (59)
  *  jacobian            4   41   15    1    0    0     11   12   (279)
- *  rhs_jacobian        5   48   17    1    0    0     12   17   (316)
+ *  rhs_jacobian        5   48   17    1    0    0     12   15   (316)
  *  divergence          2    5    3    1    0    0      6    4   (32)
  *  integral_values     0   12   10    1    0    0      9    5   (55)
  *  integral_gradients  2   24   10    1    0    0      8   11   (111)
@@ -18,6 +18,8 @@
  *  eliminated          0    2    1    1    0    0      4    2   (7)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -53,324 +55,324 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     out[6] = params[6];
     const double t0 = 1.0/params[4]; /* 1/I1 */
+    out[7] = t0;
     const double t1 = params[1]*params[5]; /* R*I3 */
+    out[8] = t1;
     const double t2 = params[4]*params[4]; /* I1*I1 */
     const double t3 = params[1]*t2; /* R*I1*I1 */
     const double t4 = 1.0/t3; /* 1/(R*I1*I1) */
+    out[9] = t4;
     const double t5 = params[1]*params[1]; /* R*R */
     const double t6 = params[0]*t5; /* m*R*R */
+    out[35] = t6;
     const double t7 = params[5]/t6; /* I3/(m*R*R) */
+    out[10] = t7;
     const double t8 = params[5]/params[4]; /* I3/I1 */
+    out[11] = t8;
     const double t9 = t2*t5; /* I1*I1*R*R */
     const double t10 = (-1.0)/t9; /* (-1)/(I1*I1*R*R) */
+    out[12] = t10;
     const double t11 = params[5]/t3; /* I3/(R*I1*I1) */
     const double t12 = -t11; /* -I3/(R*I1*I1) */
+    out[13] = t12;
     const double t13 = params[4]*t5; /* I1*R*R */
     const double t14 = (-1.0)/t13; /* (-1)/(I1*R*R) */
+    out[14] = t14;
     const double t15 = params[4] - params[5]; /* I1 - I3 */
     const double t16 = t5*t15; /* R*R*(I1 - I3) */
+    out[15] = t16;
     const double t17 = params[1]*2.0; /* R*2 */
     const double t18 = params[5]*t17; /* I3*R*2 */
+    out[16] = t18;
     const double t19 = t1/params[4]; /* R*I3/I1 */
+    out[17] = t19;
     const double t20 = params[5]*2.0; /* I3*2 */
     const double t21 = t20/t2; /* I3*2/(I1*I1) */
+    out[18] = t21;
     const double t22 = (-2.0)/t3; /* (-2)/(R*I1*I1) */
+    out[19] = t22;
     const double t23 = params[5]*params[5]; /* I3*I3 */
     const double t24 = t23/t2; /* I3*I3/(I1*I1) */
     const double t25 = -t24; /* -I3*I3/(I1*I1) */
+    out[20] = t25;
     const double t26 = params[5]*(-2.0); /* I3*(-2) */
     const double t27 = t26/t3; /* I3*(-2)/(R*I1*I1) */
+    out[21] = t27;
     const double t28 = 2.0/t9; /* 2/(I1*I1*R*R) */
+    out[22] = t28;
     const double t29 = t20/t9; /* I3*2/(I1*I1*R*R) */
+    out[23] = t29;
     const double t30 = t15/params[4]; /* (I1 - I3)/I1 */
+    out[24] = t30;
     const double t31 = params[4]*params[1]; /* I1*R */
     const double t32 = params[5]/t31; /* I3/(I1*R) */
+    out[25] = t32;
     const double t33 = 1.0/t31; /* 1/(I1*R) */
+    out[26] = t33;
     const double t34 = 2.0/t13; /* 2/(I1*R*R) */
+    out[27] = t34;
     const double t35 = t15*2.0; /* (I1 - I3)*2 */
     const double t36 = t35/params[4]; /* (I1 - I3)*2/I1 */
+    out[28] = t36;
     const double t37 = params[0]/2.0; /* m/2 */
+    out[29] = t37;
     const double t38 = params[4]/2.0; /* I1/2 */
+    out[30] = t38;
     const double t39 = params[5]/2.0; /* I3/2 */
+    out[31] = t39;
     const double t40 = t2*params[0]; /* I1*I1*m */
+    out[32] = t40;
     const double t41 = params[4]*t6; /* I1*m*R*R */
     const double t42 = t15*t41; /* (I1 - I3)*I1*m*R*R */
+    out[33] = t42;
     const double t43 = params[1]*params[0]; /* R*m */
     const double t44 = t43/params[4]; /* R*m/I1 */
+    out[34] = t44;
     const double t45 = 1.0/t13; /* 1/(I1*R*R) */
+    out[36] = t45;
     const double t46 = params[0]*2.0; /* m*2 */
     const double t47 = t5*t46; /* R*R*m*2 */
     const double t48 = params[5]*t47; /* I3*R*R*m*2 */
     const double t49 = t15*t48; /* (I1 - I3)*I3*R*R*m*2 */
+    out[37] = t49;
     const double t50 = t2*t46; /* I1*I1*m*2 */
+    out[38] = t50;
     const double t51 = params[1]*t46; /* R*m*2 */
     const double t52 = t2*t51; /* I1*I1*R*m*2 */
+    out[39] = t52;
     const double t53 = params[4]*t47; /* I1*R*R*m*2 */
     const double t54 = t15*t53; /* (I1 - I3)*I1*R*R*m*2 */
-    out[7] = t0;
-    out[8] = t1;
-    out[9] = t4;
-    out[10] = t7;
-    out[11] = t8;
-    out[12] = t10;
-    out[13] = t12;
-    out[14] = t14;
-    out[15] = t16;
-    out[16] = t18;
-    out[17] = t19;
-    out[18] = t21;
-    out[19] = t22;
-    out[20] = t25;
-    out[21] = t27;
-    out[22] = t28;
-    out[23] = t29;
-    out[24] = t30;
-    out[25] = t32;
-    out[26] = t33;
-    out[27] = t34;
-    out[28] = t36;
-    out[29] = t37;
-    out[30] = t38;
-    out[31] = t39;
-    out[32] = t40;
-    out[33] = t42;
-    out[34] = t44;
-    out[35] = t6;
-    out[36] = t45;
-    out[37] = t49;
-    out[38] = t50;
-    out[39] = t52;
     out[40] = t54;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[2]; /* s*omega_tau */
-    const double t1 = x[4]*t0; /* s*s*omega_tau */
-    const double t2 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t3 = JLT_FMA(p[8], t2, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t4 = x[3]*t3; /* omega3*(R*I3*gamma3*omega3 + G_level) */
-    const double t5 = p[7]*t4; /* 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
-    const double t6 = x[0]*p[11]; /* gamma3*I3/I1 */
-    const double t7 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
-    const double t8 = JLT_FMA(x[0], t6, t7); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t9 = x[4]*t8; /* s*Theta scaled */
-    const double t10 = 1.0/t9; /* 1/(s*Theta scaled) */
-    const double t11 = t3*t8; /* (R*I3*gamma3*omega3 + G_level)*Theta scaled */
-    const double t12 = t10*t11; /* 1/(s*Theta scaled)*(R*I3*gamma3*omega3 + G_level)*Theta scaled */
-    const double t13 = x[0]*t12; /* gamma3*t12 */
-    const double t14 = t12*t13; /* t12*gamma3*t12 */
-    const double t15 = JLT_FMA(p[9], t14, t5); /* 1/(R*I1^2)*t12*gamma3*t12 + 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
-    const double t16 = t14*p[12]; /* t12*gamma3*t12*(-1/(R^2*I1^2)) */
-    const double t17 = JLT_FMA(t4, p[13], t16); /* omega3*(R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) + t12*gamma3*t12*(-1/(R^2*I1^2)) */
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t19 = t3*t18; /* (R*I3*gamma3*omega3 + G_level)*V */
-    const double t20 = t2*p[15]; /* gamma3*omega3*R^2*(I1 - I3) */
-    const double t21 = JLT_FNMA(t1, t20, t19); /* (R*I3*gamma3*omega3 + G_level)*V - s*s*omega_tau*gamma3*omega3*R^2*(I1 - I3) */
-    const double t22 = x[4]*p[14]; /* s*(-1/(R^2*I1)) */
-    const double t23 = t21*t22; /* t21*s*(-1/(R^2*I1)) */
-    const double t24 = t10*t23; /* 1/(s*Theta scaled)*t21*s*(-1/(R^2*I1)) */
-    const double t25 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t26 = -t25; /* -s*omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t15;
-    out[2] = t17;
-    out[3] = t24;
-    out[4] = t26;
+    const double t0 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t1 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
+    const double t2 = JLT_FMA(x[0], t0, t1); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t3 = x[4]*t2; /* s*Theta/(m*R^2*I1) */
+    const double t4 = 1.0/t3; /* 1/(s*Theta/(m*R^2*I1)) */
+    const double t5 = x[0]*x[3]; /* gamma3*omega3 */
+    const double t6 = JLT_FMA(p[8], t5, p[6]); /* R*I3*gamma3*omega3 + G_level */
+    const double t7 = t2*t6; /* Theta/(m*R^2*I1)*(R*I3*gamma3*omega3 + G_level) */
+    const double t8 = t4*t7; /* 1/(s*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*(R*I3*gamma3*omega3 + G_level) */
+    const double t9 = p[15]*t5; /* R^2*(I1 - I3)*gamma3*omega3 */
+    const double t10 = x[4]*x[2]; /* s*omega_tau */
+    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t12 = t6*t11; /* (R*I3*gamma3*omega3 + G_level)*V */
+    const double t13 = x[3]*t6; /* omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t14 = x[4]*t10; /* s*s*omega_tau */
+    out[0] = t14;
+    const double t15 = JLT_FNMA(t9, t14, t12); /* (R*I3*gamma3*omega3 + G_level)*V - R^2*(I1 - I3)*gamma3*omega3*s*s*omega_tau */
+    const double t16 = x[0]*t10; /* gamma3*s*omega_tau */
+    const double t17 = -t16; /* -gamma3*s*omega_tau */
+    out[4] = t17;
+    const double t18 = x[0]*t8; /* gamma3*t8 */
+    const double t19 = t8*t18; /* t8*gamma3*t8 */
+    const double t20 = x[4]*p[14]; /* s*(-1/(R^2*I1)) */
+    const double t21 = t15*t20; /* t15*s*(-1/(R^2*I1)) */
+    const double t22 = t4*t21; /* 1/(s*Theta/(m*R^2*I1))*t15*s*(-1/(R^2*I1)) */
+    out[3] = t22;
+    const double t23 = p[7]*t13; /* 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t24 = JLT_FMA(p[9], t19, t23); /* 1/(R*I1^2)*t8*gamma3*t8 + 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
+    out[1] = t24;
+    const double t25 = p[12]*t19; /* (-1/(R^2*I1^2))*t8*gamma3*t8 */
+    const double t26 = JLT_FMA(p[13], t13, t25); /* (-I3/(R*I1^2))*omega3*(R*I3*gamma3*omega3 + G_level) + (-1/(R^2*I1^2))*t8*gamma3*t8 */
+    out[2] = t26;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[3] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[11] = 0.0;
+    out[12] = 0.0;
+    out[21] = 0.0;
+    out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
+    out[2] = t0;
     const double t1 = x[4]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
+    out[4] = t2;
     const double t3 = x[0]*x[3]; /* gamma3*omega3 */
     const double t4 = JLT_FMA(p[8], t3, p[6]); /* R*I3*gamma3*omega3 + G_level */
     const double t5 = x[0]*p[11]; /* gamma3*I3/I1 */
     const double t6 = t0 + p[10]; /* s*s + I3/(m*R^2) */
-    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t8 = x[4]*t7; /* s*Theta scaled */
-    const double t9 = 1.0/t8; /* 1/(s*Theta scaled) */
-    const double t10 = t7*t9; /* Theta scaled*1/(s*Theta scaled) */
-    const double t11 = t4*t10; /* (R*I3*gamma3*omega3 + G_level)*Theta scaled*1/(s*Theta scaled) */
+    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t8 = x[4]*t7; /* s*Theta/(m*R^2*I1) */
+    const double t9 = 1.0/t8; /* 1/(s*Theta/(m*R^2*I1)) */
+    const double t10 = t7*t9; /* 1/s = Theta/(m*R^2*I1)*1/(s*Theta/(m*R^2*I1)) */
+    const double t11 = t4*t10; /* (R*I3*gamma3*omega3 + G_level)*1/s */
     const double t12 = t3*p[16]; /* gamma3*omega3*2*R*I3 */
-    const double t13 = JLT_FMA(t10, t12, t11); /* Theta scaled*1/(s*Theta scaled)*gamma3*omega3*2*R*I3 + t11 */
-    const double t14 = t11*t13; /* t11*(Theta scaled*1/(s*Theta scaled)*gamma3*omega3*2*R*I3 + t11) */
-    const double t15 = p[9]*t14; /* 1/(R*I1^2)*t14 */
+    const double t13 = JLT_FMA(t10, t12, t11); /* 1/s*gamma3*omega3*2*R*I3 + (R*I3*gamma3*omega3 + G_level)*1/s */
+    const double t14 = t11*t13; /* (R*I3*gamma3*omega3 + G_level)*1/s*t13 */
+    const double t15 = p[9]*t14; /* 1/(R*I1^2)*(R*I3*gamma3*omega3 + G_level)*1/s*t13 */
     const double t16 = x[3]*x[3]; /* omega3*omega3 */
-    const double t17 = JLT_FMA(p[17], t16, t15); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t14 */
+    const double t17 = JLT_FMA(p[17], t16, t15); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*(R*I3*gamma3*omega3 + G_level)*1/s*t13 */
+    out[5] = t17;
     const double t18 = t4*p[7]; /* (R*I3*gamma3*omega3 + G_level)*1/I1 */
-    const double t19 = x[0]*t10; /* gamma3*Theta scaled*1/(s*Theta scaled) */
-    const double t20 = t11*t19; /* t11*gamma3*Theta scaled*1/(s*Theta scaled) */
-    const double t21 = x[0]*t20; /* gamma3*t11*gamma3*Theta scaled*1/(s*Theta scaled) */
+    const double t19 = x[0]*t10; /* gamma3*1/s */
+    const double t20 = t11*t19; /* (R*I3*gamma3*omega3 + G_level)*1/s*gamma3*1/s */
+    const double t21 = x[0]*t20; /* gamma3*(R*I3*gamma3*omega3 + G_level)*1/s*gamma3*1/s */
     const double t22 = JLT_FMA(t3, p[17], t18); /* gamma3*omega3*R*I3/I1 + (R*I3*gamma3*omega3 + G_level)*1/I1 */
-    const double t23 = JLT_FMA(p[18], t21, t22); /* 2*I3/I1^2*gamma3*t11*gamma3*Theta scaled*1/(s*Theta scaled) + gamma3*omega3*R*I3/I1 + (R*I3*gamma3*omega3 + G_level)*1/I1 */
-    const double t24 = t11*t20; /* t11*t11*gamma3*Theta scaled*1/(s*Theta scaled) */
-    const double t25 = p[19]*t24; /* (-2/(R*I1^2))*t11*t11*gamma3*Theta scaled*1/(s*Theta scaled) */
-    const double t26 = t14*p[12]; /* t14*(-1/(R^2*I1^2)) */
-    const double t27 = JLT_FMA(t16, p[20], t26); /* omega3*omega3*(-I3^2/I1^2) + t14*(-1/(R^2*I1^2)) */
+    const double t23 = JLT_FMA(p[18], t21, t22); /* 2*I3/I1^2*gamma3*(R*I3*gamma3*omega3 + G_level)*1/s*gamma3*1/s + gamma3*omega3*R*I3/I1 + (R*I3*gamma3*omega3 + G_level)*1/I1 */
+    out[8] = t23;
+    const double t24 = t11*t20; /* (R*I3*gamma3*omega3 + G_level)*1/s*(R*I3*gamma3*omega3 + G_level)*1/s*gamma3*1/s */
+    const double t25 = p[19]*t24; /* (-2/(R*I1^2))*t24 */
+    out[9] = t25;
+    const double t26 = t14*p[12]; /* (R*I3*gamma3*omega3 + G_level)*1/s*t13*(-1/(R^2*I1^2)) */
+    const double t27 = JLT_FMA(t16, p[20], t26); /* omega3*omega3*(-I3^2/I1^2) + (R*I3*gamma3*omega3 + G_level)*1/s*t13*(-1/(R^2*I1^2)) */
+    out[10] = t27;
     const double t28 = t4*p[13]; /* (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
     const double t29 = JLT_FMA(t3, p[20], t28); /* gamma3*omega3*(-I3^2/I1^2) + (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
-    const double t30 = JLT_FMA(t21, p[21], t29); /* gamma3*t11*gamma3*Theta scaled*1/(s*Theta scaled)*(-2*I3/(R*I1^2)) + t29 */
-    const double t31 = t24*p[22]; /* t11*t11*gamma3*Theta scaled*1/(s*Theta scaled)*2/(R^2*I1^2) */
+    const double t30 = JLT_FMA(t21, p[21], t29); /* gamma3*(R*I3*gamma3*omega3 + G_level)*1/s*gamma3*1/s*(-2*I3/(R*I1^2)) + t29 */
+    out[13] = t30;
+    const double t31 = t24*p[22]; /* t24*2/(R^2*I1^2) */
+    out[14] = t31;
     const double t32 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t33 = x[4]*t9; /* s*1/(s*Theta scaled) */
-    const double t34 = t4*t33; /* (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) */
-    const double t35 = t32*t34; /* V*(R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) */
-    const double t36 = x[4]*t33; /* s*s*1/(s*Theta scaled) */
-    const double t37 = t3*t36; /* gamma3*omega3*s*s*1/(s*Theta scaled) */
+    const double t33 = x[4]*t9; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
+    const double t34 = t4*t33; /* (R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1)) */
+    const double t35 = t32*t34; /* V*(R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1)) */
+    const double t36 = x[4]*t33; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t37 = t3*t36; /* gamma3*omega3*s*1/(Theta/(m*R^2*I1)) */
     const double t38 = t1*p[15]; /* s*omega_tau*R^2*(I1 - I3) */
-    const double t39 = JLT_FNMA(t37, t38, t35); /* V*(R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) - gamma3*omega3*s*s*1/(s*Theta scaled)*s*omega_tau*R^2*(I1 - I3) */
+    const double t39 = JLT_FNMA(t37, t38, t35); /* V*(R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1)) - gamma3*omega3*s*1/(Theta/(m*R^2*I1))*s*omega_tau*R^2*(I1 - I3) */
     const double t40 = x[0]*p[23]; /* gamma3*2*I3/(R^2*I1^2) */
-    const double t41 = t33*t40; /* s*1/(s*Theta scaled)*gamma3*2*I3/(R^2*I1^2) */
-    const double t42 = t39*t41; /* t39*s*1/(s*Theta scaled)*gamma3*2*I3/(R^2*I1^2) */
+    const double t41 = t33*t40; /* 1/(Theta/(m*R^2*I1))*gamma3*2*I3/(R^2*I1^2) */
+    const double t42 = t39*t41; /* t39*1/(Theta/(m*R^2*I1))*gamma3*2*I3/(R^2*I1^2) */
     const double t43 = x[4]*p[24]; /* s*(I1 - I3)/I1 */
     const double t44 = t1*t43; /* s*omega_tau*s*(I1 - I3)/I1 */
     const double t45 = JLT_FNMA(t32, p[25], t44); /* s*omega_tau*s*(I1 - I3)/I1 - V*I3/(R*I1) */
-    const double t46 = t33*t45; /* s*1/(s*Theta scaled)*(s*omega_tau*s*(I1 - I3)/I1 - V*I3/(R*I1)) */
-    const double t47 = JLT_FMA(x[3], t46, t42); /* omega3*t46 + t39*s*1/(s*Theta scaled)*gamma3*2*I3/(R^2*I1^2) */
-    const double t48 = t34*p[14]; /* (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled)*(-1/(R^2*I1)) */
-    const double t49 = t37*t43; /* gamma3*omega3*s*s*1/(s*Theta scaled)*s*(I1 - I3)/I1 */
-    const double t50 = JLT_FNMA(t34, p[26], t49); /* gamma3*omega3*s*s*1/(s*Theta scaled)*s*(I1 - I3)/I1 - (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled)*1/(R*I1) */
+    const double t46 = t33*t45; /* 1/(Theta/(m*R^2*I1))*(s*omega_tau*s*(I1 - I3)/I1 - V*I3/(R*I1)) */
+    const double t47 = JLT_FMA(x[3], t46, t42); /* omega3*t46 + t39*1/(Theta/(m*R^2*I1))*gamma3*2*I3/(R^2*I1^2) */
+    out[15] = t47;
+    const double t48 = t34*p[14]; /* (R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1))*(-1/(R^2*I1)) */
+    out[16] = t48;
+    const double t49 = t37*t43; /* gamma3*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
+    const double t50 = JLT_FNMA(t34, p[26], t49); /* gamma3*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 - (R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1))*1/(R*I1) */
+    out[17] = t50;
     const double t51 = x[0]*t46; /* gamma3*t46 */
+    out[18] = t51;
     const double t52 = x[2]*p[15]; /* omega_tau*R^2*(I1 - I3) */
     const double t53 = JLT_FMA(t3, t52, t39); /* gamma3*omega3*omega_tau*R^2*(I1 - I3) + t39 */
-    const double t54 = t36*p[27]; /* s*s*1/(s*Theta scaled)*2/(R^2*I1) */
-    const double t55 = t53*t54; /* (gamma3*omega3*omega_tau*R^2*(I1 - I3) + t39)*s*s*1/(s*Theta scaled)*2/(R^2*I1) */
+    const double t54 = t36*p[27]; /* s*1/(Theta/(m*R^2*I1))*2/(R^2*I1) */
+    const double t55 = t53*t54; /* (gamma3*omega3*omega_tau*R^2*(I1 - I3) + t39)*s*1/(Theta/(m*R^2*I1))*2/(R^2*I1) */
+    out[19] = t55;
     const double t56 = -t1; /* -s*omega_tau */
+    out[20] = t56;
     const double t57 = x[4]*x[0]; /* s*gamma3 */
     const double t58 = -t57; /* -s*gamma3 */
+    out[22] = t58;
     const double t59 = x[2]*x[0]; /* omega_tau*gamma3 */
     const double t60 = -t59; /* -omega_tau*gamma3 */
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = t0;
-    out[3] = 0.0;
-    out[4] = t2;
-    out[5] = t17;
-    out[6] = 0.0;
-    out[7] = 0.0;
-    out[8] = t23;
-    out[9] = t25;
-    out[10] = t27;
-    out[11] = 0.0;
-    out[12] = 0.0;
-    out[13] = t30;
-    out[14] = t31;
-    out[15] = t47;
-    out[16] = t48;
-    out[17] = t50;
-    out[18] = t51;
-    out[19] = t55;
-    out[20] = t56;
-    out[21] = 0.0;
-    out[22] = t58;
-    out[23] = 0.0;
     out[24] = t60;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[2]; /* s*omega_tau */
-    const double t1 = x[4]*t0; /* s*s*omega_tau */
-    const double t2 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t3 = JLT_FMA(p[8], t2, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t4 = x[3]*t3; /* omega3*(R*I3*gamma3*omega3 + G_level) */
-    const double t5 = p[7]*t4; /* 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
-    const double t6 = x[4]*x[4]; /* s*s */
-    const double t7 = x[0]*p[11]; /* gamma3*I3/I1 */
-    const double t8 = p[10] + t6; /* I3/(m*R^2) + s*s */
-    const double t9 = JLT_FMA(x[0], t7, t8); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
-    const double t10 = x[4]*t9; /* s*Theta scaled */
-    const double t11 = 1.0/t10; /* 1/(s*Theta scaled) */
-    const double t12 = t9*t11; /* Theta scaled*1/(s*Theta scaled) */
-    const double t13 = t3*t12; /* (R*I3*gamma3*omega3 + G_level)*Theta scaled*1/(s*Theta scaled) */
-    const double t14 = t13*t13; /* t13*t13 */
-    const double t15 = x[0]*t14; /* gamma3*t13*t13 */
-    const double t16 = JLT_FMA(p[9], t15, t5); /* 1/(R*I1^2)*gamma3*t13*t13 + 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
-    const double t17 = t15*p[12]; /* gamma3*t13*t13*(-1/(R^2*I1^2)) */
-    const double t18 = JLT_FMA(t4, p[13], t17); /* omega3*(R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) + gamma3*t13*t13*(-1/(R^2*I1^2)) */
-    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t20 = x[4]*t11; /* s*1/(s*Theta scaled) */
-    const double t21 = t3*t20; /* (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) */
-    const double t22 = t19*t21; /* V*(R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) */
-    const double t23 = t2*t20; /* gamma3*omega3*s*1/(s*Theta scaled) */
-    const double t24 = t1*p[15]; /* s*s*omega_tau*R^2*(I1 - I3) */
-    const double t25 = JLT_FNMA(t23, t24, t22); /* V*(R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) - gamma3*omega3*s*1/(s*Theta scaled)*s*s*omega_tau*R^2*(I1 - I3) */
-    const double t26 = p[14]*t25; /* (-1/(R^2*I1))*t25 */
-    const double t27 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t28 = -t27; /* -s*omega_tau*gamma3 */
-    const double t29 = t0*2.0; /* s*omega_tau*2 */
-    const double t30 = t12*t13; /* Theta scaled*1/(s*Theta scaled)*t13 */
-    const double t31 = t2*p[16]; /* gamma3*omega3*2*R*I3 */
-    const double t32 = JLT_FMA(t30, t31, t14); /* Theta scaled*1/(s*Theta scaled)*t13*gamma3*omega3*2*R*I3 + t13*t13 */
-    const double t33 = p[9]*t32; /* 1/(R*I1^2)*t32 */
-    const double t34 = x[3]*x[3]; /* omega3*omega3 */
-    const double t35 = JLT_FMA(p[17], t34, t33); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t32 */
-    const double t36 = p[7]*t3; /* 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    const double t37 = x[0]*t30; /* gamma3*Theta scaled*1/(s*Theta scaled)*t13 */
-    const double t38 = x[0]*t37; /* gamma3*gamma3*Theta scaled*1/(s*Theta scaled)*t13 */
-    const double t39 = JLT_FMA(t2, p[17], t36); /* gamma3*omega3*R*I3/I1 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    const double t40 = JLT_FMA(p[18], t38, t39); /* 2*I3/I1^2*gamma3*gamma3*Theta scaled*1/(s*Theta scaled)*t13 + gamma3*omega3*R*I3/I1 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    const double t41 = t13*t37; /* t13*gamma3*Theta scaled*1/(s*Theta scaled)*t13 */
-    const double t42 = p[19]*t41; /* (-2/(R*I1^2))*t13*gamma3*Theta scaled*1/(s*Theta scaled)*t13 */
-    const double t43 = p[12]*t32; /* (-1/(R^2*I1^2))*t32 */
-    const double t44 = JLT_FMA(t34, p[20], t43); /* omega3*omega3*(-I3^2/I1^2) + (-1/(R^2*I1^2))*t32 */
-    const double t45 = t3*p[13]; /* (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
-    const double t46 = JLT_FMA(t2, p[20], t45); /* gamma3*omega3*(-I3^2/I1^2) + (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
-    const double t47 = JLT_FMA(t38, p[21], t46); /* gamma3*gamma3*Theta scaled*1/(s*Theta scaled)*t13*(-2*I3/(R*I1^2)) + t46 */
-    const double t48 = t41*p[22]; /* t13*gamma3*Theta scaled*1/(s*Theta scaled)*t13*2/(R^2*I1^2) */
-    const double t49 = t20*t25; /* s*1/(s*Theta scaled)*t25 */
-    const double t50 = x[0]*p[23]; /* gamma3*2*I3/(R^2*I1^2) */
-    const double t51 = t49*t50; /* s*1/(s*Theta scaled)*t25*gamma3*2*I3/(R^2*I1^2) */
-    const double t52 = t20*p[24]; /* s*1/(s*Theta scaled)*(I1 - I3)/I1 */
-    const double t53 = t1*t52; /* s*s*omega_tau*s*1/(s*Theta scaled)*(I1 - I3)/I1 */
-    const double t54 = t19*p[25]; /* V*I3/(R*I1) */
-    const double t55 = JLT_FNMA(t20, t54, t53); /* s*s*omega_tau*s*1/(s*Theta scaled)*(I1 - I3)/I1 - s*1/(s*Theta scaled)*V*I3/(R*I1) */
-    const double t56 = JLT_FMA(x[3], t55, t51); /* omega3*t55 + s*1/(s*Theta scaled)*t25*gamma3*2*I3/(R^2*I1^2) */
-    const double t57 = p[14]*t21; /* (-1/(R^2*I1))*(R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled) */
-    const double t58 = t21*p[26]; /* (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled)*1/(R*I1) */
-    const double t59 = t2*t6; /* gamma3*omega3*s*s */
-    const double t60 = JLT_FMS(t52, t59, t58); /* s*1/(s*Theta scaled)*(I1 - I3)/I1*gamma3*omega3*s*s - (R*I3*gamma3*omega3 + G_level)*s*1/(s*Theta scaled)*1/(R*I1) */
-    const double t61 = x[0]*t55; /* gamma3*t55 */
-    const double t62 = x[4]*p[27]; /* s*2/(R^2*I1) */
-    const double t63 = t49*t62; /* s*1/(s*Theta scaled)*t25*s*2/(R^2*I1) */
-    const double t64 = t0*p[28]; /* s*omega_tau*2*(I1 - I3)/I1 */
-    const double t65 = JLT_FMA(t23, t64, t63); /* gamma3*omega3*s*1/(s*Theta scaled)*s*omega_tau*2*(I1 - I3)/I1 + s*1/(s*Theta scaled)*t25*s*2/(R^2*I1) */
-    const double t66 = -t0; /* -s*omega_tau */
-    const double t67 = x[4]*x[0]; /* s*gamma3 */
-    const double t68 = -t67; /* -s*gamma3 */
-    const double t69 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t70 = -t69; /* -omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t16;
-    out[2] = t18;
-    out[3] = t26;
-    out[4] = t28;
     out[5] = 0.0;
     out[6] = 0.0;
-    out[7] = t6;
     out[8] = 0.0;
-    out[9] = t29;
-    out[10] = t35;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t40;
-    out[14] = t42;
-    out[15] = t44;
     out[16] = 0.0;
     out[17] = 0.0;
-    out[18] = t47;
-    out[19] = t48;
-    out[20] = t56;
-    out[21] = t57;
-    out[22] = t60;
-    out[23] = t61;
-    out[24] = t65;
-    out[25] = t66;
     out[26] = 0.0;
-    out[27] = t68;
     out[28] = 0.0;
+    const double t0 = x[4]*x[4]; /* s*s */
+    out[7] = t0;
+    const double t1 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t2 = p[10] + t0; /* I3/(m*R^2) + s*s */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t4 = x[4]*t3; /* s*Theta/(m*R^2*I1) */
+    const double t5 = 1.0/t4; /* 1/(s*Theta/(m*R^2*I1)) */
+    const double t6 = t3*t5; /* 1/s = Theta/(m*R^2*I1)*1/(s*Theta/(m*R^2*I1)) */
+    const double t7 = x[4]*t5; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
+    const double t8 = x[0]*x[3]; /* gamma3*omega3 */
+    const double t9 = t0*t8; /* s*s*gamma3*omega3 */
+    const double t10 = x[4]*x[2]; /* s*omega_tau */
+    const double t11 = 2.0*t10; /* 2*s*omega_tau */
+    out[9] = t11;
+    const double t12 = -t10; /* -s*omega_tau */
+    out[25] = t12;
+    const double t13 = JLT_FMA(p[8], t8, p[6]); /* R*I3*gamma3*omega3 + G_level */
+    const double t14 = x[4]*t10; /* s*s*omega_tau */
+    out[0] = t14;
+    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t16 = t7*t13; /* 1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
+    const double t17 = p[14]*t16; /* (-1/(R^2*I1))*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
+    out[21] = t17;
+    const double t18 = t6*t13; /* 1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t19 = t6*t18; /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t20 = t15*t16; /* V*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
+    const double t21 = p[25]*t15; /* I3/(R*I1)*V */
+    const double t22 = p[26]*t16; /* 1/(R*I1)*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
+    const double t23 = t7*t8; /* 1/(Theta/(m*R^2*I1))*gamma3*omega3 */
+    const double t24 = p[15]*t14; /* R^2*(I1 - I3)*s*s*omega_tau */
+    const double t25 = JLT_FNMA(t23, t24, t20); /* V*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) - 1/(Theta/(m*R^2*I1))*gamma3*omega3*R^2*(I1 - I3)*s*s*omega_tau */
+    const double t26 = p[14]*t25; /* (-1/(R^2*I1))*t25 */
+    out[3] = t26;
+    const double t27 = t7*t25; /* 1/(Theta/(m*R^2*I1))*t25 */
+    const double t28 = t18*t18; /* 1/s*(R*I3*gamma3*omega3 + G_level)*1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t29 = p[16]*t8; /* 2*R*I3*gamma3*omega3 */
+    const double t30 = JLT_FMA(t19, t29, t28); /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level)*2*R*I3*gamma3*omega3 + t28 */
+    const double t31 = x[0]*t28; /* gamma3*t28 */
+    const double t32 = x[0]*t19; /* gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t33 = t18*t32; /* 1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t34 = x[0]*t32; /* gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t35 = p[19]*t33; /* (-2/(R*I1^2))*t33 */
+    out[14] = t35;
+    const double t36 = p[22]*t33; /* 2/(R^2*I1^2)*t33 */
+    out[19] = t36;
+    const double t37 = p[24]*t7; /* (I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
+    const double t38 = JLT_FMS(t9, t37, t22); /* s*s*gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/(R*I1)*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
+    out[22] = t38;
+    const double t39 = t14*t37; /* s*s*omega_tau*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
+    const double t40 = JLT_FNMA(t7, t21, t39); /* s*s*omega_tau*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
+    const double t41 = x[0]*t40; /* gamma3*t40 */
+    out[23] = t41;
+    const double t42 = x[3]*t13; /* omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t43 = p[7]*t13; /* 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    const double t44 = p[13]*t13; /* (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
+    const double t45 = JLT_FMA(p[17], t8, t43); /* R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    const double t46 = JLT_FMA(p[20], t8, t44); /* (-I3^2/I1^2)*gamma3*omega3 + (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
+    const double t47 = JLT_FMA(p[18], t34, t45); /* 2*I3/I1^2*gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) + R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    out[13] = t47;
+    const double t48 = JLT_FMA(p[21], t34, t46); /* (-2*I3/(R*I1^2))*gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) + t46 */
+    out[18] = t48;
+    const double t49 = x[0]*p[23]; /* gamma3*2*I3/(R^2*I1^2) */
+    const double t50 = t27*t49; /* 1/(Theta/(m*R^2*I1))*t25*gamma3*2*I3/(R^2*I1^2) */
+    const double t51 = JLT_FMA(x[3], t40, t50); /* omega3*t40 + 1/(Theta/(m*R^2*I1))*t25*gamma3*2*I3/(R^2*I1^2) */
+    out[20] = t51;
+    const double t52 = x[4]*p[27]; /* s*2/(R^2*I1) */
+    const double t53 = t27*t52; /* 1/(Theta/(m*R^2*I1))*t25*s*2/(R^2*I1) */
+    const double t54 = p[7]*t42; /* 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t55 = JLT_FMA(p[9], t31, t54); /* 1/(R*I1^2)*gamma3*t28 + 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
+    out[1] = t55;
+    const double t56 = p[12]*t31; /* (-1/(R^2*I1^2))*gamma3*t28 */
+    const double t57 = JLT_FMA(p[13], t42, t56); /* (-I3/(R*I1^2))*omega3*(R*I3*gamma3*omega3 + G_level) + (-1/(R^2*I1^2))*gamma3*t28 */
+    out[2] = t57;
+    const double t58 = x[0]*t10; /* gamma3*s*omega_tau */
+    const double t59 = -t58; /* -gamma3*s*omega_tau */
+    out[4] = t59;
+    const double t60 = p[28]*t10; /* 2*(I1 - I3)/I1*s*omega_tau */
+    const double t61 = JLT_FMA(t23, t60, t53); /* 1/(Theta/(m*R^2*I1))*gamma3*omega3*2*(I1 - I3)/I1*s*omega_tau + 1/(Theta/(m*R^2*I1))*t25*s*2/(R^2*I1) */
+    out[24] = t61;
+    const double t62 = p[9]*t30; /* 1/(R*I1^2)*t30 */
+    const double t63 = p[12]*t30; /* (-1/(R^2*I1^2))*t30 */
+    const double t64 = x[3]*x[3]; /* omega3*omega3 */
+    const double t65 = JLT_FMA(p[17], t64, t62); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t30 */
+    out[10] = t65;
+    const double t66 = JLT_FMA(p[20], t64, t63); /* (-I3^2/I1^2)*omega3*omega3 + (-1/(R^2*I1^2))*t30 */
+    out[15] = t66;
+    const double t67 = x[4]*x[0]; /* s*gamma3 */
+    const double t68 = -t67; /* -s*gamma3 */
+    out[27] = t68;
+    const double t69 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t70 = -t69; /* -omega_tau*gamma3 */
     out[29] = t70;
 }
 
@@ -379,14 +381,14 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = x[4]*x[4]; /* s*s */
     const double t1 = x[0]*p[11]; /* gamma3*I3/I1 */
     const double t2 = p[10] + t0; /* I3/(m*R^2) + s*s */
-    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
     const double t4 = p[24]*x[2]; /* (I1 - I3)/I1*omega_tau */
     const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
     const double t6 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t7 = JLT_FNMA(p[25], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
-    const double t8 = t7/t3; /* (s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/Theta scaled */
-    const double t9 = t8 - x[2]; /* (s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/Theta scaled - omega_tau */
-    const double t10 = x[0]*t9; /* gamma3*t9 */
+    const double t8 = t7/t3; /* (s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/(Theta/(m*R^2*I1)) */
+    const double t9 = t8 - x[2]; /* t8 - omega_tau */
+    const double t10 = x[0]*t9; /* gamma3*(t8 - omega_tau) */
     out[0] = t10;
 }
 
@@ -407,15 +409,15 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t12 = x[3]*x[3]; /* omega3*omega3 */
     const double t13 = JLT_FMA(p[31], t12, t11); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
     const double t14 = JLT_FMA(p[29], t8, t13); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t13 */
+    out[0] = t14;
     const double t15 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
     const double t16 = p[32]*t15; /* m*I1^2*(R*omega_tau + v_nu) */
     const double t17 = t15*t16; /* (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
     const double t18 = x[0]*p[11]; /* gamma3*I3/I1 */
     const double t19 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
-    const double t20 = JLT_FMA(x[0], t18, t19); /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t20 = JLT_FMA(x[0], t18, t19); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
     const double t21 = t12*p[33]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
-    const double t22 = JLT_FMA(t20, t21, t17); /* Theta scaled*omega3*omega3*m*R^2*I1*(I1 - I3) + (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
-    out[0] = t14;
+    const double t22 = JLT_FMA(t20, t21, t17); /* Theta/(m*R^2*I1)*omega3*omega3*m*R^2*I1*(I1 - I3) + (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
     out[1] = t22;
 }
 
@@ -431,42 +433,42 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t7 = x[3]*t6; /* omega3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
     const double t8 = x[3]*x[4]; /* omega3*s */
     const double t9 = x[0]*p[26]; /* gamma3*1/(R*I1) */
-    const double t10 = JLT_FMA(t4, t9, t8); /* v_tau scaled = 1/s*(G_level + R*I3*omega3*gamma3)*gamma3*1/(R*I1) + omega3*s */
-    const double t11 = JLT_FMA(t0, t2, t4); /* d(v_tau)/d(gamma3) scaled = 1/s*R*I3*omega3*gamma3 + 1/s*(G_level + R*I3*omega3*gamma3) */
-    const double t12 = p[34]*t11; /* m*R/I1*d(v_tau)/d(gamma3) scaled */
-    const double t13 = JLT_FMA(t10, t12, t7); /* d(energy)/d(gamma3) = v_tau scaled*m*R/I1*d(v_tau)/d(gamma3) scaled + omega3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
+    const double t10 = JLT_FMA(t4, t9, t8); /* v_tau/R = 1/s*(G_level + R*I3*omega3*gamma3)*gamma3*1/(R*I1) + omega3*s */
+    const double t11 = JLT_FMA(t0, t2, t4); /* d(v_tau)/d(gamma3)/(1/I1) = 1/s*R*I3*omega3*gamma3 + 1/s*(G_level + R*I3*omega3*gamma3) */
+    const double t12 = p[34]*t11; /* m*R/I1*d(v_tau)/d(gamma3)/(1/I1) */
+    const double t13 = JLT_FMA(t10, t12, t7); /* d(energy)/d(gamma3) = v_tau/R*m*R/I1*d(v_tau)/d(gamma3)/(1/I1) + omega3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
+    out[0] = t13;
     const double t14 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t14;
     const double t15 = p[4]*x[2]; /* I1*omega_tau */
+    out[2] = t15;
     const double t16 = x[3]*p[5]; /* omega3*I3 */
     const double t17 = x[0]*p[11]; /* gamma3*I3/I1 */
     const double t18 = x[0]*t17; /* gamma3*gamma3*I3/I1 */
-    const double t19 = JLT_FMA(t0, t18, x[4]); /* d(v_tau)/d(omega3) scaled = 1/s*gamma3*gamma3*I3/I1 + s */
-    const double t20 = t10*p[35]; /* v_tau scaled*m*R^2 */
+    const double t19 = JLT_FMA(t0, t18, x[4]); /* d(v_tau)/d(omega3)/R = 1/s*gamma3*gamma3*I3/I1 + s */
+    const double t20 = t10*p[35]; /* v_tau/R*m*R^2 */
     const double t21 = JLT_FMA(x[0], t6, t16); /* gamma3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) + omega3*I3 */
-    const double t22 = JLT_FMA(t19, t20, t21); /* d(energy)/d(omega3) = d(v_tau)/d(omega3) scaled*v_tau scaled*m*R^2 + t21 */
-    const double t23 = JLT_FNMA(t5, t9, x[3]); /* d(v_tau)/d(s) scaled = omega3 - 1/s*1/s*(G_level + R*I3*omega3*gamma3)*gamma3*1/(R*I1) */
-    const double t24 = t20*t23; /* v_tau scaled*m*R^2*d(v_tau)/d(s) scaled */
+    const double t22 = JLT_FMA(t19, t20, t21); /* d(energy)/d(omega3) = d(v_tau)/d(omega3)/R*v_tau/R*m*R^2 + t21 */
+    out[3] = t22;
+    const double t23 = JLT_FNMA(t5, t9, x[3]); /* d(v_tau)/d(s)/R = omega3 - 1/s*1/s*(G_level + R*I3*omega3*gamma3)*gamma3*1/(R*I1) */
+    const double t24 = t20*t23; /* v_tau/R*m*R^2*d(v_tau)/d(s)/R */
     const double t25 = t4*p[36]; /* 1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
-    const double t26 = JLT_FNMA(t5, t25, t24); /* d(energy)/d(s) = v_tau scaled*m*R^2*d(v_tau)/d(s) scaled - 1/s*1/s*(G_level + R*I3*omega3*gamma3)*1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
+    const double t26 = JLT_FNMA(t5, t25, t24); /* d(energy)/d(s) = v_tau/R*m*R^2*d(v_tau)/d(s)/R - 1/s*1/s*(G_level + R*I3*omega3*gamma3)*1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
+    out[4] = t26;
     const double t27 = x[3]*p[37]; /* omega3*2*m*R^2*I3*(I1 - I3) */
     const double t28 = t1*t27; /* omega3*gamma3*omega3*2*m*R^2*I3*(I1 - I3) */
+    out[5] = t28;
     const double t29 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     const double t30 = p[38]*t29; /* 2*m*I1^2*(omega_tau*R + v_nu) */
-    const double t31 = t29*p[39]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
-    const double t32 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
-    const double t33 = t18 + t32; /* Theta scaled = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t34 = x[3]*p[40]; /* omega3*2*m*R^2*I1*(I1 - I3) */
-    const double t35 = t33*t34; /* Theta scaled*omega3*2*m*R^2*I1*(I1 - I3) */
-    const double t36 = t8*t34; /* omega3*s*omega3*2*m*R^2*I1*(I1 - I3) */
-    out[0] = t13;
-    out[1] = t14;
-    out[2] = t15;
-    out[3] = t22;
-    out[4] = t26;
-    out[5] = t28;
     out[6] = t30;
+    const double t31 = t29*p[39]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[7] = t31;
+    const double t32 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
+    const double t33 = t18 + t32; /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t34 = x[3]*p[40]; /* omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t35 = t33*t34; /* Theta/(m*R^2*I1)*omega3*2*m*R^2*I1*(I1 - I3) */
     out[8] = t35;
+    const double t36 = t8*t34; /* omega3*s*omega3*2*m*R^2*I1*(I1 - I3) */
     out[9] = t36;
 }
 
@@ -493,26 +495,26 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
     double x4[JLT_JET_ORDER_MAX + 1];
-    double t2[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
-    double t11[JLT_JET_ORDER_MAX + 1];
-    double t12[JLT_JET_ORDER_MAX + 1];
-    double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
@@ -527,39 +529,39 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[4] = x4[0] = x[4];
     coefficients[5] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t2[k] = jlt_jet_product(x4, x2, k);
-        t3[k] = jlt_jet_product(x4, t2, k);
-        t9[k] = jlt_jet_product(x0, x3, k);
-        t10[k] = p[8]*t9[k] + (k == 0 ? p[6] : 0);
-        t11[k] = jlt_jet_product(x3, t10, k);
-        t12[k] = p[7]*t11[k];
-        t16[k] = x0[k]*p[11];
-        t17[k] = jlt_jet_product(x4, x4, k) + (k == 0 ? p[10] : 0);
-        t18[k] = jlt_jet_product(x0, t16, k) + t17[k];
-        t19[k] = jlt_jet_product(x4, t18, k);
-        t21[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t19, t21, k);
-        t22[k] = jlt_jet_product(t10, t18, k);
-        t23[k] = jlt_jet_product(t21, t22, k);
-        t24[k] = jlt_jet_product(x0, t23, k);
-        t25[k] = jlt_jet_product(t23, t24, k);
-        t26[k] = p[9]*t25[k] + t12[k];
-        t28[k] = t25[k]*p[12];
-        t30[k] = t11[k]*p[13] + t28[k];
-        t34[k] = x2[k]*p[1] + x1[k];
-        t35[k] = jlt_jet_product(t10, t34, k);
-        t37[k] = t9[k]*p[15];
-        t38[k] = t35[k] - jlt_jet_product(t3, t37, k);
-        t39[k] = x4[k]*p[14];
-        t40[k] = jlt_jet_product(t38, t39, k);
-        t41[k] = jlt_jet_product(t21, t40, k);
-        t42[k] = jlt_jet_product(t2, x0, k);
-        t43[k] = -t42[k];
+        t17[k] = x0[k]*p[11];
+        t18[k] = jlt_jet_product(x4, x4, k) + (k == 0 ? p[10] : 0);
+        t19[k] = jlt_jet_product(x0, t17, k) + t18[k];
+        t20[k] = jlt_jet_product(x4, t19, k);
+        t21[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t20, t21, k);
+        t22[k] = jlt_jet_product(x0, x3, k);
+        t23[k] = p[8]*t22[k] + (k == 0 ? p[6] : 0);
+        t24[k] = jlt_jet_product(t19, t23, k);
+        t25[k] = jlt_jet_product(t21, t24, k);
+        t26[k] = p[15]*t22[k];
+        t27[k] = jlt_jet_product(x4, x2, k);
+        t28[k] = x2[k]*p[1] + x1[k];
+        t29[k] = jlt_jet_product(t23, t28, k);
+        t30[k] = jlt_jet_product(x3, t23, k);
+        t31[k] = jlt_jet_product(x4, t27, k);
+        t32[k] = t29[k] - jlt_jet_product(t26, t31, k);
+        t33[k] = jlt_jet_product(x0, t27, k);
+        t34[k] = -t33[k];
+        t35[k] = jlt_jet_product(x0, t25, k);
+        t36[k] = jlt_jet_product(t25, t35, k);
+        t37[k] = x4[k]*p[14];
+        t38[k] = jlt_jet_product(t32, t37, k);
+        t39[k] = jlt_jet_product(t21, t38, k);
+        t40[k] = p[7]*t30[k];
+        t41[k] = p[9]*t36[k] + t40[k];
+        t42[k] = p[12]*t36[k];
+        t43[k] = p[13]*t30[k] + t42[k];
         double *restrict next = coefficients + (k + 1)*6;
-        next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t26[k]/(k + 1);
-        next[2] = x2[k + 1] = t30[k]/(k + 1);
-        next[3] = x3[k + 1] = t41[k]/(k + 1);
-        next[4] = x4[k + 1] = t43[k]/(k + 1);
+        next[0] = x0[k + 1] = t31[k]/(k + 1);
+        next[1] = x1[k + 1] = t41[k]/(k + 1);
+        next[2] = x2[k + 1] = t43[k]/(k + 1);
+        next[3] = x3[k + 1] = t39[k]/(k + 1);
+        next[4] = x4[k + 1] = t34[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -636,11 +638,11 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G = 
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 1, 18, 7, 1, 0, 0, 9, 10 }, { 10, 45, 0, 4, 0, 0, 10, 5 },
+    .rhs = { rhs, 5, { 1, 18, 7, 1, 0, 0, 9, 8 }, { 10, 45, 0, 4, 0, 0, 10, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .jacobian = { jacobian, 25, { 4, 41, 15, 1, 0, 0, 11, 12 }, { 42, 208, 0, 29, 0, 0, 13, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 5, 48, 17, 1, 0, 0, 12, 17 }, { 48, 236, 0, 32, 0, 0, 13, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 5, 48, 17, 1, 0, 0, 12, 15 }, { 48, 236, 0, 32, 0, 0, 13, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .divergence = { divergence, 1, { 2, 5, 3, 1, 0, 0, 6, 4 }, { 6, 24, 0, 2, 0, 0, 9, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },

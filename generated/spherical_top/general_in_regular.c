@@ -8,13 +8,15 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   23   14    1    0    0      7   10   (105)
  *  jacobian            8   70   32    1    0    0      9   19   (480)
- *  rhs_jacobian        12   72   33    1    0    0     10   27   (563)
+ *  rhs_jacobian        12   72   33    1    0    0     10   24   (563)
  *  divergence          2    9    7    1    0    0      6    7   (53)
- *  integral_values     0   12    9    0    0    0      7    9   (40)
- *  integral_gradients  0   15    7    0    0    0      5    7   (46)
+ *  integral_values     0   12    9    0    0    0      7    5   (40)
+ *  integral_gradients  0   15    7    0    0    0      5    5   (46)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -37,100 +39,100 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     const double t0 = params[4]*params[5]; /* I1*I3 */
+    out[6] = t0;
     const double t1 = params[1]*params[1]; /* R*R */
     const double t2 = params[0]*t1; /* m*R*R */
     const double t3 = params[4]*t2; /* I1*m*R*R */
+    out[7] = t3;
     const double t4 = params[5]*params[0]; /* I3*m */
+    out[8] = t4;
     const double t5 = params[3]*params[3]; /* a3*a3 */
     const double t6 = params[0]*t5; /* m*a3*a3 */
+    out[17] = t6;
     const double t7 = t6/params[4]; /* m*a3*a3/I1 */
+    out[9] = t7;
     const double t8 = params[5]/params[4]; /* I3/I1 */
+    out[10] = t8;
     const double t9 = params[0]*params[2]; /* m*g */
     const double t10 = params[3]*t9; /* a3*m*g */
+    out[21] = t10;
     const double t11 = t10/params[4]; /* a3*m*g/I1 */
+    out[11] = t11;
     const double t12 = params[0]*params[1]; /* m*R */
+    out[44] = t12;
     const double t13 = params[5]*t12; /* I3*m*R */
+    out[12] = t13;
     const double t14 = params[5]/t12; /* I3/(m*R) */
+    out[13] = t14;
     const double t15 = params[4]*t12; /* I1*m*R */
+    out[30] = t15;
     const double t16 = -t15; /* -I1*m*R */
+    out[14] = t16;
     const double t17 = params[5]*params[3]; /* I3*a3 */
     const double t18 = t17/params[4]; /* I3*a3/I1 */
+    out[15] = t18;
     const double t19 = params[4] - params[5]; /* I1 - I3 */
     const double t20 = params[1]*t19; /* R*(I1 - I3) */
     const double t21 = t20/params[4]; /* R*(I1 - I3)/I1 */
+    out[16] = t21;
     const double t22 = params[0]*2.0; /* m*2 */
     const double t23 = t5*t22; /* a3*a3*m*2 */
+    out[18] = t23;
     const double t24 = params[4]*2.0; /* I1*2 */
+    out[19] = t24;
     const double t25 = -params[5]; /* -I3 */
+    out[20] = t25;
     const double t26 = params[2]*t22; /* g*m*2 */
     const double t27 = params[3]*t26; /* a3*g*m*2 */
+    out[22] = t27;
     const double t28 = params[3]*t12; /* a3*m*R */
     const double t29 = params[5]*t28; /* I3*a3*m*R */
+    out[23] = t29;
     const double t30 = params[0]*params[3]; /* m*a3 */
     const double t31 = params[5]*t30; /* I3*m*a3 */
+    out[24] = t31;
     const double t32 = params[5]*params[5]; /* I3*I3 */
+    out[25] = t32;
     const double t33 = params[1]*t22; /* R*m*2 */
     const double t34 = params[5]*t33; /* I3*R*m*2 */
+    out[26] = t34;
     const double t35 = t1*t22; /* R*R*m*2 */
     const double t36 = params[4]*t35; /* I1*R*R*m*2 */
+    out[27] = t36;
     const double t37 = params[4]*t28; /* I1*a3*m*R */
+    out[28] = t37;
     const double t38 = t2*t19; /* m*R*R*(I1 - I3) */
+    out[29] = t38;
     const double t39 = t19*t35; /* (I1 - I3)*R*R*m*2 */
+    out[31] = t39;
     const double t40 = params[3]*t33; /* a3*R*m*2 */
     const double t41 = params[5]*t40; /* I3*a3*R*m*2 */
+    out[32] = t41;
     const double t42 = params[5]/t2; /* I3/(m*R*R) */
+    out[33] = t42;
     const double t43 = params[3]/params[1]; /* a3/R */
+    out[34] = t43;
     const double t44 = params[4]*params[1]; /* I1*R */
+    out[43] = t44;
     const double t45 = params[5]/t44; /* I3/(I1*R) */
+    out[35] = t45;
     const double t46 = t17/t44; /* I3*a3/(I1*R) */
+    out[36] = t46;
     const double t47 = t19/params[4]; /* (I1 - I3)/I1 */
+    out[37] = t47;
     const double t48 = params[0]/2.0; /* m/2 */
+    out[38] = t48;
     const double t49 = params[2]*2.0; /* g*2 */
     const double t50 = params[3]*t49; /* a3*g*2 */
+    out[39] = t50;
     const double t51 = 1.0/params[0]; /* 1/m */
+    out[40] = t51;
     const double t52 = params[4]/params[0]; /* I1/m */
+    out[41] = t52;
     const double t53 = params[5]/params[0]; /* I3/m */
+    out[42] = t53;
     const double t54 = params[5]*params[1]; /* I3*R */
     const double t55 = -t54; /* -I3*R */
-    out[6] = t0;
-    out[7] = t3;
-    out[8] = t4;
-    out[9] = t7;
-    out[10] = t8;
-    out[11] = t11;
-    out[12] = t13;
-    out[13] = t14;
-    out[14] = t16;
-    out[15] = t18;
-    out[16] = t21;
-    out[17] = t6;
-    out[18] = t23;
-    out[19] = t24;
-    out[20] = t25;
-    out[21] = t10;
-    out[22] = t27;
-    out[23] = t29;
-    out[24] = t31;
-    out[25] = t32;
-    out[26] = t34;
-    out[27] = t36;
-    out[28] = t37;
-    out[29] = t38;
-    out[30] = t15;
-    out[31] = t39;
-    out[32] = t41;
-    out[33] = t42;
-    out[34] = t43;
-    out[35] = t45;
-    out[36] = t46;
-    out[37] = t47;
-    out[38] = t48;
-    out[39] = t50;
-    out[40] = t51;
-    out[41] = t52;
-    out[42] = t53;
-    out[43] = t44;
-    out[44] = t12;
     out[45] = t55;
 }
 
@@ -138,11 +140,13 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = x[5]*x[2]; /* s*omega_tau */
     const double t1 = x[5]*t0; /* s*s*omega_tau */
+    out[0] = t1;
     const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t3 = x[3]*t2; /* omega_n*b */
     const double t4 = x[5]*x[4]; /* s*omega3 */
     const double t5 = JLT_FMA(p[1], t4, t3); /* R*s*omega3 + omega_n*b */
     const double t6 = x[3]*t5; /* omega_n*(R*s*omega3 + omega_n*b) */
+    out[1] = t6;
     const double t7 = x[5]*x[5]; /* s*s */
     const double t8 = t2*p[8]; /* b*m*I3 */
     const double t9 = JLT_FMA(p[7], t7, p[6]); /* m*R^2*I1*s*s + I1*I3 */
@@ -154,11 +158,12 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t15 = JLT_FMA(t4, p[10], t14); /* s*omega3*I3/I1 + omega_n*gamma3 */
     const double t16 = JLT_FNMA(t7, p[11], t13); /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 - s*s*m*g*a3/I1 */
     const double t17 = JLT_FNMA(x[3], t15, t16); /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 - s*s*m*g*a3/I1 - omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
-    const double t18 = JLT_FMA(t7, p[9], 1.0); /* D scaled = s*s*m*a3^2/I1 + 1 */
-    const double t19 = t10*t18; /* Theta*D scaled */
-    const double t20 = 1.0/t19; /* 1/(Theta*D scaled) */
+    const double t18 = JLT_FMA(t7, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t19 = t10*t18; /* Theta*D/I1 */
+    const double t20 = 1.0/t19; /* 1/(Theta*D/I1) */
     const double t21 = t10*t17; /* Theta*t17 */
-    const double t22 = t20*t21; /* 1/(Theta*D scaled)*Theta*t17 */
+    const double t22 = t20*t21; /* 1/(Theta*D/I1)*Theta*t17 */
+    out[2] = t22;
     const double t23 = x[2]*t14; /* omega_tau*omega_n*gamma3 */
     const double t24 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
     const double t25 = p[13] + t24; /* I3/(m*R) + e */
@@ -168,38 +173,51 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t29 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
     const double t30 = x[3]*t29; /* omega_n*V */
     const double t31 = JLT_FNMA(t8, t30, t28); /* (I3/(m*R) + e)*m*R*I3*s*omega_tau*omega3 - b*m*I3*omega_n*V */
-    const double t32 = t18*t20; /* D scaled*1/(Theta*D scaled) */
-    const double t33 = JLT_FMA(t31, t32, t23); /* ((I3/(m*R) + e)*m*R*I3*s*omega_tau*omega3 - b*m*I3*omega_n*V)*D scaled*1/(Theta*D scaled) + omega_tau*omega_n*gamma3 */
+    const double t32 = t18*t20; /* 1/Theta = D/I1*1/(Theta*D/I1) */
+    const double t33 = JLT_FMA(t31, t32, t23); /* ((I3/(m*R) + e)*m*R*I3*s*omega_tau*omega3 - b*m*I3*omega_n*V)*1/Theta + omega_tau*omega_n*gamma3 */
+    out[3] = t33;
     const double t34 = JLT_FNMA(x[0], p[16], p[15]); /* a3*I3/I1 - gamma3*R*(I1 - I3)/I1 */
     const double t35 = JLT_FMA(t26, t34, t30); /* s*omega_tau*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) + omega_n*V */
     const double t36 = x[5]*p[14]; /* s*(-m*R*I1) */
     const double t37 = t35*t36; /* t35*s*(-m*R*I1) */
-    const double t38 = t32*t37; /* D scaled*1/(Theta*D scaled)*t35*s*(-m*R*I1) */
-    const double t39 = -t11; /* -s*omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t6;
-    out[2] = t22;
-    out[3] = t33;
+    const double t38 = t32*t37; /* 1/Theta*t35*s*(-m*R*I1) */
     out[4] = t38;
+    const double t39 = -t11; /* -s*omega_tau*gamma3 */
     out[5] = t39;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[7] = 0.0;
+    out[8] = 0.0;
+    out[13] = 0.0;
+    out[31] = 0.0;
+    out[33] = 0.0;
+    out[34] = 0.0;
     const double t0 = x[5]*x[5]; /* s*s */
+    out[2] = t0;
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
+    out[5] = t2;
     const double t3 = x[3]*x[3]; /* omega_n*omega_n */
     const double t4 = p[1]*t3; /* R*omega_n*omega_n */
+    out[6] = t4;
     const double t5 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t6 = x[3]*t5; /* omega_n*b */
     const double t7 = 2.0*t6; /* 2*omega_n*b */
     const double t8 = x[5]*x[4]; /* s*omega3 */
     const double t9 = JLT_FMA(p[1], t8, t7); /* R*s*omega3 + 2*omega_n*b */
+    out[9] = t9;
     const double t10 = x[5]*x[3]; /* s*omega_n */
     const double t11 = p[1]*t10; /* R*s*omega_n */
+    out[10] = t11;
     const double t12 = x[3]*x[4]; /* omega_n*omega3 */
     const double t13 = p[1]*t12; /* R*omega_n*omega3 */
+    out[11] = t13;
     const double t14 = t1*p[9]; /* s*omega_tau*m*a3^2/I1 */
     const double t15 = JLT_FMS(t1, t14, t3); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
     const double t16 = p[4]*t15; /* I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
@@ -209,19 +227,23 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t20 = JLT_FMA(t0, p[17], p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t21 = t19*t20; /* Theta*D */
     const double t22 = 1.0/t21; /* 1/(Theta*D) */
-    const double t23 = t19*t22; /* Theta*1/(Theta*D) */
-    const double t24 = t16*t23; /* I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n)*Theta*1/(Theta*D) */
+    const double t23 = t19*t22; /* 1/D = Theta*1/(Theta*D) */
+    const double t24 = t16*t23; /* I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n)*1/D */
+    out[12] = t24;
     const double t25 = t1*p[18]; /* s*omega_tau*2*m*a3^2 */
     const double t26 = x[5]*x[0]; /* s*gamma3 */
     const double t27 = t25*t26; /* s*omega_tau*2*m*a3^2*s*gamma3 */
-    const double t28 = t23*t27; /* Theta*1/(Theta*D)*s*omega_tau*2*m*a3^2*s*gamma3 */
+    const double t28 = t23*t27; /* 1/D*s*omega_tau*2*m*a3^2*s*gamma3 */
+    out[14] = t28;
     const double t29 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t30 = t8*p[5]; /* s*omega3*I3 */
     const double t31 = JLT_FMA(p[19], t29, t30); /* 2*I1*omega_n*gamma3 + s*omega3*I3 */
-    const double t32 = t23*t31; /* Theta*1/(Theta*D)*(2*I1*omega_n*gamma3 + s*omega3*I3) */
-    const double t33 = -t32; /* -Theta*1/(Theta*D)*(2*I1*omega_n*gamma3 + s*omega3*I3) */
+    const double t32 = t23*t31; /* 1/D*(2*I1*omega_n*gamma3 + s*omega3*I3) */
+    const double t33 = -t32; /* -1/D*(2*I1*omega_n*gamma3 + s*omega3*I3) */
+    out[15] = t33;
     const double t34 = t10*p[20]; /* s*omega_n*(-I3) */
-    const double t35 = t23*t34; /* Theta*1/(Theta*D)*s*omega_n*(-I3) */
+    const double t35 = t23*t34; /* 1/D*s*omega_n*(-I3) */
+    out[16] = t35;
     const double t36 = t0*p[21]; /* s*s*m*g*a3 */
     const double t37 = JLT_FMA(x[3], t30, t36); /* omega_n*s*omega3*I3 + s*s*m*g*a3 */
     const double t38 = JLT_FNMA(x[0], t16, t37); /* omega_n*s*omega3*I3 + s*s*m*g*a3 - gamma3*I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
@@ -231,8 +253,9 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t42 = t25*t41; /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 */
     const double t43 = JLT_FNMA(x[5], p[22], t42); /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 */
     const double t44 = JLT_FNMA(t12, p[5], t43); /* d(numerator of d(omega_tau)/dt over D)/d(s) = s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 - omega_n*omega3*I3 */
-    const double t45 = JLT_FMA(t23, t40, t44); /* Theta*1/(Theta*D)*t38*s*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(s) */
-    const double t46 = t23*t45; /* Theta*1/(Theta*D)*t45 */
+    const double t45 = JLT_FMA(t23, t40, t44); /* 1/D*t38*s*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(s) */
+    const double t46 = t23*t45; /* 1/D*t45 */
+    out[17] = t46;
     const double t47 = t1*x[4]; /* s*omega_tau*omega3 */
     const double t48 = p[23]*t47; /* m*R*a3*I3*s*omega_tau*omega3 */
     const double t49 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
@@ -241,351 +264,330 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t52 = x[2]*p[24]; /* omega_tau*m*a3*I3 */
     const double t53 = JLT_FNMA(t6, t52, t48); /* m*R*a3*I3*s*omega_tau*omega3 - omega_n*b*omega_tau*m*a3*I3 */
     const double t54 = JLT_FNMA(p[12], t51, t53); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*s*omega_tau*omega3 - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
-    const double t55 = t20*t22; /* D*1/(Theta*D) */
-    const double t56 = t54*t55; /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3)*D*1/(Theta*D) */
+    const double t55 = t20*t22; /* 1/Theta = D*1/(Theta*D) */
+    const double t56 = t54*t55; /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3)*1/Theta */
     const double t57 = x[3]*t17; /* omega_n*b*m*I3 */
     const double t58 = t50*t57; /* V*omega_n*b*m*I3 */
     const double t59 = JLT_FMA(p[12], t49, p[25]); /* m*R*I3*e + I3^2 */
     const double t60 = JLT_FMS(t47, t59, t58); /* numerator of d(omega_n)/dt over Theta = s*omega_tau*omega3*(m*R*I3*e + I3^2) - V*omega_n*b*m*I3 */
-    const double t61 = t55*t55; /* D*1/(Theta*D)*D*1/(Theta*D) */
+    const double t61 = t55*t55; /* 1/Theta*1/Theta */
     const double t62 = t5*p[26]; /* b*2*m*R*I3 */
-    const double t63 = t61*t62; /* D*1/(Theta*D)*D*1/(Theta*D)*b*2*m*R*I3 */
-    const double t64 = JLT_FMA(x[2], x[3], t56); /* omega_tau*omega_n + t56 */
-    const double t65 = JLT_FNMA(t60, t63, t64); /* omega_tau*omega_n + t56 - numerator of d(omega_n)/dt over Theta*D*1/(Theta*D)*D*1/(Theta*D)*b*2*m*R*I3 */
-    const double t66 = t55*t57; /* D*1/(Theta*D)*omega_n*b*m*I3 */
-    const double t67 = -t66; /* -D*1/(Theta*D)*omega_n*b*m*I3 */
+    const double t63 = t61*t62; /* 1/Theta*1/Theta*b*2*m*R*I3 */
+    const double t64 = JLT_FMA(x[2], x[3], t56); /* omega_tau*omega_n + d(numerator of d(omega_n)/dt over Theta)/d(gamma3)*1/Theta */
+    const double t65 = JLT_FNMA(t60, t63, t64); /* t64 - numerator of d(omega_n)/dt over Theta*1/Theta*1/Theta*b*2*m*R*I3 */
+    out[18] = t65;
+    const double t66 = t55*t57; /* 1/Theta*omega_n*b*m*I3 */
+    const double t67 = -t66; /* -1/Theta*omega_n*b*m*I3 */
+    out[19] = t67;
     const double t68 = t49*t57; /* e*omega_n*b*m*I3 */
     const double t69 = JLT_FMS(t8, t59, t68); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*omega_n*b*m*I3 */
-    const double t70 = JLT_FMA(t55, t69, t29); /* D*1/(Theta*D)*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    const double t71 = t50*t55; /* V*D*1/(Theta*D) */
-    const double t72 = JLT_FNMA(t17, t71, t41); /* omega_tau*gamma3 - b*m*I3*V*D*1/(Theta*D) */
-    const double t73 = t55*t59; /* D*1/(Theta*D)*(m*R*I3*e + I3^2) */
-    const double t74 = t1*t73; /* s*omega_tau*D*1/(Theta*D)*(m*R*I3*e + I3^2) */
+    const double t70 = JLT_FMA(t55, t69, t29); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[20] = t70;
+    const double t71 = t50*t55; /* V*1/Theta */
+    const double t72 = JLT_FNMA(t17, t71, t41); /* omega_tau*gamma3 - b*m*I3*V*1/Theta */
+    out[21] = t72;
+    const double t73 = t55*t59; /* 1/Theta*(m*R*I3*e + I3^2) */
+    const double t74 = t1*t73; /* s*omega_tau*1/Theta*(m*R*I3*e + I3^2) */
+    out[22] = t74;
     const double t75 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t76 = t73*t75; /* D*1/(Theta*D)*(m*R*I3*e + I3^2)*omega_tau*omega3 */
+    const double t76 = t73*t75; /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 */
     const double t77 = x[5]*p[27]; /* s*2*m*R^2*I1 */
-    const double t78 = t61*t77; /* D*1/(Theta*D)*D*1/(Theta*D)*s*2*m*R^2*I1 */
-    const double t79 = JLT_FNMA(t60, t78, t76); /* D*1/(Theta*D)*(m*R*I3*e + I3^2)*omega_tau*omega3 - numerator of d(omega_n)/dt over Theta*D*1/(Theta*D)*D*1/(Theta*D)*s*2*m*R^2*I1 */
+    const double t78 = t61*t77; /* 1/Theta*1/Theta*s*2*m*R^2*I1 */
+    const double t79 = JLT_FNMA(t60, t78, t76); /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 - numerator of d(omega_n)/dt over Theta*1/Theta*1/Theta*s*2*m*R^2*I1 */
+    out[23] = t79;
     const double t80 = x[3]*p[28]; /* omega_n*m*R*a3*I1 */
     const double t81 = t1*t80; /* s*omega_tau*omega_n*m*R*a3*I1 */
     const double t82 = t1*t8; /* s*omega_tau*s*omega3 */
     const double t83 = JLT_FMS(p[29], t82, t81); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = m*R^2*(I1 - I3)*s*omega_tau*s*omega3 - s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t84 = t55*t83; /* D*1/(Theta*D)*d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t84 = t55*t83; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
     const double t85 = t10*p[30]; /* s*omega_n*m*R*I1 */
     const double t86 = t50*t85; /* V*s*omega_n*m*R*I1 */
     const double t87 = JLT_FNMA(x[0], p[29], p[23]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
     const double t88 = JLT_FMA(t82, t87, t86); /* s*omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*s*omega_n*m*R*I1 */
-    const double t89 = JLT_FMA(t63, t88, t84); /* D*1/(Theta*D)*D*1/(Theta*D)*b*2*m*R*I3*t88 + t84 */
-    const double t90 = t55*t85; /* D*1/(Theta*D)*s*omega_n*m*R*I1 */
-    const double t91 = -t90; /* -D*1/(Theta*D)*s*omega_n*m*R*I1 */
+    const double t89 = JLT_FMA(t63, t88, t84); /* 1/Theta*1/Theta*b*2*m*R*I3*t88 + 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    out[24] = t89;
+    const double t90 = t55*t85; /* 1/Theta*s*omega_n*m*R*I1 */
+    const double t91 = -t90; /* -1/Theta*s*omega_n*m*R*I1 */
+    out[25] = t91;
     const double t92 = t49*t85; /* e*s*omega_n*m*R*I1 */
     const double t93 = x[5]*t87; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
     const double t94 = JLT_FMA(t8, t93, t92); /* s*omega3*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*s*omega_n*m*R*I1 */
-    const double t95 = t55*t94; /* D*1/(Theta*D)*t94 */
-    const double t96 = -t95; /* -D*1/(Theta*D)*t94 */
+    const double t95 = t55*t94; /* 1/Theta*t94 */
+    const double t96 = -t95; /* -1/Theta*t94 */
+    out[26] = t96;
     const double t97 = x[5]*p[14]; /* s*(-m*R*I1) */
-    const double t98 = t71*t97; /* V*D*1/(Theta*D)*s*(-m*R*I1) */
+    const double t98 = t71*t97; /* V*1/Theta*s*(-m*R*I1) */
+    out[27] = t98;
     const double t99 = t1*t93; /* s*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t100 = t55*t99; /* D*1/(Theta*D)*s*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t101 = -t100; /* -t100 */
+    const double t100 = t55*t99; /* 1/Theta*s*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t101 = -t100; /* -1/Theta*s*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[28] = t101;
     const double t102 = x[0]*p[31]; /* gamma3*2*m*R^2*(I1 - I3) */
     const double t103 = t47*t102; /* s*omega_tau*omega3*gamma3*2*m*R^2*(I1 - I3) */
     const double t104 = JLT_FNMA(t47, p[32], t103); /* s*omega_tau*omega3*gamma3*2*m*R^2*(I1 - I3) - s*omega_tau*omega3*2*m*R*a3*I3 */
     const double t105 = JLT_FNMA(t51, p[30], t104); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t104 - omega_n*V*m*R*I1 */
-    const double t106 = t55*t105; /* D*1/(Theta*D)*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t107 = JLT_FMA(t78, t88, t106); /* D*1/(Theta*D)*D*1/(Theta*D)*s*2*m*R^2*I1*t88 + D*1/(Theta*D)*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t108 = -t1; /* -s*omega_tau */
-    const double t109 = -t26; /* -s*gamma3 */
-    const double t110 = -t41; /* -omega_tau*gamma3 */
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = t0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = t2;
-    out[6] = t4;
-    out[7] = 0.0;
-    out[8] = 0.0;
-    out[9] = t9;
-    out[10] = t11;
-    out[11] = t13;
-    out[12] = t24;
-    out[13] = 0.0;
-    out[14] = t28;
-    out[15] = t33;
-    out[16] = t35;
-    out[17] = t46;
-    out[18] = t65;
-    out[19] = t67;
-    out[20] = t70;
-    out[21] = t72;
-    out[22] = t74;
-    out[23] = t79;
-    out[24] = t89;
-    out[25] = t91;
-    out[26] = t96;
-    out[27] = t98;
-    out[28] = t101;
+    const double t106 = t55*t105; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t107 = JLT_FMA(t78, t88, t106); /* 1/Theta*1/Theta*s*2*m*R^2*I1*t88 + 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
     out[29] = t107;
+    const double t108 = -t1; /* -s*omega_tau */
     out[30] = t108;
-    out[31] = 0.0;
+    const double t109 = -t26; /* -s*gamma3 */
     out[32] = t109;
-    out[33] = 0.0;
-    out[34] = 0.0;
+    const double t110 = -t41; /* -omega_tau*gamma3 */
     out[35] = t110;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[5]*x[2]; /* s*omega_tau */
-    const double t1 = x[5]*t0; /* s*s*omega_tau */
-    const double t2 = x[5]*x[4]; /* s*omega3 */
-    const double t3 = p[1]*t2; /* R*s*omega3 */
-    const double t4 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t5 = x[3]*t4; /* omega_n*b */
-    const double t6 = t3 + t5; /* R*s*omega3 + omega_n*b */
-    const double t7 = x[3]*t6; /* omega_n*(R*s*omega3 + omega_n*b) */
-    const double t8 = t0*p[17]; /* s*omega_tau*m*a3^2 */
-    const double t9 = t0*t8; /* s*omega_tau*s*omega_tau*m*a3^2 */
-    const double t10 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t11 = JLT_FNMA(p[4], t10, t9); /* s*omega_tau*s*omega_tau*m*a3^2 - I1*omega_n*omega_n */
-    const double t12 = x[5]*x[5]; /* s*s */
-    const double t13 = p[21]*t12; /* m*g*a3*s*s */
-    const double t14 = t2*p[5]; /* s*omega3*I3 */
-    const double t15 = JLT_FMA(x[3], t14, t13); /* omega_n*s*omega3*I3 + m*g*a3*s*s */
-    const double t16 = JLT_FNMA(x[0], t11, t15); /* omega_n*s*omega3*I3 + m*g*a3*s*s - gamma3*(s*omega_tau*s*omega_tau*m*a3^2 - I1*omega_n*omega_n) */
-    const double t17 = t4*p[8]; /* b*m*I3 */
-    const double t18 = JLT_FMA(t12, p[7], p[6]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t19 = JLT_FMA(t4, t17, t18); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t20 = JLT_FMA(p[17], t12, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t21 = t19*t20; /* Theta*D */
-    const double t22 = 1.0/t21; /* 1/(Theta*D) */
-    const double t23 = t19*t22; /* Theta*1/(Theta*D) */
-    const double t24 = t16*t23; /* t16*Theta*1/(Theta*D) */
-    const double t25 = -t24; /* -t16*Theta*1/(Theta*D) */
-    const double t26 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t27 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t28 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
-    const double t29 = t5*p[8]; /* omega_n*b*m*I3 */
-    const double t30 = t28*t29; /* V*omega_n*b*m*I3 */
-    const double t31 = JLT_FMA(t27, p[12], p[25]); /* e*m*R*I3 + I3^2 */
-    const double t32 = t0*x[4]; /* s*omega_tau*omega3 */
-    const double t33 = JLT_FMS(t31, t32, t30); /* numerator of d(omega_n)/dt over Theta = (e*m*R*I3 + I3^2)*s*omega_tau*omega3 - V*omega_n*b*m*I3 */
-    const double t34 = t20*t22; /* D*1/(Theta*D) */
-    const double t35 = t33*t34; /* numerator of d(omega_n)/dt over Theta*D*1/(Theta*D) */
-    const double t36 = JLT_FMA(x[3], t26, t35); /* omega_n*omega_tau*gamma3 + numerator of d(omega_n)/dt over Theta*D*1/(Theta*D) */
-    const double t37 = x[3]*t28; /* omega_n*V */
-    const double t38 = p[30]*t37; /* m*R*I1*omega_n*V */
-    const double t39 = x[5]*t38; /* s*m*R*I1*omega_n*V */
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[13] = 0.0;
+    out[14] = 0.0;
+    out[19] = 0.0;
+    out[37] = 0.0;
+    out[39] = 0.0;
+    out[40] = 0.0;
+    const double t0 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t1 = x[5]*x[5]; /* s*s */
+    out[8] = t1;
+    const double t2 = p[8]*t0; /* m*I3*b */
+    const double t3 = JLT_FMA(p[7], t1, p[6]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t4 = JLT_FMA(t0, t2, t3); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
+    const double t5 = JLT_FMA(p[17], t1, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t6 = p[21]*t1; /* m*g*a3*s*s */
+    const double t7 = t4*t5; /* Theta*D */
+    const double t8 = 1.0/t7; /* 1/(Theta*D) */
+    const double t9 = t4*t8; /* 1/D = Theta*1/(Theta*D) */
+    const double t10 = t5*t8; /* 1/Theta = D*1/(Theta*D) */
+    const double t11 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t12 = x[5]*x[2]; /* s*omega_tau */
+    const double t13 = x[5]*t12; /* s*s*omega_tau */
+    out[0] = t13;
+    const double t14 = 2.0*t12; /* 2*s*omega_tau */
+    out[11] = t14;
+    const double t15 = -t12; /* -s*omega_tau */
+    out[36] = t15;
+    const double t16 = x[3]*t0; /* omega_n*b */
+    const double t17 = p[26]*t0; /* 2*m*R*I3*b */
+    const double t18 = JLT_FMA(x[2], t11, x[1]); /* V = omega_tau*e + v_nu */
+    const double t19 = x[5]*x[4]; /* s*omega3 */
+    const double t20 = p[17]*t12; /* m*a3^2*s*omega_tau */
+    const double t21 = t12*t20; /* s*omega_tau*m*a3^2*s*omega_tau */
+    const double t22 = p[8]*t16; /* m*I3*omega_n*b */
+    const double t23 = x[4]*t12; /* omega3*s*omega_tau */
+    const double t24 = x[3]*t18; /* omega_n*V */
+    const double t25 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t26 = JLT_FNMA(p[4], t25, t21); /* s*omega_tau*m*a3^2*s*omega_tau - I1*omega_n*omega_n */
+    const double t27 = p[1]*t25; /* R*omega_n*omega_n */
+    out[12] = t27;
+    const double t28 = t9*t26; /* 1/D*(s*omega_tau*m*a3^2*s*omega_tau - I1*omega_n*omega_n) */
+    out[18] = t28;
+    const double t29 = p[5]*t19; /* I3*s*omega3 */
+    const double t30 = JLT_FMA(x[3], t29, t6); /* omega_n*I3*s*omega3 + m*g*a3*s*s */
+    const double t31 = JLT_FNMA(x[0], t26, t30); /* omega_n*I3*s*omega3 + m*g*a3*s*s - gamma3*(s*omega_tau*m*a3^2*s*omega_tau - I1*omega_n*omega_n) */
+    const double t32 = t9*t31; /* 1/D*t31 */
+    const double t33 = -t32; /* -1/D*t31 */
+    out[2] = t33;
+    const double t34 = t18*t22; /* V*m*I3*omega_n*b */
+    const double t35 = t10*t18; /* 1/Theta*V */
+    const double t36 = JLT_FMA(p[12], t11, p[25]); /* m*R*I3*e + I3^2 */
+    const double t37 = JLT_FMS(t23, t36, t34); /* numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*(m*R*I3*e + I3^2) - V*m*I3*omega_n*b */
+    const double t38 = t10*t37; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t39 = p[30]*t24; /* m*R*I1*omega_n*V */
     const double t40 = x[5]*p[23]; /* s*m*R*a3*I3 */
     const double t41 = x[5]*p[29]; /* s*m*R^2*(I1 - I3) */
     const double t42 = JLT_FNMA(x[0], t41, t40); /* s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3) */
-    const double t43 = JLT_FMA(t32, t42, t39); /* s*omega_tau*omega3*(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3)) + s*m*R*I1*omega_n*V */
-    const double t44 = t34*t43; /* D*1/(Theta*D)*t43 */
-    const double t45 = -t44; /* -D*1/(Theta*D)*t43 */
-    const double t46 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t47 = -t46; /* -s*omega_tau*gamma3 */
-    const double t48 = t0*2.0; /* s*omega_tau*2 */
-    const double t49 = p[1]*t10; /* R*omega_n*omega_n */
-    const double t50 = JLT_FMA(t5, 2.0, t3); /* omega_n*b*2 + R*s*omega3 */
-    const double t51 = x[5]*x[3]; /* s*omega_n */
-    const double t52 = p[1]*t51; /* R*s*omega_n */
-    const double t53 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t54 = p[1]*t53; /* R*omega_n*omega3 */
-    const double t55 = t11*t23; /* (s*omega_tau*s*omega_tau*m*a3^2 - I1*omega_n*omega_n)*Theta*1/(Theta*D) */
-    const double t56 = t46*p[18]; /* s*omega_tau*gamma3*2*m*a3^2 */
-    const double t57 = x[5]*t23; /* s*Theta*1/(Theta*D) */
-    const double t58 = t56*t57; /* s*omega_tau*gamma3*2*m*a3^2*s*Theta*1/(Theta*D) */
-    const double t59 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t60 = JLT_FMA(p[19], t59, t14); /* 2*I1*omega_n*gamma3 + s*omega3*I3 */
-    const double t61 = t23*t60; /* Theta*1/(Theta*D)*(2*I1*omega_n*gamma3 + s*omega3*I3) */
-    const double t62 = -t61; /* -Theta*1/(Theta*D)*(2*I1*omega_n*gamma3 + s*omega3*I3) */
-    const double t63 = t51*p[20]; /* s*omega_n*(-I3) */
-    const double t64 = t23*t63; /* Theta*1/(Theta*D)*s*omega_n*(-I3) */
-    const double t65 = p[18]*t57; /* 2*m*a3^2*s*Theta*1/(Theta*D) */
-    const double t66 = t24*t65; /* t16*Theta*1/(Theta*D)*2*m*a3^2*s*Theta*1/(Theta*D) */
-    const double t67 = x[2]*t56; /* omega_tau*s*omega_tau*gamma3*2*m*a3^2 */
-    const double t68 = JLT_FNMA(x[5], p[22], t67); /* omega_tau*s*omega_tau*gamma3*2*m*a3^2 - s*2*m*g*a3 */
-    const double t69 = JLT_FNMA(p[5], t53, t68); /* d(numerator of d(omega_tau)/dt over D)/d(s) = omega_tau*s*omega_tau*gamma3*2*m*a3^2 - s*2*m*g*a3 - I3*omega_n*omega3 */
-    const double t70 = JLT_FMA(t23, t69, t66); /* Theta*1/(Theta*D)*d(numerator of d(omega_tau)/dt over D)/d(s) + t16*Theta*1/(Theta*D)*2*m*a3^2*s*Theta*1/(Theta*D) */
-    const double t71 = t4*p[26]; /* b*2*m*R*I3 */
-    const double t72 = t32*p[23]; /* s*omega_tau*omega3*m*R*a3*I3 */
-    const double t73 = x[2]*p[24]; /* omega_tau*m*a3*I3 */
-    const double t74 = JLT_FNMA(t5, t73, t72); /* s*omega_tau*omega3*m*R*a3*I3 - omega_n*b*omega_tau*m*a3*I3 */
-    const double t75 = JLT_FNMA(p[12], t37, t74); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = s*omega_tau*omega3*m*R*a3*I3 - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
-    const double t76 = JLT_FMS(t35, t71, t75); /* numerator of d(omega_n)/dt over Theta*D*1/(Theta*D)*b*2*m*R*I3 - d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
-    const double t77 = t34*t76; /* D*1/(Theta*D)*t76 */
-    const double t78 = JLT_FMS(x[2], x[3], t77); /* omega_tau*omega_n - D*1/(Theta*D)*t76 */
-    const double t79 = t29*t34; /* omega_n*b*m*I3*D*1/(Theta*D) */
-    const double t80 = -t79; /* -omega_n*b*m*I3*D*1/(Theta*D) */
-    const double t81 = t27*t29; /* e*omega_n*b*m*I3 */
-    const double t82 = JLT_FMS(t2, t31, t81); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(e*m*R*I3 + I3^2) - e*omega_n*b*m*I3 */
-    const double t83 = JLT_FMA(t34, t82, t59); /* D*1/(Theta*D)*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    const double t84 = t28*t34; /* V*D*1/(Theta*D) */
-    const double t85 = JLT_FNMA(t17, t84, t26); /* omega_tau*gamma3 - b*m*I3*V*D*1/(Theta*D) */
-    const double t86 = t0*t34; /* s*omega_tau*D*1/(Theta*D) */
-    const double t87 = t31*t86; /* (e*m*R*I3 + I3^2)*s*omega_tau*D*1/(Theta*D) */
-    const double t88 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t89 = t31*t88; /* (e*m*R*I3 + I3^2)*omega_tau*omega3 */
-    const double t90 = x[5]*p[27]; /* s*2*m*R^2*I1 */
-    const double t91 = JLT_FNMA(t35, t90, t89); /* (e*m*R*I3 + I3^2)*omega_tau*omega3 - numerator of d(omega_n)/dt over Theta*D*1/(Theta*D)*s*2*m*R^2*I1 */
-    const double t92 = t34*t91; /* D*1/(Theta*D)*t91 */
-    const double t93 = x[3]*p[28]; /* omega_n*m*R*a3*I1 */
-    const double t94 = t0*t93; /* s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t95 = JLT_FMS(t32, t41, t94); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = s*omega_tau*omega3*s*m*R^2*(I1 - I3) - s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t96 = JLT_FMA(t44, t71, t95); /* D*1/(Theta*D)*t43*b*2*m*R*I3 + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
-    const double t97 = t34*t96; /* D*1/(Theta*D)*t96 */
-    const double t98 = p[30]*t51; /* m*R*I1*s*omega_n */
-    const double t99 = t34*t98; /* D*1/(Theta*D)*m*R*I1*s*omega_n */
-    const double t100 = -t99; /* -D*1/(Theta*D)*m*R*I1*s*omega_n */
-    const double t101 = t27*t98; /* e*m*R*I1*s*omega_n */
-    const double t102 = JLT_FMA(t2, t42, t101); /* s*omega3*(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3)) + e*m*R*I1*s*omega_n */
-    const double t103 = t34*t102; /* D*1/(Theta*D)*t102 */
-    const double t104 = -t103; /* -D*1/(Theta*D)*t102 */
-    const double t105 = x[5]*p[14]; /* s*(-m*R*I1) */
-    const double t106 = t84*t105; /* V*D*1/(Theta*D)*s*(-m*R*I1) */
-    const double t107 = t42*t86; /* (s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3))*s*omega_tau*D*1/(Theta*D) */
-    const double t108 = -t107; /* -t107 */
-    const double t109 = x[0]*p[31]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t110 = JLT_FMS(t32, t109, t38); /* s*omega_tau*omega3*gamma3*2*m*R^2*(I1 - I3) - m*R*I1*omega_n*V */
-    const double t111 = JLT_FNMA(t32, p[32], t110); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t110 - s*omega_tau*omega3*2*m*R*a3*I3 */
-    const double t112 = JLT_FMA(t44, t90, t111); /* D*1/(Theta*D)*t43*s*2*m*R^2*I1 + d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t113 = t34*t112; /* D*1/(Theta*D)*t112 */
-    const double t114 = -t0; /* -s*omega_tau */
-    const double t115 = x[5]*x[0]; /* s*gamma3 */
-    const double t116 = -t115; /* -s*gamma3 */
-    const double t117 = -t26; /* -omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t7;
-    out[2] = t25;
-    out[3] = t36;
-    out[4] = t45;
-    out[5] = t47;
-    out[6] = 0.0;
-    out[7] = 0.0;
-    out[8] = t12;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = t48;
-    out[12] = t49;
-    out[13] = 0.0;
-    out[14] = 0.0;
-    out[15] = t50;
-    out[16] = t52;
-    out[17] = t54;
-    out[18] = t55;
-    out[19] = 0.0;
-    out[20] = t58;
-    out[21] = t62;
-    out[22] = t64;
-    out[23] = t70;
-    out[24] = t78;
-    out[25] = t80;
-    out[26] = t83;
-    out[27] = t85;
-    out[28] = t87;
-    out[29] = t92;
-    out[30] = t97;
-    out[31] = t100;
-    out[32] = t104;
-    out[33] = t106;
-    out[34] = t108;
-    out[35] = t113;
-    out[36] = t114;
-    out[37] = 0.0;
-    out[38] = t116;
-    out[39] = 0.0;
-    out[40] = 0.0;
-    out[41] = t117;
+    const double t43 = x[0]*t12; /* gamma3*s*omega_tau */
+    const double t44 = -t43; /* -gamma3*s*omega_tau */
+    out[5] = t44;
+    const double t45 = p[18]*t43; /* 2*m*a3^2*gamma3*s*omega_tau */
+    const double t46 = x[5]*x[3]; /* s*omega_n */
+    const double t47 = p[1]*t46; /* R*s*omega_n */
+    out[16] = t47;
+    const double t48 = p[23]*t23; /* m*R*a3*I3*omega3*s*omega_tau */
+    const double t49 = x[2]*p[24]; /* omega_tau*m*a3*I3 */
+    const double t50 = JLT_FNMA(t16, t49, t48); /* m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 */
+    const double t51 = JLT_FNMA(p[12], t24, t50); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
+    const double t52 = JLT_FMS(t17, t38, t51); /* 2*m*R*I3*b*1/Theta*numerator of d(omega_n)/dt over Theta - d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
+    const double t53 = t10*t52; /* 1/Theta*t52 */
+    const double t54 = JLT_FMS(x[2], x[3], t53); /* omega_tau*omega_n - 1/Theta*t52 */
+    out[24] = t54;
+    const double t55 = x[5]*t39; /* s*m*R*I1*omega_n*V */
+    const double t56 = JLT_FMA(t23, t42, t55); /* omega3*s*omega_tau*(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3)) + s*m*R*I1*omega_n*V */
+    const double t57 = t10*t56; /* 1/Theta*t56 */
+    const double t58 = -t57; /* -1/Theta*t56 */
+    out[4] = t58;
+    const double t59 = x[3]*p[28]; /* omega_n*m*R*a3*I1 */
+    const double t60 = t12*t59; /* s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t61 = JLT_FMS(t23, t41, t60); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = omega3*s*omega_tau*s*m*R^2*(I1 - I3) - s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t62 = JLT_FMA(t17, t57, t61); /* 2*m*R*I3*b*1/Theta*t56 + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t63 = t10*t62; /* 1/Theta*t62 */
+    out[30] = t63;
+    const double t64 = t10*t12; /* 1/Theta*s*omega_tau */
+    const double t65 = t36*t64; /* (m*R*I3*e + I3^2)*1/Theta*s*omega_tau */
+    out[28] = t65;
+    const double t66 = t42*t64; /* (s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3))*1/Theta*s*omega_tau */
+    const double t67 = -t66; /* -(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3))*1/Theta*s*omega_tau */
+    out[34] = t67;
+    const double t68 = p[30]*t46; /* m*R*I1*s*omega_n */
+    const double t69 = p[20]*t46; /* (-I3)*s*omega_n */
+    const double t70 = t9*t69; /* 1/D*(-I3)*s*omega_n */
+    out[22] = t70;
+    const double t71 = x[0]*p[31]; /* gamma3*2*m*R^2*(I1 - I3) */
+    const double t72 = JLT_FMS(t23, t71, t39); /* omega3*s*omega_tau*gamma3*2*m*R^2*(I1 - I3) - m*R*I1*omega_n*V */
+    const double t73 = JLT_FNMA(p[32], t23, t72); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t72 - 2*m*R*a3*I3*omega3*s*omega_tau */
+    const double t74 = x[5]*t9; /* s*1/D */
+    const double t75 = t45*t74; /* 2*m*a3^2*gamma3*s*omega_tau*s*1/D */
+    out[20] = t75;
+    const double t76 = x[2]*t45; /* omega_tau*2*m*a3^2*gamma3*s*omega_tau */
+    const double t77 = p[18]*t74; /* 2*m*a3^2*s*1/D */
+    const double t78 = t32*t77; /* 1/D*t31*2*m*a3^2*s*1/D */
+    const double t79 = JLT_FNMA(x[5], p[22], t76); /* omega_tau*2*m*a3^2*gamma3*s*omega_tau - s*2*m*g*a3 */
+    const double t80 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t81 = JLT_FMA(p[19], t80, t29); /* 2*I1*omega_n*gamma3 + I3*s*omega3 */
+    const double t82 = t9*t81; /* 1/D*(2*I1*omega_n*gamma3 + I3*s*omega3) */
+    const double t83 = -t82; /* -1/D*(2*I1*omega_n*gamma3 + I3*s*omega3) */
+    out[21] = t83;
+    const double t84 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t85 = t36*t84; /* (m*R*I3*e + I3^2)*omega_tau*omega3 */
+    const double t86 = t11*t68; /* e*m*R*I1*s*omega_n */
+    const double t87 = JLT_FMA(t19, t42, t86); /* s*omega3*(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3)) + e*m*R*I1*s*omega_n */
+    const double t88 = t11*t22; /* e*m*I3*omega_n*b */
+    const double t89 = JLT_FMS(t19, t36, t88); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*m*I3*omega_n*b */
+    const double t90 = JLT_FMA(t10, t89, t80); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[26] = t90;
+    const double t91 = p[1]*t19; /* R*s*omega3 */
+    const double t92 = t10*t22; /* 1/Theta*m*I3*omega_n*b */
+    const double t93 = -t92; /* -1/Theta*m*I3*omega_n*b */
+    out[25] = t93;
+    const double t94 = t10*t68; /* 1/Theta*m*R*I1*s*omega_n */
+    const double t95 = -t94; /* -1/Theta*m*R*I1*s*omega_n */
+    out[31] = t95;
+    const double t96 = t10*t87; /* 1/Theta*t87 */
+    const double t97 = -t96; /* -1/Theta*t87 */
+    out[32] = t97;
+    const double t98 = JLT_FMA(2.0, t16, t91); /* 2*omega_n*b + R*s*omega3 */
+    out[15] = t98;
+    const double t99 = t16 + t91; /* omega_n*b + R*s*omega3 */
+    const double t100 = x[3]*t99; /* omega_n*(omega_n*b + R*s*omega3) */
+    out[1] = t100;
+    const double t101 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t102 = JLT_FNMA(p[5], t101, t79); /* d(numerator of d(omega_tau)/dt over D)/d(s) = omega_tau*2*m*a3^2*gamma3*s*omega_tau - s*2*m*g*a3 - I3*omega_n*omega3 */
+    const double t103 = JLT_FMA(t9, t102, t78); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) + 1/D*t31*2*m*a3^2*s*1/D */
+    out[23] = t103;
+    const double t104 = p[1]*t101; /* R*omega_n*omega3 */
+    out[17] = t104;
+    const double t105 = x[5]*p[27]; /* s*2*m*R^2*I1 */
+    const double t106 = JLT_FMA(t57, t105, t73); /* 1/Theta*t56*s*2*m*R^2*I1 + d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t107 = JLT_FNMA(t38, t105, t85); /* (m*R*I3*e + I3^2)*omega_tau*omega3 - 1/Theta*numerator of d(omega_n)/dt over Theta*s*2*m*R^2*I1 */
+    const double t108 = t10*t107; /* 1/Theta*t107 */
+    out[29] = t108;
+    const double t109 = t10*t106; /* 1/Theta*t106 */
+    out[35] = t109;
+    const double t110 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t111 = JLT_FMA(x[3], t110, t38); /* omega_n*omega_tau*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t111;
+    const double t112 = JLT_FNMA(t2, t35, t110); /* omega_tau*gamma3 - m*I3*b*1/Theta*V */
+    out[27] = t112;
+    const double t113 = -t110; /* -omega_tau*gamma3 */
+    out[41] = t113;
+    const double t114 = x[5]*p[14]; /* s*(-m*R*I1) */
+    const double t115 = t35*t114; /* 1/Theta*V*s*(-m*R*I1) */
+    out[33] = t115;
+    const double t116 = x[5]*x[0]; /* s*gamma3 */
+    const double t117 = -t116; /* -s*gamma3 */
+    out[38] = t117;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[5]*x[5]; /* s*s */
     const double t1 = JLT_FMA(p[17], t0, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t2 = p[34] + x[0]; /* b scaled = a3/R + gamma3 */
-    const double t3 = p[10]*t2; /* I3/I1*b scaled */
+    const double t2 = p[34] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t3 = p[10]*t2; /* I3/I1*b/R */
     const double t4 = t0 + p[33]; /* s*s + I3/(m*R^2) */
-    const double t5 = JLT_FMA(t2, t3, t4); /* Theta scaled = b scaled*I3/I1*b scaled + s*s + I3/(m*R^2) */
-    const double t6 = t1*t5; /* D*Theta scaled */
+    const double t5 = JLT_FMA(t2, t3, t4); /* Theta/(m*R^2*I1) = b/R*I3/I1*b/R + s*s + I3/(m*R^2) */
+    const double t6 = t1*t5; /* D*Theta/(m*R^2*I1) */
     const double t7 = t0*x[2]; /* s*s*omega_tau */
     const double t8 = x[0]*p[18]; /* gamma3*2*m*a3^2 */
     const double t9 = t7*t8; /* s*s*omega_tau*gamma3*2*m*a3^2 */
-    const double t10 = t5*t9; /* Theta scaled*s*s*omega_tau*gamma3*2*m*a3^2 */
+    const double t10 = t5*t9; /* Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 */
     const double t11 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t12 = JLT_FMA(x[2], t11, x[1]); /* V = omega_tau*e + v_nu */
-    const double t13 = t2*p[35]; /* b scaled*I3/(R*I1) */
-    const double t14 = t12*t13; /* V*b scaled*I3/(R*I1) */
+    const double t13 = t2*p[35]; /* b/R*I3/(R*I1) */
+    const double t14 = t12*t13; /* V*b/R*I3/(R*I1) */
     const double t15 = JLT_FNMA(x[0], p[37], p[36]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t16 = JLT_FMA(t7, t15, t14); /* s*s*omega_tau*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + V*b scaled*I3/(R*I1) */
-    const double t17 = JLT_FNMA(t1, t16, t10); /* Theta scaled*s*s*omega_tau*gamma3*2*m*a3^2 - D*t16 */
-    const double t18 = t17/t6; /* (Theta scaled*s*s*omega_tau*gamma3*2*m*a3^2 - D*t16)/(D*Theta scaled) */
+    const double t16 = JLT_FMA(t7, t15, t14); /* s*s*omega_tau*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + V*b/R*I3/(R*I1) */
+    const double t17 = JLT_FNMA(t1, t16, t10); /* Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 - D*t16 */
+    const double t18 = t17/t6; /* (Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 - D*t16)/(D*Theta/(m*R^2*I1)) */
     out[0] = t18;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = p[39]*x[0]; /* 2*g*a3*gamma3 */
-    const double t1 = p[17]*x[5]; /* m*a3^2*s */
-    const double t2 = JLT_FMA(x[5], t1, p[4]); /* D = s*m*a3^2*s + I1 */
-    const double t3 = p[40]*x[2]; /* 1/m*omega_tau */
-    const double t4 = x[2]*t3; /* omega_tau*1/m*omega_tau */
-    const double t5 = p[41]*x[3]; /* I1/m*omega_n */
-    const double t6 = p[42]*x[4]; /* I3/m*omega3 */
-    const double t7 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t8 = x[3]*t7; /* omega_n*b */
-    const double t9 = x[5]*p[1]; /* s*R */
-    const double t10 = JLT_FMA(x[4], t9, t8); /* v_tau = omega3*s*R + omega_n*b */
-    const double t11 = JLT_FMA(x[1], x[1], t0); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t12 = JLT_FMA(x[3], t5, t11); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t13 = JLT_FMA(x[4], t6, t12); /* omega3*I3/m*omega3 + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t14 = JLT_FMA(t2, t4, t13); /* D*omega_tau*1/m*omega_tau + t13 */
-    const double t15 = JLT_FMA(t10, t10, t14); /* energy scaled = v_tau*v_tau + D*omega_tau*1/m*omega_tau + t13 */
-    const double t16 = p[38]*t15; /* 1/2*m*energy scaled */
+    const double t1 = JLT_FMA(x[1], x[1], t0); /* v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t2 = p[41]*x[3]; /* I1/m*omega_n */
+    const double t3 = JLT_FMA(x[3], t2, t1); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t4 = p[17]*x[5]; /* m*a3^2*s */
+    const double t5 = JLT_FMA(x[5], t4, p[4]); /* D = s*m*a3^2*s + I1 */
+    const double t6 = p[40]*x[2]; /* 1/m*omega_tau */
+    const double t7 = x[2]*t6; /* omega_tau*1/m*omega_tau */
+    const double t8 = p[42]*x[4]; /* I3/m*omega3 */
+    const double t9 = JLT_FMA(x[4], t8, t3); /* omega3*I3/m*omega3 + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t10 = JLT_FMA(t5, t7, t9); /* D*omega_tau*1/m*omega_tau + t9 */
+    const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t12 = x[3]*t11; /* omega_n*b */
+    const double t13 = x[5]*p[1]; /* s*R */
+    const double t14 = JLT_FMA(x[4], t13, t12); /* v_tau = omega3*s*R + omega_n*b */
+    const double t15 = JLT_FMA(t14, t14, t10); /* energy/(1/2*m) = v_tau*v_tau + D*omega_tau*1/m*omega_tau + t9 */
+    const double t16 = p[38]*t15; /* 1/2*m*energy/(1/2*m) */
+    out[0] = t16;
     const double t17 = x[5]*p[43]; /* s*R*I1 */
     const double t18 = x[3]*t17; /* omega_n*s*R*I1 */
     const double t19 = x[4]*p[5]; /* omega3*I3 */
-    const double t20 = JLT_FNMA(t7, t19, t18); /* omega_n*s*R*I1 - b*omega3*I3 */
-    out[0] = t16;
+    const double t20 = JLT_FNMA(t11, t19, t18); /* omega_n*s*R*I1 - b*omega3*I3 */
     out[1] = t20;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t1 = x[3]*t0; /* omega_n*b */
-    const double t2 = p[1]*x[4]; /* R*omega3 */
-    const double t3 = JLT_FMA(x[5], t2, t1); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t4 = p[44]*t3; /* m*R*v_tau */
-    const double t5 = JLT_FMA(x[3], t4, p[21]); /* d(energy)/d(gamma3) = omega_n*m*R*v_tau + m*g*a3 */
-    const double t6 = p[0]*x[1]; /* m*v_nu */
-    const double t7 = x[5]*p[17]; /* s*m*a3^2 */
-    const double t8 = JLT_FMA(x[5], t7, p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t9 = x[2]*t8; /* omega_tau*D */
-    const double t10 = x[3]*p[4]; /* omega_n*I1 */
-    const double t11 = t0*p[0]; /* b*m */
-    const double t12 = JLT_FMA(t3, t11, t10); /* d(energy)/d(omega_n) = v_tau*b*m + omega_n*I1 */
-    const double t13 = x[4]*p[5]; /* omega3*I3 */
-    const double t14 = JLT_FMA(x[5], t4, t13); /* d(energy)/d(omega3) = s*m*R*v_tau + omega3*I3 */
-    const double t15 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t16 = t7*t15; /* s*m*a3^2*omega_tau*omega_tau */
-    const double t17 = JLT_FMA(x[4], t4, t16); /* d(energy)/d(s) = omega3*m*R*v_tau + s*m*a3^2*omega_tau*omega_tau */
-    const double t18 = x[4]*p[45]; /* omega3*(-R*I3) */
-    const double t19 = x[5]*p[43]; /* s*R*I1 */
-    const double t20 = t0*p[20]; /* b*(-I3) */
-    const double t21 = x[3]*p[43]; /* omega_n*R*I1 */
-    out[0] = t5;
-    out[1] = t6;
-    out[2] = t9;
-    out[3] = t12;
-    out[4] = t14;
-    out[5] = t17;
-    out[6] = t18;
     out[7] = 0.0;
     out[8] = 0.0;
-    out[9] = t19;
-    out[10] = t20;
-    out[11] = t21;
+    const double t0 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t0;
+    const double t1 = x[4]*p[45]; /* omega3*(-R*I3) */
+    out[6] = t1;
+    const double t2 = x[5]*p[43]; /* s*R*I1 */
+    out[9] = t2;
+    const double t3 = x[3]*p[43]; /* omega_n*R*I1 */
+    out[11] = t3;
+    const double t4 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t5 = p[20]*t4; /* (-I3)*b */
+    out[10] = t5;
+    const double t6 = x[3]*t4; /* omega_n*b */
+    const double t7 = p[0]*t4; /* m*b */
+    const double t8 = p[1]*x[4]; /* R*omega3 */
+    const double t9 = JLT_FMA(x[5], t8, t6); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t10 = x[5]*p[17]; /* s*m*a3^2 */
+    const double t11 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t12 = t10*t11; /* s*m*a3^2*omega_tau*omega_tau */
+    const double t13 = JLT_FMA(x[5], t10, p[4]); /* D = s*s*m*a3^2 + I1 */
+    const double t14 = x[2]*t13; /* omega_tau*D */
+    out[2] = t14;
+    const double t15 = p[44]*t9; /* m*R*v_tau */
+    const double t16 = JLT_FMA(x[4], t15, t12); /* d(energy)/d(s) = omega3*m*R*v_tau + s*m*a3^2*omega_tau*omega_tau */
+    out[5] = t16;
+    const double t17 = JLT_FMA(x[3], t15, p[21]); /* d(energy)/d(gamma3) = omega_n*m*R*v_tau + m*g*a3 */
+    out[0] = t17;
+    const double t18 = x[3]*p[4]; /* omega_n*I1 */
+    const double t19 = JLT_FMA(t7, t9, t18); /* d(energy)/d(omega_n) = m*b*v_tau + omega_n*I1 */
+    out[3] = t19;
+    const double t20 = x[4]*p[5]; /* omega3*I3 */
+    const double t21 = JLT_FMA(x[5], t15, t20); /* d(energy)/d(omega3) = s*m*R*v_tau + omega3*I3 */
+    out[4] = t21;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -780,13 +782,13 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .jacobian = { jacobian, 36, { 8, 70, 32, 1, 0, 0, 9, 19 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 12, 72, 33, 1, 0, 0, 10, 27 }, { 67, 437, 0, 59, 0, 0, 14, 9 },
+    .rhs_jacobian = { rhs_jacobian, 42, { 12, 72, 33, 1, 0, 0, 10, 24 }, { 67, 437, 0, 59, 0, 0, 14, 9 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .divergence = { divergence, 1, { 2, 9, 7, 1, 0, 0, 6, 7 }, { 10, 39, 0, 4, 0, 0, 10, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .integral_values = { integral_values, 2, { 0, 12, 9, 0, 0, 0, 7, 9 }, { 9, 31, 0, 0, 0, 0, 10, 5 },
+    .integral_values = { integral_values, 2, { 0, 12, 9, 0, 0, 0, 7, 5 }, { 9, 31, 0, 0, 0, 0, 10, 5 },
         "" },
-    .integral_gradients = { integral_gradients, 12, { 0, 15, 7, 0, 0, 0, 5, 7 }, { 9, 37, 0, 0, 0, 0, 6, 6 },
+    .integral_gradients = { integral_gradients, 12, { 0, 15, 7, 0, 0, 0, 5, 5 }, { 9, 37, 0, 0, 0, 0, 6, 6 },
         "" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

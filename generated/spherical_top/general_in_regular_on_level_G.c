@@ -7,16 +7,18 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   25   12    1    0    0     11   11   (89)
+ *  rhs                 2   25   12    1    0    0     11    8   (89)
  *  jacobian            9   61   27    1    0    0     15   16   (423)
- *  rhs_jacobian        10   60   28    1    0    0     17   26   (484)
+ *  rhs_jacobian        10   60   28    1    0    0     17   18   (484)
  *  divergence          0    8   10    1    0    0      9    8   (55)
- *  integral_values     1   11    8    1    0    0      7    9   (40)
+ *  integral_values     1   11    8    1    0    0      7    7   (40)
  *  integral_gradients  0   16   13    1    0    0      7   10   (76)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          1    2    1    1    0    0      4    3   (8)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -41,449 +43,449 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = params[6];
     const double t0 = params[1]*params[4]; /* R*I1 */
     const double t1 = 1.0/t0; /* 1/(R*I1) */
+    out[7] = t1;
     const double t2 = params[3]*params[3]; /* a3*a3 */
     const double t3 = params[0]*t2; /* m*a3*a3 */
+    out[19] = t3;
     const double t4 = t3/params[4]; /* m*a3*a3/I1 */
+    out[8] = t4;
     const double t5 = params[1]*params[1]; /* R*R */
     const double t6 = params[0]*t5; /* m*R*R */
     const double t7 = params[5]/t6; /* I3/(m*R*R) */
+    out[9] = t7;
     const double t8 = params[4]*t5; /* I1*R*R */
+    out[61] = t8;
     const double t9 = params[5]/t8; /* I3/(I1*R*R) */
+    out[10] = t9;
     const double t10 = params[5]/params[4]; /* I3/I1 */
+    out[11] = t10;
     const double t11 = params[0]*params[2]; /* m*g */
     const double t12 = params[3]*t11; /* a3*m*g */
+    out[47] = t12;
     const double t13 = t12/params[4]; /* a3*m*g/I1 */
+    out[12] = t13;
     const double t14 = (-1.0)/params[1]; /* (-1)/R */
+    out[13] = t14;
     const double t15 = params[3]*params[5]; /* a3*I3 */
+    out[38] = t15;
     const double t16 = t15/params[4]; /* a3*I3/I1 */
+    out[14] = t16;
     const double t17 = params[4] - params[5]; /* I1 - I3 */
     const double t18 = params[1]*t17; /* R*(I1 - I3) */
+    out[39] = t18;
     const double t19 = t18/params[4]; /* R*(I1 - I3)/I1 */
+    out[15] = t19;
     const double t20 = params[4]*params[4]; /* I1*I1 */
     const double t21 = params[1]*t20; /* R*I1*I1 */
     const double t22 = 1.0/t21; /* 1/(R*I1*I1) */
+    out[16] = t22;
     const double t23 = params[3]/params[1]; /* a3/R */
+    out[17] = t23;
     const double t24 = params[1]*params[5]; /* R*I3 */
+    out[18] = t24;
     const double t25 = params[4]*params[5]; /* I1*I3 */
+    out[20] = t25;
     const double t26 = params[4]*t6; /* I1*m*R*R */
+    out[21] = t26;
     const double t27 = t6*params[5]; /* m*R*R*I3 */
+    out[22] = t27;
     const double t28 = t24/params[4]; /* R*I3/I1 */
+    out[23] = t28;
     const double t29 = 2.0/t0; /* 2/(R*I1) */
+    out[24] = t29;
     const double t30 = 1.0/params[4]; /* 1/I1 */
+    out[25] = t30;
     const double t31 = (-2.0)/t21; /* (-2)/(R*I1*I1) */
+    out[26] = t31;
     const double t32 = 1.0/t8; /* 1/(I1*R*R) */
+    out[27] = t32;
     const double t33 = t2*t6; /* a3*a3*m*R*R */
     const double t34 = params[4]*t33; /* I1*a3*a3*m*R*R */
+    out[28] = t34;
     const double t35 = params[5]*2.0; /* I3*2 */
     const double t36 = t35/t0; /* I3*2/(R*I1) */
+    out[29] = t36;
     const double t37 = t24/2.0; /* R*I3/2 */
+    out[30] = t37;
     const double t38 = params[0]*2.0; /* m*2 */
     const double t39 = t2*t38; /* a3*a3*m*2 */
+    out[31] = t39;
     const double t40 = params[5]/t0; /* I3/(R*I1) */
+    out[32] = t40;
     const double t41 = t39/t8; /* a3*a3*m*2/(I1*R*R) */
+    out[33] = t41;
     const double t42 = t6*params[2]; /* m*R*R*g */
     const double t43 = params[3]*t42; /* a3*m*R*R*g */
     const double t44 = params[4]*t43; /* I1*a3*m*R*R*g */
+    out[34] = t44;
     const double t45 = params[2]*t38; /* g*m*2 */
     const double t46 = params[3]*t45; /* a3*g*m*2 */
+    out[35] = t46;
     const double t47 = 2.0/t8; /* 2/(I1*R*R) */
+    out[36] = t47;
     const double t48 = params[0]*params[0]; /* m*m */
     const double t49 = 2.0*t48; /* 2*m*m */
     const double t50 = t5*t49; /* R*R*2*m*m */
     const double t51 = params[5]*t50; /* I3*R*R*2*m*m */
+    out[37] = t51;
     const double t52 = params[0]*params[3]; /* m*a3 */
+    out[40] = t52;
     const double t53 = params[1]*params[0]; /* R*m */
+    out[43] = t53;
     const double t54 = params[5]*t53; /* I3*R*m */
+    out[41] = t54;
     const double t55 = t6*t17; /* m*R*R*(I1 - I3) */
+    out[42] = t55;
     const double t56 = params[4]*t50; /* I1*R*R*2*m*m */
+    out[44] = t56;
     const double t57 = params[4]*t53; /* I1*R*m */
     const double t58 = t15/t57; /* a3*I3/(I1*R*m) */
+    out[45] = t58;
     const double t59 = params[4]*params[0]; /* I1*m */
     const double t60 = t17/t59; /* (I1 - I3)/(I1*m) */
+    out[46] = t60;
     const double t61 = params[3]*t53; /* a3*R*m */
     const double t62 = params[5]*t61; /* I3*a3*R*m */
+    out[48] = t62;
     const double t63 = params[5]*params[5]; /* I3*I3 */
     const double t64 = t63/params[4]; /* I3*I3/I1 */
+    out[49] = t64;
     const double t65 = t5*t38; /* R*R*m*2 */
     const double t66 = params[5]*t65; /* I3*R*R*m*2 */
+    out[50] = t66;
     const double t67 = params[4]*t65; /* I1*R*R*m*2 */
+    out[51] = t67;
     const double t68 = t15/t0; /* a3*I3/(R*I1) */
+    out[52] = t68;
     const double t69 = t17/params[4]; /* (I1 - I3)/I1 */
+    out[53] = t69;
     const double t70 = params[0]*params[5]; /* m*I3 */
+    out[54] = t70;
     const double t71 = params[0]/2.0; /* m/2 */
+    out[55] = t71;
     const double t72 = params[2]*2.0; /* g*2 */
     const double t73 = params[3]*t72; /* a3*g*2 */
-    const double t74 = 1.0/params[0]; /* 1/m */
-    const double t75 = 1.0/t26; /* 1/(I1*m*R*R) */
-    const double t76 = params[5]/params[0]; /* I3/m */
-    const double t77 = params[0]/t21; /* m/(R*I1*I1) */
-    const double t78 = params[0]/params[4]; /* m/I1 */
-    const double t79 = (-1.0)/t8; /* (-1)/(I1*R*R) */
-    out[7] = t1;
-    out[8] = t4;
-    out[9] = t7;
-    out[10] = t9;
-    out[11] = t10;
-    out[12] = t13;
-    out[13] = t14;
-    out[14] = t16;
-    out[15] = t19;
-    out[16] = t22;
-    out[17] = t23;
-    out[18] = t24;
-    out[19] = t3;
-    out[20] = t25;
-    out[21] = t26;
-    out[22] = t27;
-    out[23] = t28;
-    out[24] = t29;
-    out[25] = t30;
-    out[26] = t31;
-    out[27] = t32;
-    out[28] = t34;
-    out[29] = t36;
-    out[30] = t37;
-    out[31] = t39;
-    out[32] = t40;
-    out[33] = t41;
-    out[34] = t44;
-    out[35] = t46;
-    out[36] = t47;
-    out[37] = t51;
-    out[38] = t15;
-    out[39] = t18;
-    out[40] = t52;
-    out[41] = t54;
-    out[42] = t55;
-    out[43] = t53;
-    out[44] = t56;
-    out[45] = t58;
-    out[46] = t60;
-    out[47] = t12;
-    out[48] = t62;
-    out[49] = t64;
-    out[50] = t66;
-    out[51] = t67;
-    out[52] = t68;
-    out[53] = t69;
-    out[54] = t70;
-    out[55] = t71;
     out[56] = t73;
+    const double t74 = 1.0/params[0]; /* 1/m */
     out[57] = t74;
+    const double t75 = 1.0/t26; /* 1/(I1*m*R*R) */
     out[58] = t75;
+    const double t76 = params[5]/params[0]; /* I3/m */
     out[59] = t76;
+    const double t77 = params[0]/t21; /* m/(R*I1*I1) */
     out[60] = t77;
-    out[61] = t8;
+    const double t78 = params[0]/params[4]; /* m/I1 */
     out[62] = t78;
+    const double t79 = (-1.0)/t8; /* (-1)/(I1*R*R) */
     out[63] = t79;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = x[2]*t0; /* omega_tau*s*s */
-    const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t3 = p[5]*x[3]; /* I3*omega3 */
-    const double t4 = JLT_FMA(t2, t3, p[6]); /* b*I3*omega3 + G_level */
-    const double t5 = JLT_FMA(t0, p[8], 1.0); /* D scaled = s*s*m*a3^2/I1 + 1 */
-    const double t6 = t2*p[10]; /* b*I3/(R^2*I1) */
-    const double t7 = t0 + p[9]; /* s*s + I3/(m*R^2) */
-    const double t8 = JLT_FMA(t2, t6, t7); /* Theta scaled = b*b*I3/(R^2*I1) + s*s + I3/(m*R^2) */
-    const double t9 = x[4]*t5; /* s*D scaled */
-    const double t10 = t8*t9; /* Theta scaled*s*D scaled */
-    const double t11 = 1.0/t10; /* 1/(Theta scaled*s*D scaled) */
-    const double t12 = t8*t11; /* Theta scaled*1/(Theta scaled*s*D scaled) */
-    const double t13 = p[7]*t5; /* 1/(R*I1)*D scaled */
-    const double t14 = t4*t13; /* (b*I3*omega3 + G_level)*1/(R*I1)*D scaled */
-    const double t15 = t12*t14; /* omega_n = Theta scaled*1/(Theta scaled*s*D scaled)*(b*I3*omega3 + G_level)*1/(R*I1)*D scaled */
-    const double t16 = t15*t15; /* omega_n*omega_n */
-    const double t17 = t2*t16; /* b*omega_n*omega_n */
-    const double t18 = x[4]*t15; /* s*omega_n */
-    const double t19 = x[3]*t18; /* omega3*s*omega_n */
-    const double t20 = JLT_FMA(p[1], t19, t17); /* R*omega3*s*omega_n + b*omega_n*omega_n */
-    const double t21 = x[2]*x[4]; /* omega_tau*s */
-    const double t22 = x[0]*t21; /* gamma3*omega_tau*s */
-    const double t23 = p[8]*t21; /* m*a3^2/I1*omega_tau*s */
-    const double t24 = t22*t23; /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s */
-    const double t25 = JLT_FNMA(t0, p[12], t24); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - s*s*m*g*a3/I1 */
-    const double t26 = JLT_FNMA(x[0], t16, t25); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - s*s*m*g*a3/I1 - gamma3*omega_n*omega_n */
-    const double t27 = JLT_FNMA(t19, p[11], t26); /* t26 - omega3*s*omega_n*I3/I1 */
-    const double t28 = x[4]*t12; /* s*Theta scaled*1/(Theta scaled*s*D scaled) */
-    const double t29 = t27*t28; /* (t26 - omega3*s*omega_n*I3/I1)*s*Theta scaled*1/(Theta scaled*s*D scaled) */
-    const double t30 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/I1 - gamma3*R*(I1 - I3)/I1 */
-    const double t31 = x[3]*t30; /* omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
-    const double t32 = t1*t31; /* omega_tau*s*s*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
-    const double t33 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t34 = JLT_FMA(x[2], t33, x[1]); /* V = omega_tau*e + v_nu */
-    const double t35 = JLT_FMA(t18, t34, t32); /* s*omega_n*V + omega_tau*s*s*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
-    const double t36 = t9*p[13]; /* s*D scaled*(-1/R) */
-    const double t37 = t11*t36; /* 1/(Theta scaled*s*D scaled)*s*D scaled*(-1/R) */
-    const double t38 = t35*t37; /* t35*1/(Theta scaled*s*D scaled)*s*D scaled*(-1/R) */
-    const double t39 = -t22; /* -gamma3*omega_tau*s */
-    out[0] = t1;
-    out[1] = t20;
-    out[2] = t29;
-    out[3] = t38;
-    out[4] = t39;
+    const double t1 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t2 = JLT_FMA(p[8], t0, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
+    const double t3 = p[10]*t1; /* I3/(R^2*I1)*b */
+    const double t4 = p[9] + t0; /* I3/(m*R^2) + s*s */
+    const double t5 = JLT_FMA(t1, t3, t4); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s*s */
+    const double t6 = x[4]*t2; /* s*D/I1 */
+    const double t7 = p[7]*t2; /* 1/(R*I1)*D/I1 */
+    const double t8 = t5*t6; /* Theta/(m*R^2*I1)*s*D/I1 */
+    const double t9 = 1.0/t8; /* 1/(Theta/(m*R^2*I1)*s*D/I1) */
+    const double t10 = t5*t9; /* 1/(s*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s*D/I1) */
+    const double t11 = p[13]*t6; /* (-1/R)*s*D/I1 */
+    const double t12 = t9*t11; /* 1/(Theta/(m*R^2*I1)*s*D/I1)*(-1/R)*s*D/I1 */
+    const double t13 = p[5]*x[3]; /* I3*omega3 */
+    const double t14 = JLT_FMA(t1, t13, p[6]); /* b*I3*omega3 + G_level */
+    const double t15 = t7*t14; /* 1/(R*I1)*D/I1*(b*I3*omega3 + G_level) */
+    const double t16 = t10*t15; /* omega_n = 1/(s*(D/I1))*1/(R*I1)*D/I1*(b*I3*omega3 + G_level) */
+    const double t17 = x[4]*t10; /* s*1/(s*(D/I1)) */
+    const double t18 = x[2]*x[4]; /* omega_tau*s */
+    const double t19 = x[0]*t18; /* gamma3*omega_tau*s */
+    const double t20 = p[8]*t18; /* m*a3^2/I1*omega_tau*s */
+    const double t21 = t19*t20; /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s */
+    const double t22 = -t19; /* -gamma3*omega_tau*s */
+    out[4] = t22;
+    const double t23 = JLT_FNMA(p[12], t0, t21); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s*s */
+    const double t24 = x[2]*t0; /* omega_tau*s*s */
+    out[0] = t24;
+    const double t25 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/I1 - gamma3*R*(I1 - I3)/I1 */
+    const double t26 = x[3]*t25; /* omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
+    const double t27 = t24*t26; /* omega_tau*s*s*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
+    const double t28 = t16*t16; /* omega_n*omega_n */
+    const double t29 = x[4]*t16; /* s*omega_n */
+    const double t30 = JLT_FNMA(x[0], t28, t23); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s*s - gamma3*omega_n*omega_n */
+    const double t31 = t1*t28; /* b*omega_n*omega_n */
+    const double t32 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t33 = JLT_FMA(x[2], t32, x[1]); /* V = omega_tau*e + v_nu */
+    const double t34 = JLT_FMA(t29, t33, t27); /* s*omega_n*V + omega_tau*s*s*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
+    const double t35 = t12*t34; /* 1/(Theta/(m*R^2*I1)*s*D/I1)*(-1/R)*s*D/I1*t34 */
+    out[3] = t35;
+    const double t36 = x[3]*t29; /* omega3*s*omega_n */
+    const double t37 = JLT_FMA(p[1], t36, t31); /* R*omega3*s*omega_n + b*omega_n*omega_n */
+    out[1] = t37;
+    const double t38 = JLT_FNMA(p[11], t36, t30); /* t30 - I3/I1*omega3*s*omega_n */
+    const double t39 = t17*t38; /* s*1/(s*(D/I1))*(t30 - I3/I1*omega3*s*omega_n) */
+    out[2] = t39;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[3] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[11] = 0.0;
+    out[21] = 0.0;
+    out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
+    out[2] = t0;
     const double t1 = x[4]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    const double t3 = p[17] + x[0]; /* b scaled = a3/R + gamma3 */
+    out[4] = t2;
+    const double t3 = p[17] + x[0]; /* b/R = a3/R + gamma3 */
     const double t4 = p[18]*x[3]; /* R*I3*omega3 */
-    const double t5 = JLT_FMA(t3, t4, p[6]); /* b scaled*R*I3*omega3 + G_level */
+    const double t5 = JLT_FMA(t3, t4, p[6]); /* b/R*R*I3*omega3 + G_level */
     const double t6 = JLT_FMA(t0, p[19], p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t7 = t3*p[22]; /* b scaled*m*R^2*I3 */
+    const double t7 = t3*p[22]; /* b/R*m*R^2*I3 */
     const double t8 = JLT_FMA(t0, p[21], p[20]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t9 = JLT_FMA(t3, t7, t8); /* Theta = b scaled*b scaled*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t9 = JLT_FMA(t3, t7, t8); /* Theta = b/R*b/R*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t10 = x[4]*t6; /* s*D */
     const double t11 = t9*t10; /* Theta*s*D */
     const double t12 = 1.0/t11; /* 1/(Theta*s*D) */
-    const double t13 = t9*t12; /* Theta*1/(Theta*s*D) */
-    const double t14 = t6*t13; /* D*Theta*1/(Theta*s*D) */
-    const double t15 = t5*t14; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
-    const double t16 = t15*t15; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
+    const double t13 = t9*t12; /* 1/(s*D) = Theta*1/(Theta*s*D) */
+    const double t14 = t6*t13; /* 1/s = D*1/(s*D) */
+    const double t15 = t5*t14; /* (b/R*R*I3*omega3 + G_level)*1/s */
+    const double t16 = t15*t15; /* (b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
     const double t17 = p[16]*t16; /* 1/(R*I1^2)*t16 */
-    const double t18 = t14*t15; /* D*Theta*1/(Theta*s*D)*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
-    const double t19 = t3*t18; /* b scaled*t18 */
-    const double t20 = JLT_FMA(p[24], t19, x[3]); /* 2/(R*I1)*b scaled*t18 + omega3 */
-    const double t21 = p[23]*t20; /* R*I3/I1*(2/(R*I1)*b scaled*t18 + omega3) */
-    const double t22 = JLT_FMA(x[3], t21, t17); /* omega3*R*I3/I1*(2/(R*I1)*b scaled*t18 + omega3) + 1/(R*I1^2)*t16 */
-    const double t23 = x[4]*t15; /* s*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
-    const double t24 = p[25]*t23; /* 1/I1*s*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
-    const double t25 = JLT_FMA(t3, t21, t24); /* b scaled*R*I3/I1*(2/(R*I1)*b scaled*t18 + omega3) + t24 */
-    const double t26 = t15*p[26]; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*(-2/(R*I1^2)) */
-    const double t27 = t19*t26; /* b scaled*t18*t26 */
+    const double t18 = t14*t15; /* 1/s*(b/R*R*I3*omega3 + G_level)*1/s */
+    const double t19 = t3*t18; /* b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
+    const double t20 = JLT_FMA(p[24], t19, x[3]); /* 2/(R*I1)*b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s + omega3 */
+    const double t21 = p[23]*t20; /* R*I3/I1*(2/(R*I1)*b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s + omega3) */
+    const double t22 = JLT_FMA(x[3], t21, t17); /* omega3*t21 + 1/(R*I1^2)*t16 */
+    out[5] = t22;
+    const double t23 = x[4]*t15; /* s*(b/R*R*I3*omega3 + G_level)*1/s */
+    const double t24 = p[25]*t23; /* 1/I1*s*(b/R*R*I3*omega3 + G_level)*1/s */
+    const double t25 = JLT_FMA(t3, t21, t24); /* b/R*t21 + 1/I1*s*(b/R*R*I3*omega3 + G_level)*1/s */
+    out[8] = t25;
+    const double t26 = t15*p[26]; /* (b/R*R*I3*omega3 + G_level)*1/s*(-2/(R*I1^2)) */
+    const double t27 = t19*t26; /* b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(-2/(R*I1^2)) */
+    out[9] = t27;
     const double t28 = t1*p[28]; /* s*omega_tau*m*R^2*a3^2*I1 */
     const double t29 = JLT_FMS(t1, t28, t16); /* s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16 */
     const double t30 = p[27]*t29; /* 1/(R^2*I1)*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
-    const double t31 = x[0]*t18; /* gamma3*t18 */
-    const double t32 = JLT_FMA(x[3], p[30], t31); /* omega3*1/2*R*I3 + gamma3*t18 */
-    const double t33 = p[29]*t32; /* 2*I3/(R*I1)*(omega3*1/2*R*I3 + gamma3*t18) */
-    const double t34 = JLT_FMS(x[3], t33, t30); /* omega3*2*I3/(R*I1)*(omega3*1/2*R*I3 + gamma3*t18) - 1/(R^2*I1)*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
-    const double t35 = x[4]*t13; /* s*Theta*1/(Theta*s*D) */
-    const double t36 = t34*t35; /* t34*s*Theta*1/(Theta*s*D) */
-    const double t37 = -t36; /* -t34*s*Theta*1/(Theta*s*D) */
-    const double t38 = x[4]*t35; /* s*s*Theta*1/(Theta*s*D) */
+    const double t31 = x[0]*t18; /* gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
+    const double t32 = JLT_FMA(x[3], p[30], t31); /* omega3*1/2*R*I3 + gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
+    const double t33 = p[29]*t32; /* 2*I3/(R*I1)*(omega3*1/2*R*I3 + gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s) */
+    const double t34 = JLT_FMS(x[3], t33, t30); /* omega3*t33 - 1/(R^2*I1)*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
+    const double t35 = x[4]*t13; /* 1/D = s*1/(s*D) */
+    const double t36 = t34*t35; /* t34*1/D */
+    const double t37 = -t36; /* -t34*1/D */
+    out[10] = t37;
+    const double t38 = x[4]*t35; /* s*1/D */
     const double t39 = x[0]*p[31]; /* gamma3*2*m*a3^2 */
     const double t40 = t1*t39; /* s*omega_tau*gamma3*2*m*a3^2 */
-    const double t41 = t38*t40; /* s*s*Theta*1/(Theta*s*D)*s*omega_tau*gamma3*2*m*a3^2 */
-    const double t42 = t23*p[32]; /* s*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*I3/(R*I1) */
-    const double t43 = JLT_FMA(t3, t33, t42); /* b scaled*2*I3/(R*I1)*(omega3*1/2*R*I3 + gamma3*t18) + t42 */
-    const double t44 = t35*t43; /* s*Theta*1/(Theta*s*D)*(b scaled*2*I3/(R*I1)*(omega3*1/2*R*I3 + gamma3*t18) + t42) */
-    const double t45 = -t44; /* -t44 */
+    const double t41 = t38*t40; /* s*1/D*s*omega_tau*gamma3*2*m*a3^2 */
+    out[12] = t41;
+    const double t42 = t23*p[32]; /* s*(b/R*R*I3*omega3 + G_level)*1/s*I3/(R*I1) */
+    const double t43 = JLT_FMA(t3, t33, t42); /* b/R*t33 + s*(b/R*R*I3*omega3 + G_level)*1/s*I3/(R*I1) */
+    const double t44 = t35*t43; /* 1/D*(b/R*t33 + s*(b/R*R*I3*omega3 + G_level)*1/s*I3/(R*I1)) */
+    const double t45 = -t44; /* -1/D*(b/R*t33 + s*(b/R*R*I3*omega3 + G_level)*1/s*I3/(R*I1)) */
+    out[13] = t45;
     const double t46 = t0*p[34]; /* s*s*m*R^2*g*a3*I1 */
-    const double t47 = JLT_FMA(t4, t23, t46); /* R*I3*omega3*s*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) + s*s*m*R^2*g*a3*I1 */
+    const double t47 = JLT_FMA(t4, t23, t46); /* R*I3*omega3*s*(b/R*R*I3*omega3 + G_level)*1/s + s*s*m*R^2*g*a3*I1 */
     const double t48 = JLT_FNMA(x[0], t29, t47); /* t47 - gamma3*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
-    const double t49 = t38*p[33]; /* s*s*Theta*1/(Theta*s*D)*2*m*a3^2/(R^2*I1) */
+    const double t49 = t38*p[33]; /* s*1/D*2*m*a3^2/(R^2*I1) */
     const double t50 = x[2]*t40; /* omega_tau*s*omega_tau*gamma3*2*m*a3^2 */
-    const double t51 = t15*p[36]; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*2/(R^2*I1) */
+    const double t51 = t15*p[36]; /* (b/R*R*I3*omega3 + G_level)*1/s*2/(R^2*I1) */
     const double t52 = JLT_FNMA(x[4], p[35], t50); /* omega_tau*s*omega_tau*gamma3*2*m*a3^2 - s*2*m*g*a3 */
-    const double t53 = JLT_FMA(t31, t51, t52); /* d(numerator of d(omega_tau)/dt over D)/d(s) = gamma3*t18*t51 + omega_tau*s*omega_tau*gamma3*2*m*a3^2 - s*2*m*g*a3 */
-    const double t54 = JLT_FMA(t48, t49, t53); /* (t47 - gamma3*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16))*s*s*Theta*1/(Theta*s*D)*2*m*a3^2/(R^2*I1) + d(numerator of d(omega_tau)/dt over D)/d(s) */
-    const double t55 = t35*t54; /* s*Theta*1/(Theta*s*D)*t54 */
+    const double t53 = JLT_FMA(t31, t51, t52); /* d(numerator of d(omega_tau)/dt over D)/d(s) = gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s*2/(R^2*I1) + omega_tau*s*omega_tau*gamma3*2*m*a3^2 - s*2*m*g*a3 */
+    const double t54 = JLT_FMA(t48, t49, t53); /* (t47 - gamma3*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16))*s*1/D*2*m*a3^2/(R^2*I1) + d(numerator of d(omega_tau)/dt over D)/d(s) */
+    const double t55 = t35*t54; /* 1/D*t54 */
+    out[14] = t55;
     const double t56 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t57 = JLT_FMA(x[2], t56, x[1]); /* V = omega_tau*e + v_nu */
-    const double t58 = t23*t57; /* s*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*V */
+    const double t58 = t23*t57; /* s*(b/R*R*I3*omega3 + G_level)*1/s*V */
     const double t59 = x[4]*t1; /* s*s*omega_tau */
     const double t60 = x[3]*t59; /* omega3*s*s*omega_tau */
     const double t61 = JLT_FNMA(x[0], p[39], p[38]); /* a3*I3 - gamma3*R*(I1 - I3) */
     const double t62 = p[1]*t61; /* R*(a3*I3 - gamma3*R*(I1 - I3)) */
-    const double t63 = JLT_FMA(t60, t62, t58); /* omega3*s*s*omega_tau*R*(a3*I3 - gamma3*R*(I1 - I3)) + s*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*V */
-    const double t64 = t10*t12; /* s*D*1/(Theta*s*D) */
-    const double t65 = t63*t64; /* t63*s*D*1/(Theta*s*D) */
-    const double t66 = t3*p[37]; /* b scaled*2*m^2*R^2*I3 */
+    const double t63 = JLT_FMA(t60, t62, t58); /* omega3*s*s*omega_tau*R*(a3*I3 - gamma3*R*(I1 - I3)) + s*(b/R*R*I3*omega3 + G_level)*1/s*V */
+    const double t64 = t10*t12; /* 1/Theta = s*D*1/(Theta*s*D) */
+    const double t65 = t63*t64; /* t63*1/Theta */
+    const double t66 = t3*p[37]; /* b/R*2*m^2*R^2*I3 */
     const double t67 = t1*p[40]; /* s*omega_tau*m*a3 */
     const double t68 = t57*p[41]; /* V*m*R*I3 */
     const double t69 = x[3]*t68; /* omega3*V*m*R*I3 */
     const double t70 = JLT_FMS(t60, p[42], t69); /* omega3*s*s*omega_tau*m*R^2*(I1 - I3) - omega3*V*m*R*I3 */
-    const double t71 = JLT_FNMA(t15, t67, t70); /* omega3*s*s*omega_tau*m*R^2*(I1 - I3) - omega3*V*m*R*I3 - (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*s*omega_tau*m*a3 */
-    const double t72 = JLT_FMA(t65, t66, t71); /* t63*s*D*1/(Theta*s*D)*b scaled*2*m^2*R^2*I3 + t71 */
-    const double t73 = t64*t72; /* s*D*1/(Theta*s*D)*(t63*s*D*1/(Theta*s*D)*b scaled*2*m^2*R^2*I3 + t71) */
-    const double t74 = t23*p[0]; /* s*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m */
-    const double t75 = t64*t74; /* s*D*1/(Theta*s*D)*s*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m */
-    const double t76 = -t75; /* -t75 */
-    const double t77 = t56*t74; /* e*s*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m */
+    const double t71 = JLT_FNMA(t15, t67, t70); /* omega3*s*s*omega_tau*m*R^2*(I1 - I3) - omega3*V*m*R*I3 - (b/R*R*I3*omega3 + G_level)*1/s*s*omega_tau*m*a3 */
+    const double t72 = JLT_FMA(t65, t66, t71); /* t63*1/Theta*b/R*2*m^2*R^2*I3 + t71 */
+    const double t73 = t64*t72; /* 1/Theta*(t63*1/Theta*b/R*2*m^2*R^2*I3 + t71) */
+    out[15] = t73;
+    const double t74 = t23*p[0]; /* s*(b/R*R*I3*omega3 + G_level)*1/s*m */
+    const double t75 = t64*t74; /* 1/Theta*s*(b/R*R*I3*omega3 + G_level)*1/s*m */
+    const double t76 = -t75; /* -1/Theta*s*(b/R*R*I3*omega3 + G_level)*1/s*m */
+    out[16] = t76;
+    const double t77 = t56*t74; /* e*s*(b/R*R*I3*omega3 + G_level)*1/s*m */
     const double t78 = t61*p[43]; /* (a3*I3 - gamma3*R*(I1 - I3))*m*R */
     const double t79 = t0*x[3]; /* s*s*omega3 */
-    const double t80 = JLT_FMA(t78, t79, t77); /* (a3*I3 - gamma3*R*(I1 - I3))*m*R*s*s*omega3 + e*s*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*m */
-    const double t81 = t64*t80; /* s*D*1/(Theta*s*D)*t80 */
-    const double t82 = -t81; /* -s*D*1/(Theta*s*D)*t80 */
-    const double t83 = t3*t68; /* b scaled*V*m*R*I3 */
-    const double t84 = JLT_FMA(t59, t78, t83); /* s*s*omega_tau*(a3*I3 - gamma3*R*(I1 - I3))*m*R + b scaled*V*m*R*I3 */
-    const double t85 = t64*t84; /* s*D*1/(Theta*s*D)*t84 */
-    const double t86 = -t85; /* -s*D*1/(Theta*s*D)*t84 */
-    const double t87 = x[4]*t65; /* s*t63*s*D*1/(Theta*s*D) */
+    const double t80 = JLT_FMA(t78, t79, t77); /* (a3*I3 - gamma3*R*(I1 - I3))*m*R*s*s*omega3 + e*s*(b/R*R*I3*omega3 + G_level)*1/s*m */
+    const double t81 = t64*t80; /* 1/Theta*t80 */
+    const double t82 = -t81; /* -1/Theta*t80 */
+    out[17] = t82;
+    const double t83 = t3*t68; /* b/R*V*m*R*I3 */
+    const double t84 = JLT_FMA(t59, t78, t83); /* s*s*omega_tau*(a3*I3 - gamma3*R*(I1 - I3))*m*R + b/R*V*m*R*I3 */
+    const double t85 = t64*t84; /* 1/Theta*t84 */
+    const double t86 = -t85; /* -1/Theta*t84 */
+    out[18] = t86;
+    const double t87 = x[4]*t65; /* s*t63*1/Theta */
     const double t88 = JLT_FNMA(x[0], p[46], p[45]); /* a3*I3/(m*R*I1) - gamma3*(I1 - I3)/(m*I1) */
     const double t89 = t1*x[3]; /* s*omega_tau*omega3 */
-    const double t90 = JLT_FNMA(t88, t89, t87); /* s*t63*s*D*1/(Theta*s*D) - (a3*I3/(m*R*I1) - gamma3*(I1 - I3)/(m*I1))*s*omega_tau*omega3 */
-    const double t91 = t64*p[44]; /* s*D*1/(Theta*s*D)*2*m^2*R^2*I1 */
-    const double t92 = t90*t91; /* t90*s*D*1/(Theta*s*D)*2*m^2*R^2*I1 */
+    const double t90 = JLT_FNMA(t88, t89, t87); /* s*t63*1/Theta - (a3*I3/(m*R*I1) - gamma3*(I1 - I3)/(m*I1))*s*omega_tau*omega3 */
+    const double t91 = t64*p[44]; /* 1/Theta*2*m^2*R^2*I1 */
+    const double t92 = t90*t91; /* t90*1/Theta*2*m^2*R^2*I1 */
+    out[19] = t92;
     const double t93 = -t1; /* -s*omega_tau */
+    out[20] = t93;
     const double t94 = x[4]*x[0]; /* s*gamma3 */
     const double t95 = -t94; /* -s*gamma3 */
+    out[22] = t95;
     const double t96 = x[2]*x[0]; /* omega_tau*gamma3 */
     const double t97 = -t96; /* -omega_tau*gamma3 */
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = t0;
-    out[3] = 0.0;
-    out[4] = t2;
-    out[5] = t22;
-    out[6] = 0.0;
-    out[7] = 0.0;
-    out[8] = t25;
-    out[9] = t27;
-    out[10] = t37;
-    out[11] = 0.0;
-    out[12] = t41;
-    out[13] = t45;
-    out[14] = t55;
-    out[15] = t73;
-    out[16] = t76;
-    out[17] = t82;
-    out[18] = t86;
-    out[19] = t92;
-    out[20] = t93;
-    out[21] = 0.0;
-    out[22] = t95;
-    out[23] = 0.0;
     out[24] = t97;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[2]; /* s*omega_tau */
-    const double t1 = x[4]*t0; /* s*s*omega_tau */
-    const double t2 = p[17] + x[0]; /* b scaled = a3/R + gamma3 */
-    const double t3 = p[18]*x[3]; /* R*I3*omega3 */
-    const double t4 = JLT_FMA(t2, t3, p[6]); /* b scaled*R*I3*omega3 + G_level */
-    const double t5 = x[4]*x[4]; /* s*s */
-    const double t6 = JLT_FMA(p[19], t5, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t7 = t2*p[22]; /* b scaled*m*R^2*I3 */
-    const double t8 = JLT_FMA(t5, p[21], p[20]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t9 = JLT_FMA(t2, t7, t8); /* Theta = b scaled*b scaled*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t10 = x[4]*t6; /* s*D */
-    const double t11 = t9*t10; /* Theta*s*D */
-    const double t12 = 1.0/t11; /* 1/(Theta*s*D) */
-    const double t13 = t9*t12; /* Theta*1/(Theta*s*D) */
-    const double t14 = t6*t13; /* D*Theta*1/(Theta*s*D) */
-    const double t15 = t4*t14; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
-    const double t16 = t15*t15; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
-    const double t17 = p[16]*t16; /* 1/(R*I1^2)*t16 */
-    const double t18 = t2*t17; /* b scaled*1/(R*I1^2)*t16 */
-    const double t19 = t4*p[25]; /* (b scaled*R*I3*omega3 + G_level)*1/I1 */
-    const double t20 = JLT_FMA(x[3], t19, t18); /* omega3*(b scaled*R*I3*omega3 + G_level)*1/I1 + b scaled*1/(R*I1^2)*t16 */
-    const double t21 = t0*p[28]; /* s*omega_tau*m*R^2*a3^2*I1 */
-    const double t22 = JLT_FMS(t0, t21, t16); /* s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16 */
-    const double t23 = p[27]*t22; /* 1/(R^2*I1)*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
-    const double t24 = x[0]*t23; /* gamma3*1/(R^2*I1)*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
-    const double t25 = t4*p[32]; /* (b scaled*R*I3*omega3 + G_level)*I3/(R*I1) */
-    const double t26 = JLT_FNMA(t5, p[47], t24); /* t24 - s*s*m*g*a3 */
-    const double t27 = JLT_FNMA(x[3], t25, t26); /* numerator of d(omega_tau)/dt over D = t24 - s*s*m*g*a3 - omega3*(b scaled*R*I3*omega3 + G_level)*I3/(R*I1) */
-    const double t28 = x[4]*t13; /* s*Theta*1/(Theta*s*D) */
-    const double t29 = t27*t28; /* numerator of d(omega_tau)/dt over D*s*Theta*1/(Theta*s*D) */
-    const double t30 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t31 = JLT_FMA(x[2], t30, x[1]); /* V = omega_tau*e + v_nu */
-    const double t32 = t4*p[0]; /* (b scaled*R*I3*omega3 + G_level)*m */
-    const double t33 = t31*t32; /* V*(b scaled*R*I3*omega3 + G_level)*m */
-    const double t34 = JLT_FNMA(x[0], p[42], p[48]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t35 = t1*t34; /* s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t36 = JLT_FMA(x[3], t35, t33); /* omega3*s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*(b scaled*R*I3*omega3 + G_level)*m */
-    const double t37 = t10*t12; /* s*D*1/(Theta*s*D) */
-    const double t38 = t36*t37; /* t36*s*D*1/(Theta*s*D) */
-    const double t39 = -t38; /* -t36*s*D*1/(Theta*s*D) */
-    const double t40 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t41 = -t40; /* -s*omega_tau*gamma3 */
-    const double t42 = t0*2.0; /* s*omega_tau*2 */
-    const double t43 = t14*t15; /* D*Theta*1/(Theta*s*D)*(b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D) */
-    const double t44 = t2*t43; /* b scaled*t43 */
-    const double t45 = JLT_FMA(p[24], t44, x[3]); /* 2/(R*I1)*b scaled*t43 + omega3 */
-    const double t46 = p[23]*t45; /* R*I3/I1*(2/(R*I1)*b scaled*t43 + omega3) */
-    const double t47 = JLT_FMA(x[3], t46, t17); /* omega3*R*I3/I1*(2/(R*I1)*b scaled*t43 + omega3) + 1/(R*I1^2)*t16 */
-    const double t48 = JLT_FMA(t2, t46, t19); /* b scaled*R*I3/I1*(2/(R*I1)*b scaled*t43 + omega3) + (b scaled*R*I3*omega3 + G_level)*1/I1 */
-    const double t49 = t15*p[26]; /* (b scaled*R*I3*omega3 + G_level)*D*Theta*1/(Theta*s*D)*(-2/(R*I1^2)) */
-    const double t50 = t44*t49; /* b scaled*t43*t49 */
-    const double t51 = x[3]*p[49]; /* omega3*I3^2/I1 */
-    const double t52 = x[0]*p[29]; /* gamma3*2*I3/(R*I1) */
-    const double t53 = JLT_FMA(t43, t52, t51); /* t43*gamma3*2*I3/(R*I1) + omega3*I3^2/I1 */
-    const double t54 = JLT_FNMA(x[3], t53, t23); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = 1/(R^2*I1)*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) - omega3*(t43*gamma3*2*I3/(R*I1) + omega3*I3^2/I1) */
-    const double t55 = t28*t54; /* s*Theta*1/(Theta*s*D)*d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    const double t56 = t28*p[31]; /* s*Theta*1/(Theta*s*D)*2*m*a3^2 */
-    const double t57 = t1*x[0]; /* s*s*omega_tau*gamma3 */
-    const double t58 = t56*t57; /* s*Theta*1/(Theta*s*D)*2*m*a3^2*s*s*omega_tau*gamma3 */
-    const double t59 = JLT_FMA(t2, t53, t25); /* b scaled*(t43*gamma3*2*I3/(R*I1) + omega3*I3^2/I1) + (b scaled*R*I3*omega3 + G_level)*I3/(R*I1) */
-    const double t60 = t28*t59; /* s*Theta*1/(Theta*s*D)*t59 */
-    const double t61 = -t60; /* -s*Theta*1/(Theta*s*D)*t59 */
-    const double t62 = x[4]*t56; /* s*s*Theta*1/(Theta*s*D)*2*m*a3^2 */
-    const double t63 = t29*t62; /* numerator of d(omega_tau)/dt over D*s*Theta*1/(Theta*s*D)*s*s*Theta*1/(Theta*s*D)*2*m*a3^2 */
-    const double t64 = x[2]*t21; /* omega_tau*s*omega_tau*m*R^2*a3^2*I1 */
-    const double t65 = JLT_FMA(t14, t16, t64); /* D*Theta*1/(Theta*s*D)*t16 + omega_tau*s*omega_tau*m*R^2*a3^2*I1 */
-    const double t66 = x[0]*p[36]; /* gamma3*2/(R^2*I1) */
-    const double t67 = t65*t66; /* t65*gamma3*2/(R^2*I1) */
-    const double t68 = JLT_FNMA(x[4], p[35], t67); /* d(numerator of d(omega_tau)/dt over D)/d(s) = t65*gamma3*2/(R^2*I1) - s*2*m*g*a3 */
-    const double t69 = JLT_FMS(t28, t68, t63); /* s*Theta*1/(Theta*s*D)*d(numerator of d(omega_tau)/dt over D)/d(s) - t63 */
-    const double t70 = t2*p[50]; /* b scaled*2*m*R^2*I3 */
-    const double t71 = x[2]*p[40]; /* omega_tau*m*a3 */
-    const double t72 = t4*t71; /* (b scaled*R*I3*omega3 + G_level)*omega_tau*m*a3 */
-    const double t73 = t31*p[41]; /* V*m*R*I3 */
-    const double t74 = JLT_FMS(t1, p[42], t73); /* s*s*omega_tau*m*R^2*(I1 - I3) - V*m*R*I3 */
-    const double t75 = JLT_FMS(x[3], t74, t72); /* omega3*(s*s*omega_tau*m*R^2*(I1 - I3) - V*m*R*I3) - (b scaled*R*I3*omega3 + G_level)*omega_tau*m*a3 */
-    const double t76 = JLT_FMA(t38, t70, t75); /* t36*s*D*1/(Theta*s*D)*b scaled*2*m*R^2*I3 + t75 */
-    const double t77 = t37*t76; /* s*D*1/(Theta*s*D)*(t36*s*D*1/(Theta*s*D)*b scaled*2*m*R^2*I3 + t75) */
-    const double t78 = t32*t37; /* (b scaled*R*I3*omega3 + G_level)*m*s*D*1/(Theta*s*D) */
-    const double t79 = -t78; /* -(b scaled*R*I3*omega3 + G_level)*m*s*D*1/(Theta*s*D) */
-    const double t80 = t30*t32; /* e*(b scaled*R*I3*omega3 + G_level)*m */
-    const double t81 = x[3]*t5; /* omega3*s*s */
-    const double t82 = JLT_FMA(t34, t81, t80); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega3*s*s + e*(b scaled*R*I3*omega3 + G_level)*m */
-    const double t83 = t37*t82; /* s*D*1/(Theta*s*D)*t82 */
-    const double t84 = -t83; /* -s*D*1/(Theta*s*D)*t82 */
-    const double t85 = JLT_FMA(t2, t73, t35); /* b scaled*V*m*R*I3 + s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t86 = t37*t85; /* s*D*1/(Theta*s*D)*t85 */
-    const double t87 = -t86; /* -s*D*1/(Theta*s*D)*t85 */
-    const double t88 = x[4]*t38; /* s*t36*s*D*1/(Theta*s*D) */
-    const double t89 = JLT_FNMA(x[0], p[53], p[52]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t90 = t0*x[3]; /* s*omega_tau*omega3 */
-    const double t91 = JLT_FNMA(t89, t90, t88); /* s*t36*s*D*1/(Theta*s*D) - (a3*I3/(R*I1) - gamma3*(I1 - I3)/I1)*s*omega_tau*omega3 */
-    const double t92 = t37*p[51]; /* s*D*1/(Theta*s*D)*2*m*R^2*I1 */
-    const double t93 = t91*t92; /* t91*s*D*1/(Theta*s*D)*2*m*R^2*I1 */
-    const double t94 = -t0; /* -s*omega_tau */
-    const double t95 = x[4]*x[0]; /* s*gamma3 */
-    const double t96 = -t95; /* -s*gamma3 */
-    const double t97 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t98 = -t97; /* -omega_tau*gamma3 */
-    out[0] = t1;
-    out[1] = t20;
-    out[2] = t29;
-    out[3] = t39;
-    out[4] = t41;
     out[5] = 0.0;
     out[6] = 0.0;
-    out[7] = t5;
     out[8] = 0.0;
-    out[9] = t42;
-    out[10] = t47;
     out[11] = 0.0;
     out[12] = 0.0;
-    out[13] = t48;
-    out[14] = t50;
-    out[15] = t55;
     out[16] = 0.0;
-    out[17] = t58;
-    out[18] = t61;
-    out[19] = t69;
-    out[20] = t77;
-    out[21] = t79;
-    out[22] = t84;
-    out[23] = t87;
-    out[24] = t93;
-    out[25] = t94;
     out[26] = 0.0;
-    out[27] = t96;
     out[28] = 0.0;
+    const double t0 = p[17] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t1 = x[4]*x[4]; /* s*s */
+    out[7] = t1;
+    const double t2 = JLT_FMA(p[19], t1, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t3 = p[22]*t0; /* m*R^2*I3*b/R */
+    const double t4 = JLT_FMA(p[21], t1, p[20]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t5 = JLT_FMA(t0, t3, t4); /* Theta = b/R*m*R^2*I3*b/R + m*R^2*I1*s*s + I1*I3 */
+    const double t6 = x[4]*t2; /* s*D */
+    const double t7 = t5*t6; /* Theta*s*D */
+    const double t8 = 1.0/t7; /* 1/(Theta*s*D) */
+    const double t9 = t5*t8; /* 1/(s*D) = Theta*1/(Theta*s*D) */
+    const double t10 = t6*t8; /* 1/Theta = s*D*1/(Theta*s*D) */
+    const double t11 = t2*t9; /* 1/s = D*1/(s*D) */
+    const double t12 = x[4]*t9; /* 1/D = s*1/(s*D) */
+    const double t13 = p[18]*x[3]; /* R*I3*omega3 */
+    const double t14 = JLT_FMA(t0, t13, p[6]); /* b/R*R*I3*omega3 + G_level */
+    const double t15 = x[4]*x[2]; /* s*omega_tau */
+    const double t16 = 2.0*t15; /* 2*s*omega_tau */
+    out[9] = t16;
+    const double t17 = -t15; /* -s*omega_tau */
+    out[25] = t17;
+    const double t18 = t11*t14; /* 1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t19 = t18*t18; /* 1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t20 = p[28]*t15; /* m*R^2*a3^2*I1*s*omega_tau */
+    const double t21 = JLT_FMS(t15, t20, t19); /* s*omega_tau*m*R^2*a3^2*I1*s*omega_tau - t19 */
+    const double t22 = p[27]*t21; /* 1/(R^2*I1)*(s*omega_tau*m*R^2*a3^2*I1*s*omega_tau - t19) */
+    const double t23 = x[2]*t20; /* omega_tau*m*R^2*a3^2*I1*s*omega_tau */
+    const double t24 = JLT_FMA(t11, t19, t23); /* 1/s*t19 + omega_tau*m*R^2*a3^2*I1*s*omega_tau */
+    const double t25 = t11*t18; /* 1/s*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t26 = p[16]*t19; /* 1/(R*I1^2)*t19 */
+    const double t27 = p[26]*t18; /* (-2/(R*I1^2))*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t28 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t29 = x[4]*t15; /* s*s*omega_tau */
+    out[0] = t29;
+    const double t30 = JLT_FMA(x[2], t28, x[1]); /* V = omega_tau*e + v_nu */
+    const double t31 = p[0]*t14; /* m*(b/R*R*I3*omega3 + G_level) */
+    const double t32 = t28*t31; /* e*m*(b/R*R*I3*omega3 + G_level) */
+    const double t33 = JLT_FNMA(x[0], p[42], p[48]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t34 = x[0]*t22; /* gamma3*1/(R^2*I1)*(s*omega_tau*m*R^2*a3^2*I1*s*omega_tau - t19) */
+    const double t35 = JLT_FNMA(p[47], t1, t34); /* t34 - m*g*a3*s*s */
+    const double t36 = x[3]*t1; /* omega3*s*s */
+    const double t37 = JLT_FMA(t33, t36, t32); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega3*s*s + e*m*(b/R*R*I3*omega3 + G_level) */
+    const double t38 = t29*t33; /* s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t39 = t10*t37; /* 1/Theta*t37 */
+    const double t40 = -t39; /* -1/Theta*t37 */
+    out[22] = t40;
+    const double t41 = t30*t31; /* V*m*(b/R*R*I3*omega3 + G_level) */
+    const double t42 = JLT_FMA(x[3], t38, t41); /* omega3*s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*m*(b/R*R*I3*omega3 + G_level) */
+    const double t43 = p[41]*t30; /* m*R*I3*V */
+    const double t44 = t10*t42; /* 1/Theta*t42 */
+    const double t45 = JLT_FMA(t0, t43, t38); /* b/R*m*R*I3*V + s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t46 = JLT_FMS(p[42], t29, t43); /* m*R^2*(I1 - I3)*s*s*omega_tau - m*R*I3*V */
+    const double t47 = x[0]*t29; /* gamma3*s*s*omega_tau */
+    const double t48 = t10*t31; /* 1/Theta*m*(b/R*R*I3*omega3 + G_level) */
+    const double t49 = -t48; /* -1/Theta*m*(b/R*R*I3*omega3 + G_level) */
+    out[21] = t49;
+    const double t50 = t10*t45; /* 1/Theta*t45 */
+    const double t51 = -t50; /* -1/Theta*t45 */
+    out[23] = t51;
+    const double t52 = -t44; /* -1/Theta*t42 */
+    out[3] = t52;
+    const double t53 = p[32]*t14; /* I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
+    const double t54 = JLT_FNMA(x[3], t53, t35); /* numerator of d(omega_tau)/dt over D = t34 - m*g*a3*s*s - omega3*I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
+    const double t55 = t12*t54; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t55;
+    const double t56 = x[3]*p[49]; /* omega3*I3^2/I1 */
+    const double t57 = x[0]*p[29]; /* gamma3*2*I3/(R*I1) */
+    const double t58 = JLT_FMA(t25, t57, t56); /* 1/s*1/s*(b/R*R*I3*omega3 + G_level)*gamma3*2*I3/(R*I1) + omega3*I3^2/I1 */
+    const double t59 = t0*t25; /* b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t60 = t27*t59; /* (-2/(R*I1^2))*1/s*(b/R*R*I3*omega3 + G_level)*b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level) */
+    out[14] = t60;
+    const double t61 = JLT_FMA(p[24], t59, x[3]); /* 2/(R*I1)*b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level) + omega3 */
+    const double t62 = JLT_FMA(t0, t58, t53); /* b/R*t58 + I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
+    const double t63 = JLT_FNMA(x[3], t58, t22); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = 1/(R^2*I1)*(s*omega_tau*m*R^2*a3^2*I1*s*omega_tau - t19) - omega3*t58 */
+    const double t64 = t12*t63; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    out[15] = t64;
+    const double t65 = p[23]*t61; /* R*I3/I1*(2/(R*I1)*b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level) + omega3) */
+    const double t66 = t12*t62; /* 1/D*(b/R*t58 + I3/(R*I1)*(b/R*R*I3*omega3 + G_level)) */
+    const double t67 = -t66; /* -1/D*(b/R*t58 + I3/(R*I1)*(b/R*R*I3*omega3 + G_level)) */
+    out[18] = t67;
+    const double t68 = JLT_FMA(x[3], t65, t26); /* omega3*t65 + 1/(R*I1^2)*t19 */
+    out[10] = t68;
+    const double t69 = t0*t26; /* b/R*1/(R*I1^2)*t19 */
+    const double t70 = x[2]*p[40]; /* omega_tau*m*a3 */
+    const double t71 = t14*t70; /* (b/R*R*I3*omega3 + G_level)*omega_tau*m*a3 */
+    const double t72 = JLT_FMS(x[3], t46, t71); /* omega3*(m*R^2*(I1 - I3)*s*s*omega_tau - m*R*I3*V) - (b/R*R*I3*omega3 + G_level)*omega_tau*m*a3 */
+    const double t73 = p[25]*t14; /* 1/I1*(b/R*R*I3*omega3 + G_level) */
+    const double t74 = JLT_FMA(x[3], t73, t69); /* omega3*1/I1*(b/R*R*I3*omega3 + G_level) + b/R*1/(R*I1^2)*t19 */
+    out[1] = t74;
+    const double t75 = JLT_FMA(t0, t65, t73); /* b/R*t65 + 1/I1*(b/R*R*I3*omega3 + G_level) */
+    out[13] = t75;
+    const double t76 = p[50]*t0; /* 2*m*R^2*I3*b/R */
+    const double t77 = JLT_FMA(t44, t76, t72); /* 1/Theta*t42*2*m*R^2*I3*b/R + t72 */
+    const double t78 = t10*t77; /* 1/Theta*(1/Theta*t42*2*m*R^2*I3*b/R + t72) */
+    out[20] = t78;
+    const double t79 = x[4]*t44; /* s*1/Theta*t42 */
+    const double t80 = p[51]*t10; /* 2*m*R^2*I1*1/Theta */
+    const double t81 = p[31]*t12; /* 2*m*a3^2*1/D */
+    const double t82 = t47*t81; /* gamma3*s*s*omega_tau*2*m*a3^2*1/D */
+    out[17] = t82;
+    const double t83 = x[4]*t81; /* s*2*m*a3^2*1/D */
+    const double t84 = t55*t83; /* 1/D*numerator of d(omega_tau)/dt over D*s*2*m*a3^2*1/D */
+    const double t85 = x[0]*p[36]; /* gamma3*2/(R^2*I1) */
+    const double t86 = t24*t85; /* (1/s*t19 + omega_tau*m*R^2*a3^2*I1*s*omega_tau)*gamma3*2/(R^2*I1) */
+    const double t87 = JLT_FNMA(x[4], p[35], t86); /* d(numerator of d(omega_tau)/dt over D)/d(s) = t86 - s*2*m*g*a3 */
+    const double t88 = JLT_FMS(t12, t87, t84); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - 1/D*numerator of d(omega_tau)/dt over D*s*2*m*a3^2*1/D */
+    out[19] = t88;
+    const double t89 = JLT_FNMA(x[0], p[53], p[52]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t90 = x[3]*t15; /* omega3*s*omega_tau */
+    const double t91 = JLT_FNMA(t89, t90, t79); /* s*1/Theta*t42 - (a3*I3/(R*I1) - gamma3*(I1 - I3)/I1)*omega3*s*omega_tau */
+    const double t92 = t80*t91; /* 2*m*R^2*I1*1/Theta*t91 */
+    out[24] = t92;
+    const double t93 = x[0]*t15; /* gamma3*s*omega_tau */
+    const double t94 = -t93; /* -gamma3*s*omega_tau */
+    out[4] = t94;
+    const double t95 = x[4]*x[0]; /* s*gamma3 */
+    const double t96 = -t95; /* -s*gamma3 */
+    out[27] = t96;
+    const double t97 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t98 = -t97; /* -omega_tau*gamma3 */
     out[29] = t98;
 }
 
@@ -513,27 +515,27 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[56]*x[0]; /* 2*g*a3*gamma3 */
-    const double t1 = p[19]*x[4]; /* m*a3^2*s */
-    const double t2 = JLT_FMA(x[4], t1, p[4]); /* D = s*m*a3^2*s + I1 */
-    const double t3 = p[57]*x[2]; /* 1/m*omega_tau */
-    const double t4 = x[2]*t3; /* omega_tau*1/m*omega_tau */
-    const double t5 = x[0] + p[17]; /* b scaled = gamma3 + a3/R */
-    const double t6 = p[18]*x[3]; /* R*I3*omega3 */
-    const double t7 = JLT_FMA(t5, t6, p[6]); /* b scaled*R*I3*omega3 + G_level */
-    const double t8 = t7/x[4]; /* (b scaled*R*I3*omega3 + G_level)/s */
-    const double t9 = p[58]*t8; /* 1/(m*R^2*I1)*(b scaled*R*I3*omega3 + G_level)/s */
-    const double t10 = x[3]*p[59]; /* omega3*I3/m */
-    const double t11 = t5*p[25]; /* b scaled*1/I1 */
-    const double t12 = t8*t11; /* (b scaled*R*I3*omega3 + G_level)/s*b scaled*1/I1 */
-    const double t13 = x[4]*p[1]; /* s*R */
-    const double t14 = JLT_FMA(x[3], t13, t12); /* v_tau = omega3*s*R + (b scaled*R*I3*omega3 + G_level)/s*b scaled*1/I1 */
-    const double t15 = JLT_FMA(x[1], x[1], t0); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t16 = JLT_FMA(x[3], t10, t15); /* omega3*omega3*I3/m + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t17 = JLT_FMA(t2, t4, t16); /* D*omega_tau*1/m*omega_tau + omega3*omega3*I3/m + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t18 = JLT_FMA(t8, t9, t17); /* (b scaled*R*I3*omega3 + G_level)/s*1/(m*R^2*I1)*(b scaled*R*I3*omega3 + G_level)/s + t17 */
-    const double t19 = JLT_FMA(t14, t14, t18); /* energy scaled = v_tau*v_tau + t18 */
-    const double t20 = p[55]*t19; /* 1/2*m*energy scaled */
+    const double t0 = x[0] + p[17]; /* b/R = gamma3 + a3/R */
+    const double t1 = p[18]*x[3]; /* R*I3*omega3 */
+    const double t2 = JLT_FMA(t0, t1, p[6]); /* b/R*R*I3*omega3 + G_level */
+    const double t3 = t2/x[4]; /* (b/R*R*I3*omega3 + G_level)/s */
+    const double t4 = p[25]*t0; /* 1/I1*b/R */
+    const double t5 = t3*t4; /* (b/R*R*I3*omega3 + G_level)/s*1/I1*b/R */
+    const double t6 = p[56]*x[0]; /* 2*g*a3*gamma3 */
+    const double t7 = JLT_FMA(x[1], x[1], t6); /* v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t8 = p[19]*x[4]; /* m*a3^2*s */
+    const double t9 = JLT_FMA(x[4], t8, p[4]); /* D = s*m*a3^2*s + I1 */
+    const double t10 = p[57]*x[2]; /* 1/m*omega_tau */
+    const double t11 = x[2]*t10; /* omega_tau*1/m*omega_tau */
+    const double t12 = x[3]*p[59]; /* omega3*I3/m */
+    const double t13 = JLT_FMA(x[3], t12, t7); /* omega3*omega3*I3/m + v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t14 = JLT_FMA(t9, t11, t13); /* D*omega_tau*1/m*omega_tau + omega3*omega3*I3/m + v_nu*v_nu + 2*g*a3*gamma3 */
+    const double t15 = p[58]*t3; /* 1/(m*R^2*I1)*(b/R*R*I3*omega3 + G_level)/s */
+    const double t16 = JLT_FMA(t3, t15, t14); /* (b/R*R*I3*omega3 + G_level)/s*1/(m*R^2*I1)*(b/R*R*I3*omega3 + G_level)/s + t14 */
+    const double t17 = x[4]*p[1]; /* s*R */
+    const double t18 = JLT_FMA(x[3], t17, t5); /* v_tau = omega3*s*R + (b/R*R*I3*omega3 + G_level)/s*1/I1*b/R */
+    const double t19 = JLT_FMA(t18, t18, t16); /* energy/(1/2*m) = v_tau*v_tau + t16 */
+    const double t20 = p[55]*t19; /* 1/2*m*energy/(1/2*m) */
     out[0] = t20;
 }
 
@@ -546,33 +548,33 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t4 = t1*t3; /* 1/s*(b*I3*omega3 + G_level) */
     const double t5 = t0*t4; /* b*1/s*(b*I3*omega3 + G_level) */
     const double t6 = x[4]*p[61]; /* s*R^2*I1 */
-    const double t7 = JLT_FMA(x[3], t6, t5); /* v_tau scaled = omega3*s*R^2*I1 + b*1/s*(b*I3*omega3 + G_level) */
+    const double t7 = JLT_FMA(x[3], t6, t5); /* v_tau/(1/(R*I1)) = omega3*s*R^2*I1 + b*1/s*(b*I3*omega3 + G_level) */
     const double t8 = t0*t1; /* b*1/s */
-    const double t9 = JLT_FMA(t2, t8, t4); /* d(v_tau)/d(gamma3) scaled = I3*omega3*b*1/s + 1/s*(b*I3*omega3 + G_level) */
-    const double t10 = p[60]*t7; /* m/(R*I1^2)*v_tau scaled */
+    const double t9 = JLT_FMA(t2, t8, t4); /* d(v_tau)/d(gamma3)/(1/I1) = I3*omega3*b*1/s + 1/s*(b*I3*omega3 + G_level) */
+    const double t10 = p[60]*t7; /* m/(R*I1^2)*v_tau/(1/(R*I1)) */
     const double t11 = t1*t4; /* 1/s*1/s*(b*I3*omega3 + G_level) */
     const double t12 = x[3]*p[32]; /* omega3*I3/(R*I1) */
     const double t13 = JLT_FMA(t11, t12, p[47]); /* 1/s*1/s*(b*I3*omega3 + G_level)*omega3*I3/(R*I1) + m*g*a3 */
-    const double t14 = JLT_FMA(t9, t10, t13); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3) scaled*m/(R*I1^2)*v_tau scaled + 1/s*1/s*(b*I3*omega3 + G_level)*omega3*I3/(R*I1) + m*g*a3 */
+    const double t14 = JLT_FMA(t9, t10, t13); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/(1/I1)*m/(R*I1^2)*v_tau/(1/(R*I1)) + 1/s*1/s*(b*I3*omega3 + G_level)*omega3*I3/(R*I1) + m*g*a3 */
+    out[0] = t14;
     const double t15 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t15;
     const double t16 = x[4]*p[19]; /* s*m*a3^2 */
     const double t17 = JLT_FMA(x[4], t16, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t18 = x[2]*t17; /* omega_tau*D */
+    out[2] = t18;
     const double t19 = t8*p[10]; /* b*1/s*I3/(R^2*I1) */
-    const double t20 = JLT_FMA(t0, t19, x[4]); /* d(v_tau)/d(omega3) scaled = b*b*1/s*I3/(R^2*I1) + s */
-    const double t21 = t7*p[62]; /* v_tau scaled*m/I1 */
+    const double t20 = JLT_FMA(t0, t19, x[4]); /* d(v_tau)/d(omega3)/R = b*b*1/s*I3/(R^2*I1) + s */
+    const double t21 = t7*p[62]; /* v_tau/(1/(R*I1))*m/I1 */
     const double t22 = JLT_FMA(t4, t19, t2); /* 1/s*(b*I3*omega3 + G_level)*b*1/s*I3/(R^2*I1) + I3*omega3 */
-    const double t23 = JLT_FMA(t20, t21, t22); /* d(energy)/d(omega3) = d(v_tau)/d(omega3) scaled*v_tau scaled*m/I1 + 1/s*(b*I3*omega3 + G_level)*b*1/s*I3/(R^2*I1) + I3*omega3 */
+    const double t23 = JLT_FMA(t20, t21, t22); /* d(energy)/d(omega3) = d(v_tau)/d(omega3)/R*v_tau/(1/(R*I1))*m/I1 + 1/s*(b*I3*omega3 + G_level)*b*1/s*I3/(R^2*I1) + I3*omega3 */
+    out[3] = t23;
     const double t24 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t25 = t16*t24; /* s*m*a3^2*omega_tau*omega_tau */
     const double t26 = t11*p[27]; /* 1/s*1/s*(b*I3*omega3 + G_level)*1/(R^2*I1) */
-    const double t27 = JLT_FNMA(t0, t26, x[3]); /* d(v_tau)/d(s) scaled = omega3 - b*1/s*1/s*(b*I3*omega3 + G_level)*1/(R^2*I1) */
+    const double t27 = JLT_FNMA(t0, t26, x[3]); /* d(v_tau)/d(s)/R = omega3 - b*1/s*1/s*(b*I3*omega3 + G_level)*1/(R^2*I1) */
     const double t28 = JLT_FNMA(t4, t26, t25); /* s*m*a3^2*omega_tau*omega_tau - 1/s*(b*I3*omega3 + G_level)*1/s*1/s*(b*I3*omega3 + G_level)*1/(R^2*I1) */
-    const double t29 = JLT_FMA(t21, t27, t28); /* d(energy)/d(s) = v_tau scaled*m/I1*d(v_tau)/d(s) scaled + t28 */
-    out[0] = t14;
-    out[1] = t15;
-    out[2] = t18;
-    out[3] = t23;
+    const double t29 = JLT_FMA(t21, t27, t28); /* d(energy)/d(s) = v_tau/(1/(R*I1))*m/I1*d(v_tau)/d(s)/R + t28 */
     out[4] = t29;
 }
 
@@ -584,11 +586,11 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[17] + x[0]; /* b scaled = a3/R + gamma3 */
+    const double t0 = p[17] + x[0]; /* b/R = a3/R + gamma3 */
     const double t1 = p[18]*x[3]; /* R*I3*omega3 */
-    const double t2 = JLT_FMA(t0, t1, p[6]); /* b scaled*R*I3*omega3 + G_level */
-    const double t3 = p[7]*t2; /* 1/(R*I1)*(b scaled*R*I3*omega3 + G_level) */
-    const double t4 = t3/x[4]; /* 1/(R*I1)*(b scaled*R*I3*omega3 + G_level)/s */
+    const double t2 = JLT_FMA(t0, t1, p[6]); /* b/R*R*I3*omega3 + G_level */
+    const double t3 = p[7]*t2; /* 1/(R*I1)*(b/R*R*I3*omega3 + G_level) */
+    const double t4 = t3/x[4]; /* 1/(R*I1)*(b/R*R*I3*omega3 + G_level)/s */
     out[0] = t4;
 }
 
@@ -769,15 +771,15 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G = {
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 2, 25, 12, 1, 0, 0, 11, 11 }, { 15, 66, 0, 8, 0, 0, 11, 7 },
+    .rhs = { rhs, 5, { 2, 25, 12, 1, 0, 0, 11, 8 }, { 15, 66, 0, 8, 0, 0, 11, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .jacobian = { jacobian, 25, { 9, 61, 27, 1, 0, 0, 15, 16 }, { 57, 322, 0, 44, 0, 0, 16, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 10, 60, 28, 1, 0, 0, 17, 26 }, { 65, 368, 0, 51, 0, 0, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 10, 60, 28, 1, 0, 0, 17, 18 }, { 65, 368, 0, 51, 0, 0, 16, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .divergence = { divergence, 1, { 0, 8, 10, 1, 0, 0, 9, 8 }, { 11, 40, 0, 4, 0, 0, 11, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .integral_values = { integral_values, 1, { 1, 11, 8, 1, 0, 0, 7, 9 }, { 9, 30, 0, 1, 0, 0, 11, 5 },
+    .integral_values = { integral_values, 1, { 1, 11, 8, 1, 0, 0, 7, 7 }, { 9, 30, 0, 1, 0, 0, 11, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .integral_gradients = { integral_gradients, 5, { 0, 16, 13, 1, 0, 0, 7, 10 }, { 15, 54, 0, 7, 0, 0, 11, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },

@@ -7,17 +7,19 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   17    8    1    1    0     12    8   (50)
- *  jacobian            5   33   16    1    1    0     14   16   (183)
- *  rhs_jacobian        4   36   22    1    1    0     14   21   (216)
+ *  rhs                 2   17    8    1    1    0     12    7   (50)
+ *  jacobian            5   33   16    1    1    0     14   15   (183)
+ *  rhs_jacobian        4   36   22    1    1    0     14   18   (216)
  *  divergence          2    4    1    1    1    0      5    4   (15)
  *  integral_values     3    9    6    1    1    0      9    7   (54)
- *  integral_gradients  3   16    7    1    1    0     10   10   (75)
+ *  integral_gradients  3   16    7    1    1    0     10    7   (75)
  *  measure_values      2    2    1    0    0    0      4    3   (10)
  *  measure_divergences 3    5    1    1    1    0      6    4   (32)
  *  eliminated          2    1    0    1    1    0      4    3   (6)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -54,24 +56,37 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = params[6];
     const double t0 = params[1]*params[4]; /* R*I1 */
     const double t1 = params[6]/t0; /* G_level/(R*I1) */
+    out[7] = t1;
     const double t2 = params[3]*params[3]; /* a3*a3 */
     const double t3 = params[0]*t2; /* m*a3*a3 */
+    out[22] = t3;
     const double t4 = t3/params[4]; /* m*a3*a3/I1 */
+    out[8] = t4;
     const double t5 = params[0]*params[2]; /* m*g */
     const double t6 = params[3]*t5; /* a3*m*g */
+    out[23] = t6;
     const double t7 = t6/params[4]; /* a3*m*g/I1 */
+    out[9] = t7;
     const double t8 = 1.0/params[1]; /* 1/R */
+    out[10] = t8;
     const double t9 = params[6]*2.0; /* G_level*2 */
     const double t10 = t9/t0; /* G_level*2/(R*I1) */
+    out[11] = t10;
     const double t11 = params[6]/params[4]; /* G_level/I1 */
+    out[12] = t11;
     const double t12 = params[0]*2.0; /* m*2 */
     const double t13 = t2*t12; /* a3*a3*m*2 */
+    out[21] = t13;
     const double t14 = t13/params[4]; /* a3*a3*m*2/I1 */
+    out[13] = t14;
     const double t15 = params[1]*params[1]; /* R*R */
     const double t16 = params[4]*t15; /* I1*R*R */
     const double t17 = params[6]/t16; /* G_level/(I1*R*R) */
+    out[14] = t17;
     const double t18 = 2.0/params[1]; /* 2/R */
+    out[15] = t18;
     const double t19 = params[3]/2.0; /* a3/2 */
+    out[16] = t19;
     const double t20 = params[0]*params[0]; /* m*m */
     const double t21 = 2.0*t20; /* 2*m*m */
     const double t22 = params[2]*t21; /* g*2*m*m */
@@ -79,43 +94,30 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t24 = t22*t23; /* g*2*m*m*a3*a3*a3 */
     const double t25 = params[4]*params[4]; /* I1*I1 */
     const double t26 = t24/t25; /* g*2*m*m*a3*a3*a3/(I1*I1) */
+    out[17] = t26;
     const double t27 = t2*t2; /* a3*a3*a3*a3 */
     const double t28 = t21*t27; /* 2*m*m*a3*a3*a3*a3 */
     const double t29 = t28/t25; /* 2*m*m*a3*a3*a3*a3/(I1*I1) */
+    out[18] = t29;
     const double t30 = params[3]/params[1]; /* a3/R */
+    out[19] = t30;
     const double t31 = params[1]*2.0; /* R*2 */
     const double t32 = params[4]*t31; /* I1*R*2 */
     const double t33 = params[6]/t32; /* G_level/(I1*R*2) */
+    out[20] = t33;
     const double t34 = params[4]/2.0; /* I1/2 */
+    out[24] = t34;
     const double t35 = params[0]/2.0; /* m/2 */
+    out[25] = t35;
     const double t36 = params[6]/params[1]; /* G_level/R */
+    out[26] = t36;
     const double t37 = params[1]*params[0]; /* R*m */
+    out[27] = t37;
     const double t38 = 1.0/t0; /* 1/(R*I1) */
+    out[28] = t38;
     const double t39 = params[0]*(-2.0); /* m*(-2) */
     const double t40 = t2*t39; /* a3*a3*m*(-2) */
     const double t41 = t40/t0; /* a3*a3*m*(-2)/(R*I1) */
-    out[7] = t1;
-    out[8] = t4;
-    out[9] = t7;
-    out[10] = t8;
-    out[11] = t10;
-    out[12] = t11;
-    out[13] = t14;
-    out[14] = t17;
-    out[15] = t18;
-    out[16] = t19;
-    out[17] = t26;
-    out[18] = t29;
-    out[19] = t30;
-    out[20] = t33;
-    out[21] = t13;
-    out[22] = t3;
-    out[23] = t6;
-    out[24] = t34;
-    out[25] = t35;
-    out[26] = t36;
-    out[27] = t37;
-    out[28] = t38;
     out[29] = t41;
 }
 
@@ -125,199 +127,199 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    const double t5 = JLT_FMA(t2, p[8], 1.0); /* D scaled = (1 - gamma3)*(1 + gamma3)*m*a3^2/I1 + 1 */
-    const double t6 = t3*t5; /* s*D scaled */
-    const double t7 = 1.0/t6; /* 1/(s*D scaled) */
-    const double t8 = t5*t7; /* D scaled*1/(s*D scaled) */
-    const double t9 = p[7]*t8; /* omega_n = G_level/(R*I1)*D scaled*1/(s*D scaled) */
-    const double t10 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t11 = t8*t9; /* D scaled*1/(s*D scaled)*omega_n */
-    const double t12 = t10*t11; /* b*D scaled*1/(s*D scaled)*omega_n */
-    const double t13 = JLT_FMA(p[1], x[3], t12); /* R*omega3 + b*D scaled*1/(s*D scaled)*omega_n */
-    const double t14 = t9*t13; /* omega_n*(R*omega3 + b*D scaled*1/(s*D scaled)*omega_n) */
-    const double t15 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
-    const double t16 = t4*t15; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t17 = JLT_FNMA(t9, t11, t16); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*D scaled*1/(s*D scaled)*omega_n */
-    const double t18 = x[0]*t17; /* gamma3*t17 */
-    const double t19 = JLT_FNMA(t3, p[9], t18); /* gamma3*t17 - s*m*g*a3/I1 */
-    const double t20 = t3*t7; /* s*1/(s*D scaled) */
-    const double t21 = t19*t20; /* (gamma3*t17 - s*m*g*a3/I1)*s*1/(s*D scaled) */
-    const double t22 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t23 = x[3]*t22; /* omega3*omega_tau*gamma3 */
-    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t25 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
-    const double t26 = p[10]*t25; /* 1/R*V */
-    const double t27 = JLT_FNMA(t11, t26, t23); /* omega3*omega_tau*gamma3 - D scaled*1/(s*D scaled)*omega_n*1/R*V */
-    const double t28 = t8*t27; /* D scaled*1/(s*D scaled)*t27 */
-    out[0] = t4;
-    out[1] = t14;
-    out[2] = t21;
+    const double t4 = JLT_FMA(p[8], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
+    const double t5 = t3*t4; /* s*D/I1 */
+    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
+    const double t7 = t4*t6; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t8 = t3*t6; /* s*1/(s*D/I1) */
+    const double t9 = x[2]*t3; /* omega_tau*s */
+    out[0] = t9;
+    const double t10 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
+    const double t11 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t12 = t9*t11; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t13 = t7*t10; /* 1/s*omega_n */
+    const double t14 = JLT_FNMA(t10, t13, t12); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/s*omega_n */
+    const double t15 = x[0]*t14; /* gamma3*(omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/s*omega_n) */
+    const double t16 = JLT_FNMA(p[9], t3, t15); /* t15 - m*g*a3/I1*s */
+    const double t17 = t8*t16; /* s*1/(s*D/I1)*(t15 - m*g*a3/I1*s) */
+    out[2] = t17;
+    const double t18 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t19 = JLT_FMA(x[2], t18, x[1]); /* V = omega_tau*e + v_nu */
+    const double t20 = p[10]*t19; /* 1/R*V */
+    const double t21 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t22 = t13*t21; /* 1/s*omega_n*b */
+    const double t23 = JLT_FMA(p[1], x[3], t22); /* R*omega3 + 1/s*omega_n*b */
+    const double t24 = t10*t23; /* omega_n*(R*omega3 + 1/s*omega_n*b) */
+    out[1] = t24;
+    const double t25 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t26 = x[3]*t25; /* omega3*omega_tau*gamma3 */
+    const double t27 = JLT_FNMA(t13, t20, t26); /* omega3*omega_tau*gamma3 - 1/s*omega_n*1/R*V */
+    const double t28 = t7*t27; /* 1/s*(omega3*omega_tau*gamma3 - 1/s*omega_n*1/R*V) */
     out[3] = t28;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[1] = 0.0;
+    out[3] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[9] = 0.0;
+    out[11] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[8], t2, 1.0); /* D scaled = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
+    const double t3 = JLT_FMA(p[8], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
     const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = t3*t4; /* D scaled*s */
-    const double t6 = 1.0/t5; /* 1/(D scaled*s) */
-    const double t7 = t3*t6; /* D scaled*1/(D scaled*s) */
-    const double t8 = x[0]*t7; /* gamma3*D scaled*1/(D scaled*s) */
-    const double t9 = x[2]*t8; /* omega_tau*gamma3*D scaled*1/(D scaled*s) */
-    const double t10 = -t9; /* -omega_tau*gamma3*D scaled*1/(D scaled*s) */
-    const double t11 = t7*p[7]; /* omega_n = D scaled*1/(D scaled*s)*G_level/(R*I1) */
-    const double t12 = t7*t11; /* D scaled*1/(D scaled*s)*omega_n */
-    const double t13 = t11*p[1]; /* omega_n*R */
-    const double t14 = t12*t13; /* D scaled*1/(D scaled*s)*omega_n*omega_n*R */
-    const double t15 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t16 = t7*t8; /* D scaled*1/(D scaled*s)*gamma3*D scaled*1/(D scaled*s) */
-    const double t17 = t7*t12; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n */
-    const double t18 = p[11]*t16; /* 2*G_level/(R*I1)*D scaled*1/(D scaled*s)*gamma3*D scaled*1/(D scaled*s) */
-    const double t19 = t17*t18; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*t18 */
-    const double t20 = t8*t11; /* gamma3*D scaled*1/(D scaled*s)*omega_n */
-    const double t21 = JLT_FMA(t17, t20, t19); /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*gamma3*D scaled*1/(D scaled*s)*omega_n + D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*t18 */
-    const double t22 = t7*t7; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s) */
-    const double t23 = t8*x[3]; /* gamma3*D scaled*1/(D scaled*s)*omega3 */
-    const double t24 = p[12]*t22; /* G_level/I1*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s) */
-    const double t25 = JLT_FMA(t23, t24, t14); /* gamma3*D scaled*1/(D scaled*s)*omega3*G_level/I1*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s) + D scaled*1/(D scaled*s)*omega_n*omega_n*R */
-    const double t26 = JLT_FMA(t15, t21, t25); /* b*t21 + t25 */
-    const double t27 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
-    const double t28 = x[2]*t27; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t29 = t4*t28; /* s*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t30 = t4*t6; /* s*1/(D scaled*s) */
-    const double t31 = p[13]*t30; /* 2*m*a3^2/I1*s*1/(D scaled*s) */
-    const double t32 = t11*t31; /* omega_n*2*m*a3^2/I1*s*1/(D scaled*s) */
-    const double t33 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t34 = JLT_FNMA(t27, t33, p[9]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
-    const double t35 = t4*t31; /* s*2*m*a3^2/I1*s*1/(D scaled*s) */
-    const double t36 = t7 - t35; /* D scaled*1/(D scaled*s) - s*2*m*a3^2/I1*s*1/(D scaled*s) */
-    const double t37 = JLT_FMA(t20, t32, t19); /* gamma3*D scaled*1/(D scaled*s)*omega_n*omega_n*2*m*a3^2/I1*s*1/(D scaled*s) + D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*t18 */
-    const double t38 = JLT_FNMA(t34, t36, t37); /* t37 - (m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3)*(D scaled*1/(D scaled*s) - s*2*m*a3^2/I1*s*1/(D scaled*s)) */
-    const double t39 = JLT_FNMA(t12, t17, t29); /* s*omega_tau*omega_tau*m*a3^2/I1 - D scaled*1/(D scaled*s)*omega_n*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n */
-    const double t40 = JLT_FNMA(x[0], t38, t39); /* t39 - gamma3*t38 */
-    const double t41 = t30*t40; /* s*1/(D scaled*s)*(t39 - gamma3*t38) */
-    const double t42 = t33*t35; /* omega_tau*gamma3*s*2*m*a3^2/I1*s*1/(D scaled*s) */
-    const double t43 = x[2]*x[3]; /* omega_tau*omega3 */
-    const double t44 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t45 = JLT_FMA(x[2], t44, x[1]); /* V = omega_tau*e + v_nu */
-    const double t46 = t16*t45; /* D scaled*1/(D scaled*s)*gamma3*D scaled*1/(D scaled*s)*V */
-    const double t47 = JLT_FNMA(p[14], t46, t43); /* omega_tau*omega3 - G_level/(R^2*I1)*D scaled*1/(D scaled*s)*gamma3*D scaled*1/(D scaled*s)*V */
-    const double t48 = t7*t22; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s) */
-    const double t49 = t47*t48; /* t47*t48 */
-    const double t50 = JLT_FMA(x[2], p[16], t46); /* omega_tau*1/2*a3 + D scaled*1/(D scaled*s)*gamma3*D scaled*1/(D scaled*s)*V */
-    const double t51 = t17*p[15]; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*2/R */
-    const double t52 = JLT_FNMA(t50, t51, t49); /* t47*t48 - t50*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*2/R */
-    const double t53 = t17*p[10]; /* D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*1/R */
-    const double t54 = -t53; /* -D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*1/R */
-    const double t55 = JLT_FNMA(t44, t53, t23); /* gamma3*D scaled*1/(D scaled*s)*omega3 - e*D scaled*1/(D scaled*s)*D scaled*1/(D scaled*s)*omega_n*1/R */
-    out[0] = t10;
-    out[1] = 0.0;
     out[2] = t4;
-    out[3] = 0.0;
-    out[4] = t26;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = t13;
-    out[8] = t41;
-    out[9] = 0.0;
-    out[10] = t42;
-    out[11] = 0.0;
+    const double t5 = t3*t4; /* D/I1*s */
+    const double t6 = 1.0/t5; /* 1/(D/I1*s) */
+    const double t7 = t3*t6; /* 1/s = D/I1*1/(D/I1*s) */
+    const double t8 = t4*t6; /* 1/(D/I1) = s*1/(D/I1*s) */
+    const double t9 = x[0]*t7; /* gamma3*1/s */
+    const double t10 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
+    const double t11 = t7*t10; /* 1/s*omega_n */
+    const double t12 = t7*t9; /* 1/s*gamma3*1/s */
+    const double t13 = t7*t11; /* 1/s*1/s*omega_n */
+    const double t14 = p[11]*t12; /* 2*G_level/(R*I1)*1/s*gamma3*1/s */
+    const double t15 = t13*t14; /* 1/s*1/s*omega_n*2*G_level/(R*I1)*1/s*gamma3*1/s */
+    const double t16 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t17 = p[13]*t8; /* 2*m*a3^2/I1*1/(D/I1) */
+    const double t18 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t19 = t9*t10; /* gamma3*1/s*omega_n */
+    const double t20 = x[2]*t16; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t21 = t4*t20; /* s*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t22 = t4*t17; /* s*2*m*a3^2/I1*1/(D/I1) */
+    const double t23 = t10*t17; /* omega_n*2*m*a3^2/I1*1/(D/I1) */
+    const double t24 = p[1]*t10; /* R*omega_n */
+    out[7] = t24;
+    const double t25 = JLT_FMA(t19, t23, t15); /* gamma3*1/s*omega_n*omega_n*2*m*a3^2/I1*1/(D/I1) + 1/s*1/s*omega_n*2*G_level/(R*I1)*1/s*gamma3*1/s */
+    const double t26 = JLT_FMA(t13, t19, t15); /* 1/s*1/s*omega_n*gamma3*1/s*omega_n + 1/s*1/s*omega_n*2*G_level/(R*I1)*1/s*gamma3*1/s */
+    const double t27 = t11*t24; /* 1/s*omega_n*R*omega_n */
+    const double t28 = JLT_FNMA(t11, t13, t21); /* s*omega_tau*omega_tau*m*a3^2/I1 - 1/s*omega_n*1/s*1/s*omega_n */
+    const double t29 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t30 = JLT_FNMA(t16, t29, p[9]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
+    const double t31 = t22*t29; /* s*2*m*a3^2/I1*1/(D/I1)*omega_tau*gamma3 */
+    out[10] = t31;
+    const double t32 = t7 - t22; /* 1/s - s*2*m*a3^2/I1*1/(D/I1) */
+    const double t33 = JLT_FNMA(t30, t32, t25); /* t25 - (m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3)*(1/s - s*2*m*a3^2/I1*1/(D/I1)) */
+    const double t34 = JLT_FNMA(x[0], t33, t28); /* t28 - gamma3*t33 */
+    const double t35 = t8*t34; /* 1/(D/I1)*(t28 - gamma3*t33) */
+    out[8] = t35;
+    const double t36 = JLT_FMA(x[2], t18, x[1]); /* V = omega_tau*e + v_nu */
+    const double t37 = t12*t36; /* 1/s*gamma3*1/s*V */
+    const double t38 = t7*t7; /* 1/s*1/s */
+    const double t39 = t7*t38; /* 1/s*1/s*1/s */
+    const double t40 = p[12]*t38; /* G_level/I1*1/s*1/s */
+    const double t41 = x[2]*x[3]; /* omega_tau*omega3 */
+    const double t42 = JLT_FNMA(p[14], t37, t41); /* omega_tau*omega3 - G_level/(R^2*I1)*1/s*gamma3*1/s*V */
+    const double t43 = t39*t42; /* 1/s*1/s*1/s*(omega_tau*omega3 - G_level/(R^2*I1)*1/s*gamma3*1/s*V) */
+    const double t44 = JLT_FMA(x[2], p[16], t37); /* omega_tau*1/2*a3 + 1/s*gamma3*1/s*V */
+    const double t45 = x[3]*t9; /* omega3*gamma3*1/s */
+    const double t46 = JLT_FMA(t40, t45, t27); /* G_level/I1*1/s*1/s*omega3*gamma3*1/s + 1/s*omega_n*R*omega_n */
+    const double t47 = x[2]*t9; /* omega_tau*gamma3*1/s */
+    out[15] = t47;
+    const double t48 = -t47; /* -omega_tau*gamma3*1/s */
+    out[0] = t48;
+    const double t49 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t50 = JLT_FMA(t26, t49, t46); /* t26*b + G_level/I1*1/s*1/s*omega3*gamma3*1/s + 1/s*omega_n*R*omega_n */
+    out[4] = t50;
+    const double t51 = p[15]*t13; /* 2/R*1/s*1/s*omega_n */
+    const double t52 = JLT_FNMA(t44, t51, t43); /* t43 - (omega_tau*1/2*a3 + 1/s*gamma3*1/s*V)*2/R*1/s*1/s*omega_n */
     out[12] = t52;
-    out[13] = t54;
-    out[14] = t55;
-    out[15] = t9;
+    const double t53 = p[10]*t13; /* 1/R*1/s*1/s*omega_n */
+    const double t54 = JLT_FNMA(t18, t53, t45); /* omega3*gamma3*1/s - e*1/R*1/s*1/s*omega_n */
+    out[14] = t54;
+    const double t55 = -t53; /* -1/R*1/s*1/s*omega_n */
+    out[13] = t55;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[5] = 0.0;
+    out[7] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[13] = 0.0;
+    out[15] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = JLT_FMA(t2, p[8], 1.0); /* D scaled = (1 - gamma3)*(1 + gamma3)*m*a3^2/I1 + 1 */
-    const double t7 = t3*t6; /* s*D scaled */
-    const double t8 = 1.0/t7; /* 1/(s*D scaled) */
-    const double t9 = t6*t8; /* D scaled*1/(s*D scaled) */
-    const double t10 = p[7]*t9; /* omega_n = G_level/(R*I1)*D scaled*1/(s*D scaled) */
-    const double t11 = t9*t10; /* D scaled*1/(s*D scaled)*omega_n */
-    const double t12 = t10*t11; /* omega_n*D scaled*1/(s*D scaled)*omega_n */
-    const double t13 = t5*t12; /* b*omega_n*D scaled*1/(s*D scaled)*omega_n */
-    const double t14 = p[1]*t10; /* R*omega_n */
-    const double t15 = JLT_FMA(x[3], t14, t13); /* omega3*R*omega_n + b*omega_n*D scaled*1/(s*D scaled)*omega_n */
-    const double t16 = t3*t8; /* s*1/(s*D scaled) */
-    const double t17 = x[0]*t16; /* gamma3*s*1/(s*D scaled) */
-    const double t18 = t4*t17; /* omega_tau*s*gamma3*s*1/(s*D scaled) */
-    const double t19 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
-    const double t20 = t3*t16; /* s*s*1/(s*D scaled) */
-    const double t21 = t12*t17; /* omega_n*D scaled*1/(s*D scaled)*omega_n*gamma3*s*1/(s*D scaled) */
-    const double t22 = JLT_FMA(p[9], t20, t21); /* m*g*a3/I1*s*s*1/(s*D scaled) + t21 */
-    const double t23 = JLT_FMS(t18, t19, t22); /* omega_tau*s*gamma3*s*1/(s*D scaled)*omega_tau*m*a3^2/I1 - (m*g*a3/I1*s*s*1/(s*D scaled) + t21) */
-    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t25 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
-    const double t26 = t9*t9; /* D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
-    const double t27 = t10*t26; /* omega_n*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
-    const double t28 = p[10]*t27; /* 1/R*omega_n*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
-    const double t29 = t25*t28; /* V*1/R*omega_n*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
-    const double t30 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t31 = t9*t30; /* D scaled*1/(s*D scaled)*omega_tau*gamma3 */
-    const double t32 = JLT_FMS(x[3], t31, t29); /* omega3*D scaled*1/(s*D scaled)*omega_tau*gamma3 - t29 */
-    const double t33 = -t31; /* -D scaled*1/(s*D scaled)*omega_tau*gamma3 */
-    const double t34 = t11*t14; /* D scaled*1/(s*D scaled)*omega_n*R*omega_n */
-    const double t35 = t9*x[3]; /* D scaled*1/(s*D scaled)*omega3 */
-    const double t36 = t27*p[11]; /* omega_n*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*2*G_level/(R*I1) */
-    const double t37 = JLT_FMA(p[12], t35, t13); /* G_level/I1*D scaled*1/(s*D scaled)*omega3 + b*omega_n*D scaled*1/(s*D scaled)*omega_n */
-    const double t38 = JLT_FMA(t5, t36, t37); /* b*t36 + t37 */
-    const double t39 = x[0]*t26; /* gamma3*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
-    const double t40 = JLT_FMA(t38, t39, t34); /* (b*t36 + t37)*gamma3*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) + D scaled*1/(s*D scaled)*omega_n*R*omega_n */
-    const double t41 = t4*t19; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t42 = JLT_FNMA(t11, t27, t41); /* omega_tau*s*omega_tau*m*a3^2/I1 - D scaled*1/(s*D scaled)*omega_n*omega_n*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
-    const double t43 = t16*t42; /* s*1/(s*D scaled)*t42 */
-    const double t44 = t20*p[17]; /* s*s*1/(s*D scaled)*2*m^2*g*a3^3/I1^2 */
-    const double t45 = x[2]*p[18]; /* omega_tau*2*m^2*a3^4/I1^2 */
-    const double t46 = JLT_FNMA(t9, p[9], t44); /* s*s*1/(s*D scaled)*2*m^2*g*a3^3/I1^2 - D scaled*1/(s*D scaled)*m*g*a3/I1 */
-    const double t47 = JLT_FMA(t19, t31, t46); /* omega_tau*m*a3^2/I1*D scaled*1/(s*D scaled)*omega_tau*gamma3 + t46 */
-    const double t48 = JLT_FNMA(t18, t45, t47); /* t47 - omega_tau*s*gamma3*s*1/(s*D scaled)*omega_tau*2*m^2*a3^4/I1^2 */
-    const double t49 = JLT_FMA(t36, t39, t48); /* t36*gamma3*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) + t48 */
-    const double t50 = JLT_FMA(t21, p[13], t49); /* t21*2*m*a3^2/I1 + t49 */
-    const double t51 = JLT_FNMA(t17, t50, t43); /* s*1/(s*D scaled)*t42 - gamma3*s*1/(s*D scaled)*(t21*2*m*a3^2/I1 + t49) */
-    const double t52 = t18*p[13]; /* omega_tau*s*gamma3*s*1/(s*D scaled)*2*m*a3^2/I1 */
-    const double t53 = t26*t35; /* D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*omega3 */
-    const double t54 = JLT_FNMA(t27, p[19], t53); /* t53 - omega_n*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*a3/R */
-    const double t55 = x[2]*t54; /* omega_tau*t54 */
-    const double t56 = t9*p[20]; /* D scaled*1/(s*D scaled)*1/2*G_level/(R*I1) */
-    const double t57 = JLT_FMA(t26, t56, t27); /* D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*1/2*G_level/(R*I1) + omega_n*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
-    const double t58 = t25*p[15]; /* V*2/R */
-    const double t59 = t39*t58; /* gamma3*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*V*2/R */
-    const double t60 = JLT_FNMA(t57, t59, t55); /* omega_tau*t54 - t57*gamma3*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled)*V*2/R */
-    const double t61 = -t28; /* -1/R*omega_n*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
-    const double t62 = t24*t28; /* e*1/R*omega_n*D scaled*1/(s*D scaled)*D scaled*1/(s*D scaled) */
-    const double t63 = JLT_FMS(x[0], t35, t62); /* gamma3*D scaled*1/(s*D scaled)*omega3 - t62 */
-    out[0] = t4;
-    out[1] = t15;
-    out[2] = t23;
-    out[3] = t32;
-    out[4] = t33;
-    out[5] = 0.0;
     out[6] = t3;
-    out[7] = 0.0;
-    out[8] = t40;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = t14;
+    const double t4 = JLT_FMA(p[8], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
+    const double t5 = t3*t4; /* s*D/I1 */
+    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
+    const double t7 = t4*t6; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t8 = t3*t6; /* 1/(D/I1) = s*1/(s*D/I1) */
+    const double t9 = t3*t8; /* s*1/(D/I1) */
+    const double t10 = x[2]*t3; /* omega_tau*s */
+    out[0] = t10;
+    const double t11 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
+    const double t12 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t13 = t7*t12; /* 1/s*omega_tau*gamma3 */
+    out[19] = t13;
+    const double t14 = -t13; /* -1/s*omega_tau*gamma3 */
+    out[4] = t14;
+    const double t15 = p[17]*t9; /* 2*m^2*g*a3^3/I1^2*s*1/(D/I1) */
+    const double t16 = JLT_FNMA(p[9], t7, t15); /* 2*m^2*g*a3^3/I1^2*s*1/(D/I1) - m*g*a3/I1*1/s */
+    const double t17 = t7*t11; /* 1/s*omega_n */
+    const double t18 = x[0]*t8; /* gamma3*1/(D/I1) */
+    const double t19 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t20 = JLT_FMA(t13, t19, t16); /* 1/s*omega_tau*gamma3*omega_tau*m*a3^2/I1 + 2*m^2*g*a3^3/I1^2*s*1/(D/I1) - m*g*a3/I1*1/s */
+    const double t21 = t7*t7; /* 1/s*1/s */
+    const double t22 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t23 = t11*t17; /* omega_n*1/s*omega_n */
+    const double t24 = t10*t18; /* omega_tau*s*gamma3*1/(D/I1) */
+    const double t25 = t10*t19; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t26 = p[13]*t24; /* 2*m*a3^2/I1*omega_tau*s*gamma3*1/(D/I1) */
+    out[14] = t26;
+    const double t27 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t28 = t11*t21; /* omega_n*1/s*1/s */
+    const double t29 = p[1]*t11; /* R*omega_n */
+    out[11] = t29;
+    const double t30 = JLT_FNMA(t17, t28, t25); /* omega_tau*s*omega_tau*m*a3^2/I1 - 1/s*omega_n*omega_n*1/s*1/s */
+    const double t31 = t8*t30; /* 1/(D/I1)*t30 */
+    const double t32 = t17*t29; /* 1/s*omega_n*R*omega_n */
+    const double t33 = x[3]*t7; /* omega3*1/s */
+    const double t34 = p[20]*t7; /* 1/2*G_level/(R*I1)*1/s */
+    const double t35 = JLT_FMA(t21, t34, t28); /* 1/s*1/s*1/2*G_level/(R*I1)*1/s + omega_n*1/s*1/s */
+    const double t36 = x[2]*p[18]; /* omega_tau*2*m^2*a3^4/I1^2 */
+    const double t37 = JLT_FNMA(t24, t36, t20); /* t20 - omega_tau*s*gamma3*1/(D/I1)*omega_tau*2*m^2*a3^4/I1^2 */
+    const double t38 = t22*t23; /* b*omega_n*1/s*omega_n */
+    const double t39 = JLT_FMA(x[3], t29, t38); /* omega3*R*omega_n + b*omega_n*1/s*omega_n */
+    out[1] = t39;
+    const double t40 = t18*t23; /* gamma3*1/(D/I1)*omega_n*1/s*omega_n */
+    const double t41 = JLT_FMA(p[12], t33, t38); /* G_level/I1*omega3*1/s + b*omega_n*1/s*omega_n */
+    const double t42 = JLT_FMA(p[9], t9, t40); /* m*g*a3/I1*s*1/(D/I1) + gamma3*1/(D/I1)*omega_n*1/s*omega_n */
+    const double t43 = JLT_FMS(t19, t24, t42); /* omega_tau*m*a3^2/I1*omega_tau*s*gamma3*1/(D/I1) - (m*g*a3/I1*s*1/(D/I1) + gamma3*1/(D/I1)*omega_n*1/s*omega_n) */
+    out[2] = t43;
+    const double t44 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
+    const double t45 = p[11]*t28; /* 2*G_level/(R*I1)*omega_n*1/s*1/s */
+    const double t46 = JLT_FMA(t22, t45, t41); /* b*2*G_level/(R*I1)*omega_n*1/s*1/s + G_level/I1*omega3*1/s + b*omega_n*1/s*omega_n */
+    const double t47 = x[0]*t21; /* gamma3*1/s*1/s */
+    const double t48 = JLT_FMA(t46, t47, t32); /* t46*gamma3*1/s*1/s + 1/s*omega_n*R*omega_n */
+    out[8] = t48;
+    const double t49 = JLT_FMA(t45, t47, t37); /* 2*G_level/(R*I1)*omega_n*1/s*1/s*gamma3*1/s*1/s + t20 - omega_tau*s*gamma3*1/(D/I1)*omega_tau*2*m^2*a3^4/I1^2 */
+    const double t50 = JLT_FMA(p[13], t40, t49); /* 2*m*a3^2/I1*gamma3*1/(D/I1)*omega_n*1/s*omega_n + t49 */
+    const double t51 = JLT_FNMA(t18, t50, t31); /* 1/(D/I1)*t30 - gamma3*1/(D/I1)*(2*m*a3^2/I1*gamma3*1/(D/I1)*omega_n*1/s*omega_n + t49) */
     out[12] = t51;
-    out[13] = 0.0;
-    out[14] = t52;
-    out[15] = 0.0;
-    out[16] = t60;
-    out[17] = t61;
-    out[18] = t63;
-    out[19] = t31;
+    const double t52 = t21*t33; /* 1/s*1/s*omega3*1/s */
+    const double t53 = JLT_FNMA(p[19], t28, t52); /* 1/s*1/s*omega3*1/s - a3/R*omega_n*1/s*1/s */
+    const double t54 = p[10]*t28; /* 1/R*omega_n*1/s*1/s */
+    const double t55 = x[2]*t53; /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*omega_n*1/s*1/s) */
+    const double t56 = t27*t54; /* e*1/R*omega_n*1/s*1/s */
+    const double t57 = JLT_FMS(x[0], t33, t56); /* gamma3*omega3*1/s - e*1/R*omega_n*1/s*1/s */
+    out[18] = t57;
+    const double t58 = -t54; /* -1/R*omega_n*1/s*1/s */
+    out[17] = t58;
+    const double t59 = t44*t54; /* V*1/R*omega_n*1/s*1/s */
+    const double t60 = JLT_FMS(x[3], t13, t59); /* omega3*1/s*omega_tau*gamma3 - V*1/R*omega_n*1/s*1/s */
+    out[3] = t60;
+    const double t61 = p[15]*t44; /* 2/R*V */
+    const double t62 = t47*t61; /* gamma3*1/s*1/s*2/R*V */
+    const double t63 = JLT_FNMA(t35, t62, t55); /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*omega_n*1/s*1/s) - (1/s*1/s*1/2*G_level/(R*I1)*1/s + omega_n*1/s*1/s)*gamma3*1/s*1/s*2/R*V */
+    out[16] = t63;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -348,6 +350,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t9 = p[24]*t8; /* 1/2*I1*omega_n */
     const double t10 = JLT_FMA(t4, t6, t0); /* D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
     const double t11 = JLT_FMA(t8, t9, t10); /* omega_n*1/2*I1*omega_n + D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
+    out[2] = t11;
     const double t12 = x[1]*x[1]; /* v_nu*v_nu */
     const double t13 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t14 = t8*t13; /* omega_n*b */
@@ -355,54 +358,53 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t16 = JLT_FMA(t7, t15, t14); /* v_tau = s*R*omega3 + omega_n*b */
     const double t17 = JLT_FMA(t16, t16, t12); /* v_tau*v_tau + v_nu*v_nu */
     const double t18 = p[25]*t17; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    out[1] = t18;
     const double t19 = t11 + t18; /* energy = t11 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[0] = t19;
-    out[1] = t18;
-    out[2] = t11;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[22]*x[0]; /* m*a3^2*gamma3 */
-    const double t1 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t6 = 1.0/t5; /* 1/s */
-    const double t7 = p[7]*t6; /* omega_n = G_level/(R*I1)*1/s */
-    const double t8 = t6*t6; /* 1/s*1/s */
-    const double t9 = x[0]*t6; /* gamma3*1/s */
-    const double t10 = p[26]*t7; /* G_level/R*omega_n */
-    const double t11 = t8*t9; /* 1/s*1/s*gamma3*1/s */
-    const double t12 = JLT_FNMA(t0, t1, p[23]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t13 = JLT_FMA(t10, t11, t12); /* G_level/R*omega_n*1/s*1/s*gamma3*1/s + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t14 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t15 = p[14]*t14; /* G_level/(R^2*I1)*b */
-    const double t16 = JLT_FMS(t8, t15, x[3]); /* 1/s*1/s*G_level/(R^2*I1)*b - omega3 */
-    const double t17 = JLT_FMA(t9, t16, t7); /* d(v_tau)/d(gamma3) scaled = gamma3*1/s*(1/s*1/s*G_level/(R^2*I1)*b - omega3) + omega_n */
-    const double t18 = t7*t14; /* omega_n*b */
-    const double t19 = p[1]*x[3]; /* R*omega3 */
-    const double t20 = JLT_FMA(t5, t19, t18); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t21 = p[27]*t20; /* m*R*v_tau */
-    const double t22 = t17*t21; /* d(v_tau)/d(gamma3) scaled*m*R*v_tau */
-    const double t23 = t13 + t22; /* d(energy)/d(gamma3) = t13 + d(v_tau)/d(gamma3) scaled*m*R*v_tau */
-    const double t24 = p[0]*x[1]; /* m*v_nu */
-    const double t25 = JLT_FMA(p[22], t4, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t26 = x[2]*t25; /* omega_tau*D */
-    const double t27 = t5*t21; /* s*m*R*v_tau */
-    out[0] = t23;
-    out[1] = t24;
-    out[2] = t26;
-    out[3] = t27;
-    out[4] = t22;
-    out[5] = t24;
     out[6] = 0.0;
-    out[7] = t27;
-    out[8] = t13;
     out[9] = 0.0;
-    out[10] = t26;
     out[11] = 0.0;
+    const double t0 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t0;
+    out[5] = t0;
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t5 = JLT_FMA(p[22], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t6 = x[2]*t5; /* omega_tau*D */
+    out[2] = t6;
+    out[10] = t6;
+    const double t7 = 1.0/t4; /* 1/s */
+    const double t8 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
+    const double t9 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t10 = t7*t7; /* 1/s*1/s */
+    const double t11 = x[0]*t7; /* gamma3*1/s */
+    const double t12 = p[14]*t9; /* G_level/(R^2*I1)*b */
+    const double t13 = t8*t9; /* omega_n*b */
+    const double t14 = JLT_FMS(t10, t12, x[3]); /* 1/s*1/s*G_level/(R^2*I1)*b - omega3 */
+    const double t15 = t10*t11; /* 1/s*1/s*gamma3*1/s */
+    const double t16 = JLT_FMA(t11, t14, t8); /* d(v_tau)/d(gamma3)/R = gamma3*1/s*(1/s*1/s*G_level/(R^2*I1)*b - omega3) + omega_n */
+    const double t17 = p[26]*t8; /* G_level/R*omega_n */
+    const double t18 = p[1]*x[3]; /* R*omega3 */
+    const double t19 = JLT_FMA(t4, t18, t13); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t20 = p[27]*t19; /* m*R*v_tau */
+    const double t21 = t4*t20; /* s*m*R*v_tau */
+    out[3] = t21;
+    out[7] = t21;
+    const double t22 = t16*t20; /* d(v_tau)/d(gamma3)/R*m*R*v_tau */
+    out[4] = t22;
+    const double t23 = p[22]*x[0]; /* m*a3^2*gamma3 */
+    const double t24 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t25 = JLT_FNMA(t23, t24, p[23]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t26 = JLT_FMA(t15, t17, t25); /* 1/s*1/s*gamma3*1/s*G_level/R*omega_n + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    out[8] = t26;
+    const double t27 = t22 + t26; /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R*v_tau + t26 */
+    out[0] = t27;
 }
 
 static void measure_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -448,30 +450,30 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t4[JLT_JET_ORDER_MAX + 1];
-    double t5[JLT_JET_ORDER_MAX + 1];
-    double t6[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
@@ -482,39 +484,39 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = x3[0] = x[3];
     for (unsigned k = 0; k < order; k++) {
-        t3[k] = (k == 0 ? 1.0 : 0) - x0[k];
-        t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
-        t5[k] = jlt_jet_product(t3, t4, k);
-        t6[k] = jlt_jet_root(t5[k], t6, k);
-        t7[k] = jlt_jet_product(x2, t6, k);
-        t10[k] = t5[k]*p[8] + (k == 0 ? 1.0 : 0);
-        t11[k] = jlt_jet_product(t6, t10, k);
-        t12[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t11, t12, k);
-        t13[k] = jlt_jet_product(t10, t12, k);
-        t14[k] = p[7]*t13[k];
-        t17[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
-        t18[k] = jlt_jet_product(t13, t14, k);
-        t19[k] = jlt_jet_product(t17, t18, k);
-        t21[k] = p[1]*x3[k] + t19[k];
-        t22[k] = jlt_jet_product(t14, t21, k);
-        t23[k] = x2[k]*p[8];
-        t24[k] = jlt_jet_product(t7, t23, k);
-        t25[k] = t24[k] - jlt_jet_product(t14, t18, k);
+        t11[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t12[k] = (k == 0 ? 1.0 : 0) + x0[k];
+        t13[k] = jlt_jet_product(t11, t12, k);
+        t14[k] = jlt_jet_root(t13[k], t14, k);
+        t15[k] = p[8]*t13[k] + (k == 0 ? 1.0 : 0);
+        t16[k] = jlt_jet_product(t14, t15, k);
+        t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t16, t17, k);
+        t18[k] = jlt_jet_product(t15, t17, k);
+        t19[k] = jlt_jet_product(t14, t17, k);
+        t20[k] = jlt_jet_product(x2, t14, k);
+        t21[k] = p[7]*t18[k];
+        t22[k] = x2[k]*p[8];
+        t23[k] = jlt_jet_product(t20, t22, k);
+        t24[k] = jlt_jet_product(t18, t21, k);
+        t25[k] = t23[k] - jlt_jet_product(t21, t24, k);
         t26[k] = jlt_jet_product(x0, t25, k);
-        t28[k] = t26[k] - t6[k]*p[9];
-        t29[k] = jlt_jet_product(t6, t12, k);
-        t30[k] = jlt_jet_product(t28, t29, k);
-        t31[k] = jlt_jet_product(x2, x0, k);
-        t32[k] = jlt_jet_product(x3, t31, k);
-        t35[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t36[k] = jlt_jet_product(x2, t35, k) + x1[k];
-        t37[k] = p[10]*t36[k];
-        t38[k] = t32[k] - jlt_jet_product(t18, t37, k);
-        t39[k] = jlt_jet_product(t13, t38, k);
+        t27[k] = t26[k] - p[9]*t14[k];
+        t28[k] = jlt_jet_product(t19, t27, k);
+        t29[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t30[k] = jlt_jet_product(x2, t29, k) + x1[k];
+        t31[k] = p[10]*t30[k];
+        t32[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
+        t33[k] = jlt_jet_product(t24, t32, k);
+        t34[k] = p[1]*x3[k] + t33[k];
+        t35[k] = jlt_jet_product(t21, t34, k);
+        t36[k] = jlt_jet_product(x2, x0, k);
+        t37[k] = jlt_jet_product(x3, t36, k);
+        t38[k] = t37[k] - jlt_jet_product(t24, t31, k);
+        t39[k] = jlt_jet_product(t18, t38, k);
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t22[k]/(k + 1);
-        next[2] = x2[k + 1] = t30[k]/(k + 1);
+        next[0] = x0[k + 1] = t20[k]/(k + 1);
+        next[1] = x1[k + 1] = t35[k]/(k + 1);
+        next[2] = x2[k + 1] = t28[k]/(k + 1);
         next[3] = x3[k + 1] = t39[k]/(k + 1);
     }
 }
@@ -594,17 +596,17 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 2, 17, 8, 1, 1, 0, 12, 8 }, { 9, 33, 0, 7, 1, 0, 9, 7 },
+    .rhs = { rhs, 4, { 2, 17, 8, 1, 1, 0, 12, 7 }, { 9, 33, 0, 7, 1, 0, 9, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 5, 33, 16, 1, 1, 0, 14, 16 }, { 24, 133, 0, 25, 1, 0, 16, 8 },
+    .jacobian = { jacobian, 16, { 5, 33, 16, 1, 1, 0, 14, 15 }, { 24, 133, 0, 25, 1, 0, 16, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 4, 36, 22, 1, 1, 0, 14, 21 }, { 28, 156, 0, 31, 1, 0, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 4, 36, 22, 1, 1, 0, 14, 18 }, { 28, 156, 0, 31, 1, 0, 16, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 4, 1, 1, 1, 0, 5, 4 }, { 2, 11, 0, 1, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { integral_values, 3, { 3, 9, 6, 1, 1, 0, 9, 7 }, { 11, 41, 0, 1, 1, 0, 11, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 12, { 3, 16, 7, 1, 1, 0, 10, 10 }, { 11, 58, 0, 5, 1, 0, 11, 10 },
+    .integral_gradients = { integral_gradients, 12, { 3, 16, 7, 1, 1, 0, 10, 7 }, { 11, 58, 0, 5, 1, 0, 11, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { measure_values, 1, { 2, 2, 1, 0, 0, 0, 4, 3 }, { 2, 6, 0, 1, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

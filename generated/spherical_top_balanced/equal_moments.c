@@ -7,13 +7,15 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2    9    2    1    1    2      8    5   (36)
- *  jacobian            2   15    4    1    1    2      9    8   (64)
- *  rhs_jacobian        2   17    4    1    1    2      9   11   (79)
+ *  jacobian            2   15    4    1    1    2      9    6   (64)
+ *  rhs_jacobian        2   17    4    1    1    2      9    7   (79)
  *  divergence          2    8    2    1    1    1      8    5   (31)
  *  integral_values     0    2    0    0    0    0      2    2   (4)
  *  integral_gradients  0    1    0    0    0    0      1    1   (4)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -51,37 +53,37 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t2 = params[0]*t1; /* m*R*R */
     const double t3 = params[3] + t2; /* J1 = I3 + m*R*R */
     const double t4 = t0/t3; /* m*R/J1 */
+    out[6] = t4;
     const double t5 = params[5]/t0; /* M/(m*R) */
+    out[7] = t5;
     const double t6 = t3*params[4]; /* J1*G */
     const double t7 = t6/params[1]; /* J1*G/R */
+    out[8] = t7;
     const double t8 = params[3]*params[5]; /* I3*M */
+    out[9] = t8;
     const double t9 = params[3]*params[3]; /* I3*I3 */
     const double t10 = params[3]*t2; /* I3*m*R*R */
     const double t11 = t9 + t10; /* I3*I3 + I3*m*R*R */
+    out[10] = t11;
     const double t12 = -t4; /* -m*R/J1 */
+    out[11] = t12;
     const double t13 = params[5]/t3; /* M/J1 */
     const double t14 = -t13; /* -M/J1 */
+    out[12] = t14;
     const double t15 = -params[3]; /* -I3 */
     const double t16 = -t8; /* -I3*M */
+    out[13] = t16;
     const double t17 = t9/t2; /* I3*I3/(m*R*R) */
     const double t18 = t15 - t17; /* -I3 - I3*I3/(m*R*R) */
+    out[14] = t18;
     const double t19 = t8/t2; /* I3*M/(m*R*R) */
+    out[15] = t19;
     const double t20 = params[3] + t17; /* I3 + I3*I3/(m*R*R) */
+    out[16] = t20;
     const double t21 = params[0]*t9; /* m*I3*I3 */
+    out[17] = t21;
     const double t22 = params[0]*2.0; /* m*2 */
     const double t23 = t9*t22; /* I3*I3*m*2 */
-    out[6] = t4;
-    out[7] = t5;
-    out[8] = t7;
-    out[9] = t8;
-    out[10] = t11;
-    out[11] = t12;
-    out[12] = t14;
-    out[13] = t16;
-    out[14] = t18;
-    out[15] = t19;
-    out[16] = t20;
-    out[17] = t21;
     out[18] = t23;
 }
 
@@ -95,6 +97,8 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t5 = JLT_FNMA(p[7], t4, x[1]); /* v_slip - M/(m*R)*S */
     const double t6 = p[6]*t3; /* m*R/J1*s */
     const double t7 = t5*t6; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
+    out[0] = t7;
+    out[1] = 0.0;
     const double t8 = t3*p[8]; /* s*G*J3/R */
     const double t9 = cos(x[2]); /* C = cos(psi) */
     const double t10 = x[0]*p[9]; /* gamma3*I3*M */
@@ -104,90 +108,88 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t14 = t12*t13; /* s*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
     const double t15 = t13*t14; /* 1/(s*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
     const double t16 = t11*t15; /* (C*gamma3*I3*M + s*G*J3/R)*t15 */
-    out[0] = t7;
-    out[1] = 0.0;
     out[2] = t16;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = sin(x[2]); /* S = sin(psi) */
-    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t6 = p[10]*t5; /* (I3^2 + m*R^2*I3)*s */
-    const double t7 = 1.0/t6; /* 1/((I3^2 + m*R^2*I3)*s) */
-    const double t8 = p[10]*t7; /* (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
-    const double t9 = x[0]*t8; /* gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
-    const double t10 = p[11]*t9; /* (-m*R/J1)*gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
-    const double t11 = t1*t10; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
-    const double t12 = t5*p[6]; /* s*m*R/J1 */
-    const double t13 = cos(x[2]); /* C = cos(psi) */
-    const double t14 = t5*p[12]; /* s*(-M/J1) */
-    const double t15 = t13*t14; /* C*s*(-M/J1) */
-    const double t16 = t13*p[9]; /* C*I3*M */
-    const double t17 = t5*p[8]; /* s*G*J3/R */
-    const double t18 = JLT_FMA(x[0], t16, t17); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t19 = JLT_FNMA(t8, t18, p[8]); /* G*J3/R - (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s)*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t20 = JLT_FNMA(t9, t19, t16); /* C*I3*M - gamma3*(I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s)*t19 */
-    const double t21 = t7*t20; /* 1/((I3^2 + m*R^2*I3)*s)*t20 */
-    const double t22 = x[0]*p[13]; /* gamma3*(-I3*M) */
-    const double t23 = t7*t22; /* 1/((I3^2 + m*R^2*I3)*s)*gamma3*(-I3*M) */
-    const double t24 = t0*t23; /* S*1/((I3^2 + m*R^2*I3)*s)*gamma3*(-I3*M) */
-    out[0] = t11;
-    out[1] = t12;
-    out[2] = t15;
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
-    out[6] = t21;
     out[7] = 0.0;
-    out[8] = t24;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = p[6]*t3; /* m*R/J1*s */
+    out[1] = t4;
+    const double t5 = p[10]*t3; /* (I3^2 + m*R^2*I3)*s */
+    const double t6 = 1.0/t5; /* 1/((I3^2 + m*R^2*I3)*s) */
+    const double t7 = cos(x[2]); /* C = cos(psi) */
+    const double t8 = p[9]*t7; /* I3*M*C */
+    const double t9 = p[8]*t3; /* G*J3/R*s */
+    const double t10 = JLT_FMA(x[0], t8, t9); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t11 = p[12]*t3; /* (-M/J1)*s */
+    const double t12 = t7*t11; /* C*(-M/J1)*s */
+    out[2] = t12;
+    const double t13 = p[10]*t6; /* 1/s = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
+    const double t14 = JLT_FNMA(t10, t13, p[8]); /* G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s */
+    const double t15 = x[0]*t13; /* gamma3*1/s */
+    const double t16 = JLT_FNMA(t14, t15, t8); /* I3*M*C - (G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s)*gamma3*1/s */
+    const double t17 = t6*t16; /* 1/((I3^2 + m*R^2*I3)*s)*t16 */
+    out[6] = t17;
+    const double t18 = p[11]*t15; /* (-m*R/J1)*gamma3*1/s */
+    const double t19 = sin(x[2]); /* S = sin(psi) */
+    const double t20 = x[0]*p[13]; /* gamma3*(-I3*M) */
+    const double t21 = t6*t20; /* 1/((I3^2 + m*R^2*I3)*s)*gamma3*(-I3*M) */
+    const double t22 = t19*t21; /* S*1/((I3^2 + m*R^2*I3)*s)*gamma3*(-I3*M) */
+    out[8] = t22;
+    const double t23 = JLT_FNMA(p[7], t19, x[1]); /* v_slip - M/(m*R)*S */
+    const double t24 = t18*t23; /* (-m*R/J1)*gamma3*1/s*(v_slip - M/(m*R)*S) */
+    out[0] = t24;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = sin(x[2]); /* S = sin(psi) */
-    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t6 = p[6]*t5; /* m*R/J1*s */
-    const double t7 = t1*t6; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
-    const double t8 = t5*p[8]; /* s*G*J3/R */
-    const double t9 = cos(x[2]); /* C = cos(psi) */
-    const double t10 = p[9]*t9; /* I3*M*C */
-    const double t11 = JLT_FMA(x[0], t10, t8); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t12 = t5*p[10]; /* s*(I3^2 + m*R^2*I3) */
-    const double t13 = 1.0/t12; /* 1/(s*(I3^2 + m*R^2*I3)) */
-    const double t14 = t11*t13; /* (gamma3*I3*M*C + s*G*J3/R)*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t15 = p[10]*t13; /* (I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t16 = x[0]*t15; /* gamma3*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t17 = p[11]*t16; /* (-m*R/J1)*gamma3*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t18 = t1*t17; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t19 = t5*p[12]; /* s*(-M/J1) */
-    const double t20 = t9*t19; /* C*s*(-M/J1) */
-    const double t21 = JLT_FNMA(t11, t15, p[8]); /* G*J3/R - (gamma3*I3*M*C + s*G*J3/R)*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t22 = JLT_FNMA(t16, t21, t10); /* I3*M*C - gamma3*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3))*t21 */
-    const double t23 = t13*t22; /* 1/(s*(I3^2 + m*R^2*I3))*t22 */
-    const double t24 = x[0]*p[13]; /* gamma3*(-I3*M) */
-    const double t25 = t13*t24; /* 1/(s*(I3^2 + m*R^2*I3))*gamma3*(-I3*M) */
-    const double t26 = t0*t25; /* S*1/(s*(I3^2 + m*R^2*I3))*gamma3*(-I3*M) */
-    out[0] = t7;
     out[1] = 0.0;
-    out[2] = t14;
-    out[3] = t18;
-    out[4] = t6;
-    out[5] = t20;
     out[6] = 0.0;
     out[7] = 0.0;
     out[8] = 0.0;
-    out[9] = t23;
     out[10] = 0.0;
-    out[11] = t26;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = p[10]*t3; /* (I3^2 + m*R^2*I3)*s */
+    const double t5 = 1.0/t4; /* 1/((I3^2 + m*R^2*I3)*s) */
+    const double t6 = cos(x[2]); /* C = cos(psi) */
+    const double t7 = p[8]*t3; /* G*J3/R*s */
+    const double t8 = p[9]*t6; /* I3*M*C */
+    const double t9 = JLT_FMA(x[0], t8, t7); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t10 = t5*t9; /* 1/((I3^2 + m*R^2*I3)*s)*(gamma3*I3*M*C + G*J3/R*s) */
+    out[2] = t10;
+    const double t11 = p[10]*t5; /* 1/s = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
+    const double t12 = JLT_FNMA(t9, t11, p[8]); /* G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s */
+    const double t13 = x[0]*t11; /* gamma3*1/s */
+    const double t14 = JLT_FNMA(t12, t13, t8); /* I3*M*C - (G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s)*gamma3*1/s */
+    const double t15 = t5*t14; /* 1/((I3^2 + m*R^2*I3)*s)*t14 */
+    out[9] = t15;
+    const double t16 = p[11]*t13; /* (-m*R/J1)*gamma3*1/s */
+    const double t17 = sin(x[2]); /* S = sin(psi) */
+    const double t18 = x[0]*p[13]; /* gamma3*(-I3*M) */
+    const double t19 = t5*t18; /* 1/((I3^2 + m*R^2*I3)*s)*gamma3*(-I3*M) */
+    const double t20 = t17*t19; /* S*1/((I3^2 + m*R^2*I3)*s)*gamma3*(-I3*M) */
+    out[11] = t20;
+    const double t21 = JLT_FNMA(p[7], t17, x[1]); /* v_slip - M/(m*R)*S */
+    const double t22 = t16*t21; /* (-m*R/J1)*gamma3*1/s*(v_slip - M/(m*R)*S) */
+    out[3] = t22;
+    const double t23 = p[6]*t3; /* m*R/J1*s */
+    out[4] = t23;
+    const double t24 = t21*t23; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
+    out[0] = t24;
+    const double t25 = p[12]*t3; /* (-M/J1)*s */
+    const double t26 = t6*t25; /* C*(-M/J1)*s */
+    out[5] = t26;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -219,10 +221,10 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[18]*x[1]; /* 2*m*I3^2*v_slip */
     out[0] = 0.0;
-    out[1] = t0;
     out[2] = 0.0;
+    const double t0 = p[18]*x[1]; /* 2*m*I3^2*v_slip */
+    out[1] = t0;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -341,9 +343,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments = {
     .prepare = prepare,
     .rhs = { rhs, 3, { 2, 9, 2, 1, 1, 2, 8, 5 }, { 7, 23, 0, 3, 1, 2, 10, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 9, { 2, 15, 4, 1, 1, 2, 9, 8 }, { 12, 41, 0, 8, 1, 2, 11, 10 },
+    .jacobian = { jacobian, 9, { 2, 15, 4, 1, 1, 2, 9, 6 }, { 12, 41, 0, 8, 1, 2, 11, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 2, 17, 4, 1, 1, 2, 9, 11 }, { 14, 51, 0, 11, 1, 2, 11, 10 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 2, 17, 4, 1, 1, 2, 9, 7 }, { 14, 51, 0, 11, 1, 2, 11, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 8, 2, 1, 1, 1, 8, 5 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -7,15 +7,17 @@
  *  Command:    ttc generate --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 1    7    4    1    0    2      5    6   (41)
- *  jacobian            1   22    6    1    0    2      8    9   (100)
- *  rhs_jacobian        4   23    6    1    0    2      8   11   (123)
+ *  rhs                 1    7    4    1    0    2      5    5   (41)
+ *  jacobian            1   22    6    1    0    2      8    8   (100)
+ *  rhs_jacobian        4   23    6    1    0    2      8    9   (123)
  *  divergence          1    3    4    1    0    1      8    3   (26)
  *  integral_values     0    2    0    0    0    0      2    2   (4)
  *  integral_gradients  0    1    0    0    0    0      1    1   (4)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -49,182 +51,182 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     const double t0 = params[0]*params[1]; /* m*R */
+    out[14] = t0;
     const double t1 = params[1]*params[1]; /* R*R */
     const double t2 = params[0]*t1; /* m*R*R */
     const double t3 = params[3] + t2; /* J1 = I3 + m*R*R */
     const double t4 = t0/t3; /* m*R/J1 */
+    out[6] = t4;
     const double t5 = params[5]/t0; /* M/(m*R) */
+    out[7] = t5;
     const double t6 = params[3]*params[3]; /* I3*I3 */
+    out[8] = t6;
     const double t7 = params[3]*t2; /* I3*m*R*R */
+    out[9] = t7;
     const double t8 = t3*params[4]; /* J1*G */
     const double t9 = t8/params[1]; /* J1*G/R */
+    out[10] = t9;
     const double t10 = params[3]*params[5]; /* I3*M */
+    out[11] = t10;
     const double t11 = params[5]/t3; /* M/J1 */
+    out[12] = t11;
     const double t12 = 2.0/t3; /* 2/J1 */
+    out[13] = t12;
     const double t13 = params[0]*2.0; /* m*2 */
     const double t14 = t1*t13; /* R*R*m*2 */
     const double t15 = params[3]*t14; /* I3*R*R*m*2 */
+    out[15] = t15;
     const double t16 = -t10; /* -I3*M */
+    out[16] = t16;
     const double t17 = (-1.0)/t3; /* (-1)/J1 */
+    out[17] = t17;
     const double t18 = -t4; /* -m*R/J1 */
+    out[18] = t18;
     const double t19 = params[1]*t13; /* R*m*2 */
     const double t20 = t19/t3; /* R*m*2/J1 */
-    const double t21 = t10/t2; /* I3*M/(m*R*R) */
-    const double t22 = t6/t2; /* I3*I3/(m*R*R) */
-    const double t23 = params[0]*t6; /* m*I3*I3 */
-    const double t24 = t6*t13; /* I3*I3*m*2 */
-    out[6] = t4;
-    out[7] = t5;
-    out[8] = t6;
-    out[9] = t7;
-    out[10] = t9;
-    out[11] = t10;
-    out[12] = t11;
-    out[13] = t12;
-    out[14] = t0;
-    out[15] = t15;
-    out[16] = t16;
-    out[17] = t17;
-    out[18] = t18;
     out[19] = t20;
+    const double t21 = t10/t2; /* I3*M/(m*R*R) */
     out[20] = t21;
+    const double t22 = t6/t2; /* I3*I3/(m*R*R) */
     out[21] = t22;
+    const double t23 = params[0]*t6; /* m*I3*I3 */
     out[22] = t23;
+    const double t24 = t6*t13; /* I3*I3*m*2 */
     out[23] = t24;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = sin(x[2]); /* S = sin(psi) */
-    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
-    const double t2 = x[3]*p[6]; /* s*m*R/J1 */
-    const double t3 = t1*t2; /* (v_slip - M/(m*R)*S)*s*m*R/J1 */
-    const double t4 = x[3]*t3; /* s*(v_slip - M/(m*R)*S)*s*m*R/J1 */
-    const double t5 = x[3]*x[3]; /* s*s */
-    const double t6 = JLT_FMA(x[0], x[0], t5); /* gamma3*gamma3 + s*s */
-    const double t7 = JLT_FMA(p[9], t6, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t8 = x[3]*p[10]; /* s*G*J3/R */
-    const double t9 = cos(x[2]); /* C = cos(psi) */
-    const double t10 = x[0]*p[11]; /* gamma3*I3*M */
-    const double t11 = JLT_FMA(t9, t10, t8); /* C*gamma3*I3*M + s*G*J3/R */
-    const double t12 = t11/t7; /* (C*gamma3*I3*M + s*G*J3/R)/Theta */
-    const double t13 = t3*x[0]; /* (v_slip - M/(m*R)*S)*s*m*R/J1*gamma3 */
-    const double t14 = -t13; /* -(v_slip - M/(m*R)*S)*s*m*R/J1*gamma3 */
-    out[0] = t4;
     out[1] = 0.0;
-    out[2] = t12;
+    const double t0 = x[3]*x[3]; /* s*s */
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[9], t1, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t3 = x[3]*p[10]; /* s*G*J3/R */
+    const double t4 = cos(x[2]); /* C = cos(psi) */
+    const double t5 = x[0]*p[11]; /* gamma3*I3*M */
+    const double t6 = JLT_FMA(t4, t5, t3); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t7 = t6/t2; /* (C*gamma3*I3*M + s*G*J3/R)/Theta */
+    out[2] = t7;
+    const double t8 = sin(x[2]); /* S = sin(psi) */
+    const double t9 = JLT_FNMA(p[7], t8, x[1]); /* v_slip - M/(m*R)*S */
+    const double t10 = x[3]*p[6]; /* s*m*R/J1 */
+    const double t11 = t9*t10; /* (v_slip - M/(m*R)*S)*s*m*R/J1 */
+    const double t12 = x[3]*t11; /* s*(v_slip - M/(m*R)*S)*s*m*R/J1 */
+    out[0] = t12;
+    const double t13 = x[0]*t11; /* gamma3*(v_slip - M/(m*R)*S)*s*m*R/J1 */
+    const double t14 = -t13; /* -gamma3*(v_slip - M/(m*R)*S)*s*m*R/J1 */
     out[3] = t14;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[3]*x[3]; /* s*s */
-    const double t1 = p[6]*t0; /* m*R/J1*s*s */
-    const double t2 = cos(x[2]); /* C = cos(psi) */
-    const double t3 = p[12]*t2; /* M/J1*C */
-    const double t4 = t0*t3; /* s*s*M/J1*C */
-    const double t5 = -t4; /* -s*s*M/J1*C */
-    const double t6 = p[14]*x[1]; /* m*R*v_slip */
-    const double t7 = sin(x[2]); /* S = sin(psi) */
-    const double t8 = JLT_FNMA(p[5], t7, t6); /* m*R*v_slip - M*S */
-    const double t9 = x[3]*t8; /* s*(m*R*v_slip - M*S) */
-    const double t10 = p[13]*t9; /* 2/J1*s*(m*R*v_slip - M*S) */
-    const double t11 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t12 = JLT_FMA(p[9], t11, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t13 = 1.0/t12; /* 1/Theta */
-    const double t14 = t2*p[11]; /* C*I3*M */
-    const double t15 = t13*t14; /* 1/Theta*C*I3*M */
-    const double t16 = x[3]*p[10]; /* s*G*J3/R */
-    const double t17 = JLT_FMA(x[0], t14, t16); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t18 = t13*p[15]; /* 1/Theta*2*m*R^2*I3 */
-    const double t19 = t17*t18; /* (gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
-    const double t20 = x[0]*t13; /* gamma3*1/Theta */
-    const double t21 = JLT_FNMA(t19, t20, t15); /* 1/Theta*C*I3*M - (gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3*gamma3*1/Theta */
-    const double t22 = t20*p[16]; /* gamma3*1/Theta*(-I3*M) */
-    const double t23 = t7*t22; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t24 = JLT_FNMA(x[3], t19, p[10]); /* G*J3/R - s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3 */
-    const double t25 = t13*t24; /* 1/Theta*(G*J3/R - s*(gamma3*C*I3*M + s*G*J3/R)*1/Theta*2*m*R^2*I3) */
-    const double t26 = t9*p[17]; /* s*(m*R*v_slip - M*S)*(-1/J1) */
-    const double t27 = x[3]*x[0]; /* s*gamma3 */
-    const double t28 = p[18]*t27; /* (-m*R/J1)*s*gamma3 */
-    const double t29 = t3*t27; /* M/J1*C*s*gamma3 */
-    const double t30 = x[0]*p[17]; /* gamma3*(-1/J1) */
-    const double t31 = t8*t30; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[0] = 0.0;
-    out[1] = t1;
-    out[2] = t5;
-    out[3] = t10;
     out[4] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[7] = 0.0;
-    out[8] = t21;
     out[9] = 0.0;
-    out[10] = t23;
-    out[11] = t25;
+    const double t0 = x[3]*x[3]; /* s*s */
+    const double t1 = p[6]*t0; /* m*R/J1*s*s */
+    out[1] = t1;
+    const double t2 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t3 = JLT_FMA(p[9], t2, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t4 = 1.0/t3; /* 1/Theta */
+    const double t5 = cos(x[2]); /* C = cos(psi) */
+    const double t6 = p[11]*t5; /* I3*M*C */
+    const double t7 = p[12]*t5; /* M/J1*C */
+    const double t8 = t0*t7; /* s*s*M/J1*C */
+    const double t9 = -t8; /* -s*s*M/J1*C */
+    out[2] = t9;
+    const double t10 = x[3]*p[10]; /* s*G*J3/R */
+    const double t11 = JLT_FMA(x[0], t6, t10); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t12 = t4*t6; /* 1/Theta*I3*M*C */
+    const double t13 = p[14]*x[1]; /* m*R*v_slip */
+    const double t14 = sin(x[2]); /* S = sin(psi) */
+    const double t15 = JLT_FNMA(p[5], t14, t13); /* m*R*v_slip - M*S */
+    const double t16 = p[15]*t4; /* 2*m*R^2*I3*1/Theta */
+    const double t17 = t11*t16; /* (gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta */
+    const double t18 = x[0]*t4; /* gamma3*1/Theta */
+    const double t19 = JLT_FNMA(t17, t18, t12); /* 1/Theta*I3*M*C - (gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta*gamma3*1/Theta */
+    out[8] = t19;
+    const double t20 = p[16]*t18; /* (-I3*M)*gamma3*1/Theta */
+    const double t21 = t14*t20; /* S*(-I3*M)*gamma3*1/Theta */
+    out[10] = t21;
+    const double t22 = JLT_FNMA(x[3], t17, p[10]); /* G*J3/R - s*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta */
+    const double t23 = t4*t22; /* 1/Theta*(G*J3/R - s*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta) */
+    out[11] = t23;
+    const double t24 = x[3]*t15; /* s*(m*R*v_slip - M*S) */
+    const double t25 = p[13]*t24; /* 2/J1*s*(m*R*v_slip - M*S) */
+    out[3] = t25;
+    const double t26 = p[17]*t24; /* (-1/J1)*s*(m*R*v_slip - M*S) */
     out[12] = t26;
-    out[13] = t28;
-    out[14] = t29;
+    const double t27 = x[3]*x[0]; /* s*gamma3 */
+    const double t28 = t7*t27; /* M/J1*C*s*gamma3 */
+    out[14] = t28;
+    const double t29 = p[18]*t27; /* (-m*R/J1)*s*gamma3 */
+    out[13] = t29;
+    const double t30 = x[0]*p[17]; /* gamma3*(-1/J1) */
+    const double t31 = t15*t30; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[15] = t31;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[3]*x[3]; /* s*s */
-    const double t1 = sin(x[2]); /* S = sin(psi) */
-    const double t2 = JLT_FNMA(p[7], t1, x[1]); /* v_slip - M/(m*R)*S */
-    const double t3 = p[6]*t2; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t4 = t0*t3; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t5 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t6 = JLT_FMA(p[9], t5, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t7 = 1.0/t6; /* 1/Theta */
-    const double t8 = x[3]*p[10]; /* s*G*J3/R */
-    const double t9 = cos(x[2]); /* C = cos(psi) */
-    const double t10 = p[11]*t9; /* I3*M*C */
-    const double t11 = JLT_FMA(x[0], t10, t8); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t12 = t7*t11; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t13 = x[3]*x[0]; /* s*gamma3 */
-    const double t14 = t3*t13; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    const double t15 = -t14; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    const double t16 = t0*p[6]; /* s*s*m*R/J1 */
-    const double t17 = t9*p[12]; /* C*M/J1 */
-    const double t18 = t0*t17; /* s*s*C*M/J1 */
-    const double t19 = -t18; /* -s*s*C*M/J1 */
-    const double t20 = x[3]*p[19]; /* s*2*m*R/J1 */
-    const double t21 = t2*t20; /* (v_slip - M/(m*R)*S)*s*2*m*R/J1 */
-    const double t22 = t7*t10; /* 1/Theta*I3*M*C */
-    const double t23 = x[0]*t7; /* gamma3*1/Theta */
-    const double t24 = t12*p[15]; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t25 = JLT_FNMA(t23, t24, t22); /* 1/Theta*I3*M*C - gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t26 = t23*p[16]; /* gamma3*1/Theta*(-I3*M) */
-    const double t27 = t1*t26; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t28 = JLT_FNMA(x[3], t24, p[10]); /* G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t29 = t7*t28; /* 1/Theta*(G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3) */
-    const double t30 = x[3]*t3; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t31 = -t30; /* -s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t32 = t13*p[18]; /* s*gamma3*(-m*R/J1) */
-    const double t33 = t13*t17; /* s*gamma3*C*M/J1 */
-    const double t34 = t3*x[0]; /* m*R/J1*(v_slip - M/(m*R)*S)*gamma3 */
-    const double t35 = -t34; /* -m*R/J1*(v_slip - M/(m*R)*S)*gamma3 */
-    out[0] = t4;
     out[1] = 0.0;
-    out[2] = t12;
-    out[3] = t15;
     out[4] = 0.0;
-    out[5] = t16;
-    out[6] = t19;
-    out[7] = t21;
     out[8] = 0.0;
     out[9] = 0.0;
     out[10] = 0.0;
     out[11] = 0.0;
-    out[12] = t25;
     out[13] = 0.0;
+    const double t0 = x[3]*x[3]; /* s*s */
+    const double t1 = p[6]*t0; /* m*R/J1*s*s */
+    out[5] = t1;
+    const double t2 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t3 = JLT_FMA(p[9], t2, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t4 = 1.0/t3; /* 1/Theta */
+    const double t5 = cos(x[2]); /* C = cos(psi) */
+    const double t6 = x[3]*p[10]; /* s*G*J3/R */
+    const double t7 = p[11]*t5; /* I3*M*C */
+    const double t8 = JLT_FMA(x[0], t7, t6); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t9 = t4*t8; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    out[2] = t9;
+    const double t10 = p[12]*t5; /* M/J1*C */
+    const double t11 = p[15]*t9; /* 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t12 = t4*t7; /* 1/Theta*I3*M*C */
+    const double t13 = sin(x[2]); /* S = sin(psi) */
+    const double t14 = JLT_FNMA(p[7], t13, x[1]); /* v_slip - M/(m*R)*S */
+    const double t15 = p[6]*t14; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t16 = t0*t15; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[0] = t16;
+    const double t17 = t0*t10; /* s*s*M/J1*C */
+    const double t18 = -t17; /* -s*s*M/J1*C */
+    out[6] = t18;
+    const double t19 = x[3]*x[0]; /* s*gamma3 */
+    const double t20 = t10*t19; /* M/J1*C*s*gamma3 */
+    out[18] = t20;
+    const double t21 = p[18]*t19; /* (-m*R/J1)*s*gamma3 */
+    out[17] = t21;
+    const double t22 = t15*t19; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    const double t23 = -t22; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    out[3] = t23;
+    const double t24 = x[0]*t4; /* gamma3*1/Theta */
+    const double t25 = JLT_FNMA(t11, t24, t12); /* 1/Theta*I3*M*C - 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*gamma3*1/Theta */
+    out[12] = t25;
+    const double t26 = p[16]*t24; /* (-I3*M)*gamma3*1/Theta */
+    const double t27 = t13*t26; /* S*(-I3*M)*gamma3*1/Theta */
     out[14] = t27;
+    const double t28 = JLT_FNMA(x[3], t11, p[10]); /* G*J3/R - s*2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t29 = t4*t28; /* 1/Theta*(G*J3/R - s*2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
     out[15] = t29;
-    out[16] = t31;
-    out[17] = t32;
-    out[18] = t33;
+    const double t30 = x[3]*p[19]; /* s*2*m*R/J1 */
+    const double t31 = t14*t30; /* (v_slip - M/(m*R)*S)*s*2*m*R/J1 */
+    out[7] = t31;
+    const double t32 = x[3]*t15; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t33 = -t32; /* -s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[16] = t33;
+    const double t34 = x[0]*t15; /* gamma3*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t35 = -t34; /* -gamma3*m*R/J1*(v_slip - M/(m*R)*S) */
     out[19] = t35;
 }
 
@@ -233,12 +235,12 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = sin(x[2]); /* S = sin(psi) */
     const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t2 = JLT_FMA(x[3], x[3], t1); /* s*s + gamma3*gamma3 */
-    const double t3 = JLT_FMA(p[3], t2, p[21]); /* Theta scaled = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
-    const double t4 = p[20]/t3; /* I3*M/(m*R^2)/Theta scaled */
-    const double t5 = t0*t4; /* S*I3*M/(m*R^2)/Theta scaled */
+    const double t3 = JLT_FMA(p[3], t2, p[21]); /* Theta/(m*R^2) = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
+    const double t4 = p[20]/t3; /* I3*M/(m*R^2)/(Theta/(m*R^2)) */
+    const double t5 = t0*t4; /* S*I3*M/(m*R^2)/(Theta/(m*R^2)) */
     const double t6 = JLT_FNMA(t0, p[7], x[1]); /* v_slip - S*M/(m*R) */
-    const double t7 = JLT_FMA(p[6], t6, t5); /* m*R/J1*(v_slip - S*M/(m*R)) + S*I3*M/(m*R^2)/Theta scaled */
-    const double t8 = x[0]*t7; /* gamma3*(m*R/J1*(v_slip - S*M/(m*R)) + S*I3*M/(m*R^2)/Theta scaled) */
+    const double t7 = JLT_FMA(p[6], t6, t5); /* m*R/J1*(v_slip - S*M/(m*R)) + S*I3*M/(m*R^2)/(Theta/(m*R^2)) */
+    const double t8 = x[0]*t7; /* gamma3*(m*R/J1*(v_slip - S*M/(m*R)) + S*I3*M/(m*R^2)/(Theta/(m*R^2))) */
     const double t9 = -t8; /* -t8 */
     out[0] = t9;
 }
@@ -252,11 +254,11 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[23]*x[1]; /* 2*m*I3^2*v_slip */
     out[0] = 0.0;
-    out[1] = t0;
     out[2] = 0.0;
     out[3] = 0.0;
+    const double t0 = p[23]*x[1]; /* 2*m*I3^2*v_slip */
+    out[1] = t0;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -272,18 +274,18 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
-    double t5[JLT_JET_ORDER_MAX + 1];
-    double u5[JLT_JET_ORDER_MAX + 1];
-    double t6[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
-    double t8[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
+    double u15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
+    double u19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    double u20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
@@ -295,25 +297,25 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[3] = x3[0] = x[3];
     coefficients[4] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t5[k] = jlt_jet_sine(x2, t5, u5, k);
-        t6[k] = x1[k] - p[7]*t5[k];
-        t7[k] = x3[k]*p[6];
-        t8[k] = jlt_jet_product(t6, t7, k);
-        t9[k] = jlt_jet_product(x3, t8, k);
-        t14[k] = jlt_jet_product(x0, x0, k);
-        t15[k] = jlt_jet_product(x3, x3, k) + t14[k];
-        t16[k] = p[9]*t15[k] + (k == 0 ? p[8] : 0);
-        t18[k] = x3[k]*p[10];
-        t20[k] = jlt_jet_cosine(x2, t20, u20, k);
-        t21[k] = x0[k]*p[11];
-        t22[k] = jlt_jet_product(t20, t21, k) + t18[k];
-        t23[k] = jlt_jet_quotient(t22[k], t16, t23, k);
-        t24[k] = jlt_jet_product(t8, x0, k);
+        t11[k] = jlt_jet_product(x0, x0, k);
+        t12[k] = jlt_jet_product(x3, x3, k) + t11[k];
+        t13[k] = p[9]*t12[k] + (k == 0 ? p[8] : 0);
+        t14[k] = x3[k]*p[10];
+        t15[k] = jlt_jet_cosine(x2, t15, u15, k);
+        t16[k] = x0[k]*p[11];
+        t17[k] = jlt_jet_product(t15, t16, k) + t14[k];
+        t18[k] = jlt_jet_quotient(t17[k], t13, t18, k);
+        t19[k] = jlt_jet_sine(x2, t19, u19, k);
+        t20[k] = x1[k] - p[7]*t19[k];
+        t21[k] = x3[k]*p[6];
+        t22[k] = jlt_jet_product(t20, t21, k);
+        t23[k] = jlt_jet_product(x3, t22, k);
+        t24[k] = jlt_jet_product(x0, t22, k);
         t25[k] = -t24[k];
         double *restrict next = coefficients + (k + 1)*5;
-        next[0] = x0[k + 1] = t9[k]/(k + 1);
+        next[0] = x0[k + 1] = t23[k]/(k + 1);
         next[1] = x1[k + 1] = (k == 0 ? 0.0 : 0)/(k + 1);
-        next[2] = x2[k + 1] = t23[k]/(k + 1);
+        next[2] = x2[k + 1] = t18[k]/(k + 1);
         next[3] = x3[k + 1] = t25[k]/(k + 1);
         next[4] = x3[k]/(k + 1);
     }
@@ -382,11 +384,11 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 1, 7, 4, 1, 0, 2, 5, 6 }, { 8, 27, 0, 4, 0, 2, 7, 7 },
+    .rhs = { rhs, 4, { 1, 7, 4, 1, 0, 2, 5, 5 }, { 8, 27, 0, 4, 0, 2, 7, 7 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .jacobian = { jacobian, 16, { 1, 22, 6, 1, 0, 2, 8, 9 }, { 16, 68, 0, 14, 0, 2, 10, 11 },
+    .jacobian = { jacobian, 16, { 1, 22, 6, 1, 0, 2, 8, 8 }, { 16, 68, 0, 14, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 4, 23, 6, 1, 0, 2, 8, 11 }, { 20, 83, 0, 18, 0, 2, 10, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 4, 23, 6, 1, 0, 2, 8, 9 }, { 20, 83, 0, 18, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
     .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 8, 3 }, { 6, 17, 0, 2, 0, 1, 8, 7 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },

@@ -6,13 +6,15 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   16    5    1    1    2     10    7   (75)
- *  jacobian            2   33   12    1    1    2     14   15   (282)
- *  rhs_jacobian        3   34   12    1    1    2     14   16   (336)
- *  divergence          4    9    3    1    1    1     10    6   (31)
- *  integral_values     3    7    3    1    1    1      8    5   (33)
+ *  jacobian            2   33   12    1    1    2     14   12   (282)
+ *  rhs_jacobian        3   34   12    1    1    2     14   15   (336)
+ *  divergence          4    9    3    1    1    1     10    5   (31)
+ *  integral_values     3    7    3    1    1    1      8    4   (33)
  *  integral_gradients  2   15    5    1    1    2     10    5   (77)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -39,24 +41,37 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t2 = params[0]*t1; /* m*R*R */
     const double t3 = params[2] + t2; /* J1 = I1 + m*R*R */
     const double t4 = t0/t3; /* m*R/J1 */
+    out[6] = t4;
     const double t5 = params[5]/t0; /* M/(m*R) */
+    out[7] = t5;
     const double t6 = params[1]*params[3]; /* R*I3 */
     const double t7 = t6/params[2]; /* R*I3/I1 */
     const double t8 = params[1] - t7; /* R - R*I3/I1 */
+    out[8] = t8;
     const double t9 = params[2]*params[5]; /* I1*M */
+    out[9] = t9;
     const double t10 = t3*params[4]; /* J1*G */
     const double t11 = t10/params[1]; /* J1*G/R */
+    out[10] = t11;
     const double t12 = t2 + params[3]; /* J3 = m*R*R + I3 */
     const double t13 = params[4]*t12; /* G*J3 */
     const double t14 = t13/params[1]; /* G*J3/R */
+    out[11] = t14;
     const double t15 = params[5]*params[3]; /* M*I3 */
+    out[12] = t15;
     const double t16 = params[2]*params[3]; /* I1*I3 */
+    out[13] = t16;
     const double t17 = params[2]*t2; /* I1*m*R*R */
+    out[14] = t17;
     const double t18 = params[3]/params[2]; /* I3/I1 */
+    out[15] = t18;
     const double t19 = -t4; /* -m*R/J1 */
+    out[16] = t19;
     const double t20 = params[5]/t3; /* M/J1 */
     const double t21 = -t20; /* -M/J1 */
+    out[17] = t21;
     const double t22 = params[2] - params[3]; /* I1 - I3 */
+    out[29] = t22;
     const double t23 = 4.0*t22; /* 4*(I1 - I3) */
     const double t24 = params[1]*t1; /* R*R*R */
     const double t25 = params[0]*t24; /* m*R*R*R */
@@ -64,57 +79,44 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t27 = t26/params[2]; /* I3*m*R*R*R/I1 */
     const double t28 = t25 - t27; /* m*R*R*R - I3*m*R*R*R/I1 */
     const double t29 = t23*t28; /* 4*(I1 - I3)*(m*R*R*R - I3*m*R*R*R/I1) */
+    out[18] = t29;
     const double t30 = params[5]*t6; /* M*R*I3 */
     const double t31 = params[1]*params[2]; /* R*I1 */
     const double t32 = params[5]*t31; /* M*R*I1 */
     const double t33 = t30 - t32; /* M*R*I3 - M*R*I1 */
+    out[19] = t33;
     const double t34 = params[3]*params[3]; /* I3*I3 */
     const double t35 = params[1]*t34; /* R*I3*I3 */
     const double t36 = params[5]*t35; /* M*R*I3*I3 */
     const double t37 = t36/params[2]; /* M*R*I3*I3/I1 */
     const double t38 = t30 - t37; /* M*R*I3 - M*R*I3*I3/I1 */
+    out[20] = t38;
     const double t39 = params[0]*2.0; /* m*2 */
     const double t40 = t1*t39; /* R*R*m*2 */
     const double t41 = t22*t40; /* (I1 - I3)*R*R*m*2 */
+    out[21] = t41;
     const double t42 = -t15; /* -M*I3 */
+    out[22] = t42;
     const double t43 = params[3]/t2; /* I3/(m*R*R) */
+    out[23] = t43;
     const double t44 = t15/t17; /* M*I3/(I1*m*R*R) */
+    out[24] = t44;
     const double t45 = params[2]*params[2]; /* I1*I1 */
     const double t46 = params[0]*t45; /* m*I1*I1 */
+    out[25] = t46;
     const double t47 = t22/t17; /* (I1 - I3)/(I1*m*R*R) */
+    out[26] = t47;
     const double t48 = t22*(-2.0); /* (I1 - I3)*(-2) */
     const double t49 = t48/t2; /* (I1 - I3)*(-2)/(m*R*R) */
+    out[27] = t49;
     const double t50 = t16/t2; /* I1*I3/(m*R*R) */
+    out[28] = t50;
     const double t51 = t39*t45; /* m*2*I1*I1 */
+    out[30] = t51;
     const double t52 = params[2]*(-2.0); /* I1*(-2) */
     const double t53 = params[5]*t52; /* M*I1*(-2) */
     const double t54 = t22*t53; /* (I1 - I3)*M*I1*(-2) */
     const double t55 = t54/t2; /* (I1 - I3)*M*I1*(-2)/(m*R*R) */
-    out[6] = t4;
-    out[7] = t5;
-    out[8] = t8;
-    out[9] = t9;
-    out[10] = t11;
-    out[11] = t14;
-    out[12] = t15;
-    out[13] = t16;
-    out[14] = t17;
-    out[15] = t18;
-    out[16] = t19;
-    out[17] = t21;
-    out[18] = t29;
-    out[19] = t33;
-    out[20] = t38;
-    out[21] = t41;
-    out[22] = t42;
-    out[23] = t43;
-    out[24] = t44;
-    out[25] = t46;
-    out[26] = t47;
-    out[27] = t49;
-    out[28] = t50;
-    out[29] = t22;
-    out[30] = t51;
     out[31] = t55;
 }
 
@@ -128,6 +130,7 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t5 = JLT_FNMA(p[7], t4, x[1]); /* v_slip - M/(m*R)*S */
     const double t6 = p[6]*t3; /* m*R/J1*s */
     const double t7 = t5*t6; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
+    out[0] = t7;
     const double t8 = cos(x[2]); /* C = cos(psi) */
     const double t9 = t3*p[9]; /* s*I1*M */
     const double t10 = t8*t9; /* C*s*I1*M */
@@ -140,148 +143,147 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t17 = JLT_FMA(p[14], t16, p[13]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3)) + I1*I3 */
     const double t18 = t3*t17; /* s*Theta */
     const double t19 = 1.0/t18; /* 1/(s*Theta) */
-    const double t20 = t3*t19; /* s*1/(s*Theta) */
-    const double t21 = t14*t20; /* (C*gamma3*I3*M + s*G*J3/R)*s*1/(s*Theta) */
-    const double t22 = p[8]*t20; /* (R - R*I3/I1)*s*1/(s*Theta) */
-    const double t23 = t11*t22; /* (C*s*I1*M - gamma3*G*J1/R)*(R - R*I3/I1)*s*1/(s*Theta) */
-    const double t24 = t21*t23; /* (C*gamma3*I3*M + s*G*J3/R)*s*1/(s*Theta)*(C*s*I1*M - gamma3*G*J1/R)*(R - R*I3/I1)*s*1/(s*Theta) */
-    const double t25 = t17*t19; /* Theta*1/(s*Theta) */
-    const double t26 = t21*t25; /* (C*gamma3*I3*M + s*G*J3/R)*s*1/(s*Theta)*Theta*1/(s*Theta) */
-    out[0] = t7;
+    const double t20 = t3*t19; /* 1/Theta = s*1/(s*Theta) */
+    const double t21 = t14*t20; /* (C*gamma3*I3*M + s*G*J3/R)*1/Theta */
+    const double t22 = p[8]*t20; /* (R - R*I3/I1)*1/Theta */
+    const double t23 = t11*t22; /* (C*s*I1*M - gamma3*G*J1/R)*(R - R*I3/I1)*1/Theta */
+    const double t24 = t21*t23; /* (C*gamma3*I3*M + s*G*J3/R)*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(R - R*I3/I1)*1/Theta */
     out[1] = t24;
+    const double t25 = t17*t19; /* Theta*1/(s*Theta) */
+    const double t26 = t21*t25; /* (C*gamma3*I3*M + s*G*J3/R)*1/Theta*Theta*1/(s*Theta) */
     out[2] = t26;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = sin(x[2]); /* S = sin(psi) */
-    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = x[0]*p[15]; /* gamma3*I3/I1 */
-    const double t6 = JLT_FMA(x[0], t5, t4); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) */
-    const double t7 = JLT_FMA(p[14], t6, p[13]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1)) + I1*I3 */
-    const double t8 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t9 = t7*t8; /* Theta*s */
-    const double t10 = 1.0/t9; /* 1/(Theta*s) */
-    const double t11 = t7*t10; /* Theta*1/(Theta*s) */
-    const double t12 = x[0]*t11; /* gamma3*Theta*1/(Theta*s) */
-    const double t13 = p[16]*t12; /* (-m*R/J1)*gamma3*Theta*1/(Theta*s) */
-    const double t14 = t1*t13; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*Theta*1/(Theta*s) */
-    const double t15 = t8*p[6]; /* s*m*R/J1 */
-    const double t16 = cos(x[2]); /* C = cos(psi) */
-    const double t17 = t8*t16; /* s*C */
-    const double t18 = p[17]*t17; /* (-M/J1)*s*C */
-    const double t19 = t17*p[9]; /* s*C*I1*M */
-    const double t20 = JLT_FNMA(x[0], p[10], t19); /* s*C*I1*M - gamma3*G*J1/R */
-    const double t21 = t8*t10; /* s*1/(Theta*s) */
-    const double t22 = t20*t21; /* (s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s) */
-    const double t23 = t8*p[11]; /* s*G*J3/R */
-    const double t24 = t16*p[12]; /* C*I3*M */
-    const double t25 = JLT_FMA(x[0], t24, t23); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t26 = t21*t21; /* s*1/(Theta*s)*s*1/(Theta*s) */
-    const double t27 = t25*t26; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s) */
-    const double t28 = x[0]*t27; /* gamma3*(gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s) */
-    const double t29 = p[18]*t22; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*(s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s) */
-    const double t30 = t28*t29; /* t28*t29 */
-    const double t31 = JLT_FMS(t12, p[11], t24); /* gamma3*Theta*1/(Theta*s)*G*J3/R - C*I3*M */
-    const double t32 = t21*t22; /* s*1/(Theta*s)*(s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s) */
-    const double t33 = t31*t32; /* (gamma3*Theta*1/(Theta*s)*G*J3/R - C*I3*M)*s*1/(Theta*s)*(s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s) */
-    const double t34 = t12*p[9]; /* gamma3*Theta*1/(Theta*s)*I1*M */
-    const double t35 = JLT_FMA(t16, t34, p[10]); /* C*gamma3*Theta*1/(Theta*s)*I1*M + G*J1/R */
-    const double t36 = JLT_FMA(t27, t35, t33); /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s)*(C*gamma3*Theta*1/(Theta*s)*I1*M + G*J1/R) + t33 */
-    const double t37 = JLT_FNMA(p[8], t36, t30); /* t28*t29 - (R - R*I3/I1)*t36 */
-    const double t38 = t8*p[19]; /* s*(R*I3*M - R*I1*M) */
-    const double t39 = t27*t38; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(Theta*s)*s*1/(Theta*s)*s*(R*I3*M - R*I1*M) */
-    const double t40 = x[0]*p[20]; /* gamma3*(R*I3*M - R*I3^2*M/I1) */
-    const double t41 = JLT_FNMA(t32, t40, t39); /* t39 - s*1/(Theta*s)*(s*C*I1*M - gamma3*G*J1/R)*s*1/(Theta*s)*gamma3*(R*I3*M - R*I3^2*M/I1) */
-    const double t42 = t0*t41; /* S*t41 */
-    const double t43 = t12*t21; /* gamma3*Theta*1/(Theta*s)*s*1/(Theta*s) */
-    const double t44 = t11*t43; /* Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s)*s*1/(Theta*s) */
-    const double t45 = t25*t44; /* (gamma3*C*I3*M + s*G*J3/R)*Theta*1/(Theta*s)*gamma3*Theta*1/(Theta*s)*s*1/(Theta*s) */
-    const double t46 = JLT_FNMA(t21, t31, t45); /* t45 - s*1/(Theta*s)*(gamma3*Theta*1/(Theta*s)*G*J3/R - C*I3*M) */
-    const double t47 = JLT_FMA(t28, p[21], t46); /* t28*2*m*R^2*(I1 - I3) + t46 */
-    const double t48 = t11*t47; /* Theta*1/(Theta*s)*(t28*2*m*R^2*(I1 - I3) + t46) */
-    const double t49 = t0*p[22]; /* S*(-I3*M) */
-    const double t50 = t43*t49; /* gamma3*Theta*1/(Theta*s)*s*1/(Theta*s)*S*(-I3*M) */
-    out[0] = t14;
-    out[1] = t15;
-    out[2] = t18;
-    out[3] = t37;
     out[4] = 0.0;
-    out[5] = t42;
-    out[6] = t48;
     out[7] = 0.0;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = x[0]*p[15]; /* gamma3*I3/I1 */
+    const double t4 = JLT_FMA(x[0], t3, t2); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = JLT_FMA(p[14], t4, p[13]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1)) + I1*I3 */
+    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t7 = p[6]*t6; /* m*R/J1*s */
+    out[1] = t7;
+    const double t8 = t5*t6; /* Theta*s */
+    const double t9 = 1.0/t8; /* 1/(Theta*s) */
+    const double t10 = t5*t9; /* 1/s = Theta*1/(Theta*s) */
+    const double t11 = t6*t9; /* 1/Theta = s*1/(Theta*s) */
+    const double t12 = cos(x[2]); /* C = cos(psi) */
+    const double t13 = t6*t12; /* s*C */
+    const double t14 = p[17]*t13; /* (-M/J1)*s*C */
+    out[2] = t14;
+    const double t15 = p[9]*t13; /* I1*M*s*C */
+    const double t16 = JLT_FNMA(x[0], p[10], t15); /* I1*M*s*C - gamma3*G*J1/R */
+    const double t17 = t11*t16; /* 1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t18 = x[0]*t10; /* gamma3*1/s */
+    const double t19 = p[11]*t6; /* G*J3/R*s */
+    const double t20 = p[19]*t6; /* (R*I3*M - R*I1*M)*s */
+    const double t21 = p[12]*t12; /* I3*M*C */
+    const double t22 = JLT_FMA(x[0], t21, t19); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t23 = JLT_FMS(p[11], t18, t21); /* G*J3/R*gamma3*1/s - I3*M*C */
+    const double t24 = t11*t18; /* 1/Theta*gamma3*1/s */
+    const double t25 = t11*t11; /* 1/Theta*1/Theta */
+    const double t26 = t22*t25; /* (gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta */
+    const double t27 = t20*t26; /* (R*I3*M - R*I1*M)*s*(gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta */
+    const double t28 = t10*t24; /* 1/s*1/Theta*gamma3*1/s */
+    const double t29 = t22*t28; /* (gamma3*I3*M*C + G*J3/R*s)*1/s*1/Theta*gamma3*1/s */
+    const double t30 = JLT_FNMA(t11, t23, t29); /* (gamma3*I3*M*C + G*J3/R*s)*1/s*1/Theta*gamma3*1/s - 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t31 = t11*t17; /* 1/Theta*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t32 = p[18]*t17; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t33 = t23*t31; /* (G*J3/R*gamma3*1/s - I3*M*C)*1/Theta*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t34 = p[9]*t18; /* I1*M*gamma3*1/s */
+    const double t35 = JLT_FMA(t12, t34, p[10]); /* C*I1*M*gamma3*1/s + G*J1/R */
+    const double t36 = JLT_FMA(t26, t35, t33); /* (gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta*(C*I1*M*gamma3*1/s + G*J1/R) + t33 */
+    const double t37 = x[0]*t26; /* gamma3*(gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta */
+    const double t38 = p[16]*t18; /* (-m*R/J1)*gamma3*1/s */
+    const double t39 = t32*t37; /* t32*gamma3*(gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta */
+    const double t40 = JLT_FNMA(p[8], t36, t39); /* t32*gamma3*(gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta - (R - R*I3/I1)*t36 */
+    out[3] = t40;
+    const double t41 = JLT_FMA(p[21], t37, t30); /* 2*m*R^2*(I1 - I3)*gamma3*(gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta + t30 */
+    const double t42 = t10*t41; /* 1/s*t41 */
+    out[6] = t42;
+    const double t43 = sin(x[2]); /* S = sin(psi) */
+    const double t44 = x[0]*p[20]; /* gamma3*(R*I3*M - R*I3^2*M/I1) */
+    const double t45 = JLT_FNMA(t31, t44, t27); /* t27 - 1/Theta*1/Theta*(I1*M*s*C - gamma3*G*J1/R)*gamma3*(R*I3*M - R*I3^2*M/I1) */
+    const double t46 = t43*t45; /* S*t45 */
+    out[5] = t46;
+    const double t47 = JLT_FNMA(p[7], t43, x[1]); /* v_slip - M/(m*R)*S */
+    const double t48 = t38*t47; /* (-m*R/J1)*gamma3*1/s*(v_slip - M/(m*R)*S) */
+    out[0] = t48;
+    const double t49 = p[22]*t43; /* (-I3*M)*S */
+    const double t50 = t24*t49; /* 1/Theta*gamma3*1/s*(-I3*M)*S */
     out[8] = t50;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = sin(x[2]); /* S = sin(psi) */
-    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t6 = p[6]*t5; /* m*R/J1*s */
-    const double t7 = t1*t6; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
-    const double t8 = cos(x[2]); /* C = cos(psi) */
-    const double t9 = p[9]*t8; /* I1*M*C */
-    const double t10 = t5*t9; /* s*I1*M*C */
-    const double t11 = JLT_FNMA(x[0], p[10], t10); /* s*I1*M*C - gamma3*G*J1/R */
-    const double t12 = t5*p[11]; /* s*G*J3/R */
-    const double t13 = t8*p[12]; /* C*I3*M */
-    const double t14 = JLT_FMA(x[0], t13, t12); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t15 = x[0]*p[15]; /* gamma3*I3/I1 */
-    const double t16 = JLT_FMA(x[0], t15, t4); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) */
-    const double t17 = JLT_FMA(p[14], t16, p[13]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3)) + I1*I3 */
-    const double t18 = t5*t17; /* s*Theta */
-    const double t19 = 1.0/t18; /* 1/(s*Theta) */
-    const double t20 = t5*t19; /* s*1/(s*Theta) */
-    const double t21 = t14*t20; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta) */
-    const double t22 = t20*t21; /* s*1/(s*Theta)*(gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta) */
-    const double t23 = p[8]*t22; /* (R - R*I3/I1)*s*1/(s*Theta)*(gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta) */
-    const double t24 = t11*t23; /* (s*I1*M*C - gamma3*G*J1/R)*t23 */
-    const double t25 = t17*t19; /* Theta*1/(s*Theta) */
-    const double t26 = t21*t25; /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*Theta*1/(s*Theta) */
-    const double t27 = x[0]*t25; /* gamma3*Theta*1/(s*Theta) */
-    const double t28 = p[16]*t27; /* (-m*R/J1)*gamma3*Theta*1/(s*Theta) */
-    const double t29 = t1*t28; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*Theta*1/(s*Theta) */
-    const double t30 = t5*p[17]; /* s*(-M/J1) */
-    const double t31 = t8*t30; /* C*s*(-M/J1) */
-    const double t32 = t11*t20; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta) */
-    const double t33 = x[0]*t22; /* gamma3*s*1/(s*Theta)*(gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta) */
-    const double t34 = p[18]*t33; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*t33 */
-    const double t35 = JLT_FMS(p[11], t27, t13); /* G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M */
-    const double t36 = t20*t35; /* s*1/(s*Theta)*(G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M) */
-    const double t37 = JLT_FNMA(p[8], t36, t34); /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*t33 - (R - R*I3/I1)*s*1/(s*Theta)*(G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M) */
-    const double t38 = t32*t37; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*t37 */
-    const double t39 = JLT_FMA(t9, t27, p[10]); /* I1*M*C*gamma3*Theta*1/(s*Theta) + G*J1/R */
-    const double t40 = JLT_FNMA(t23, t39, t38); /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*t37 - t23*(I1*M*C*gamma3*Theta*1/(s*Theta) + G*J1/R) */
-    const double t41 = t0*t20; /* S*s*1/(s*Theta) */
-    const double t42 = x[0]*p[20]; /* gamma3*(R*I3*M - R*I3^2*M/I1) */
-    const double t43 = t32*t42; /* (s*I1*M*C - gamma3*G*J1/R)*s*1/(s*Theta)*gamma3*(R*I3*M - R*I3^2*M/I1) */
-    const double t44 = t5*p[19]; /* s*(R*I3*M - R*I1*M) */
-    const double t45 = JLT_FNMA(t21, t44, t43); /* t43 - (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*s*(R*I3*M - R*I1*M) */
-    const double t46 = t41*t45; /* S*s*1/(s*Theta)*t45 */
-    const double t47 = -t46; /* -S*s*1/(s*Theta)*t45 */
-    const double t48 = JLT_FMS(t26, t27, t36); /* (gamma3*C*I3*M + s*G*J3/R)*s*1/(s*Theta)*Theta*1/(s*Theta)*gamma3*Theta*1/(s*Theta) - s*1/(s*Theta)*(G*J3/R*gamma3*Theta*1/(s*Theta) - C*I3*M) */
-    const double t49 = JLT_FMA(t33, p[21], t48); /* t33*2*m*R^2*(I1 - I3) + t48 */
-    const double t50 = t25*t49; /* Theta*1/(s*Theta)*(t33*2*m*R^2*(I1 - I3) + t48) */
-    const double t51 = t27*p[22]; /* gamma3*Theta*1/(s*Theta)*(-I3*M) */
-    const double t52 = t41*t51; /* S*s*1/(s*Theta)*gamma3*Theta*1/(s*Theta)*(-I3*M) */
-    out[0] = t7;
-    out[1] = t24;
-    out[2] = t26;
-    out[3] = t29;
-    out[4] = t6;
-    out[5] = t31;
-    out[6] = t40;
     out[7] = 0.0;
-    out[8] = t47;
-    out[9] = t50;
     out[10] = 0.0;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = x[0]*p[15]; /* gamma3*I3/I1 */
+    const double t4 = JLT_FMA(x[0], t3, t2); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) */
+    const double t5 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t6 = JLT_FMA(p[14], t4, p[13]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3)) + I1*I3 */
+    const double t7 = t5*t6; /* s*Theta */
+    const double t8 = 1.0/t7; /* 1/(s*Theta) */
+    const double t9 = t6*t8; /* 1/s = Theta*1/(s*Theta) */
+    const double t10 = t5*t8; /* 1/Theta = s*1/(s*Theta) */
+    const double t11 = cos(x[2]); /* C = cos(psi) */
+    const double t12 = p[11]*t5; /* G*J3/R*s */
+    const double t13 = p[12]*t11; /* I3*M*C */
+    const double t14 = JLT_FMA(x[0], t13, t12); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t15 = t10*t14; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t16 = p[9]*t11; /* I1*M*C */
+    const double t17 = t5*t16; /* s*I1*M*C */
+    const double t18 = JLT_FNMA(x[0], p[10], t17); /* s*I1*M*C - gamma3*G*J1/R */
+    const double t19 = t10*t15; /* 1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t20 = x[0]*t9; /* gamma3*1/s */
+    const double t21 = JLT_FMS(p[11], t20, t13); /* G*J3/R*gamma3*1/s - I3*M*C */
+    const double t22 = t10*t21; /* 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t23 = JLT_FMA(t16, t20, p[10]); /* I1*M*C*gamma3*1/s + G*J1/R */
+    const double t24 = t10*t18; /* 1/Theta*(s*I1*M*C - gamma3*G*J1/R) */
+    const double t25 = x[0]*t19; /* gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t26 = p[8]*t19; /* (R - R*I3/I1)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t27 = t18*t26; /* (s*I1*M*C - gamma3*G*J1/R)*(R - R*I3/I1)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    out[1] = t27;
+    const double t28 = x[0]*p[20]; /* gamma3*(R*I3*M - R*I3^2*M/I1) */
+    const double t29 = t24*t28; /* 1/Theta*(s*I1*M*C - gamma3*G*J1/R)*gamma3*(R*I3*M - R*I3^2*M/I1) */
+    const double t30 = sin(x[2]); /* S = sin(psi) */
+    const double t31 = t10*t30; /* 1/Theta*S */
+    const double t32 = JLT_FNMA(p[7], t30, x[1]); /* v_slip - M/(m*R)*S */
+    const double t33 = t9*t15; /* 1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    out[2] = t33;
+    const double t34 = JLT_FMS(t20, t33, t22); /* gamma3*1/s*1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) - 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t35 = JLT_FMA(p[21], t25, t34); /* 2*m*R^2*(I1 - I3)*gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) + t34 */
+    const double t36 = t9*t35; /* 1/s*t35 */
+    out[9] = t36;
+    const double t37 = p[18]*t25; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t38 = JLT_FNMA(p[8], t22, t37); /* t37 - (R - R*I3/I1)*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t39 = t24*t38; /* 1/Theta*(s*I1*M*C - gamma3*G*J1/R)*(t37 - (R - R*I3/I1)*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C)) */
+    const double t40 = JLT_FNMA(t23, t26, t39); /* t39 - (I1*M*C*gamma3*1/s + G*J1/R)*(R - R*I3/I1)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    out[6] = t40;
+    const double t41 = p[19]*t5; /* (R*I3*M - R*I1*M)*s */
+    const double t42 = JLT_FNMA(t15, t41, t29); /* t29 - 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s */
+    const double t43 = t31*t42; /* 1/Theta*S*(t29 - 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s) */
+    const double t44 = -t43; /* -t43 */
+    out[8] = t44;
+    const double t45 = p[6]*t5; /* m*R/J1*s */
+    out[4] = t45;
+    const double t46 = t32*t45; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
+    out[0] = t46;
+    const double t47 = p[17]*t5; /* (-M/J1)*s */
+    const double t48 = t11*t47; /* C*(-M/J1)*s */
+    out[5] = t48;
+    const double t49 = p[16]*t20; /* (-m*R/J1)*gamma3*1/s */
+    const double t50 = t32*t49; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*1/s */
+    out[3] = t50;
+    const double t51 = p[22]*t20; /* (-I3*M)*gamma3*1/s */
+    const double t52 = t31*t51; /* 1/Theta*S*(-I3*M)*gamma3*1/s */
     out[11] = t52;
 }
 
@@ -292,41 +294,41 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0]*p[15]; /* gamma3*I3/I1 */
     const double t4 = p[23] + t2; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = sin(x[2]); /* S = sin(psi) */
-    const double t7 = JLT_FNMA(p[7], t6, x[1]); /* v_slip - M/(m*R)*S */
-    const double t8 = p[6]*t7; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t9 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t10 = t5*t9; /* Theta scaled*s */
-    const double t11 = 1.0/t10; /* 1/(Theta scaled*s) */
-    const double t12 = p[24]*t9; /* I3*M/(m*R^2*I1)*s */
-    const double t13 = t11*t12; /* 1/(Theta scaled*s)*I3*M/(m*R^2*I1)*s */
-    const double t14 = JLT_FMA(t6, t13, t8); /* S*1/(Theta scaled*s)*I3*M/(m*R^2*I1)*s + m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t15 = x[0]*t5; /* gamma3*Theta scaled */
-    const double t16 = t11*t15; /* 1/(Theta scaled*s)*gamma3*Theta scaled */
-    const double t17 = t14*t16; /* t14*1/(Theta scaled*s)*gamma3*Theta scaled */
-    const double t18 = -t17; /* -t14*1/(Theta scaled*s)*gamma3*Theta scaled */
+    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
+    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*s */
+    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*s) */
+    const double t9 = p[24]*t6; /* I3*M/(m*R^2*I1)*s */
+    const double t10 = t8*t9; /* 1/(Theta/(m*R^2*I1)*s)*I3*M/(m*R^2*I1)*s */
+    const double t11 = x[0]*t5; /* gamma3*Theta/(m*R^2*I1) */
+    const double t12 = t8*t11; /* 1/(Theta/(m*R^2*I1)*s)*gamma3*Theta/(m*R^2*I1) */
+    const double t13 = sin(x[2]); /* S = sin(psi) */
+    const double t14 = JLT_FNMA(p[7], t13, x[1]); /* v_slip - M/(m*R)*S */
+    const double t15 = p[6]*t14; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t16 = JLT_FMA(t10, t13, t15); /* 1/(Theta/(m*R^2*I1)*s)*I3*M/(m*R^2*I1)*s*S + m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t17 = t12*t16; /* 1/(Theta/(m*R^2*I1)*s)*gamma3*Theta/(m*R^2*I1)*t16 */
+    const double t18 = -t17; /* -1/(Theta/(m*R^2*I1)*s)*gamma3*Theta/(m*R^2*I1)*t16 */
     out[0] = t18;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[25]*x[1]; /* m*I1^2*v_slip */
-    const double t1 = x[1]*t0; /* v_slip*m*I1^2*v_slip */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
-    const double t5 = x[0]*p[15]; /* gamma3*I3/I1 */
-    const double t6 = p[23] + t4; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta scaled = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t8 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = x[0]*p[15]; /* gamma3*I3/I1 */
+    const double t4 = p[23] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t7 = p[9]*t6; /* I1*M*s */
+    const double t8 = p[26]/t5; /* (I1 - I3)/(m*R^2*I1)/(Theta/(m*R^2*I1)) */
     const double t9 = cos(x[2]); /* C = cos(psi) */
-    const double t10 = p[9]*t8; /* I1*M*s */
-    const double t11 = t9*t10; /* C*I1*M*s */
-    const double t12 = JLT_FNMA(x[0], p[10], t11); /* C*I1*M*s - gamma3*G*J1/R */
-    const double t13 = p[26]/t7; /* (I1 - I3)/(m*R^2*I1)/Theta scaled */
-    const double t14 = t12*t13; /* (C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)/(m*R^2*I1)/Theta scaled */
-    const double t15 = JLT_FMA(t12, t14, t1); /* (C*I1*M*s - gamma3*G*J1/R)*(C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)/(m*R^2*I1)/Theta scaled + v_slip*m*I1^2*v_slip */
+    const double t10 = t7*t9; /* I1*M*s*C */
+    const double t11 = JLT_FNMA(x[0], p[10], t10); /* I1*M*s*C - gamma3*G*J1/R */
+    const double t12 = t8*t11; /* (I1 - I3)/(m*R^2*I1)/(Theta/(m*R^2*I1))*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t13 = p[25]*x[1]; /* m*I1^2*v_slip */
+    const double t14 = x[1]*t13; /* v_slip*m*I1^2*v_slip */
+    const double t15 = JLT_FMA(t11, t12, t14); /* (I1*M*s*C - gamma3*G*J1/R)*t12 + v_slip*m*I1^2*v_slip */
     out[0] = t15;
 }
 
@@ -337,29 +339,29 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0]*p[3]; /* gamma3*I3 */
     const double t4 = JLT_FMA(x[0], t3, p[28]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
-    const double t5 = JLT_FMA(p[2], t2, t4); /* Theta scaled = I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t5 = JLT_FMA(p[2], t2, t4); /* Theta/(m*R^2) = I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
     const double t6 = cos(x[2]); /* C = cos(psi) */
     const double t7 = p[9]*t6; /* I1*M*C */
     const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t9 = t5*t8; /* Theta scaled*s */
-    const double t10 = 1.0/t9; /* 1/(Theta scaled*s) */
-    const double t11 = t5*t10; /* Theta scaled*1/(Theta scaled*s) */
-    const double t12 = t7*t11; /* I1*M*C*Theta scaled*1/(Theta scaled*s) */
+    const double t9 = t5*t8; /* Theta/(m*R^2)*s */
+    const double t10 = 1.0/t9; /* 1/(Theta/(m*R^2)*s) */
+    const double t11 = t5*t10; /* Theta/(m*R^2)*1/(Theta/(m*R^2)*s) */
+    const double t12 = t7*t11; /* I1*M*C*Theta/(m*R^2)*1/(Theta/(m*R^2)*s) */
     const double t13 = t7*t8; /* I1*M*C*s */
     const double t14 = JLT_FNMA(x[0], p[10], t13); /* I1*M*C*s - gamma3*G*J1/R */
-    const double t15 = t8*t10; /* s*1/(Theta scaled*s) */
-    const double t16 = t14*t15; /* (I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta scaled*s) */
-    const double t17 = JLT_FNMA(p[29], t16, t12); /* I1*M*C*Theta scaled*1/(Theta scaled*s) - (I1 - I3)*(I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta scaled*s) */
+    const double t15 = t8*t10; /* s*1/(Theta/(m*R^2)*s) */
+    const double t16 = t14*t15; /* (I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta/(m*R^2)*s) */
+    const double t17 = JLT_FNMA(p[29], t16, t12); /* I1*M*C*Theta/(m*R^2)*1/(Theta/(m*R^2)*s) - (I1 - I3)*(I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta/(m*R^2)*s) */
     const double t18 = JLT_FMA(x[0], t17, p[10]); /* gamma3*t17 + G*J1/R */
-    const double t19 = p[27]*t16; /* (-2*(I1 - I3)/(m*R^2))*(I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta scaled*s) */
+    const double t19 = p[27]*t16; /* (-2*(I1 - I3)/(m*R^2))*(I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta/(m*R^2)*s) */
     const double t20 = t18*t19; /* (gamma3*t17 + G*J1/R)*t19 */
+    out[0] = t20;
     const double t21 = p[30]*x[1]; /* 2*m*I1^2*v_slip */
+    out[1] = t21;
     const double t22 = sin(x[2]); /* S = sin(psi) */
     const double t23 = t8*p[31]; /* s*(-2*I1*M*(I1 - I3)/(m*R^2)) */
     const double t24 = t22*t23; /* S*s*(-2*I1*M*(I1 - I3)/(m*R^2)) */
-    const double t25 = t16*t24; /* (I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta scaled*s)*S*s*(-2*I1*M*(I1 - I3)/(m*R^2)) */
-    out[0] = t20;
-    out[1] = t21;
+    const double t25 = t16*t24; /* (I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta/(m*R^2)*s)*S*s*(-2*I1*M*(I1 - I3)/(m*R^2)) */
     out[2] = t25;
 }
 
@@ -498,13 +500,13 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .prepare = prepare,
     .rhs = { rhs, 3, { 2, 16, 5, 1, 1, 2, 10, 7 }, { 12, 51, 0, 9, 1, 2, 12, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 9, { 2, 33, 12, 1, 1, 2, 14, 15 }, { 42, 199, 0, 38, 1, 2, 17, 12 },
+    .jacobian = { jacobian, 9, { 2, 33, 12, 1, 1, 2, 14, 12 }, { 42, 199, 0, 38, 1, 2, 17, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 3, 34, 12, 1, 1, 2, 14, 16 }, { 49, 237, 0, 47, 1, 2, 17, 12 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 3, 34, 12, 1, 1, 2, 14, 15 }, { 49, 237, 0, 47, 1, 2, 17, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 4, 9, 3, 1, 1, 1, 10, 6 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
+    .divergence = { divergence, 1, { 4, 9, 3, 1, 1, 1, 10, 5 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_values = { integral_values, 1, { 3, 7, 3, 1, 1, 1, 8, 5 }, { 7, 22, 0, 2, 1, 1, 10, 7 },
+    .integral_values = { integral_values, 1, { 3, 7, 3, 1, 1, 1, 8, 4 }, { 7, 22, 0, 2, 1, 1, 10, 7 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_gradients = { integral_gradients, 3, { 2, 15, 5, 1, 1, 2, 10, 5 }, { 13, 53, 0, 8, 1, 2, 13, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

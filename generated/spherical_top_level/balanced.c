@@ -6,14 +6,16 @@
  *  Command:    ttc generate --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 5   24    7    1    1    0     15    8   (94)
- *  jacobian            9   47   21    1    1    0     16   21   (464)
- *  rhs_jacobian        9   48   26    1    1    0     16   24   (541)
- *  divergence          3   13    5    1    1    0     12    7   (46)
+ *  rhs                 5   24    7    1    1    0     15    7   (94)
+ *  jacobian            9   47   21    1    1    0     16   20   (464)
+ *  rhs_jacobian        9   48   26    1    1    0     16   23   (541)
+ *  divergence          3   13    5    1    1    0     12    6   (46)
  *  integral_values     3   12    7    1    1    0      8    6   (50)
  *  integral_gradients  2   25    9    1    1    0     13    8   (123)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -50,85 +52,85 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = params[6];
     const double t0 = params[1]*params[1]; /* R*R */
     const double t1 = t0*params[3]; /* R*R*I1 */
+    out[7] = t1;
     const double t2 = t0*params[4]; /* R*R*I3 */
+    out[8] = t2;
     const double t3 = params[1]*params[6]; /* R*G */
+    out[9] = t3;
     const double t4 = params[1]*params[4]; /* R*I3 */
+    out[10] = t4;
     const double t5 = params[3]*params[4]; /* I1*I3 */
+    out[29] = t5;
     const double t6 = t5/params[0]; /* I1*I3/m */
+    out[11] = t6;
     const double t7 = params[6]/params[3]; /* G/I1 */
+    out[12] = t7;
     const double t8 = t1*params[4]; /* R*R*I1*I3 */
     const double t9 = params[3] - params[4]; /* I1 - I3 */
     const double t10 = t8*t9; /* R*R*I1*I3*(I1 - I3) */
     const double t11 = t10/params[0]; /* R*R*I1*I3*(I1 - I3)/m */
+    out[13] = t11;
     const double t12 = t1*2.0; /* R*R*I1*2 */
     const double t13 = t2*2.0; /* R*R*I3*2 */
     const double t14 = t12 - t13; /* R*R*I1*2 - R*R*I3*2 */
+    out[14] = t14;
     const double t15 = params[1]*2.0; /* R*2 */
     const double t16 = params[4]*t15; /* I3*R*2 */
+    out[15] = t16;
     const double t17 = params[4]*params[4]; /* I3*I3 */
     const double t18 = t0*t17; /* R*R*I3*I3 */
+    out[16] = t18;
     const double t19 = params[1]*params[3]; /* R*I1 */
     const double t20 = params[4]*t19; /* I3*R*I1 */
     const double t21 = t20/params[0]; /* I3*R*I1/m */
+    out[17] = t21;
     const double t22 = params[1]*t0; /* R*R*R */
     const double t23 = params[0]*t22; /* m*R*R*R */
     const double t24 = params[3]*t23; /* I1*m*R*R*R */
     const double t25 = t17/t24; /* I3*I3/(I1*m*R*R*R) */
+    out[18] = t25;
     const double t26 = params[4]/params[3]; /* I3/I1 */
+    out[19] = t26;
     const double t27 = t0*params[0]; /* R*R*m */
     const double t28 = params[4]/t27; /* I3/(R*R*m) */
+    out[20] = t28;
     const double t29 = params[3]*t27; /* I1*R*R*m */
     const double t30 = params[4]*t9; /* I3*(I1 - I3) */
     const double t31 = t30/t29; /* I3*(I1 - I3)/(I1*R*R*m) */
+    out[21] = t31;
     const double t32 = params[4]/t19; /* I3/(R*I1) */
+    out[22] = t32;
     const double t33 = params[0]/2.0; /* m/2 */
+    out[23] = t33;
     const double t34 = params[6]*params[6]; /* G*G */
+    out[30] = t34;
     const double t35 = t34/t29; /* G*G/(I1*R*R*m) */
+    out[24] = t35;
     const double t36 = params[3]/2.0; /* I1/2 */
+    out[25] = t36;
     const double t37 = params[3]*params[3]; /* I1*I1 */
     const double t38 = params[0]*t37; /* m*I1*I1 */
+    out[26] = t38;
     const double t39 = params[3]*params[0]; /* I1*m */
     const double t40 = t9*t39; /* (I1 - I3)*I1*m */
+    out[27] = t40;
     const double t41 = t2 - t1; /* R*R*I3 - R*R*I1 */
+    out[28] = t41;
     const double t42 = t0*4.0; /* R*R*4 */
     const double t43 = t37*t42; /* I1*I1*R*R*4 */
     const double t44 = t9*t43; /* (I1 - I3)*I1*I1*R*R*4 */
     const double t45 = t1 - t2; /* R*R*I1 - R*R*I3 */
     const double t46 = t44*t45; /* (I1 - I3)*I1*I1*R*R*4*(R*R*I1 - R*R*I3) */
+    out[31] = t46;
     const double t47 = t0*2.0; /* R*R*2 */
     const double t48 = t37*t47; /* I1*I1*R*R*2 */
     const double t49 = t9*t48; /* (I1 - I3)*I1*I1*R*R*2 */
+    out[32] = t49;
     const double t50 = params[0]*2.0; /* m*2 */
     const double t51 = t37*t50; /* I1*I1*m*2 */
+    out[33] = t51;
     const double t52 = params[1]*t50; /* R*m*2 */
     const double t53 = t37*t52; /* I1*I1*R*m*2 */
-    out[7] = t1;
-    out[8] = t2;
-    out[9] = t3;
-    out[10] = t4;
-    out[11] = t6;
-    out[12] = t7;
-    out[13] = t11;
-    out[14] = t14;
-    out[15] = t16;
-    out[16] = t18;
-    out[17] = t21;
-    out[18] = t25;
-    out[19] = t26;
-    out[20] = t28;
-    out[21] = t31;
-    out[22] = t32;
-    out[23] = t33;
-    out[24] = t35;
-    out[25] = t36;
-    out[26] = t38;
-    out[27] = t40;
-    out[28] = t41;
-    out[29] = t5;
-    out[30] = t34;
-    out[31] = t46;
-    out[32] = t49;
-    out[33] = t51;
     out[34] = t53;
 }
 
@@ -137,280 +139,280 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    const double t5 = t2*p[7]; /* (1 - gamma3)*(1 + gamma3)*R^2*I1 */
+    const double t3 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
+    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t5 = x[2]*t4; /* omega_tau*s */
+    out[0] = t5;
     const double t6 = x[0]*p[8]; /* gamma3*R^2*I3 */
-    const double t7 = JLT_FMA(x[0], t6, t5); /* K = gamma3*gamma3*R^2*I3 + (1 - gamma3)*(1 + gamma3)*R^2*I1 */
-    const double t8 = t3*p[9]; /* s*R*G */
-    const double t9 = x[0]*p[10]; /* gamma3*R*I3 */
-    const double t10 = JLT_FMA(x[3], t9, t8); /* v_tau*gamma3*R*I3 + s*R*G */
-    const double t11 = t7 + p[11]; /* Theta scaled = K + I1*I3/m */
-    const double t12 = t3*t7; /* s*K */
-    const double t13 = t11*t12; /* Theta scaled*s*K */
-    const double t14 = 1.0/t13; /* 1/(Theta scaled*s*K) */
-    const double t15 = t11*t14; /* Theta scaled*1/(Theta scaled*s*K) */
-    const double t16 = t3*t15; /* s*Theta scaled*1/(Theta scaled*s*K) */
-    const double t17 = t10*t16; /* (v_tau*gamma3*R*I3 + s*R*G)*s*Theta scaled*1/(Theta scaled*s*K) */
-    const double t18 = t7*t15; /* K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t19 = t17*t18; /* t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t20 = x[3]*t19; /* v_tau*t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t21 = x[0]*t19; /* gamma3*t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t22 = t3*x[3]; /* s*v_tau */
-    const double t23 = JLT_FNMA(x[0], p[12], t22); /* s*v_tau - gamma3*G/I1 */
-    const double t24 = t16*t23; /* s*Theta scaled*1/(Theta scaled*s*K)*(s*v_tau - gamma3*G/I1) */
-    const double t25 = JLT_FMA(p[10], t24, t21); /* R*I3*s*Theta scaled*1/(Theta scaled*s*K)*(s*v_tau - gamma3*G/I1) + gamma3*t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t26 = t17*t25; /* t17*t25 */
-    const double t27 = -t26; /* -t17*t25 */
-    const double t28 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t29 = t12*t14; /* s*K*1/(Theta scaled*s*K) */
-    const double t30 = p[11]*t28; /* I1*I3/m*V */
-    const double t31 = JLT_FNMA(t29, t30, x[1]); /* v_nu - s*K*1/(Theta scaled*s*K)*I1*I3/m*V */
-    const double t32 = t19*t31; /* t17*K*Theta scaled*1/(Theta scaled*s*K)*(v_nu - s*K*1/(Theta scaled*s*K)*I1*I3/m*V) */
+    const double t7 = JLT_FMA(x[0], t6, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*(1 - gamma3)*(1 + gamma3) */
+    const double t8 = p[11] + t7; /* Theta/m = I1*I3/m + K */
+    const double t9 = t4*t7; /* s*K */
+    const double t10 = t8*t9; /* Theta/m*s*K */
+    const double t11 = 1.0/t10; /* 1/(Theta/m*s*K) */
+    const double t12 = t8*t11; /* 1/(s*K) = Theta/m*1/(Theta/m*s*K) */
+    const double t13 = t9*t11; /* 1/(Theta/m) = s*K*1/(Theta/m*s*K) */
+    const double t14 = t7*t12; /* K*1/(s*K) */
+    const double t15 = t4*t12; /* 1/K = s*1/(s*K) */
+    const double t16 = p[9]*t4; /* R*G*s */
+    const double t17 = x[3]*t4; /* v_tau*s */
+    const double t18 = JLT_FNMA(x[0], p[12], t17); /* v_tau*s - gamma3*G/I1 */
+    const double t19 = t15*t18; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t20 = x[0]*p[10]; /* gamma3*R*I3 */
+    const double t21 = JLT_FMA(x[3], t20, t16); /* v_tau*gamma3*R*I3 + R*G*s */
+    const double t22 = t15*t21; /* 1/K*(v_tau*gamma3*R*I3 + R*G*s) */
+    const double t23 = t14*t22; /* K*1/(s*K)*1/K*(v_tau*gamma3*R*I3 + R*G*s) */
+    const double t24 = x[3]*t23; /* v_tau*K*1/(s*K)*1/K*(v_tau*gamma3*R*I3 + R*G*s) */
+    out[1] = t24;
+    const double t25 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t26 = p[11]*t25; /* I1*I3/m*V */
+    const double t27 = JLT_FNMA(t13, t26, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t28 = t23*t27; /* K*1/(s*K)*1/K*(v_tau*gamma3*R*I3 + R*G*s)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t29 = x[0]*t23; /* gamma3*K*1/(s*K)*1/K*(v_tau*gamma3*R*I3 + R*G*s) */
+    const double t30 = JLT_FMA(p[10], t19, t29); /* R*I3*1/K*(v_tau*s - gamma3*G/I1) + gamma3*K*1/(s*K)*1/K*(v_tau*gamma3*R*I3 + R*G*s) */
+    const double t31 = t22*t30; /* 1/K*(v_tau*gamma3*R*I3 + R*G*s)*t30 */
+    const double t32 = -t31; /* -1/K*(v_tau*gamma3*R*I3 + R*G*s)*t30 */
+    out[2] = t32;
     const double t33 = x[2]*p[13]; /* omega_tau*R^2*I1*I3*(I1 - I3)/m */
     const double t34 = x[0]*t33; /* gamma3*omega_tau*R^2*I1*I3*(I1 - I3)/m */
-    const double t35 = t29*t34; /* s*K*1/(Theta scaled*s*K)*gamma3*omega_tau*R^2*I1*I3*(I1 - I3)/m */
-    const double t36 = JLT_FMA(t24, t35, t32); /* s*Theta scaled*1/(Theta scaled*s*K)*(s*v_tau - gamma3*G/I1)*t35 + t32 */
+    const double t35 = t13*t34; /* 1/(Theta/m)*gamma3*omega_tau*R^2*I1*I3*(I1 - I3)/m */
+    const double t36 = JLT_FMA(t19, t35, t28); /* 1/K*(v_tau*s - gamma3*G/I1)*1/(Theta/m)*gamma3*omega_tau*R^2*I1*I3*(I1 - I3)/m + t28 */
     const double t37 = -t36; /* -t36 */
-    out[0] = t4;
-    out[1] = t20;
-    out[2] = t27;
     out[3] = t37;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[1] = 0.0;
+    out[3] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(gamma3 + 1) */
-    const double t4 = x[0]*p[8]; /* gamma3*R^2*I3 */
-    const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*(1 - gamma3)*(gamma3 + 1) */
-    const double t6 = t5 + p[11]; /* Theta scaled = K + I1*I3/m */
-    const double t7 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t8 = t5*t7; /* K*s */
-    const double t9 = t6*t8; /* Theta scaled*K*s */
-    const double t10 = 1.0/t9; /* 1/(Theta scaled*K*s) */
-    const double t11 = t6*t10; /* Theta scaled*1/(Theta scaled*K*s) */
-    const double t12 = t5*t11; /* K*Theta scaled*1/(Theta scaled*K*s) */
-    const double t13 = x[0]*t12; /* gamma3*K*Theta scaled*1/(Theta scaled*K*s) */
-    const double t14 = x[2]*t13; /* omega_tau*gamma3*K*Theta scaled*1/(Theta scaled*K*s) */
-    const double t15 = -t14; /* -omega_tau*gamma3*K*Theta scaled*1/(Theta scaled*K*s) */
-    const double t16 = t7*p[9]; /* s*R*G */
-    const double t17 = p[10]*x[3]; /* R*I3*v_tau */
-    const double t18 = JLT_FMA(x[0], t17, t16); /* gamma3*R*I3*v_tau + s*R*G */
-    const double t19 = t7*t11; /* s*Theta scaled*1/(Theta scaled*K*s) */
-    const double t20 = t18*t19; /* (gamma3*R*I3*v_tau + s*R*G)*s*Theta scaled*1/(Theta scaled*K*s) */
-    const double t21 = t12*t20; /* K*Theta scaled*1/(Theta scaled*K*s)*t20 */
-    const double t22 = t13*t21; /* gamma3*K*Theta scaled*1/(Theta scaled*K*s)*K*Theta scaled*1/(Theta scaled*K*s)*t20 */
-    const double t23 = JLT_FMS(t13, p[9], t17); /* gamma3*K*Theta scaled*1/(Theta scaled*K*s)*R*G - R*I3*v_tau */
-    const double t24 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t25 = t20*t24; /* t20*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t26 = t23 - t25; /* gamma3*K*Theta scaled*1/(Theta scaled*K*s)*R*G - R*I3*v_tau - t20*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t27 = JLT_FNMA(t19, t26, t22); /* t22 - s*Theta scaled*1/(Theta scaled*K*s)*t26 */
-    const double t28 = t12*x[3]; /* K*Theta scaled*1/(Theta scaled*K*s)*v_tau */
-    const double t29 = t27*t28; /* (t22 - s*Theta scaled*1/(Theta scaled*K*s)*t26)*K*Theta scaled*1/(Theta scaled*K*s)*v_tau */
-    const double t30 = x[0]*t19; /* gamma3*s*Theta scaled*1/(Theta scaled*K*s) */
-    const double t31 = p[10]*t30; /* R*I3*gamma3*s*Theta scaled*1/(Theta scaled*K*s) */
-    const double t32 = JLT_FMA(t28, t31, t21); /* K*Theta scaled*1/(Theta scaled*K*s)*v_tau*R*I3*gamma3*s*Theta scaled*1/(Theta scaled*K*s) + K*Theta scaled*1/(Theta scaled*K*s)*t20 */
-    const double t33 = t12*t21; /* K*Theta scaled*1/(Theta scaled*K*s)*K*Theta scaled*1/(Theta scaled*K*s)*t20 */
-    const double t34 = t21*t33; /* K*Theta scaled*1/(Theta scaled*K*s)*t20*t33 */
-    const double t35 = t21*t30; /* K*Theta scaled*1/(Theta scaled*K*s)*t20*gamma3*s*Theta scaled*1/(Theta scaled*K*s) */
-    const double t36 = 2.0*t35; /* 2*t35 */
-    const double t37 = JLT_FMA(t13, x[3], p[12]); /* gamma3*K*Theta scaled*1/(Theta scaled*K*s)*v_tau + G/I1 */
-    const double t38 = t20*t37; /* t20*(gamma3*K*Theta scaled*1/(Theta scaled*K*s)*v_tau + G/I1) */
-    const double t39 = JLT_FNMA(t25, 2.0, t23); /* gamma3*K*Theta scaled*1/(Theta scaled*K*s)*R*G - R*I3*v_tau - t20*gamma3*(2*R^2*I1 - 2*R^2*I3)*2 */
-    const double t40 = t7*x[3]; /* s*v_tau */
-    const double t41 = JLT_FNMA(x[0], p[12], t40); /* s*v_tau - gamma3*G/I1 */
-    const double t42 = t19*t41; /* s*Theta scaled*1/(Theta scaled*K*s)*(s*v_tau - gamma3*G/I1) */
-    const double t43 = JLT_FMA(t39, t42, t38); /* t39*s*Theta scaled*1/(Theta scaled*K*s)*(s*v_tau - gamma3*G/I1) + t38 */
-    const double t44 = p[10]*t19; /* R*I3*s*Theta scaled*1/(Theta scaled*K*s) */
-    const double t45 = JLT_FMS(t26, t36, t34); /* t26*2*t35 - K*Theta scaled*1/(Theta scaled*K*s)*t20*t33 */
-    const double t46 = JLT_FMA(t43, t44, t45); /* t43*R*I3*s*Theta scaled*1/(Theta scaled*K*s) + t26*2*t35 - K*Theta scaled*1/(Theta scaled*K*s)*t20*t33 */
-    const double t47 = x[0]*p[15]; /* gamma3*2*R*I3 */
-    const double t48 = t30*p[16]; /* gamma3*s*Theta scaled*1/(Theta scaled*K*s)*R^2*I3^2 */
-    const double t49 = t42*t48; /* s*Theta scaled*1/(Theta scaled*K*s)*(s*v_tau - gamma3*G/I1)*gamma3*s*Theta scaled*1/(Theta scaled*K*s)*R^2*I3^2 */
-    const double t50 = t7*t20; /* s*t20 */
-    const double t51 = JLT_FMA(t44, t50, t49); /* R*I3*s*Theta scaled*1/(Theta scaled*K*s)*s*t20 + t49 */
-    const double t52 = JLT_FMA(t35, t47, t51); /* t35*gamma3*2*R*I3 + R*I3*s*Theta scaled*1/(Theta scaled*K*s)*s*t20 + t49 */
-    const double t53 = -t52; /* -t52 */
-    const double t54 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t55 = t8*t10; /* K*s*1/(Theta scaled*K*s) */
-    const double t56 = t54*t55; /* V*K*s*1/(Theta scaled*K*s) */
-    const double t57 = JLT_FNMA(p[11], t56, x[1]); /* v_nu - I1*I3/m*V*K*s*1/(Theta scaled*K*s) */
-    const double t58 = t12*t57; /* K*Theta scaled*1/(Theta scaled*K*s)*(v_nu - I1*I3/m*V*K*s*1/(Theta scaled*K*s)) */
-    const double t59 = t27*t58; /* (t22 - s*Theta scaled*1/(Theta scaled*K*s)*t26)*t58 */
-    const double t60 = t55*p[13]; /* K*s*1/(Theta scaled*K*s)*R^2*I1*I3*(I1 - I3)/m */
-    const double t61 = t41*t60; /* (s*v_tau - gamma3*G/I1)*K*s*1/(Theta scaled*K*s)*R^2*I1*I3*(I1 - I3)/m */
-    const double t62 = t30*t61; /* gamma3*s*Theta scaled*1/(Theta scaled*K*s)*t61 */
-    const double t63 = t19 + t55; /* s*Theta scaled*1/(Theta scaled*K*s) + K*s*1/(Theta scaled*K*s) */
-    const double t64 = x[2]*t63; /* omega_tau*t63 */
-    const double t65 = t62*t64; /* gamma3*s*Theta scaled*1/(Theta scaled*K*s)*t61*omega_tau*t63 */
-    const double t66 = t21*t55; /* K*Theta scaled*1/(Theta scaled*K*s)*t20*K*s*1/(Theta scaled*K*s) */
-    const double t67 = p[11]*t66; /* I1*I3/m*t66 */
-    const double t68 = JLT_FNMA(t56, t67, t65); /* gamma3*s*Theta scaled*1/(Theta scaled*K*s)*t61*omega_tau*t63 - V*K*s*1/(Theta scaled*K*s)*I1*I3/m*t66 */
-    const double t69 = JLT_FMS(t30, t37, t42); /* gamma3*s*Theta scaled*1/(Theta scaled*K*s)*(gamma3*K*Theta scaled*1/(Theta scaled*K*s)*v_tau + G/I1) - s*Theta scaled*1/(Theta scaled*K*s)*(s*v_tau - gamma3*G/I1) */
-    const double t70 = x[2]*t60; /* omega_tau*K*s*1/(Theta scaled*K*s)*R^2*I1*I3*(I1 - I3)/m */
-    const double t71 = JLT_FMS(t69, t70, t59); /* t69*omega_tau*K*s*1/(Theta scaled*K*s)*R^2*I1*I3*(I1 - I3)/m - (t22 - s*Theta scaled*1/(Theta scaled*K*s)*t26)*t58 */
-    const double t72 = JLT_FNMA(t24, t68, t71); /* t71 - gamma3*(2*R^2*I1 - 2*R^2*I3)*t68 */
-    const double t73 = t67 - t21; /* I1*I3/m*t66 - K*Theta scaled*1/(Theta scaled*K*s)*t20 */
-    const double t74 = JLT_FMS(t66, p[17], t62); /* t66*R*I1*I3/m - gamma3*s*Theta scaled*1/(Theta scaled*K*s)*t61 */
-    const double t75 = t31*t58; /* R*I3*gamma3*s*Theta scaled*1/(Theta scaled*K*s)*t58 */
-    const double t76 = t7*t30; /* s*gamma3*s*Theta scaled*1/(Theta scaled*K*s) */
-    const double t77 = JLT_FMA(t70, t76, t75); /* omega_tau*K*s*1/(Theta scaled*K*s)*R^2*I1*I3*(I1 - I3)/m*s*gamma3*s*Theta scaled*1/(Theta scaled*K*s) + R*I3*gamma3*s*Theta scaled*1/(Theta scaled*K*s)*t58 */
+    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[2] = t4;
+    const double t5 = x[0]*p[8]; /* gamma3*R^2*I3 */
+    const double t6 = JLT_FMA(x[0], t5, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*(1 - gamma3)*(gamma3 + 1) */
+    const double t7 = p[11] + t6; /* Theta/m = I1*I3/m + K */
+    const double t8 = t4*t6; /* s*K */
+    const double t9 = t7*t8; /* Theta/m*s*K */
+    const double t10 = 1.0/t9; /* 1/(Theta/m*s*K) */
+    const double t11 = t7*t10; /* 1/(s*K) = Theta/m*1/(Theta/m*s*K) */
+    const double t12 = t8*t10; /* 1/(Theta/m) = s*K*1/(Theta/m*s*K) */
+    const double t13 = t6*t11; /* 1/s = K*1/(s*K) */
+    const double t14 = t4*t11; /* 1/K = s*1/(s*K) */
+    const double t15 = p[9]*t4; /* R*G*s */
+    const double t16 = p[10]*x[3]; /* R*I3*v_tau */
+    const double t17 = JLT_FMA(x[0], t16, t15); /* gamma3*R*I3*v_tau + R*G*s */
+    const double t18 = t14*t17; /* 1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    const double t19 = x[0]*t13; /* gamma3*1/s */
+    const double t20 = JLT_FMS(p[9], t19, t16); /* R*G*gamma3*1/s - R*I3*v_tau */
+    const double t21 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t22 = x[3]*t4; /* v_tau*s */
+    const double t23 = JLT_FNMA(x[0], p[12], t22); /* v_tau*s - gamma3*G/I1 */
+    const double t24 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t25 = t12*t24; /* 1/(Theta/m)*V */
+    const double t26 = t13*t18; /* 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    const double t27 = t18*t21; /* 1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t28 = x[0]*t14; /* gamma3*1/K */
+    const double t29 = p[13]*t12; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t30 = t19*t26; /* gamma3*1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    const double t31 = t20 - t27; /* R*G*gamma3*1/s - R*I3*v_tau - 1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t32 = JLT_FNMA(2.0, t27, t20); /* R*G*gamma3*1/s - R*I3*v_tau - 2*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t33 = JLT_FNMA(t14, t31, t30); /* gamma3*1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) - 1/K*t31 */
+    const double t34 = t14*t23; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t35 = t23*t29; /* (v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t36 = t28*t35; /* gamma3*1/K*(v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t37 = x[2]*t29; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t38 = p[16]*t28; /* R^2*I3^2*gamma3*1/K */
+    const double t39 = t34*t38; /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
+    const double t40 = JLT_FNMA(p[11], t25, x[1]); /* v_nu - I1*I3/m*1/(Theta/m)*V */
+    const double t41 = t13*t40; /* 1/s*(v_nu - I1*I3/m*1/(Theta/m)*V) */
+    const double t42 = t12 + t14; /* 1/(Theta/m) + 1/K */
+    const double t43 = p[10]*t14; /* R*I3*1/K */
+    const double t44 = x[2]*t42; /* omega_tau*(1/(Theta/m) + 1/K) */
+    const double t45 = t12*t26; /* 1/(Theta/m)*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    const double t46 = t36*t44; /* t36*omega_tau*(1/(Theta/m) + 1/K) */
+    const double t47 = JLT_FMS(p[17], t45, t36); /* R*I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) - t36 */
+    out[14] = t47;
+    const double t48 = p[11]*t45; /* I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    const double t49 = JLT_FNMA(t25, t48, t46); /* t36*omega_tau*(1/(Theta/m) + 1/K) - 1/(Theta/m)*V*I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    const double t50 = t48 - t26; /* I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) - 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    out[13] = t50;
+    const double t51 = p[10]*t28; /* R*I3*gamma3*1/K */
+    const double t52 = t13*t26; /* 1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    const double t53 = t26*t52; /* 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    const double t54 = x[3]*t13; /* v_tau*1/s */
+    const double t55 = t33*t54; /* (gamma3*1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) - 1/K*t31)*v_tau*1/s */
+    out[4] = t55;
+    const double t56 = JLT_FMA(t51, t54, t26); /* R*I3*gamma3*1/K*v_tau*1/s + 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    out[7] = t56;
+    const double t57 = t26*t28; /* 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*1/K */
+    const double t58 = t33*t41; /* (gamma3*1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) - 1/K*t31)*1/s*(v_nu - I1*I3/m*1/(Theta/m)*V) */
+    const double t59 = t41*t51; /* 1/s*(v_nu - I1*I3/m*1/(Theta/m)*V)*R*I3*gamma3*1/K */
+    const double t60 = JLT_FMA(x[3], t19, p[12]); /* v_tau*gamma3*1/s + G/I1 */
+    const double t61 = x[2]*t19; /* omega_tau*gamma3*1/s */
+    const double t62 = -t61; /* -omega_tau*gamma3*1/s */
+    out[0] = t62;
+    const double t63 = t4*t18; /* s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    const double t64 = JLT_FMA(t43, t63, t39); /* R*I3*1/K*s*1/K*(gamma3*R*I3*v_tau + R*G*s) + 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
+    const double t65 = t18*t60; /* 1/K*(gamma3*R*I3*v_tau + R*G*s)*(v_tau*gamma3*1/s + G/I1) */
+    const double t66 = JLT_FMA(t32, t34, t65); /* t32*1/K*(v_tau*s - gamma3*G/I1) + 1/K*(gamma3*R*I3*v_tau + R*G*s)*(v_tau*gamma3*1/s + G/I1) */
+    const double t67 = JLT_FMS(t28, t60, t34); /* gamma3*1/K*(v_tau*gamma3*1/s + G/I1) - 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t68 = t4*t28; /* s*gamma3*1/K */
+    const double t69 = JLT_FMS(t37, t67, t58); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t67 - t58 */
+    const double t70 = JLT_FNMA(t21, t49, t69); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t67 - t58 - gamma3*(2*R^2*I1 - 2*R^2*I3)*t49 */
+    out[12] = t70;
+    const double t71 = JLT_FMA(t37, t68, t59); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*s*gamma3*1/K + 1/s*(v_nu - I1*I3/m*1/(Theta/m)*V)*R*I3*gamma3*1/K */
+    const double t72 = -t71; /* -t71 */
+    out[15] = t72;
+    const double t73 = 2.0*t57; /* 2*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*1/K */
+    const double t74 = JLT_FMS(t31, t73, t53); /* t31*2*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*1/K - t53 */
+    const double t75 = JLT_FMA(t43, t66, t74); /* R*I3*1/K*t66 + t31*2*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*1/K - t53 */
+    out[8] = t75;
+    const double t76 = x[0]*p[15]; /* gamma3*2*R*I3 */
+    const double t77 = JLT_FMA(t57, t76, t64); /* 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*1/K*gamma3*2*R*I3 + t64 */
     const double t78 = -t77; /* -t77 */
-    out[0] = t15;
-    out[1] = 0.0;
-    out[2] = t7;
-    out[3] = 0.0;
-    out[4] = t29;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = t32;
-    out[8] = t46;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = t53;
-    out[12] = t72;
-    out[13] = t73;
-    out[14] = t74;
-    out[15] = t78;
+    out[11] = t78;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[5] = 0.0;
+    out[7] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[13] = 0.0;
+    out[14] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    const double t5 = t3*p[9]; /* s*R*G */
-    const double t6 = x[3]*p[10]; /* v_tau*R*I3 */
-    const double t7 = JLT_FMA(x[0], t6, t5); /* gamma3*v_tau*R*I3 + s*R*G */
-    const double t8 = t2*p[7]; /* (1 - gamma3)*(1 + gamma3)*R^2*I1 */
-    const double t9 = x[0]*p[8]; /* gamma3*R^2*I3 */
-    const double t10 = JLT_FMA(x[0], t9, t8); /* K = gamma3*gamma3*R^2*I3 + (1 - gamma3)*(1 + gamma3)*R^2*I1 */
-    const double t11 = t10 + p[11]; /* Theta scaled = K + I1*I3/m */
-    const double t12 = t3*t10; /* s*K */
-    const double t13 = t11*t12; /* Theta scaled*s*K */
-    const double t14 = 1.0/t13; /* 1/(Theta scaled*s*K) */
-    const double t15 = t11*t14; /* Theta scaled*1/(Theta scaled*s*K) */
-    const double t16 = t3*t15; /* s*Theta scaled*1/(Theta scaled*s*K) */
-    const double t17 = t7*t16; /* (gamma3*v_tau*R*I3 + s*R*G)*s*Theta scaled*1/(Theta scaled*s*K) */
-    const double t18 = t10*t15; /* K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t19 = t17*t18; /* t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t20 = x[3]*t19; /* v_tau*t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t21 = x[0]*t19; /* gamma3*t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t22 = t3*x[3]; /* s*v_tau */
-    const double t23 = JLT_FNMA(x[0], p[12], t22); /* s*v_tau - gamma3*G/I1 */
-    const double t24 = t16*t23; /* s*Theta scaled*1/(Theta scaled*s*K)*(s*v_tau - gamma3*G/I1) */
-    const double t25 = JLT_FMA(p[10], t24, t21); /* R*I3*s*Theta scaled*1/(Theta scaled*s*K)*(s*v_tau - gamma3*G/I1) + gamma3*t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t26 = t17*t25; /* t17*t25 */
-    const double t27 = -t26; /* -t17*t25 */
-    const double t28 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t29 = p[11]*t28; /* I1*I3/m*V */
-    const double t30 = t12*t14; /* s*K*1/(Theta scaled*s*K) */
-    const double t31 = JLT_FNMA(t29, t30, x[1]); /* v_nu - I1*I3/m*V*s*K*1/(Theta scaled*s*K) */
-    const double t32 = t30*p[13]; /* s*K*1/(Theta scaled*s*K)*R^2*I1*I3*(I1 - I3)/m */
-    const double t33 = x[2]*t32; /* omega_tau*s*K*1/(Theta scaled*s*K)*R^2*I1*I3*(I1 - I3)/m */
-    const double t34 = x[0]*t16; /* gamma3*s*Theta scaled*1/(Theta scaled*s*K) */
-    const double t35 = t33*t34; /* omega_tau*s*K*1/(Theta scaled*s*K)*R^2*I1*I3*(I1 - I3)/m*gamma3*s*Theta scaled*1/(Theta scaled*s*K) */
-    const double t36 = t23*t35; /* (s*v_tau - gamma3*G/I1)*t35 */
-    const double t37 = JLT_FMA(t19, t31, t36); /* t17*K*Theta scaled*1/(Theta scaled*s*K)*(v_nu - I1*I3/m*V*s*K*1/(Theta scaled*s*K)) + (s*v_tau - gamma3*G/I1)*t35 */
-    const double t38 = -t37; /* -t37 */
-    const double t39 = x[0]*t18; /* gamma3*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t40 = x[2]*t39; /* omega_tau*gamma3*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t41 = -t40; /* -omega_tau*gamma3*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t42 = t18*t19; /* K*Theta scaled*1/(Theta scaled*s*K)*t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t43 = t39*t42; /* gamma3*K*Theta scaled*1/(Theta scaled*s*K)*t42 */
-    const double t44 = JLT_FMS(p[9], t39, t6); /* R*G*gamma3*K*Theta scaled*1/(Theta scaled*s*K) - v_tau*R*I3 */
-    const double t45 = t18*t44; /* K*Theta scaled*1/(Theta scaled*s*K)*(R*G*gamma3*K*Theta scaled*1/(Theta scaled*s*K) - v_tau*R*I3) */
-    const double t46 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t47 = JLT_FNMA(t19, t46, t45); /* t45 - t17*K*Theta scaled*1/(Theta scaled*s*K)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t48 = JLT_FNMA(t16, t47, t43); /* gamma3*K*Theta scaled*1/(Theta scaled*s*K)*t42 - s*Theta scaled*1/(Theta scaled*s*K)*t47 */
-    const double t49 = x[3]*t48; /* v_tau*t48 */
-    const double t50 = p[10]*t16; /* R*I3*s*Theta scaled*1/(Theta scaled*s*K) */
-    const double t51 = t39*t50; /* gamma3*K*Theta scaled*1/(Theta scaled*s*K)*R*I3*s*Theta scaled*1/(Theta scaled*s*K) */
-    const double t52 = JLT_FMA(x[3], t51, t19); /* v_tau*t51 + t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t53 = t17*t46; /* t17*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t54 = t44 - t53; /* R*G*gamma3*K*Theta scaled*1/(Theta scaled*s*K) - v_tau*R*I3 - t17*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t55 = t34*2.0; /* gamma3*s*Theta scaled*1/(Theta scaled*s*K)*2 */
-    const double t56 = JLT_FNMA(t54, t55, t42); /* t42 - t54*gamma3*s*Theta scaled*1/(Theta scaled*s*K)*2 */
-    const double t57 = t19*t56; /* t17*K*Theta scaled*1/(Theta scaled*s*K)*(t42 - t54*gamma3*s*Theta scaled*1/(Theta scaled*s*K)*2) */
-    const double t58 = JLT_FMA(x[3], t39, p[12]); /* v_tau*gamma3*K*Theta scaled*1/(Theta scaled*s*K) + G/I1 */
-    const double t59 = t17*t58; /* t17*(v_tau*gamma3*K*Theta scaled*1/(Theta scaled*s*K) + G/I1) */
-    const double t60 = JLT_FNMA(2.0, t53, t44); /* R*G*gamma3*K*Theta scaled*1/(Theta scaled*s*K) - v_tau*R*I3 - 2*t17*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t61 = JLT_FMA(t24, t60, t59); /* s*Theta scaled*1/(Theta scaled*s*K)*(s*v_tau - gamma3*G/I1)*t60 + t59 */
-    const double t62 = JLT_FMS(t50, t61, t57); /* R*I3*s*Theta scaled*1/(Theta scaled*s*K)*t61 - t57 */
-    const double t63 = t34*p[15]; /* gamma3*s*Theta scaled*1/(Theta scaled*s*K)*2*R*I3 */
-    const double t64 = t24*p[16]; /* s*Theta scaled*1/(Theta scaled*s*K)*(s*v_tau - gamma3*G/I1)*R^2*I3^2 */
-    const double t65 = t34*t64; /* gamma3*s*Theta scaled*1/(Theta scaled*s*K)*t64 */
-    const double t66 = t3*t17; /* s*t17 */
-    const double t67 = JLT_FMA(t50, t66, t65); /* R*I3*s*Theta scaled*1/(Theta scaled*s*K)*s*t17 + gamma3*s*Theta scaled*1/(Theta scaled*s*K)*t64 */
-    const double t68 = JLT_FMA(t21, t63, t67); /* gamma3*t17*K*Theta scaled*1/(Theta scaled*s*K)*gamma3*s*Theta scaled*1/(Theta scaled*s*K)*2*R*I3 + t67 */
-    const double t69 = -t68; /* -t68 */
-    const double t70 = t19*t30; /* t17*K*Theta scaled*1/(Theta scaled*s*K)*s*K*1/(Theta scaled*s*K) */
-    const double t71 = JLT_FMS(t29, t70, t36); /* I1*I3/m*V*t70 - (s*v_tau - gamma3*G/I1)*t35 */
-    const double t72 = t30*t46; /* s*K*1/(Theta scaled*s*K)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t73 = JLT_FMA(t35, t46, t33); /* t35*gamma3*(2*R^2*I1 - 2*R^2*I3) + omega_tau*s*K*1/(Theta scaled*s*K)*R^2*I1*I3*(I1 - I3)/m */
-    const double t74 = t24*t73; /* s*Theta scaled*1/(Theta scaled*s*K)*(s*v_tau - gamma3*G/I1)*t73 */
-    const double t75 = JLT_FMS(t35, t58, t74); /* t35*(v_tau*gamma3*K*Theta scaled*1/(Theta scaled*s*K) + G/I1) - t74 */
-    const double t76 = JLT_FMA(t71, t72, t75); /* (I1*I3/m*V*t70 - (s*v_tau - gamma3*G/I1)*t35)*s*K*1/(Theta scaled*s*K)*gamma3*(2*R^2*I1 - 2*R^2*I3) + t75 */
-    const double t77 = JLT_FNMA(t31, t48, t76); /* t76 - (v_nu - I1*I3/m*V*s*K*1/(Theta scaled*s*K))*t48 */
-    const double t78 = JLT_FMS(p[11], t70, t19); /* I1*I3/m*t70 - t17*K*Theta scaled*1/(Theta scaled*s*K) */
-    const double t79 = t70*p[17]; /* t70*R*I1*I3/m */
-    const double t80 = x[0]*t32; /* gamma3*s*K*1/(Theta scaled*s*K)*R^2*I1*I3*(I1 - I3)/m */
-    const double t81 = JLT_FNMA(t24, t80, t79); /* t70*R*I1*I3/m - s*Theta scaled*1/(Theta scaled*s*K)*(s*v_tau - gamma3*G/I1)*gamma3*s*K*1/(Theta scaled*s*K)*R^2*I1*I3*(I1 - I3)/m */
-    const double t82 = t31*t51; /* (v_nu - I1*I3/m*V*s*K*1/(Theta scaled*s*K))*t51 */
-    const double t83 = JLT_FMA(t3, t35, t82); /* s*t35 + (v_nu - I1*I3/m*V*s*K*1/(Theta scaled*s*K))*t51 */
-    const double t84 = -t83; /* -(s*t35 + (v_nu - I1*I3/m*V*s*K*1/(Theta scaled*s*K))*t51) */
-    out[0] = t4;
-    out[1] = t20;
-    out[2] = t27;
-    out[3] = t38;
-    out[4] = t41;
-    out[5] = 0.0;
-    out[6] = t3;
-    out[7] = 0.0;
-    out[8] = t49;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = t52;
-    out[12] = t62;
-    out[13] = 0.0;
-    out[14] = 0.0;
-    out[15] = t69;
-    out[16] = t77;
-    out[17] = t78;
-    out[18] = t81;
-    out[19] = t84;
+    const double t3 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
+    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    out[6] = t4;
+    const double t5 = x[2]*t4; /* omega_tau*s */
+    out[0] = t5;
+    const double t6 = x[0]*p[8]; /* gamma3*R^2*I3 */
+    const double t7 = JLT_FMA(x[0], t6, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*(1 - gamma3)*(1 + gamma3) */
+    const double t8 = p[11] + t7; /* Theta/m = I1*I3/m + K */
+    const double t9 = t4*t7; /* s*K */
+    const double t10 = t8*t9; /* Theta/m*s*K */
+    const double t11 = 1.0/t10; /* 1/(Theta/m*s*K) */
+    const double t12 = t8*t11; /* 1/(s*K) = Theta/m*1/(Theta/m*s*K) */
+    const double t13 = t9*t11; /* 1/(Theta/m) = s*K*1/(Theta/m*s*K) */
+    const double t14 = t7*t12; /* 1/s = K*1/(s*K) */
+    const double t15 = t4*t12; /* 1/K = s*1/(s*K) */
+    const double t16 = p[9]*t4; /* R*G*s */
+    const double t17 = x[3]*p[10]; /* v_tau*R*I3 */
+    const double t18 = JLT_FMA(x[0], t17, t16); /* gamma3*v_tau*R*I3 + R*G*s */
+    const double t19 = t15*t18; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t20 = x[3]*t4; /* v_tau*s */
+    const double t21 = JLT_FNMA(x[0], p[12], t20); /* v_tau*s - gamma3*G/I1 */
+    const double t22 = p[13]*t13; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t23 = x[2]*t22; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t24 = x[0]*t22; /* gamma3*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t25 = x[0]*t15; /* gamma3*1/K */
+    const double t26 = t15*t21; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t27 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t28 = p[11]*t27; /* I1*I3/m*V */
+    const double t29 = t23*t25; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
+    const double t30 = t21*t29; /* (v_tau*s - gamma3*G/I1)*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
+    const double t31 = x[0]*t14; /* gamma3*1/s */
+    const double t32 = JLT_FMS(p[9], t31, t17); /* R*G*gamma3*1/s - v_tau*R*I3 */
+    const double t33 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t34 = JLT_FMA(t29, t33, t23); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) + omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t35 = t26*t34; /* 1/K*(v_tau*s - gamma3*G/I1)*t34 */
+    const double t36 = t14*t19; /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t37 = x[3]*t36; /* v_tau*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    out[1] = t37;
+    const double t38 = p[10]*t15; /* R*I3*1/K */
+    const double t39 = t19*t33; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t40 = p[16]*t26; /* R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t41 = t25*t40; /* gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t42 = x[0]*t36; /* gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t43 = JLT_FNMA(t13, t28, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t44 = t14*t36; /* 1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t45 = t14*t32; /* 1/s*(R*G*gamma3*1/s - v_tau*R*I3) */
+    const double t46 = JLT_FNMA(t33, t36, t45); /* 1/s*(R*G*gamma3*1/s - v_tau*R*I3) - gamma3*(2*R^2*I1 - 2*R^2*I3)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t47 = t13*t33; /* 1/(Theta/m)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t48 = t13*t36; /* 1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t49 = JLT_FMS(t28, t48, t30); /* I1*I3/m*V*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t30 */
+    const double t50 = JLT_FMA(t36, t43, t30); /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*(v_nu - 1/(Theta/m)*I1*I3/m*V) + t30 */
+    const double t51 = -t50; /* -t50 */
+    out[3] = t51;
+    const double t52 = JLT_FMS(p[11], t48, t36); /* I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    out[17] = t52;
+    const double t53 = p[17]*t48; /* R*I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t54 = JLT_FNMA(t24, t26, t53); /* R*I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - gamma3*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*1/K*(v_tau*s - gamma3*G/I1) */
+    out[18] = t54;
+    const double t55 = t31*t38; /* gamma3*1/s*R*I3*1/K */
+    const double t56 = JLT_FMA(x[3], t55, t36); /* v_tau*gamma3*1/s*R*I3*1/K + 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    out[11] = t56;
+    const double t57 = t43*t55; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*gamma3*1/s*R*I3*1/K */
+    const double t58 = JLT_FMA(t4, t29, t57); /* s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K + (v_nu - 1/(Theta/m)*I1*I3/m*V)*gamma3*1/s*R*I3*1/K */
+    const double t59 = -t58; /* -t58 */
+    out[19] = t59;
+    const double t60 = t4*t19; /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t61 = JLT_FMA(t38, t60, t41); /* R*I3*1/K*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) + gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t62 = t32 - t39; /* R*G*gamma3*1/s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t63 = JLT_FNMA(2.0, t39, t32); /* R*G*gamma3*1/s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t64 = 2.0*t25; /* 2*gamma3*1/K */
+    const double t65 = JLT_FNMA(t62, t64, t44); /* 1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t62*2*gamma3*1/K */
+    const double t66 = t36*t65; /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*(1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t62*2*gamma3*1/K) */
+    const double t67 = t31*t44; /* gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t68 = JLT_FNMA(t15, t46, t67); /* gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t46 */
+    const double t69 = p[15]*t25; /* 2*R*I3*gamma3*1/K */
+    const double t70 = JLT_FMA(t42, t69, t61); /* gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*2*R*I3*gamma3*1/K + t61 */
+    const double t71 = -t70; /* -t70 */
+    out[15] = t71;
+    const double t72 = JLT_FMA(p[10], t26, t42); /* R*I3*1/K*(v_tau*s - gamma3*G/I1) + gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t73 = t19*t72; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*t72 */
+    const double t74 = -t73; /* -1/K*(gamma3*v_tau*R*I3 + R*G*s)*t72 */
+    out[2] = t74;
+    const double t75 = x[3]*t68; /* v_tau*(gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t46) */
+    out[8] = t75;
+    const double t76 = JLT_FMA(x[3], t31, p[12]); /* v_tau*gamma3*1/s + G/I1 */
+    const double t77 = JLT_FMS(t29, t76, t35); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*(v_tau*gamma3*1/s + G/I1) - 1/K*(v_tau*s - gamma3*G/I1)*t34 */
+    const double t78 = JLT_FMA(t47, t49, t77); /* 1/(Theta/m)*gamma3*(2*R^2*I1 - 2*R^2*I3)*t49 + t77 */
+    const double t79 = JLT_FNMA(t43, t68, t78); /* 1/(Theta/m)*gamma3*(2*R^2*I1 - 2*R^2*I3)*t49 + t77 - (v_nu - 1/(Theta/m)*I1*I3/m*V)*(gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t46) */
+    out[16] = t79;
+    const double t80 = t19*t76; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*(v_tau*gamma3*1/s + G/I1) */
+    const double t81 = JLT_FMA(t26, t63, t80); /* 1/K*(v_tau*s - gamma3*G/I1)*t63 + 1/K*(gamma3*v_tau*R*I3 + R*G*s)*(v_tau*gamma3*1/s + G/I1) */
+    const double t82 = JLT_FMS(t38, t81, t66); /* R*I3*1/K*t81 - t66 */
+    out[12] = t82;
+    const double t83 = x[2]*t31; /* omega_tau*gamma3*1/s */
+    const double t84 = -t83; /* -omega_tau*gamma3*1/s */
+    out[4] = t84;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = x[0]*p[19]; /* gamma3*I3/I1 */
-    const double t5 = JLT_FMA(x[0], t4, t3); /* K scaled = gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = t5 + p[20]; /* Theta scaled = K scaled + I3/(m*R^2) */
-    const double t7 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t8 = t5*t7; /* K scaled*s */
-    const double t9 = t6*t8; /* Theta scaled*K scaled*s */
-    const double t10 = 1.0/t9; /* 1/(Theta scaled*K scaled*s) */
-    const double t11 = t6*t10; /* Theta scaled*1/(Theta scaled*K scaled*s) */
-    const double t12 = t8*t10; /* K scaled*s*1/(Theta scaled*K scaled*s) */
-    const double t13 = p[18]*t0; /* I3^2/(m*R^3*I1)*V */
-    const double t14 = t12*t13; /* K scaled*s*1/(Theta scaled*K scaled*s)*I3^2/(m*R^3*I1)*V */
-    const double t15 = t11*t14; /* Theta scaled*1/(Theta scaled*K scaled*s)*K scaled*s*1/(Theta scaled*K scaled*s)*I3^2/(m*R^3*I1)*V */
-    const double t16 = t3*p[21]; /* (1 - gamma3)*(gamma3 + 1)*I3*(I1 - I3)/(m*R^2*I1) */
-    const double t17 = JLT_FMA(t12, t16, t5); /* K scaled*s*1/(Theta scaled*K scaled*s)*(1 - gamma3)*(gamma3 + 1)*I3*(I1 - I3)/(m*R^2*I1) + K scaled */
-    const double t18 = x[2]*t11; /* omega_tau*Theta scaled*1/(Theta scaled*K scaled*s) */
-    const double t19 = x[1]*p[22]; /* v_nu*I3/(R*I1) */
-    const double t20 = JLT_FNMA(t11, t19, t15); /* t15 - Theta scaled*1/(Theta scaled*K scaled*s)*v_nu*I3/(R*I1) */
-    const double t21 = JLT_FNMA(t17, t18, t20); /* t20 - t17*omega_tau*Theta scaled*1/(Theta scaled*K scaled*s) */
-    const double t22 = x[0]*t21; /* gamma3*(t20 - t17*omega_tau*Theta scaled*1/(Theta scaled*K scaled*s)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = x[0]*p[19]; /* gamma3*I3/I1 */
+    const double t4 = JLT_FMA(x[0], t3, t2); /* K/(R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t6 = t4*t5; /* K/(R^2*I1)*s */
+    const double t7 = p[21]*t2; /* I3*(I1 - I3)/(m*R^2*I1)*(1 - gamma3)*(gamma3 + 1) */
+    const double t8 = p[20] + t4; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
+    const double t9 = t6*t8; /* K/(R^2*I1)*s*Theta/(m*R^2*I1) */
+    const double t10 = 1.0/t9; /* 1/(K/(R^2*I1)*s*Theta/(m*R^2*I1)) */
+    const double t11 = t6*t10; /* 1/(Theta/(m*R^2*I1)) = K/(R^2*I1)*s*1/(K/(R^2*I1)*s*Theta/(m*R^2*I1)) */
+    const double t12 = t8*t10; /* 1/(s*(K/(R^2*I1))) = Theta/(m*R^2*I1)*1/(K/(R^2*I1)*s*Theta/(m*R^2*I1)) */
+    const double t13 = JLT_FMA(t7, t11, t4); /* I3*(I1 - I3)/(m*R^2*I1)*(1 - gamma3)*(gamma3 + 1)*1/(Theta/(m*R^2*I1)) + K/(R^2*I1) */
+    const double t14 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
+    const double t15 = p[18]*t14; /* I3^2/(m*R^3*I1)*V */
+    const double t16 = t11*t15; /* 1/(Theta/(m*R^2*I1))*I3^2/(m*R^3*I1)*V */
+    const double t17 = t12*t16; /* 1/(s*(K/(R^2*I1)))*1/(Theta/(m*R^2*I1))*I3^2/(m*R^3*I1)*V */
+    const double t18 = x[1]*p[22]; /* v_nu*I3/(R*I1) */
+    const double t19 = JLT_FNMA(t12, t18, t17); /* 1/(s*(K/(R^2*I1)))*1/(Theta/(m*R^2*I1))*I3^2/(m*R^3*I1)*V - 1/(s*(K/(R^2*I1)))*v_nu*I3/(R*I1) */
+    const double t20 = x[2]*t12; /* omega_tau*1/(s*(K/(R^2*I1))) */
+    const double t21 = JLT_FNMA(t13, t20, t19); /* t19 - t13*omega_tau*1/(s*(K/(R^2*I1))) */
+    const double t22 = x[0]*t21; /* gamma3*(t19 - t13*omega_tau*1/(s*(K/(R^2*I1)))) */
     out[0] = t22;
 }
 
@@ -421,26 +423,26 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t3 = t1*t2; /* (1 - gamma3)*(1 + gamma3) */
     const double t4 = x[0]*p[19]; /* gamma3*I3/I1 */
-    const double t5 = JLT_FMA(x[0], t4, t3); /* K scaled = gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) */
-    const double t6 = 1.0/t5; /* 1/K scaled */
-    const double t7 = t5 + p[20]; /* Theta scaled = K scaled + I3/(m*R^2) */
+    const double t5 = JLT_FMA(x[0], t4, t3); /* K/(R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) */
+    const double t6 = 1.0/t5; /* 1/(K/(R^2*I1)) */
+    const double t7 = t5 + p[20]; /* Theta/(m*R^2*I1) = K/(R^2*I1) + I3/(m*R^2) */
     const double t8 = x[3]*x[3]; /* v_tau*v_tau */
-    const double t9 = JLT_FMA(t7, t8, p[24]); /* Theta scaled*v_tau*v_tau + G^2/(m*R^2*I1) */
-    const double t10 = JLT_FMA(t6, t9, t0); /* 1/K scaled*(Theta scaled*v_tau*v_tau + G^2/(m*R^2*I1)) + v_nu*v_nu */
+    const double t9 = JLT_FMA(t7, t8, p[24]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
+    const double t10 = JLT_FMA(t6, t9, t0); /* 1/(K/(R^2*I1))*(Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1)) + v_nu*v_nu */
     const double t11 = p[23]*t10; /* 1/2*m*t10 */
     const double t12 = p[25]*x[2]; /* 1/2*I1*omega_tau */
     const double t13 = JLT_FMA(x[2], t12, t11); /* omega_tau*1/2*I1*omega_tau + 1/2*m*t10 */
+    out[0] = t13;
     const double t14 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     const double t15 = p[26]*t14; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t16 = t14*t15; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t17 = sqrt(t3); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t18 = x[3]*t17; /* v_tau*s */
     const double t19 = JLT_FNMA(x[0], p[12], t18); /* v_tau*s - gamma3*G/I1 */
-    const double t20 = t6*t19; /* 1/K scaled*(v_tau*s - gamma3*G/I1) */
-    const double t21 = t7*p[27]; /* Theta scaled*m*I1*(I1 - I3) */
-    const double t22 = t20*t21; /* 1/K scaled*(v_tau*s - gamma3*G/I1)*Theta scaled*m*I1*(I1 - I3) */
-    const double t23 = JLT_FMA(t20, t22, t16); /* 1/K scaled*(v_tau*s - gamma3*G/I1)*t22 + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
-    out[0] = t13;
+    const double t20 = t6*t19; /* 1/(K/(R^2*I1))*(v_tau*s - gamma3*G/I1) */
+    const double t21 = t7*p[27]; /* Theta/(m*R^2*I1)*m*I1*(I1 - I3) */
+    const double t22 = t20*t21; /* 1/(K/(R^2*I1))*(v_tau*s - gamma3*G/I1)*Theta/(m*R^2*I1)*m*I1*(I1 - I3) */
+    const double t23 = JLT_FMA(t20, t22, t16); /* 1/(K/(R^2*I1))*(v_tau*s - gamma3*G/I1)*t22 + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[1] = t23;
 }
 
@@ -456,41 +458,41 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t7 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t8 = t5*t7; /* K*s */
     const double t9 = 1.0/t8; /* 1/(K*s) */
-    const double t10 = t7*t9; /* s*1/(K*s) */
-    const double t11 = t6*t10; /* Theta*s*1/(K*s) */
-    const double t12 = x[3]*t11; /* v_tau*Theta*s*1/(K*s) */
-    const double t13 = JLT_FMS(x[3], p[0], t12); /* v_tau*m - v_tau*Theta*s*1/(K*s) */
-    const double t14 = x[3]*t13; /* v_tau*(v_tau*m - v_tau*Theta*s*1/(K*s)) */
-    const double t15 = JLT_FNMA(t10, p[30], t14); /* v_tau*(v_tau*m - v_tau*Theta*s*1/(K*s)) - s*1/(K*s)*G^2 */
+    const double t10 = t7*t9; /* 1/K = s*1/(K*s) */
+    const double t11 = t6*t10; /* Theta*1/K */
+    const double t12 = x[3]*t11; /* v_tau*Theta*1/K */
+    out[3] = t12;
+    const double t13 = JLT_FMS(x[3], p[0], t12); /* v_tau*m - v_tau*Theta*1/K */
+    const double t14 = x[3]*t13; /* v_tau*(v_tau*m - v_tau*Theta*1/K) */
+    const double t15 = JLT_FNMA(t10, p[30], t14); /* v_tau*(v_tau*m - v_tau*Theta*1/K) - 1/K*G^2 */
     const double t16 = p[28]*x[0]; /* (-R^2*I1 + R^2*I3)*gamma3 */
-    const double t17 = t10*t16; /* s*1/(K*s)*(-R^2*I1 + R^2*I3)*gamma3 */
-    const double t18 = t15*t17; /* (v_tau*(v_tau*m - v_tau*Theta*s*1/(K*s)) - s*1/(K*s)*G^2)*s*1/(K*s)*(-R^2*I1 + R^2*I3)*gamma3 */
+    const double t17 = t10*t16; /* 1/K*(-R^2*I1 + R^2*I3)*gamma3 */
+    const double t18 = t15*t17; /* (v_tau*(v_tau*m - v_tau*Theta*1/K) - 1/K*G^2)*1/K*(-R^2*I1 + R^2*I3)*gamma3 */
+    out[0] = t18;
     const double t19 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t19;
     const double t20 = p[3]*x[2]; /* I1*omega_tau */
+    out[2] = t20;
     const double t21 = x[3]*t7; /* v_tau*s */
     const double t22 = JLT_FNMA(x[0], p[12], t21); /* v_tau*s - gamma3*G/I1 */
-    const double t23 = t10*t22; /* s*1/(K*s)*(v_tau*s - gamma3*G/I1) */
-    const double t24 = t11*t23; /* Theta*s*1/(K*s)*s*1/(K*s)*(v_tau*s - gamma3*G/I1) */
-    const double t25 = JLT_FNMA(t23, p[23], t24); /* Theta*s*1/(K*s)*s*1/(K*s)*(v_tau*s - gamma3*G/I1) - s*1/(K*s)*(v_tau*s - gamma3*G/I1)*1/2*m */
+    const double t23 = t10*t22; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t24 = t11*t23; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t25 = JLT_FNMA(t23, p[23], t24); /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) - 1/K*(v_tau*s - gamma3*G/I1)*1/2*m */
     const double t26 = x[0]*p[31]; /* gamma3*4*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
-    const double t27 = t23*t26; /* s*1/(K*s)*(v_tau*s - gamma3*G/I1)*gamma3*4*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
+    const double t27 = t23*t26; /* 1/K*(v_tau*s - gamma3*G/I1)*gamma3*4*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
     const double t28 = t25*t27; /* t25*t27 */
     const double t29 = x[0]*x[3]; /* gamma3*v_tau */
     const double t30 = t5*t29; /* K*gamma3*v_tau */
     const double t31 = JLT_FMA(t9, t30, p[12]); /* 1/(K*s)*K*gamma3*v_tau + G/I1 */
-    const double t32 = t24*p[32]; /* Theta*s*1/(K*s)*s*1/(K*s)*(v_tau*s - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
-    const double t33 = JLT_FNMA(t31, t32, t28); /* t25*t27 - (1/(K*s)*K*gamma3*v_tau + G/I1)*t32 */
+    const double t32 = t24*p[32]; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
+    const double t33 = JLT_FNMA(t31, t32, t28); /* t25*t27 - (1/(K*s)*K*gamma3*v_tau + G/I1)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
+    out[4] = t33;
     const double t34 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     const double t35 = p[33]*t34; /* 2*m*I1^2*(omega_tau*R + v_nu) */
-    const double t36 = t34*p[34]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
-    const double t37 = t7*t32; /* s*t32 */
-    out[0] = t18;
-    out[1] = t19;
-    out[2] = t20;
-    out[3] = t12;
-    out[4] = t33;
     out[5] = t35;
+    const double t36 = t34*p[34]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[6] = t36;
+    const double t37 = t7*t32; /* s*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
     out[7] = t37;
 }
 
@@ -501,17 +503,13 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t4[JLT_JET_ORDER_MAX + 1];
-    double t5[JLT_JET_ORDER_MAX + 1];
-    double t6[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
-    double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
@@ -524,16 +522,20 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
+    double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
+    double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
     double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
     double t48[JLT_JET_ORDER_MAX + 1];
@@ -544,48 +546,48 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = x3[0] = x[3];
     for (unsigned k = 0; k < order; k++) {
-        t3[k] = (k == 0 ? 1.0 : 0) - x0[k];
-        t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
-        t5[k] = jlt_jet_product(t3, t4, k);
-        t6[k] = jlt_jet_root(t5[k], t6, k);
-        t7[k] = jlt_jet_product(x2, t6, k);
-        t10[k] = t5[k]*p[7];
-        t12[k] = x0[k]*p[8];
-        t13[k] = jlt_jet_product(x0, t12, k) + t10[k];
-        t15[k] = t6[k]*p[9];
-        t17[k] = x0[k]*p[10];
-        t18[k] = jlt_jet_product(x3, t17, k) + t15[k];
-        t20[k] = t13[k] + (k == 0 ? p[11] : 0);
-        t21[k] = jlt_jet_product(t6, t13, k);
-        t22[k] = jlt_jet_product(t20, t21, k);
-        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t22, t23, k);
-        t24[k] = jlt_jet_product(t20, t23, k);
-        t25[k] = jlt_jet_product(t6, t24, k);
-        t26[k] = jlt_jet_product(t18, t25, k);
-        t27[k] = jlt_jet_product(t13, t24, k);
-        t28[k] = jlt_jet_product(t26, t27, k);
-        t29[k] = jlt_jet_product(x3, t28, k);
-        t30[k] = jlt_jet_product(x0, t28, k);
-        t31[k] = jlt_jet_product(t6, x3, k);
-        t33[k] = t31[k] - x0[k]*p[12];
-        t34[k] = jlt_jet_product(t25, t33, k);
-        t35[k] = p[10]*t34[k] + t30[k];
-        t36[k] = jlt_jet_product(t26, t35, k);
-        t37[k] = -t36[k];
-        t40[k] = x2[k]*p[1] + x1[k];
-        t41[k] = jlt_jet_product(t21, t23, k);
-        t42[k] = p[11]*t40[k];
-        t43[k] = x1[k] - jlt_jet_product(t41, t42, k);
-        t44[k] = jlt_jet_product(t28, t43, k);
+        t13[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t14[k] = (k == 0 ? 1.0 : 0) + x0[k];
+        t15[k] = jlt_jet_product(t13, t14, k);
+        t16[k] = p[7]*t15[k];
+        t17[k] = jlt_jet_root(t15[k], t17, k);
+        t18[k] = jlt_jet_product(x2, t17, k);
+        t19[k] = x0[k]*p[8];
+        t20[k] = jlt_jet_product(x0, t19, k) + t16[k];
+        t21[k] = (k == 0 ? p[11] : 0) + t20[k];
+        t22[k] = jlt_jet_product(t17, t20, k);
+        t23[k] = jlt_jet_product(t21, t22, k);
+        t24[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t23, t24, k);
+        t25[k] = jlt_jet_product(t21, t24, k);
+        t26[k] = jlt_jet_product(t22, t24, k);
+        t27[k] = jlt_jet_product(t20, t25, k);
+        t28[k] = jlt_jet_product(t17, t25, k);
+        t29[k] = p[9]*t17[k];
+        t30[k] = jlt_jet_product(x3, t17, k);
+        t31[k] = t30[k] - x0[k]*p[12];
+        t32[k] = jlt_jet_product(t28, t31, k);
+        t33[k] = x0[k]*p[10];
+        t34[k] = jlt_jet_product(x3, t33, k) + t29[k];
+        t35[k] = jlt_jet_product(t28, t34, k);
+        t36[k] = jlt_jet_product(t27, t35, k);
+        t37[k] = jlt_jet_product(x3, t36, k);
+        t38[k] = x2[k]*p[1] + x1[k];
+        t39[k] = p[11]*t38[k];
+        t40[k] = x1[k] - jlt_jet_product(t26, t39, k);
+        t41[k] = jlt_jet_product(t36, t40, k);
+        t42[k] = jlt_jet_product(x0, t36, k);
+        t43[k] = p[10]*t32[k] + t42[k];
+        t44[k] = jlt_jet_product(t35, t43, k);
+        t45[k] = -t44[k];
         t46[k] = x2[k]*p[13];
         t47[k] = jlt_jet_product(x0, t46, k);
-        t48[k] = jlt_jet_product(t41, t47, k);
-        t49[k] = jlt_jet_product(t34, t48, k) + t44[k];
+        t48[k] = jlt_jet_product(t26, t47, k);
+        t49[k] = jlt_jet_product(t32, t48, k) + t41[k];
         t50[k] = -t49[k];
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t29[k]/(k + 1);
-        next[2] = x2[k + 1] = t37[k]/(k + 1);
+        next[0] = x0[k + 1] = t18[k]/(k + 1);
+        next[1] = x1[k + 1] = t37[k]/(k + 1);
+        next[2] = x2[k + 1] = t45[k]/(k + 1);
         next[3] = x3[k + 1] = t50[k]/(k + 1);
     }
 }
@@ -640,6 +642,9 @@ static void family0_impose(const double *restrict x, const double *restrict para
 
 static void family0_point(const double *restrict x, const double *restrict params, double *restrict out)
 {
+    out[0] = x[0];
+    out[1] = x[1];
+    out[2] = 0.0;
     const double t0 = x[0]*params[4]; /* gamma3*I3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
@@ -648,9 +653,6 @@ static void family0_point(const double *restrict x, const double *restrict param
     const double t5 = params[6]*t4; /* G*s */
     const double t6 = t5/t0; /* G*s/(gamma3*I3) */
     const double t7 = -t6; /* v_tau = -G*s/(gamma3*I3) */
-    out[0] = x[0];
-    out[1] = x[1];
-    out[2] = 0.0;
     out[3] = t7;
 }
 
@@ -683,6 +685,7 @@ static void family0_trace(const double *restrict x, const double *restrict param
 
 static void family0_left_null_gradients(const double *restrict x, const double *restrict params, double *restrict out)
 {
+    out[2] = 0.0;
     const double t0 = params[4]*x[0]; /* I3*gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
@@ -722,10 +725,13 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t36 = t35/t16; /* d(K)/d(gamma3)*G*G/(K*K) */
     const double t37 = (1.0 / 2.0)*t36; /* 1/2*d(K)/d(gamma3)*G*G/(K*K) */
     const double t38 = t33 - t37; /* 1/2*d(K)/d(gamma3)*G*s/(I3*gamma3)*G*s/(I3*gamma3)*m/K - t28 - 1/2*d(K)/d(gamma3)*G*G/(K*K) */
+    out[0] = t38;
     const double t39 = params[0]*x[1]; /* m*v_nu */
+    out[1] = t39;
     const double t40 = t6*t19; /* G*s/(I3*gamma3)*Theta */
     const double t41 = t40/t15; /* G*s/(I3*gamma3)*Theta/K */
     const double t42 = -t41; /* -G*s/(I3*gamma3)*Theta/K */
+    out[3] = t42;
     const double t43 = t15*t16; /* K*K*K */
     const double t44 = params[3] - params[4]; /* I1 - I3 */
     const double t45 = t19*t44; /* Theta*(I1 - I3) */
@@ -755,13 +761,16 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t69 = t68/t16; /* t68/(K*K) */
     const double t70 = 2.0*t69; /* 2*t68/(K*K) */
     const double t71 = t62 - t70; /* t62 - 2*t68/(K*K) */
+    out[4] = t71;
     const double t72 = params[0]*2.0; /* m*2 */
     const double t73 = params[3]*params[3]; /* I1*I1 */
     const double t74 = t72*t73; /* m*2*I1*I1 */
     const double t75 = x[1]*t74; /* v_nu*m*2*I1*I1 */
+    out[5] = t75;
     const double t76 = params[1]*t72; /* R*m*2 */
     const double t77 = t73*t76; /* I1*I1*R*m*2 */
     const double t78 = x[1]*t77; /* v_nu*I1*I1*R*m*2 */
+    out[6] = t78;
     const double t79 = params[1]*2.0; /* R*2 */
     const double t80 = params[3]*t79; /* I1*R*2 */
     const double t81 = t4*t80; /* s*I1*R*2 */
@@ -769,13 +778,6 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t83 = t44*t82; /* (I1 - I3)*Theta*s*I1*R*2 */
     const double t84 = t53*t83; /* (-s*G*s/(I3*gamma3)*R*I1 - gamma3*G*R)*(I1 - I3)*Theta*s*I1*R*2 */
     const double t85 = t84/t16; /* t84/(K*K) */
-    out[0] = t38;
-    out[1] = t39;
-    out[2] = 0.0;
-    out[3] = t42;
-    out[4] = t71;
-    out[5] = t75;
-    out[6] = t78;
     out[7] = t85;
 }
 
@@ -832,13 +834,13 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 5, 24, 7, 1, 1, 0, 15, 8 }, { 16, 71, 0, 6, 1, 0, 12, 9 },
+    .rhs = { rhs, 4, { 5, 24, 7, 1, 1, 0, 15, 7 }, { 16, 71, 0, 6, 1, 0, 12, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 9, 47, 21, 1, 1, 0, 16, 21 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
+    .jacobian = { jacobian, 16, { 9, 47, 21, 1, 1, 0, 16, 20 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 9, 48, 26, 1, 1, 0, 16, 24 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 9, 48, 26, 1, 1, 0, 16, 23 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 3, 13, 5, 1, 1, 0, 12, 7 }, { 9, 32, 0, 4, 1, 0, 12, 8 },
+    .divergence = { divergence, 1, { 3, 13, 5, 1, 1, 0, 12, 6 }, { 9, 32, 0, 4, 1, 0, 12, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { integral_values, 2, { 3, 12, 7, 1, 1, 0, 8, 6 }, { 10, 36, 0, 3, 1, 0, 14, 7 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -6,16 +6,18 @@
  *  Command:    ttc generate --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   14    3    1    1    0     11    8   (42)
- *  jacobian            5   23    7    1    1    0     13   13   (126)
- *  rhs_jacobian        6   26    7    1    1    0     13   11   (160)
+ *  rhs                 3   14    3    1    1    0     11    6   (42)
+ *  jacobian            5   23    7    1    1    0     13   11   (126)
+ *  rhs_jacobian        6   26    7    1    1    0     13    9   (160)
  *  divergence          2    4    2    1    1    0      6    4   (18)
- *  integral_values     2    6    5    1    1    0      6    6   (38)
- *  integral_gradients  2    8    3    1    1    0      8    5   (30)
+ *  integral_values     2    6    5    1    1    0      6    5   (38)
+ *  integral_gradients  2    8    3    1    1    0      8    4   (30)
  *  measure_values      2    1    1    1    1    0      4    3   (9)
  *  measure_divergences 2    8    4    1    1    0     11    7   (43)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -52,32 +54,32 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = params[6];
     const double t0 = params[1]*params[3]; /* R*I1 */
     const double t1 = params[6]/t0; /* G/(R*I1) */
+    out[7] = t1;
     const double t2 = params[5]*params[5]; /* a3*a3 */
     const double t3 = params[0]*t2; /* m*a3*a3 */
+    out[8] = t3;
     const double t4 = params[1]*params[1]; /* R*R */
     const double t5 = params[3]*t4; /* I1*R*R */
     const double t6 = params[6]*params[6]; /* G*G */
     const double t7 = t6/t5; /* G*G/(I1*R*R) */
+    out[9] = t7;
     const double t8 = params[0]*params[2]; /* m*g */
     const double t9 = params[5]*t8; /* a3*m*g */
+    out[10] = t9;
     const double t10 = params[6]*2.0; /* G*2 */
     const double t11 = t10/t0; /* G*2/(R*I1) */
+    out[11] = t11;
     const double t12 = t6*3.0; /* G*G*3 */
     const double t13 = t12/t5; /* G*G*3/(I1*R*R) */
+    out[12] = t13;
     const double t14 = params[0]*2.0; /* m*2 */
     const double t15 = t2*t14; /* a3*a3*m*2 */
+    out[13] = t15;
     const double t16 = params[0]/2.0; /* m/2 */
+    out[14] = t16;
     const double t17 = t4*2.0; /* R*R*2 */
     const double t18 = params[3]*t17; /* I1*R*R*2 */
     const double t19 = t6/t18; /* G*G/(I1*R*R*2) */
-    out[7] = t1;
-    out[8] = t3;
-    out[9] = t7;
-    out[10] = t9;
-    out[11] = t11;
-    out[12] = t13;
-    out[13] = t15;
-    out[14] = t16;
     out[15] = t19;
 }
 
@@ -87,150 +89,150 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    const double t5 = JLT_FMA(t2, p[8], p[3]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
-    const double t6 = t3*t5; /* s*D */
-    const double t7 = 1.0/t6; /* 1/(s*D) */
-    const double t8 = t5*t7; /* D*1/(s*D) */
-    const double t9 = t8*t8; /* D*1/(s*D)*D*1/(s*D) */
-    const double t10 = p[7]*t9; /* G/(R*I1)*D*1/(s*D)*D*1/(s*D) */
-    const double t11 = x[3]*t10; /* v_tau*G/(R*I1)*D*1/(s*D)*D*1/(s*D) */
-    const double t12 = x[2]*p[8]; /* omega_tau*m*a3^2 */
-    const double t13 = t4*t12; /* omega_tau*s*omega_tau*m*a3^2 */
-    const double t14 = t8*p[9]; /* D*1/(s*D)*G^2/(R^2*I1) */
-    const double t15 = JLT_FNMA(t9, t14, t13); /* omega_tau*s*omega_tau*m*a3^2 - D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*G^2/(R^2*I1) */
-    const double t16 = x[0]*t15; /* gamma3*t15 */
-    const double t17 = JLT_FNMA(t3, p[10], t16); /* gamma3*t15 - s*m*g*a3 */
-    const double t18 = t3*t7; /* s*1/(s*D) */
-    const double t19 = t17*t18; /* (gamma3*t15 - s*m*g*a3)*s*1/(s*D) */
-    const double t20 = t10*x[1]; /* G/(R*I1)*D*1/(s*D)*D*1/(s*D)*v_nu */
-    const double t21 = -t20; /* -G/(R*I1)*D*1/(s*D)*D*1/(s*D)*v_nu */
-    out[0] = t4;
-    out[1] = t11;
-    out[2] = t19;
+    const double t4 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t5 = t3*t4; /* s*D */
+    const double t6 = 1.0/t5; /* 1/(s*D) */
+    const double t7 = t4*t6; /* 1/s = D*1/(s*D) */
+    const double t8 = t3*t6; /* s*1/(s*D) */
+    const double t9 = x[2]*t3; /* omega_tau*s */
+    out[0] = t9;
+    const double t10 = x[2]*p[8]; /* omega_tau*m*a3^2 */
+    const double t11 = t9*t10; /* omega_tau*s*omega_tau*m*a3^2 */
+    const double t12 = t7*t7; /* 1/s*1/s */
+    const double t13 = p[9]*t7; /* G^2/(R^2*I1)*1/s */
+    const double t14 = JLT_FNMA(t12, t13, t11); /* omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s */
+    const double t15 = p[7]*t12; /* G/(R*I1)*1/s*1/s */
+    const double t16 = x[0]*t14; /* gamma3*(omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s) */
+    const double t17 = JLT_FNMA(p[10], t3, t16); /* t16 - m*g*a3*s */
+    const double t18 = t8*t17; /* s*1/(s*D)*(t16 - m*g*a3*s) */
+    out[2] = t18;
+    const double t19 = x[3]*t15; /* v_tau*G/(R*I1)*1/s*1/s */
+    out[1] = t19;
+    const double t20 = x[1]*t15; /* v_nu*G/(R*I1)*1/s*1/s */
+    const double t21 = -t20; /* -v_nu*G/(R*I1)*1/s*1/s */
     out[3] = t21;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0]*x[2]; /* gamma3*omega_tau */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = JLT_FMA(p[8], t3, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t5 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t6 = t4*t5; /* D*s */
-    const double t7 = 1.0/t6; /* 1/(D*s) */
-    const double t8 = t4*t7; /* D*1/(D*s) */
-    const double t9 = t0*t8; /* gamma3*omega_tau*D*1/(D*s) */
-    const double t10 = -t9; /* -gamma3*omega_tau*D*1/(D*s) */
-    const double t11 = t8*t8; /* D*1/(D*s)*D*1/(D*s) */
-    const double t12 = x[0]*t11; /* gamma3*D*1/(D*s)*D*1/(D*s) */
-    const double t13 = t11*t12; /* D*1/(D*s)*D*1/(D*s)*gamma3*D*1/(D*s)*D*1/(D*s) */
-    const double t14 = p[11]*t13; /* 2*G/(R*I1)*D*1/(D*s)*D*1/(D*s)*gamma3*D*1/(D*s)*D*1/(D*s) */
-    const double t15 = x[3]*t14; /* v_tau*2*G/(R*I1)*D*1/(D*s)*D*1/(D*s)*gamma3*D*1/(D*s)*D*1/(D*s) */
-    const double t16 = t11*p[7]; /* D*1/(D*s)*D*1/(D*s)*G/(R*I1) */
-    const double t17 = x[2]*t5; /* omega_tau*s */
-    const double t18 = x[2]*p[8]; /* omega_tau*m*a3^2 */
-    const double t19 = t17*t18; /* omega_tau*s*omega_tau*m*a3^2 */
-    const double t20 = JLT_FNMA(t0, t18, p[10]); /* m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2 */
-    const double t21 = JLT_FMS(t13, p[12], t20); /* D*1/(D*s)*D*1/(D*s)*gamma3*D*1/(D*s)*D*1/(D*s)*3*G^2/(R^2*I1) - (m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
-    const double t22 = x[0]*t8; /* gamma3*D*1/(D*s) */
-    const double t23 = t8*p[9]; /* D*1/(D*s)*G^2/(R^2*I1) */
-    const double t24 = JLT_FNMA(t11, t23, t19); /* omega_tau*s*omega_tau*m*a3^2 - D*1/(D*s)*D*1/(D*s)*D*1/(D*s)*G^2/(R^2*I1) */
-    const double t25 = JLT_FNMA(t21, t22, t24); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = t24 - t21*gamma3*D*1/(D*s) */
-    const double t26 = t5*t20; /* s*(m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
-    const double t27 = JLT_FMA(t12, t23, t26); /* gamma3*D*1/(D*s)*D*1/(D*s)*D*1/(D*s)*G^2/(R^2*I1) + s*(m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
-    const double t28 = t5*t7; /* s*1/(D*s) */
-    const double t29 = x[0]*p[13]; /* gamma3*2*m*a3^2 */
-    const double t30 = t28*t29; /* s*1/(D*s)*gamma3*2*m*a3^2 */
-    const double t31 = JLT_FNMA(t27, t30, t25); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) - t27*s*1/(D*s)*gamma3*2*m*a3^2 */
-    const double t32 = t28*t31; /* s*1/(D*s)*t31 */
-    const double t33 = t17*t30; /* omega_tau*s*s*1/(D*s)*gamma3*2*m*a3^2 */
-    const double t34 = t14*x[1]; /* 2*G/(R*I1)*D*1/(D*s)*D*1/(D*s)*gamma3*D*1/(D*s)*D*1/(D*s)*v_nu */
-    const double t35 = -t34; /* -t34 */
-    const double t36 = -t16; /* -D*1/(D*s)*D*1/(D*s)*G/(R*I1) */
-    out[0] = t10;
     out[1] = 0.0;
-    out[2] = t5;
     out[3] = 0.0;
-    out[4] = t15;
     out[5] = 0.0;
     out[6] = 0.0;
-    out[7] = t16;
-    out[8] = t32;
     out[9] = 0.0;
-    out[10] = t33;
     out[11] = 0.0;
-    out[12] = t35;
-    out[13] = t36;
     out[14] = 0.0;
     out[15] = 0.0;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[2] = t4;
+    const double t5 = t3*t4; /* D*s */
+    const double t6 = 1.0/t5; /* 1/(D*s) */
+    const double t7 = t3*t6; /* 1/s = D*1/(D*s) */
+    const double t8 = t4*t6; /* 1/D = s*1/(D*s) */
+    const double t9 = t7*t7; /* 1/s*1/s */
+    const double t10 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t11 = x[0]*t9; /* gamma3*1/s*1/s */
+    const double t12 = x[2]*t4; /* omega_tau*s */
+    const double t13 = x[2]*p[8]; /* omega_tau*m*a3^2 */
+    const double t14 = t9*t11; /* 1/s*1/s*gamma3*1/s*1/s */
+    const double t15 = t12*t13; /* omega_tau*s*omega_tau*m*a3^2 */
+    const double t16 = JLT_FNMA(t10, t13, p[10]); /* m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2 */
+    const double t17 = t4*t16; /* s*(m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
+    const double t18 = JLT_FMS(p[12], t14, t16); /* 3*G^2/(R^2*I1)*1/s*1/s*gamma3*1/s*1/s - (m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
+    const double t19 = p[11]*t14; /* 2*G/(R*I1)*1/s*1/s*gamma3*1/s*1/s */
+    const double t20 = t7*t10; /* 1/s*gamma3*omega_tau */
+    const double t21 = -t20; /* -1/s*gamma3*omega_tau */
+    out[0] = t21;
+    const double t22 = x[3]*t19; /* v_tau*2*G/(R*I1)*1/s*1/s*gamma3*1/s*1/s */
+    out[4] = t22;
+    const double t23 = x[1]*t19; /* v_nu*2*G/(R*I1)*1/s*1/s*gamma3*1/s*1/s */
+    const double t24 = -t23; /* -v_nu*2*G/(R*I1)*1/s*1/s*gamma3*1/s*1/s */
+    out[12] = t24;
+    const double t25 = p[9]*t7; /* G^2/(R^2*I1)*1/s */
+    const double t26 = JLT_FMA(t11, t25, t17); /* gamma3*1/s*1/s*G^2/(R^2*I1)*1/s + s*(m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
+    const double t27 = JLT_FNMA(t9, t25, t15); /* omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s */
+    const double t28 = x[0]*t7; /* gamma3*1/s */
+    const double t29 = JLT_FNMA(t18, t28, t27); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s - t18*gamma3*1/s */
+    const double t30 = p[7]*t9; /* G/(R*I1)*1/s*1/s */
+    out[7] = t30;
+    const double t31 = -t30; /* -G/(R*I1)*1/s*1/s */
+    out[13] = t31;
+    const double t32 = x[0]*p[13]; /* gamma3*2*m*a3^2 */
+    const double t33 = t8*t32; /* 1/D*gamma3*2*m*a3^2 */
+    const double t34 = JLT_FNMA(t26, t33, t29); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) - t26*1/D*gamma3*2*m*a3^2 */
+    const double t35 = t8*t34; /* 1/D*t34 */
+    out[8] = t35;
+    const double t36 = t12*t33; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
+    out[10] = t36;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    out[5] = 0.0;
+    out[7] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[13] = 0.0;
+    out[15] = 0.0;
+    out[18] = 0.0;
+    out[19] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    const double t5 = JLT_FMA(t2, p[8], p[3]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
-    const double t6 = t3*t5; /* s*D */
-    const double t7 = 1.0/t6; /* 1/(s*D) */
-    const double t8 = t5*t7; /* D*1/(s*D) */
-    const double t9 = t8*t8; /* D*1/(s*D)*D*1/(s*D) */
-    const double t10 = p[7]*t9; /* G/(R*I1)*D*1/(s*D)*D*1/(s*D) */
-    const double t11 = x[3]*t10; /* v_tau*G/(R*I1)*D*1/(s*D)*D*1/(s*D) */
-    const double t12 = x[2]*p[8]; /* omega_tau*m*a3^2 */
-    const double t13 = t4*t12; /* omega_tau*s*omega_tau*m*a3^2 */
-    const double t14 = t8*p[9]; /* D*1/(s*D)*G^2/(R^2*I1) */
-    const double t15 = JLT_FNMA(t9, t14, t13); /* omega_tau*s*omega_tau*m*a3^2 - D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*G^2/(R^2*I1) */
-    const double t16 = x[0]*t15; /* gamma3*t15 */
-    const double t17 = JLT_FNMA(t3, p[10], t16); /* numerator of d(omega_tau)/dt over D = gamma3*t15 - s*m*g*a3 */
-    const double t18 = t3*t7; /* s*1/(s*D) */
-    const double t19 = t17*t18; /* numerator of d(omega_tau)/dt over D*s*1/(s*D) */
-    const double t20 = t10*x[1]; /* G/(R*I1)*D*1/(s*D)*D*1/(s*D)*v_nu */
-    const double t21 = -t20; /* -G/(R*I1)*D*1/(s*D)*D*1/(s*D)*v_nu */
-    const double t22 = x[0]*t8; /* gamma3*D*1/(s*D) */
-    const double t23 = x[2]*t22; /* omega_tau*gamma3*D*1/(s*D) */
-    const double t24 = -t23; /* -omega_tau*gamma3*D*1/(s*D) */
-    const double t25 = t9*t9; /* D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D) */
-    const double t26 = x[0]*p[11]; /* gamma3*2*G/(R*I1) */
-    const double t27 = t25*t26; /* D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*gamma3*2*G/(R*I1) */
-    const double t28 = x[3]*t27; /* v_tau*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*gamma3*2*G/(R*I1) */
-    const double t29 = x[0]*p[13]; /* gamma3*2*m*a3^2 */
-    const double t30 = t18*t29; /* s*1/(s*D)*gamma3*2*m*a3^2 */
-    const double t31 = x[2]*t12; /* omega_tau*omega_tau*m*a3^2 */
-    const double t32 = JLT_FMA(t25, p[12], t31); /* D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*3*G^2/(R^2*I1) + omega_tau*omega_tau*m*a3^2 */
-    const double t33 = JLT_FNMA(x[0], t32, p[10]); /* m*g*a3 - gamma3*t32 */
-    const double t34 = JLT_FMA(t22, t33, t15); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = gamma3*D*1/(s*D)*(m*g*a3 - gamma3*t32) + t15 */
-    const double t35 = JLT_FMA(t17, t30, t34); /* numerator of d(omega_tau)/dt over D*s*1/(s*D)*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    const double t36 = t18*t35; /* s*1/(s*D)*t35 */
-    const double t37 = t4*t30; /* omega_tau*s*s*1/(s*D)*gamma3*2*m*a3^2 */
-    const double t38 = x[1]*t27; /* v_nu*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*D*1/(s*D)*gamma3*2*G/(R*I1) */
-    const double t39 = -t38; /* -t38 */
-    const double t40 = -t10; /* -G/(R*I1)*D*1/(s*D)*D*1/(s*D) */
-    out[0] = t4;
-    out[1] = t11;
-    out[2] = t19;
-    out[3] = t21;
-    out[4] = t24;
-    out[5] = 0.0;
     out[6] = t3;
-    out[7] = 0.0;
-    out[8] = t28;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = t10;
-    out[12] = t36;
-    out[13] = 0.0;
-    out[14] = t37;
-    out[15] = 0.0;
-    out[16] = t39;
-    out[17] = t40;
-    out[18] = 0.0;
-    out[19] = 0.0;
+    const double t4 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t5 = t3*t4; /* s*D */
+    const double t6 = 1.0/t5; /* 1/(s*D) */
+    const double t7 = t4*t6; /* 1/s = D*1/(s*D) */
+    const double t8 = t3*t6; /* 1/D = s*1/(s*D) */
+    const double t9 = x[2]*t3; /* omega_tau*s */
+    out[0] = t9;
+    const double t10 = t7*t7; /* 1/s*1/s */
+    const double t11 = x[2]*p[8]; /* omega_tau*m*a3^2 */
+    const double t12 = t9*t11; /* omega_tau*s*omega_tau*m*a3^2 */
+    const double t13 = x[2]*t11; /* omega_tau*omega_tau*m*a3^2 */
+    const double t14 = p[9]*t7; /* G^2/(R^2*I1)*1/s */
+    const double t15 = JLT_FNMA(t10, t14, t12); /* omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s */
+    const double t16 = x[0]*t7; /* gamma3*1/s */
+    const double t17 = t10*t10; /* 1/s*1/s*1/s*1/s */
+    const double t18 = JLT_FMA(p[12], t17, t13); /* 3*G^2/(R^2*I1)*1/s*1/s*1/s*1/s + omega_tau*omega_tau*m*a3^2 */
+    const double t19 = JLT_FNMA(x[0], t18, p[10]); /* m*g*a3 - gamma3*(3*G^2/(R^2*I1)*1/s*1/s*1/s*1/s + omega_tau*omega_tau*m*a3^2) */
+    const double t20 = p[7]*t10; /* G/(R*I1)*1/s*1/s */
+    out[11] = t20;
+    const double t21 = JLT_FMA(t16, t19, t15); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = gamma3*1/s*t19 + omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s */
+    const double t22 = x[0]*t15; /* gamma3*(omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s) */
+    const double t23 = JLT_FNMA(p[10], t3, t22); /* numerator of d(omega_tau)/dt over D = t22 - m*g*a3*s */
+    const double t24 = x[2]*t16; /* omega_tau*gamma3*1/s */
+    const double t25 = -t24; /* -omega_tau*gamma3*1/s */
+    out[4] = t25;
+    const double t26 = x[3]*t20; /* v_tau*G/(R*I1)*1/s*1/s */
+    out[1] = t26;
+    const double t27 = t8*t23; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t27;
+    const double t28 = -t20; /* -G/(R*I1)*1/s*1/s */
+    out[17] = t28;
+    const double t29 = x[1]*t20; /* v_nu*G/(R*I1)*1/s*1/s */
+    const double t30 = -t29; /* -v_nu*G/(R*I1)*1/s*1/s */
+    out[3] = t30;
+    const double t31 = x[0]*p[11]; /* gamma3*2*G/(R*I1) */
+    const double t32 = t17*t31; /* 1/s*1/s*1/s*1/s*gamma3*2*G/(R*I1) */
+    const double t33 = x[3]*t32; /* v_tau*1/s*1/s*1/s*1/s*gamma3*2*G/(R*I1) */
+    out[8] = t33;
+    const double t34 = x[1]*t32; /* v_nu*1/s*1/s*1/s*1/s*gamma3*2*G/(R*I1) */
+    const double t35 = -t34; /* -v_nu*1/s*1/s*1/s*1/s*gamma3*2*G/(R*I1) */
+    out[16] = t35;
+    const double t36 = x[0]*p[13]; /* gamma3*2*m*a3^2 */
+    const double t37 = t8*t36; /* 1/D*gamma3*2*m*a3^2 */
+    const double t38 = JLT_FMA(t23, t37, t21); /* numerator of d(omega_tau)/dt over D*1/D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t39 = t8*t38; /* 1/D*t38 */
+    out[12] = t39;
+    const double t40 = t9*t37; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
+    out[14] = t40;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -250,50 +252,50 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t1 = JLT_FMA(x[3], x[3], t0); /* v_tau*v_tau + v_nu*v_nu */
-    const double t2 = p[14]*t1; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
-    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t4 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = JLT_FMA(p[8], t5, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t7 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
-    const double t8 = x[2]*t7; /* omega_tau*1/2*omega_tau */
-    const double t9 = sqrt(t5); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t10 = 1.0/t9; /* 1/s */
-    const double t11 = p[15]*t10; /* 1/2*G^2/(R^2*I1)*1/s */
-    const double t12 = JLT_FMA(p[10], x[0], t2); /* m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
-    const double t13 = JLT_FMA(t6, t8, t12); /* D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
-    const double t14 = JLT_FMA(t10, t11, t13); /* 1/s*1/2*G^2/(R^2*I1)*1/s + t13 */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t5 = 1.0/t3; /* 1/s */
+    const double t6 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t7 = JLT_FMA(x[3], x[3], t6); /* v_tau*v_tau + v_nu*v_nu */
+    const double t8 = p[14]*t7; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    out[1] = t8;
+    const double t9 = JLT_FMA(p[10], x[0], t8); /* m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t10 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
+    const double t11 = x[2]*t10; /* omega_tau*1/2*omega_tau */
+    const double t12 = JLT_FMA(t4, t11, t9); /* D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t13 = p[15]*t5; /* 1/2*G^2/(R^2*I1)*1/s */
+    const double t14 = JLT_FMA(t5, t13, t12); /* 1/s*1/2*G^2/(R^2*I1)*1/s + t12 */
     out[0] = t14;
-    out[1] = t2;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[8]*x[2]; /* m*a3^2*omega_tau */
-    const double t1 = x[2]*t0; /* omega_tau*m*a3^2*omega_tau */
+    out[4] = 0.0;
+    out[6] = 0.0;
+    const double t0 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t0;
+    out[5] = t0;
+    const double t1 = p[0]*x[3]; /* m*v_tau */
+    out[3] = t1;
+    out[7] = t1;
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t3 = x[0] + 1.0; /* gamma3 + 1 */
     const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
     const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t6 = 1.0/t5; /* 1/s */
     const double t7 = t6*t6; /* 1/s*1/s */
-    const double t8 = p[9]*t7; /* G^2/(R^2*I1)*1/s*1/s */
-    const double t9 = JLT_FNMA(t7, t8, t1); /* omega_tau*m*a3^2*omega_tau - 1/s*1/s*G^2/(R^2*I1)*1/s*1/s */
-    const double t10 = JLT_FNMA(x[0], t9, p[10]); /* m*g*a3 - gamma3*(omega_tau*m*a3^2*omega_tau - 1/s*1/s*G^2/(R^2*I1)*1/s*1/s) */
-    const double t11 = p[0]*x[1]; /* m*v_nu */
-    const double t12 = JLT_FMA(p[8], t4, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t13 = x[2]*t12; /* omega_tau*D */
-    const double t14 = p[0]*x[3]; /* m*v_tau */
-    out[0] = t10;
-    out[1] = t11;
-    out[2] = t13;
-    out[3] = t14;
-    out[4] = 0.0;
-    out[5] = t11;
-    out[6] = 0.0;
-    out[7] = t14;
+    const double t8 = JLT_FMA(p[8], t4, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t9 = x[2]*t8; /* omega_tau*D */
+    out[2] = t9;
+    const double t10 = p[8]*x[2]; /* m*a3^2*omega_tau */
+    const double t11 = x[2]*t10; /* omega_tau*m*a3^2*omega_tau */
+    const double t12 = p[9]*t7; /* G^2/(R^2*I1)*1/s*1/s */
+    const double t13 = JLT_FNMA(t7, t12, t11); /* omega_tau*m*a3^2*omega_tau - 1/s*1/s*G^2/(R^2*I1)*1/s*1/s */
+    const double t14 = JLT_FNMA(x[0], t13, p[10]); /* m*g*a3 - gamma3*(omega_tau*m*a3^2*omega_tau - 1/s*1/s*G^2/(R^2*I1)*1/s*1/s) */
+    out[0] = t14;
 }
 
 static void measure_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -316,15 +318,15 @@ static void measure_divergences(const double *restrict x, const double *restrict
     const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t5 = t3*t4; /* D*s */
     const double t6 = 1.0/t5; /* 1/(D*s) */
-    const double t7 = t3*t6; /* D*1/(D*s) */
-    const double t8 = t7*t7; /* D*1/(D*s)*D*1/(D*s) */
+    const double t7 = t3*t6; /* 1/s = D*1/(D*s) */
+    const double t8 = t7*t7; /* 1/s*1/s */
     const double t9 = t4*p[13]; /* s*2*m*a3^2 */
-    const double t10 = JLT_FMA(t6, t9, t8); /* 1/(D*s)*s*2*m*a3^2 + D*1/(D*s)*D*1/(D*s) */
-    const double t11 = JLT_FMS(t4, t10, t7); /* s*(1/(D*s)*s*2*m*a3^2 + D*1/(D*s)*D*1/(D*s)) - D*1/(D*s) */
-    const double t12 = JLT_FMS(t3, t11, t9); /* D*(s*(1/(D*s)*s*2*m*a3^2 + D*1/(D*s)*D*1/(D*s)) - D*1/(D*s)) - s*2*m*a3^2 */
+    const double t10 = JLT_FMA(t6, t9, t8); /* 1/(D*s)*s*2*m*a3^2 + 1/s*1/s */
+    const double t11 = JLT_FMS(t4, t10, t7); /* s*(1/(D*s)*s*2*m*a3^2 + 1/s*1/s) - 1/s */
+    const double t12 = JLT_FMS(t3, t11, t9); /* D*(s*(1/(D*s)*s*2*m*a3^2 + 1/s*1/s) - 1/s) - s*2*m*a3^2 */
     const double t13 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t14 = t7*t13; /* D*1/(D*s)*omega_tau*gamma3 */
-    const double t15 = t12*t14; /* t12*D*1/(D*s)*omega_tau*gamma3 */
+    const double t14 = t7*t13; /* 1/s*omega_tau*gamma3 */
+    const double t15 = t12*t14; /* (D*(s*(1/(D*s)*s*2*m*a3^2 + 1/s*1/s) - 1/s) - s*2*m*a3^2)*1/s*omega_tau*gamma3 */
     out[0] = t15;
 }
 
@@ -335,11 +337,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t4[JLT_JET_ORDER_MAX + 1];
-    double t5[JLT_JET_ORDER_MAX + 1];
-    double t6[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
@@ -349,12 +348,15 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
@@ -362,31 +364,31 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = x3[0] = x[3];
     for (unsigned k = 0; k < order; k++) {
-        t3[k] = (k == 0 ? 1.0 : 0) - x0[k];
-        t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
-        t5[k] = jlt_jet_product(t3, t4, k);
-        t6[k] = jlt_jet_root(t5[k], t6, k);
-        t7[k] = jlt_jet_product(x2, t6, k);
-        t12[k] = t5[k]*p[8] + (k == 0 ? p[3] : 0);
-        t13[k] = jlt_jet_product(t6, t12, k);
-        t14[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t13, t14, k);
-        t15[k] = jlt_jet_product(t12, t14, k);
-        t16[k] = jlt_jet_product(t15, t15, k);
-        t17[k] = p[7]*t16[k];
-        t18[k] = jlt_jet_product(x3, t17, k);
-        t19[k] = x2[k]*p[8];
-        t20[k] = jlt_jet_product(t7, t19, k);
-        t22[k] = t15[k]*p[9];
-        t23[k] = t20[k] - jlt_jet_product(t16, t22, k);
-        t24[k] = jlt_jet_product(x0, t23, k);
-        t26[k] = t24[k] - t6[k]*p[10];
-        t27[k] = jlt_jet_product(t6, t14, k);
-        t28[k] = jlt_jet_product(t26, t27, k);
-        t30[k] = jlt_jet_product(t17, x1, k);
+        t10[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t11[k] = (k == 0 ? 1.0 : 0) + x0[k];
+        t12[k] = jlt_jet_product(t10, t11, k);
+        t13[k] = jlt_jet_root(t12[k], t13, k);
+        t14[k] = p[8]*t12[k] + (k == 0 ? p[3] : 0);
+        t15[k] = jlt_jet_product(t13, t14, k);
+        t16[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t15, t16, k);
+        t17[k] = jlt_jet_product(t14, t16, k);
+        t18[k] = jlt_jet_product(t13, t16, k);
+        t19[k] = jlt_jet_product(x2, t13, k);
+        t20[k] = x2[k]*p[8];
+        t21[k] = jlt_jet_product(t19, t20, k);
+        t22[k] = jlt_jet_product(t17, t17, k);
+        t23[k] = p[9]*t17[k];
+        t24[k] = t21[k] - jlt_jet_product(t22, t23, k);
+        t25[k] = p[7]*t22[k];
+        t26[k] = jlt_jet_product(x0, t24, k);
+        t27[k] = t26[k] - p[10]*t13[k];
+        t28[k] = jlt_jet_product(t18, t27, k);
+        t29[k] = jlt_jet_product(x3, t25, k);
+        t30[k] = jlt_jet_product(x1, t25, k);
         t31[k] = -t30[k];
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t18[k]/(k + 1);
+        next[0] = x0[k + 1] = t19[k]/(k + 1);
+        next[1] = x1[k + 1] = t29[k]/(k + 1);
         next[2] = x2[k + 1] = t28[k]/(k + 1);
         next[3] = x3[k + 1] = t31[k]/(k + 1);
     }
@@ -467,17 +469,17 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 3, 14, 3, 1, 1, 0, 11, 8 }, { 5, 31, 0, 5, 1, 0, 9, 7 },
+    .rhs = { rhs, 4, { 3, 14, 3, 1, 1, 0, 11, 6 }, { 5, 31, 0, 5, 1, 0, 9, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 5, 23, 7, 1, 1, 0, 13, 13 }, { 11, 100, 0, 14, 1, 0, 15, 7 },
+    .jacobian = { jacobian, 16, { 5, 23, 7, 1, 1, 0, 13, 11 }, { 11, 100, 0, 14, 1, 0, 15, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 6, 26, 7, 1, 1, 0, 13, 11 }, { 14, 126, 0, 19, 1, 0, 15, 7 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 6, 26, 7, 1, 1, 0, 13, 9 }, { 14, 126, 0, 19, 1, 0, 15, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_values = { integral_values, 2, { 2, 6, 5, 1, 1, 0, 6, 6 }, { 7, 29, 0, 1, 1, 0, 11, 6 },
+    .integral_values = { integral_values, 2, { 2, 6, 5, 1, 1, 0, 6, 5 }, { 7, 29, 0, 1, 1, 0, 11, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 8, { 2, 8, 3, 1, 1, 0, 8, 5 }, { 4, 24, 0, 1, 1, 0, 8, 6 },
+    .integral_gradients = { integral_gradients, 8, { 2, 8, 3, 1, 1, 0, 8, 4 }, { 4, 24, 0, 1, 1, 0, 8, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { measure_values, 1, { 2, 1, 1, 1, 1, 0, 4, 3 }, { 2, 5, 0, 1, 1, 0, 7, 4 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -7,11 +7,13 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2    9    2    1    1    2      8    5   (40)
- *  jacobian            2   14    4    1    1    2      9    8   (65)
- *  rhs_jacobian        3   16    4    1    1    2      9   10   (80)
+ *  jacobian            2   14    4    1    1    2      9    6   (65)
+ *  rhs_jacobian        3   16    4    1    1    2      9    8   (80)
  *  divergence          2    8    2    1    1    1      8    5   (35)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -50,36 +52,36 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t1 = params[0]*t0; /* m*R*R */
     const double t2 = params[3] + t1; /* J1 = I3 + m*R*R */
     const double t3 = 1.0/t2; /* 1/J1 */
+    out[7] = t3;
     const double t4 = params[0]*params[1]; /* m*R */
     const double t5 = params[3]*params[3]; /* I3*I3 */
     const double t6 = params[0]*t5; /* m*I3*I3 */
     const double t7 = params[6]/t6; /* F0/(m*I3*I3) */
     const double t8 = sqrt(t7); /* v_slip = sqrt(F0/(m*I3*I3)) */
     const double t9 = t4*t8; /* m*R*v_slip */
+    out[8] = t9;
     const double t10 = t2*params[4]; /* J1*G */
     const double t11 = t10/params[1]; /* J1*G/R */
+    out[9] = t11;
     const double t12 = params[3]*params[5]; /* I3*M */
+    out[10] = t12;
     const double t13 = params[3]*t1; /* I3*m*R*R */
     const double t14 = t5 + t13; /* I3*I3 + I3*m*R*R */
+    out[11] = t14;
     const double t15 = (-1.0)/t2; /* (-1)/J1 */
+    out[12] = t15;
     const double t16 = params[5]/t2; /* M/J1 */
     const double t17 = -t16; /* -M/J1 */
+    out[13] = t17;
     const double t18 = -params[3]; /* -I3 */
     const double t19 = -t12; /* -I3*M */
+    out[14] = t19;
     const double t20 = t5/t1; /* I3*I3/(m*R*R) */
     const double t21 = t18 - t20; /* -I3 - I3*I3/(m*R*R) */
-    const double t22 = t12/t1; /* I3*M/(m*R*R) */
-    const double t23 = params[3] + t20; /* I3 + I3*I3/(m*R*R) */
-    out[7] = t3;
-    out[8] = t9;
-    out[9] = t11;
-    out[10] = t12;
-    out[11] = t14;
-    out[12] = t15;
-    out[13] = t17;
-    out[14] = t19;
     out[15] = t21;
+    const double t22 = t12/t1; /* I3*M/(m*R*R) */
     out[16] = t22;
+    const double t23 = params[3] + t20; /* I3 + I3*I3/(m*R*R) */
     out[17] = t23;
 }
 
@@ -93,6 +95,7 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t5 = JLT_FNMA(p[5], t4, p[8]); /* m*R*v_slip - M*S */
     const double t6 = p[7]*t3; /* 1/J1*s */
     const double t7 = t5*t6; /* (m*R*v_slip - M*S)*1/J1*s */
+    out[0] = t7;
     const double t8 = t3*p[9]; /* s*G*J3/R */
     const double t9 = cos(x[1]); /* C = cos(psi) */
     const double t10 = x[0]*p[10]; /* gamma3*I3*M */
@@ -102,40 +105,39 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t14 = t12*t13; /* s*(m*R^2*I3 + I3^2)*1/(s*(m*R^2*I3 + I3^2)) */
     const double t15 = t13*t14; /* 1/(s*(m*R^2*I3 + I3^2))*s*(m*R^2*I3 + I3^2)*1/(s*(m*R^2*I3 + I3^2)) */
     const double t16 = t11*t15; /* (C*gamma3*I3*M + s*G*J3/R)*t15 */
-    out[0] = t7;
     out[1] = t16;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = sin(x[1]); /* S = sin(psi) */
-    const double t1 = JLT_FNMA(p[5], t0, p[8]); /* m*R*v_slip - M*S */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t6 = p[11]*t5; /* (m*R^2*I3 + I3^2)*s */
-    const double t7 = 1.0/t6; /* 1/((m*R^2*I3 + I3^2)*s) */
-    const double t8 = p[11]*t7; /* (m*R^2*I3 + I3^2)*1/((m*R^2*I3 + I3^2)*s) */
-    const double t9 = x[0]*t8; /* gamma3*(m*R^2*I3 + I3^2)*1/((m*R^2*I3 + I3^2)*s) */
-    const double t10 = p[12]*t9; /* (-1/J1)*gamma3*(m*R^2*I3 + I3^2)*1/((m*R^2*I3 + I3^2)*s) */
-    const double t11 = t1*t10; /* (m*R*v_slip - M*S)*(-1/J1)*gamma3*(m*R^2*I3 + I3^2)*1/((m*R^2*I3 + I3^2)*s) */
-    const double t12 = cos(x[1]); /* C = cos(psi) */
-    const double t13 = t5*p[13]; /* s*(-M/J1) */
-    const double t14 = t12*t13; /* C*s*(-M/J1) */
-    const double t15 = t12*p[10]; /* C*I3*M */
-    const double t16 = t5*p[9]; /* s*G*J3/R */
-    const double t17 = JLT_FMA(x[0], t15, t16); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t18 = JLT_FNMA(t8, t17, p[9]); /* G*J3/R - (m*R^2*I3 + I3^2)*1/((m*R^2*I3 + I3^2)*s)*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t19 = JLT_FNMA(t9, t18, t15); /* C*I3*M - gamma3*(m*R^2*I3 + I3^2)*1/((m*R^2*I3 + I3^2)*s)*t18 */
-    const double t20 = t7*t19; /* 1/((m*R^2*I3 + I3^2)*s)*t19 */
-    const double t21 = x[0]*p[14]; /* gamma3*(-I3*M) */
-    const double t22 = t7*t21; /* 1/((m*R^2*I3 + I3^2)*s)*gamma3*(-I3*M) */
-    const double t23 = t0*t22; /* S*1/((m*R^2*I3 + I3^2)*s)*gamma3*(-I3*M) */
-    out[0] = t11;
-    out[1] = t14;
-    out[2] = t20;
-    out[3] = t23;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = p[11]*t3; /* (m*R^2*I3 + I3^2)*s */
+    const double t5 = 1.0/t4; /* 1/((m*R^2*I3 + I3^2)*s) */
+    const double t6 = cos(x[1]); /* C = cos(psi) */
+    const double t7 = p[10]*t6; /* I3*M*C */
+    const double t8 = p[9]*t3; /* G*J3/R*s */
+    const double t9 = JLT_FMA(x[0], t7, t8); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t10 = p[13]*t3; /* (-M/J1)*s */
+    const double t11 = t6*t10; /* C*(-M/J1)*s */
+    out[1] = t11;
+    const double t12 = p[11]*t5; /* 1/s = (m*R^2*I3 + I3^2)*1/((m*R^2*I3 + I3^2)*s) */
+    const double t13 = JLT_FNMA(t9, t12, p[9]); /* G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s */
+    const double t14 = x[0]*t12; /* gamma3*1/s */
+    const double t15 = JLT_FNMA(t13, t14, t7); /* I3*M*C - (G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s)*gamma3*1/s */
+    const double t16 = t5*t15; /* 1/((m*R^2*I3 + I3^2)*s)*t15 */
+    out[2] = t16;
+    const double t17 = p[12]*t14; /* (-1/J1)*gamma3*1/s */
+    const double t18 = sin(x[1]); /* S = sin(psi) */
+    const double t19 = x[0]*p[14]; /* gamma3*(-I3*M) */
+    const double t20 = t5*t19; /* 1/((m*R^2*I3 + I3^2)*s)*gamma3*(-I3*M) */
+    const double t21 = t18*t20; /* S*1/((m*R^2*I3 + I3^2)*s)*gamma3*(-I3*M) */
+    out[3] = t21;
+    const double t22 = JLT_FNMA(p[5], t18, p[8]); /* m*R*v_slip - M*S */
+    const double t23 = t17*t22; /* (-1/J1)*gamma3*1/s*(m*R*v_slip - M*S) */
+    out[0] = t23;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -144,34 +146,34 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = sin(x[1]); /* S = sin(psi) */
-    const double t5 = JLT_FNMA(p[5], t4, p[8]); /* m*R*v_slip - M*S */
-    const double t6 = p[7]*t5; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t7 = t3*t6; /* s*1/J1*(m*R*v_slip - M*S) */
-    const double t8 = t3*p[9]; /* s*G*J3/R */
-    const double t9 = cos(x[1]); /* C = cos(psi) */
-    const double t10 = p[10]*t9; /* I3*M*C */
-    const double t11 = JLT_FMA(x[0], t10, t8); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t12 = t3*p[11]; /* s*(m*R^2*I3 + I3^2) */
-    const double t13 = 1.0/t12; /* 1/(s*(m*R^2*I3 + I3^2)) */
-    const double t14 = t11*t13; /* (gamma3*I3*M*C + s*G*J3/R)*1/(s*(m*R^2*I3 + I3^2)) */
-    const double t15 = p[11]*t13; /* (m*R^2*I3 + I3^2)*1/(s*(m*R^2*I3 + I3^2)) */
-    const double t16 = x[0]*t15; /* gamma3*(m*R^2*I3 + I3^2)*1/(s*(m*R^2*I3 + I3^2)) */
-    const double t17 = t6*t16; /* 1/J1*(m*R*v_slip - M*S)*gamma3*(m*R^2*I3 + I3^2)*1/(s*(m*R^2*I3 + I3^2)) */
-    const double t18 = -t17; /* -t17 */
-    const double t19 = t3*p[13]; /* s*(-M/J1) */
-    const double t20 = t9*t19; /* C*s*(-M/J1) */
-    const double t21 = JLT_FNMA(t11, t15, p[9]); /* G*J3/R - (gamma3*I3*M*C + s*G*J3/R)*(m*R^2*I3 + I3^2)*1/(s*(m*R^2*I3 + I3^2)) */
-    const double t22 = JLT_FNMA(t16, t21, t10); /* I3*M*C - gamma3*(m*R^2*I3 + I3^2)*1/(s*(m*R^2*I3 + I3^2))*t21 */
-    const double t23 = t13*t22; /* 1/(s*(m*R^2*I3 + I3^2))*t22 */
-    const double t24 = x[0]*p[14]; /* gamma3*(-I3*M) */
-    const double t25 = t13*t24; /* 1/(s*(m*R^2*I3 + I3^2))*gamma3*(-I3*M) */
-    const double t26 = t4*t25; /* S*1/(s*(m*R^2*I3 + I3^2))*gamma3*(-I3*M) */
-    out[0] = t7;
-    out[1] = t14;
-    out[2] = t18;
-    out[3] = t20;
+    const double t4 = p[11]*t3; /* (m*R^2*I3 + I3^2)*s */
+    const double t5 = 1.0/t4; /* 1/((m*R^2*I3 + I3^2)*s) */
+    const double t6 = cos(x[1]); /* C = cos(psi) */
+    const double t7 = sin(x[1]); /* S = sin(psi) */
+    const double t8 = p[9]*t3; /* G*J3/R*s */
+    const double t9 = p[10]*t6; /* I3*M*C */
+    const double t10 = JLT_FMA(x[0], t9, t8); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t11 = t5*t10; /* 1/((m*R^2*I3 + I3^2)*s)*(gamma3*I3*M*C + G*J3/R*s) */
+    out[1] = t11;
+    const double t12 = JLT_FNMA(p[5], t7, p[8]); /* m*R*v_slip - M*S */
+    const double t13 = p[7]*t12; /* 1/J1*(m*R*v_slip - M*S) */
+    const double t14 = t3*t13; /* s*1/J1*(m*R*v_slip - M*S) */
+    out[0] = t14;
+    const double t15 = p[13]*t3; /* (-M/J1)*s */
+    const double t16 = t6*t15; /* C*(-M/J1)*s */
+    out[3] = t16;
+    const double t17 = p[11]*t5; /* 1/s = (m*R^2*I3 + I3^2)*1/((m*R^2*I3 + I3^2)*s) */
+    const double t18 = JLT_FNMA(t10, t17, p[9]); /* G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s */
+    const double t19 = x[0]*t17; /* gamma3*1/s */
+    const double t20 = JLT_FNMA(t18, t19, t9); /* I3*M*C - (G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s)*gamma3*1/s */
+    const double t21 = t13*t19; /* 1/J1*(m*R*v_slip - M*S)*gamma3*1/s */
+    const double t22 = -t21; /* -1/J1*(m*R*v_slip - M*S)*gamma3*1/s */
+    out[2] = t22;
+    const double t23 = t5*t20; /* 1/((m*R^2*I3 + I3^2)*s)*t20 */
     out[4] = t23;
+    const double t24 = x[0]*p[14]; /* gamma3*(-I3*M) */
+    const double t25 = t5*t24; /* 1/((m*R^2*I3 + I3^2)*s)*gamma3*(-I3*M) */
+    const double t26 = t7*t25; /* S*1/((m*R^2*I3 + I3^2)*s)*gamma3*(-I3*M) */
     out[5] = t26;
 }
 
@@ -303,9 +305,9 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
     .prepare = prepare,
     .rhs = { rhs, 2, { 2, 9, 2, 1, 1, 2, 8, 5 }, { 7, 25, 0, 4, 2, 2, 10, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 4, { 2, 14, 4, 1, 1, 2, 9, 8 }, { 12, 41, 0, 8, 2, 2, 11, 10 },
+    .jacobian = { jacobian, 4, { 2, 14, 4, 1, 1, 2, 9, 6 }, { 12, 41, 0, 8, 2, 2, 11, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 6, { 3, 16, 4, 1, 1, 2, 9, 10 }, { 14, 51, 0, 11, 2, 2, 11, 11 },
+    .rhs_jacobian = { rhs_jacobian, 6, { 3, 16, 4, 1, 1, 2, 9, 8 }, { 14, 51, 0, 11, 2, 2, 11, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 8, 2, 1, 1, 1, 8, 5 }, { 7, 22, 0, 3, 2, 1, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -7,13 +7,15 @@
  *  Command:    ttc generate --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 1    7    4    1    0    2      5    6   (45)
- *  jacobian            0   20    6    1    0    2      8    9   (95)
- *  rhs_jacobian        3   21    6    1    0    2      8   11   (118)
+ *  rhs                 1    7    4    1    0    2      5    5   (45)
+ *  jacobian            0   20    6    1    0    2      8    7   (95)
+ *  rhs_jacobian        3   21    6    1    0    2      8    8   (118)
  *  divergence          1    3    4    1    0    1      8    3   (30)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -52,161 +54,161 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t1 = params[0]*t0; /* m*R*R */
     const double t2 = params[3] + t1; /* J1 = I3 + m*R*R */
     const double t3 = 1.0/t2; /* 1/J1 */
+    out[7] = t3;
     const double t4 = params[0]*params[1]; /* m*R */
     const double t5 = params[3]*params[3]; /* I3*I3 */
+    out[9] = t5;
     const double t6 = params[0]*t5; /* m*I3*I3 */
     const double t7 = params[6]/t6; /* F0/(m*I3*I3) */
     const double t8 = sqrt(t7); /* v_slip = sqrt(F0/(m*I3*I3)) */
     const double t9 = t4*t8; /* m*R*v_slip */
+    out[8] = t9;
     const double t10 = params[3]*t1; /* I3*m*R*R */
+    out[10] = t10;
     const double t11 = t2*params[4]; /* J1*G */
     const double t12 = t11/params[1]; /* J1*G/R */
+    out[11] = t12;
     const double t13 = params[3]*params[5]; /* I3*M */
+    out[12] = t13;
     const double t14 = params[5]/t2; /* M/J1 */
+    out[21] = t14;
     const double t15 = -t14; /* -M/J1 */
+    out[13] = t15;
     const double t16 = 2.0/t2; /* 2/J1 */
+    out[14] = t16;
     const double t17 = t5/t1; /* I3*I3/(m*R*R) */
+    out[15] = t17;
     const double t18 = t13/t1; /* I3*M/(m*R*R) */
+    out[16] = t18;
     const double t19 = params[3]*2.0; /* I3*2 */
     const double t20 = t19/t1; /* I3*2/(m*R*R) */
+    out[17] = t20;
     const double t21 = -t13; /* -I3*M */
+    out[23] = t21;
     const double t22 = -t18; /* -I3*M/(m*R*R) */
+    out[18] = t22;
     const double t23 = params[1]*t0; /* R*R*R */
     const double t24 = params[0]*t23; /* m*R*R*R */
     const double t25 = t11/t24; /* J1*G/(m*R*R*R) */
+    out[19] = t25;
     const double t26 = (-1.0)/t2; /* (-1)/J1 */
+    out[20] = t26;
     const double t27 = params[0]*2.0; /* m*2 */
     const double t28 = t0*t27; /* R*R*m*2 */
     const double t29 = params[3]*t28; /* I3*R*R*m*2 */
-    out[7] = t3;
-    out[8] = t9;
-    out[9] = t5;
-    out[10] = t10;
-    out[11] = t12;
-    out[12] = t13;
-    out[13] = t15;
-    out[14] = t16;
-    out[15] = t17;
-    out[16] = t18;
-    out[17] = t20;
-    out[18] = t22;
-    out[19] = t25;
-    out[20] = t26;
-    out[21] = t14;
     out[22] = t29;
-    out[23] = t21;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = sin(x[1]); /* S = sin(psi) */
-    const double t1 = JLT_FNMA(p[5], t0, p[8]); /* m*R*v_slip - M*S */
-    const double t2 = x[2]*p[7]; /* s*1/J1 */
-    const double t3 = t1*t2; /* (m*R*v_slip - M*S)*s*1/J1 */
-    const double t4 = x[2]*t3; /* s*(m*R*v_slip - M*S)*s*1/J1 */
-    const double t5 = x[2]*x[2]; /* s*s */
-    const double t6 = JLT_FMA(x[0], x[0], t5); /* gamma3*gamma3 + s*s */
-    const double t7 = JLT_FMA(p[10], t6, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t8 = x[2]*p[11]; /* s*G*J3/R */
-    const double t9 = cos(x[1]); /* C = cos(psi) */
-    const double t10 = x[0]*p[12]; /* gamma3*I3*M */
-    const double t11 = JLT_FMA(t9, t10, t8); /* C*gamma3*I3*M + s*G*J3/R */
-    const double t12 = t11/t7; /* (C*gamma3*I3*M + s*G*J3/R)/Theta */
-    const double t13 = t3*x[0]; /* (m*R*v_slip - M*S)*s*1/J1*gamma3 */
-    const double t14 = -t13; /* -(m*R*v_slip - M*S)*s*1/J1*gamma3 */
-    out[0] = t4;
-    out[1] = t12;
+    const double t0 = x[2]*x[2]; /* s*s */
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[10], t1, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t3 = x[2]*p[11]; /* s*G*J3/R */
+    const double t4 = cos(x[1]); /* C = cos(psi) */
+    const double t5 = x[0]*p[12]; /* gamma3*I3*M */
+    const double t6 = JLT_FMA(t4, t5, t3); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t7 = t6/t2; /* (C*gamma3*I3*M + s*G*J3/R)/Theta */
+    out[1] = t7;
+    const double t8 = sin(x[1]); /* S = sin(psi) */
+    const double t9 = JLT_FNMA(p[5], t8, p[8]); /* m*R*v_slip - M*S */
+    const double t10 = x[2]*p[7]; /* s*1/J1 */
+    const double t11 = t9*t10; /* (m*R*v_slip - M*S)*s*1/J1 */
+    const double t12 = x[2]*t11; /* s*(m*R*v_slip - M*S)*s*1/J1 */
+    out[0] = t12;
+    const double t13 = x[0]*t11; /* gamma3*(m*R*v_slip - M*S)*s*1/J1 */
+    const double t14 = -t13; /* -gamma3*(m*R*v_slip - M*S)*s*1/J1 */
     out[2] = t14;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = cos(x[1]); /* C = cos(psi) */
-    const double t1 = x[2]*x[2]; /* s*s */
-    const double t2 = p[13]*t1; /* (-M/J1)*s*s */
-    const double t3 = t0*t2; /* C*(-M/J1)*s*s */
-    const double t4 = sin(x[1]); /* S = sin(psi) */
-    const double t5 = JLT_FNMA(p[5], t4, p[8]); /* m*R*v_slip - M*S */
-    const double t6 = x[2]*t5; /* s*(m*R*v_slip - M*S) */
-    const double t7 = p[14]*t6; /* 2/J1*s*(m*R*v_slip - M*S) */
-    const double t8 = JLT_FMA(x[0], x[0], t1); /* gamma3*gamma3 + s*s */
-    const double t9 = JLT_FMA(p[3], t8, p[15]); /* Theta scaled = I3*(gamma3*gamma3 + s*s) + I3^2/(m*R^2) */
-    const double t10 = 1.0/t9; /* 1/Theta scaled */
-    const double t11 = t0*p[16]; /* C*I3*M/(m*R^2) */
-    const double t12 = x[2]*p[11]; /* s*G*J3/R */
-    const double t13 = t0*x[0]; /* C*gamma3 */
-    const double t14 = JLT_FMA(p[12], t13, t12); /* I3*M*C*gamma3 + s*G*J3/R */
-    const double t15 = t10*p[17]; /* 1/Theta scaled*2*I3/(m*R^2) */
-    const double t16 = t14*t15; /* (I3*M*C*gamma3 + s*G*J3/R)*1/Theta scaled*2*I3/(m*R^2) */
-    const double t17 = JLT_FNMA(x[0], t16, t11); /* C*I3*M/(m*R^2) - gamma3*(I3*M*C*gamma3 + s*G*J3/R)*1/Theta scaled*2*I3/(m*R^2) */
-    const double t18 = t10*t17; /* 1/Theta scaled*t17 */
-    const double t19 = x[0]*p[18]; /* gamma3*(-I3*M/(m*R^2)) */
-    const double t20 = t10*t19; /* 1/Theta scaled*gamma3*(-I3*M/(m*R^2)) */
-    const double t21 = t4*t20; /* S*1/Theta scaled*gamma3*(-I3*M/(m*R^2)) */
-    const double t22 = JLT_FNMA(x[2], t16, p[19]); /* G*J3/(m*R^3) - s*(I3*M*C*gamma3 + s*G*J3/R)*1/Theta scaled*2*I3/(m*R^2) */
-    const double t23 = t10*t22; /* 1/Theta scaled*t22 */
-    const double t24 = t6*p[20]; /* s*(m*R*v_slip - M*S)*(-1/J1) */
-    const double t25 = x[2]*p[21]; /* s*M/J1 */
-    const double t26 = t13*t25; /* C*gamma3*s*M/J1 */
-    const double t27 = x[0]*p[20]; /* gamma3*(-1/J1) */
-    const double t28 = t5*t27; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[0] = 0.0;
-    out[1] = t3;
-    out[2] = t7;
-    out[3] = t18;
+    const double t0 = x[2]*x[2]; /* s*s */
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[3], t1, p[15]); /* Theta/(m*R^2) = I3*(gamma3*gamma3 + s*s) + I3^2/(m*R^2) */
+    const double t3 = 1.0/t2; /* 1/(Theta/(m*R^2)) */
+    const double t4 = p[13]*t0; /* (-M/J1)*s*s */
+    const double t5 = cos(x[1]); /* C = cos(psi) */
+    const double t6 = t4*t5; /* (-M/J1)*s*s*C */
+    out[1] = t6;
+    const double t7 = x[2]*p[11]; /* s*G*J3/R */
+    const double t8 = x[0]*t5; /* gamma3*C */
+    const double t9 = JLT_FMA(p[12], t8, t7); /* I3*M*gamma3*C + s*G*J3/R */
+    const double t10 = p[16]*t5; /* I3*M/(m*R^2)*C */
+    const double t11 = sin(x[1]); /* S = sin(psi) */
+    const double t12 = p[17]*t3; /* 2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t13 = t9*t12; /* (I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t14 = JLT_FNMA(x[0], t13, t10); /* I3*M/(m*R^2)*C - gamma3*(I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t15 = t3*t14; /* 1/(Theta/(m*R^2))*t14 */
+    out[3] = t15;
+    const double t16 = JLT_FNMA(x[2], t13, p[19]); /* G*J3/(m*R^3) - s*(I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t17 = t3*t16; /* 1/(Theta/(m*R^2))*t16 */
+    out[5] = t17;
+    const double t18 = JLT_FNMA(p[5], t11, p[8]); /* m*R*v_slip - M*S */
+    const double t19 = x[0]*p[18]; /* gamma3*(-I3*M/(m*R^2)) */
+    const double t20 = t3*t19; /* 1/(Theta/(m*R^2))*gamma3*(-I3*M/(m*R^2)) */
+    const double t21 = t11*t20; /* S*1/(Theta/(m*R^2))*gamma3*(-I3*M/(m*R^2)) */
     out[4] = t21;
-    out[5] = t23;
+    const double t22 = x[2]*t18; /* s*(m*R*v_slip - M*S) */
+    const double t23 = p[14]*t22; /* 2/J1*s*(m*R*v_slip - M*S) */
+    out[2] = t23;
+    const double t24 = p[20]*t22; /* (-1/J1)*s*(m*R*v_slip - M*S) */
     out[6] = t24;
+    const double t25 = x[2]*p[21]; /* s*M/J1 */
+    const double t26 = t8*t25; /* gamma3*C*s*M/J1 */
     out[7] = t26;
+    const double t27 = x[0]*p[20]; /* gamma3*(-1/J1) */
+    const double t28 = t18*t27; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[8] = t28;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = sin(x[1]); /* S = sin(psi) */
-    const double t1 = JLT_FNMA(p[5], t0, p[8]); /* m*R*v_slip - M*S */
-    const double t2 = x[2]*t1; /* s*(m*R*v_slip - M*S) */
-    const double t3 = p[7]*t2; /* 1/J1*s*(m*R*v_slip - M*S) */
-    const double t4 = x[2]*t3; /* s*1/J1*s*(m*R*v_slip - M*S) */
-    const double t5 = x[2]*x[2]; /* s*s */
-    const double t6 = JLT_FMA(x[0], x[0], t5); /* gamma3*gamma3 + s*s */
-    const double t7 = JLT_FMA(p[10], t6, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t8 = 1.0/t7; /* 1/Theta */
-    const double t9 = x[2]*p[11]; /* s*G*J3/R */
-    const double t10 = cos(x[1]); /* C = cos(psi) */
-    const double t11 = p[12]*t10; /* I3*M*C */
-    const double t12 = JLT_FMA(x[0], t11, t9); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t13 = t8*t12; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t14 = t3*x[0]; /* 1/J1*s*(m*R*v_slip - M*S)*gamma3 */
-    const double t15 = -t14; /* -1/J1*s*(m*R*v_slip - M*S)*gamma3 */
-    const double t16 = t10*p[21]; /* C*M/J1 */
-    const double t17 = t5*t16; /* s*s*C*M/J1 */
-    const double t18 = -t17; /* -s*s*C*M/J1 */
-    const double t19 = t2*p[14]; /* s*(m*R*v_slip - M*S)*2/J1 */
-    const double t20 = t8*t11; /* 1/Theta*I3*M*C */
-    const double t21 = t13*p[22]; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t22 = x[0]*t8; /* gamma3*1/Theta */
-    const double t23 = JLT_FNMA(t21, t22, t20); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    const double t24 = t22*p[23]; /* gamma3*1/Theta*(-I3*M) */
-    const double t25 = t0*t24; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t26 = JLT_FNMA(x[2], t21, p[11]); /* G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3 */
-    const double t27 = t8*t26; /* 1/Theta*(G*J3/R - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3) */
-    const double t28 = -t3; /* -1/J1*s*(m*R*v_slip - M*S) */
-    const double t29 = x[2]*x[0]; /* s*gamma3 */
-    const double t30 = t16*t29; /* C*M/J1*s*gamma3 */
-    const double t31 = x[0]*p[20]; /* gamma3*(-1/J1) */
-    const double t32 = t1*t31; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
-    out[0] = t4;
-    out[1] = t13;
-    out[2] = t15;
     out[3] = 0.0;
-    out[4] = t18;
-    out[5] = t19;
-    out[6] = t23;
-    out[7] = t25;
-    out[8] = t27;
-    out[9] = t28;
+    const double t0 = x[2]*x[2]; /* s*s */
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[10], t1, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t3 = 1.0/t2; /* 1/Theta */
+    const double t4 = cos(x[1]); /* C = cos(psi) */
+    const double t5 = sin(x[1]); /* S = sin(psi) */
+    const double t6 = x[2]*p[11]; /* s*G*J3/R */
+    const double t7 = p[12]*t4; /* I3*M*C */
+    const double t8 = JLT_FMA(x[0], t7, t6); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t9 = t3*t8; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    out[1] = t9;
+    const double t10 = p[21]*t4; /* M/J1*C */
+    const double t11 = p[22]*t9; /* 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t12 = t0*t10; /* s*s*M/J1*C */
+    const double t13 = -t12; /* -s*s*M/J1*C */
+    out[4] = t13;
+    const double t14 = t3*t7; /* 1/Theta*I3*M*C */
+    const double t15 = JLT_FNMA(p[5], t5, p[8]); /* m*R*v_slip - M*S */
+    const double t16 = x[2]*t15; /* s*(m*R*v_slip - M*S) */
+    const double t17 = p[14]*t16; /* 2/J1*s*(m*R*v_slip - M*S) */
+    out[5] = t17;
+    const double t18 = p[7]*t16; /* 1/J1*s*(m*R*v_slip - M*S) */
+    const double t19 = x[2]*t18; /* s*1/J1*s*(m*R*v_slip - M*S) */
+    out[0] = t19;
+    const double t20 = -t18; /* -1/J1*s*(m*R*v_slip - M*S) */
+    out[9] = t20;
+    const double t21 = x[0]*t18; /* gamma3*1/J1*s*(m*R*v_slip - M*S) */
+    const double t22 = -t21; /* -gamma3*1/J1*s*(m*R*v_slip - M*S) */
+    out[2] = t22;
+    const double t23 = x[0]*t3; /* gamma3*1/Theta */
+    const double t24 = JLT_FNMA(t11, t23, t14); /* 1/Theta*I3*M*C - 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*gamma3*1/Theta */
+    out[6] = t24;
+    const double t25 = p[23]*t23; /* (-I3*M)*gamma3*1/Theta */
+    const double t26 = t5*t25; /* S*(-I3*M)*gamma3*1/Theta */
+    out[7] = t26;
+    const double t27 = JLT_FNMA(x[2], t11, p[11]); /* G*J3/R - s*2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t28 = t3*t27; /* 1/Theta*(G*J3/R - s*2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
+    out[8] = t28;
+    const double t29 = x[2]*x[0]; /* s*gamma3 */
+    const double t30 = t10*t29; /* M/J1*C*s*gamma3 */
     out[10] = t30;
+    const double t31 = x[0]*p[20]; /* gamma3*(-1/J1) */
+    const double t32 = t15*t31; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[11] = t32;
 }
 
@@ -215,12 +217,12 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = sin(x[1]); /* S = sin(psi) */
     const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t2 = JLT_FMA(x[2], x[2], t1); /* s*s + gamma3*gamma3 */
-    const double t3 = JLT_FMA(p[3], t2, p[15]); /* Theta scaled = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
-    const double t4 = p[16]/t3; /* I3*M/(m*R^2)/Theta scaled */
-    const double t5 = t0*t4; /* S*I3*M/(m*R^2)/Theta scaled */
+    const double t3 = JLT_FMA(p[3], t2, p[15]); /* Theta/(m*R^2) = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
+    const double t4 = p[16]/t3; /* I3*M/(m*R^2)/(Theta/(m*R^2)) */
+    const double t5 = t0*t4; /* S*I3*M/(m*R^2)/(Theta/(m*R^2)) */
     const double t6 = JLT_FNMA(t0, p[5], p[8]); /* m*R*v_slip - S*M */
-    const double t7 = JLT_FMA(p[7], t6, t5); /* 1/J1*(m*R*v_slip - S*M) + S*I3*M/(m*R^2)/Theta scaled */
-    const double t8 = x[0]*t7; /* gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M/(m*R^2)/Theta scaled) */
+    const double t7 = JLT_FMA(p[7], t6, t5); /* 1/J1*(m*R*v_slip - S*M) + S*I3*M/(m*R^2)/(Theta/(m*R^2)) */
+    const double t8 = x[0]*t7; /* gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M/(m*R^2)/(Theta/(m*R^2))) */
     const double t9 = -t8; /* -t8 */
     out[0] = t9;
 }
@@ -340,11 +342,11 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = 
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 3, { 1, 7, 4, 1, 0, 2, 5, 6 }, { 8, 29, 0, 5, 1, 2, 9, 8 },
+    .rhs = { rhs, 3, { 1, 7, 4, 1, 0, 2, 5, 5 }, { 8, 29, 0, 5, 1, 2, 9, 8 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .jacobian = { jacobian, 9, { 0, 20, 6, 1, 0, 2, 8, 9 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
+    .jacobian = { jacobian, 9, { 0, 20, 6, 1, 0, 2, 8, 7 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 3, 21, 6, 1, 0, 2, 8, 11 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 3, 21, 6, 1, 0, 2, 8, 8 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
     .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 8, 3 }, { 6, 19, 0, 3, 1, 1, 9, 7 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },

@@ -6,13 +6,15 @@
  *  Command:    ttc generate --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 1   14    6    1    1    2     13    6   (57)
- *  jacobian            3   38   13    2    1    2     14   12   (295)
- *  rhs_jacobian        4   40   13    2    1    2     14   16   (318)
+ *  rhs                 1   14    6    1    1    2     13    5   (57)
+ *  jacobian            3   38   13    2    1    2     14   11   (295)
+ *  rhs_jacobian        4   40   13    2    1    2     14   13   (318)
  *  divergence          0   18   10    2    1    2     13    7   (120)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes.
+ *  One division serves all denominators: their product may leave the range of double precision where none of them
+ *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -40,83 +42,83 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t2 = params[0]*t1; /* m*R*R */
     const double t3 = params[2] + t2; /* J1 = I1 + m*R*R */
     const double t4 = t0/t3; /* m*R/J1 */
+    out[7] = t4;
     const double t5 = params[2]*params[2]; /* I1*I1 */
     const double t6 = params[0]*t5; /* m*I1*I1 */
     const double t7 = 1.0/t6; /* 1/(m*I1*I1) */
+    out[8] = t7;
     const double t8 = params[2] - params[3]; /* I1 - I3 */
+    out[9] = t8;
     const double t9 = params[2]*params[3]; /* I1*I3 */
+    out[10] = t9;
     const double t10 = params[2]*t2; /* I1*m*R*R */
+    out[11] = t10;
     const double t11 = params[3]/params[2]; /* I3/I1 */
+    out[12] = t11;
     const double t12 = params[2]*params[5]; /* I1*M */
+    out[13] = t12;
     const double t13 = t3*params[4]; /* J1*G */
     const double t14 = t13/params[1]; /* J1*G/R */
+    out[14] = t14;
     const double t15 = params[5]/t0; /* M/(m*R) */
+    out[15] = t15;
     const double t16 = t2 + params[3]; /* J3 = m*R*R + I3 */
     const double t17 = params[4]*t16; /* G*J3 */
     const double t18 = t17/params[1]; /* G*J3/R */
+    out[16] = t18;
     const double t19 = params[3]*params[5]; /* I3*M */
+    out[17] = t19;
     const double t20 = t2*params[3]; /* m*R*R*I3 */
     const double t21 = t8*t20; /* (I1 - I3)*m*R*R*I3 */
+    out[18] = t21;
     const double t22 = t8*t13; /* (I1 - I3)*J1*G */
     const double t23 = t22/params[1]; /* (I1 - I3)*J1*G/R */
+    out[19] = t23;
     const double t24 = t3*t5; /* J1*I1*I1 */
     const double t25 = params[1]/t24; /* R/(J1*I1*I1) */
+    out[20] = t25;
     const double t26 = 1.0/t3; /* 1/J1 */
+    out[21] = t26;
     const double t27 = params[1]*params[5]; /* R*M */
     const double t28 = t8*t27; /* (I1 - I3)*R*M */
     const double t29 = t28/params[2]; /* (I1 - I3)*R*M/I1 */
+    out[22] = t29;
     const double t30 = params[0]*2.0; /* m*2 */
     const double t31 = params[1]*t30; /* R*m*2 */
     const double t32 = t31/t3; /* R*m*2/J1 */
+    out[23] = t32;
     const double t33 = t8*t12; /* (I1 - I3)*I1*M */
+    out[24] = t33;
     const double t34 = t8*t10; /* (I1 - I3)*I1*m*R*R */
+    out[25] = t34;
     const double t35 = t1*t30; /* R*R*m*2 */
     const double t36 = params[3]*t35; /* I3*R*R*m*2 */
+    out[26] = t36;
     const double t37 = -t19; /* -I3*M */
+    out[27] = t37;
     const double t38 = params[2]*t35; /* I1*R*R*m*2 */
+    out[28] = t38;
     const double t39 = params[1]*t1; /* R*R*R */
     const double t40 = t30*t39; /* m*2*R*R*R */
     const double t41 = params[2]*t40; /* I1*m*2*R*R*R */
     const double t42 = t17/t41; /* G*J3/(I1*m*2*R*R*R) */
+    out[29] = t42;
     const double t43 = t8/t2; /* (I1 - I3)/(m*R*R) */
+    out[30] = t43;
     const double t44 = t9/t2; /* I1*I3/(m*R*R) */
+    out[31] = t44;
     const double t45 = params[3]*t8; /* I3*(I1 - I3) */
     const double t46 = t45/t2; /* I3*(I1 - I3)/(m*R*R) */
+    out[32] = t46;
     const double t47 = params[0]*t39; /* m*R*R*R */
     const double t48 = t22/t47; /* (I1 - I3)*J1*G/(m*R*R*R) */
+    out[33] = t48;
     const double t49 = t33/t2; /* (I1 - I3)*I1*M/(m*R*R) */
+    out[34] = t49;
     const double t50 = params[2]*t8; /* I1*(I1 - I3) */
     const double t51 = t50/t2; /* I1*(I1 - I3)/(m*R*R) */
-    const double t52 = t19/t2; /* I3*M/(m*R*R) */
-    out[7] = t4;
-    out[8] = t7;
-    out[9] = t8;
-    out[10] = t9;
-    out[11] = t10;
-    out[12] = t11;
-    out[13] = t12;
-    out[14] = t14;
-    out[15] = t15;
-    out[16] = t18;
-    out[17] = t19;
-    out[18] = t21;
-    out[19] = t23;
-    out[20] = t25;
-    out[21] = t26;
-    out[22] = t29;
-    out[23] = t32;
-    out[24] = t33;
-    out[25] = t34;
-    out[26] = t36;
-    out[27] = t37;
-    out[28] = t38;
-    out[29] = t42;
-    out[30] = t43;
-    out[31] = t44;
-    out[32] = t46;
-    out[33] = t48;
-    out[34] = t49;
     out[35] = t51;
+    const double t52 = t19/t2; /* I3*M/(m*R*R) */
     out[36] = t52;
 }
 
@@ -141,15 +143,15 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t16 = x[2]*p[7]; /* s*m*R/J1 */
     const double t17 = t15*t16; /* (v_slip - M/(m*R)*S)*s*m*R/J1 */
     const double t18 = x[2]*t17; /* s*(v_slip - M/(m*R)*S)*s*m*R/J1 */
-    const double t19 = x[2]*p[16]; /* s*G*J3/R */
-    const double t20 = x[0]*p[17]; /* gamma3*I3*M */
-    const double t21 = JLT_FMA(t5, t20, t19); /* C*gamma3*I3*M + s*G*J3/R */
-    const double t22 = t4*t21; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    const double t23 = x[0]*t17; /* gamma3*(v_slip - M/(m*R)*S)*s*m*R/J1 */
-    const double t24 = -t23; /* -gamma3*(v_slip - M/(m*R)*S)*s*m*R/J1 */
     out[0] = t18;
-    out[1] = t22;
-    out[2] = t24;
+    const double t19 = x[0]*t17; /* gamma3*(v_slip - M/(m*R)*S)*s*m*R/J1 */
+    const double t20 = -t19; /* -gamma3*(v_slip - M/(m*R)*S)*s*m*R/J1 */
+    out[2] = t20;
+    const double t21 = x[2]*p[16]; /* s*G*J3/R */
+    const double t22 = x[0]*p[17]; /* gamma3*I3*M */
+    const double t23 = JLT_FMA(t5, t22, t21); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t24 = t4*t23; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
+    out[1] = t24;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -164,142 +166,142 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t7 = t5*t6; /* C*s*I1*M */
     const double t8 = JLT_FNMA(x[0], p[14], t7); /* C*s*I1*M - gamma3*G*J1/R */
     const double t9 = t4*t8; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t10 = t9*t9; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t11 = p[18]*x[0]; /* m*R^2*I3*(I1 - I3)*gamma3 */
-    const double t12 = t10*t11; /* t10*m*R^2*I3*(I1 - I3)*gamma3 */
-    const double t13 = JLT_FMA(t9, p[19], t12); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*G*J1*(I1 - I3)/R + t10*m*R^2*I3*(I1 - I3)*gamma3 */
-    const double t14 = t8*p[9]; /* (C*s*I1*M - gamma3*G*J1/R)*(I1 - I3) */
-    const double t15 = JLT_FNMA(t9, t14, p[6]); /* F0 - 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(C*s*I1*M - gamma3*G*J1/R)*(I1 - I3) */
-    const double t16 = p[8]*t15; /* 1/(m*I1^2)*t15 */
-    const double t17 = sqrt(t16); /* v_slip = sqrt(1/(m*I1^2)*t15) */
-    const double t18 = x[2]/t17; /* s/v_slip */
-    const double t19 = p[20]*t18; /* R/(I1^2*J1)*s/v_slip */
-    const double t20 = t13*t19; /* t13*R/(I1^2*J1)*s/v_slip */
-    const double t21 = x[2]*t20; /* s*t13*R/(I1^2*J1)*s/v_slip */
-    const double t22 = sin(x[1]); /* S = sin(psi) */
-    const double t23 = p[22]*t22; /* R*M*(I1 - I3)/I1*S */
-    const double t24 = t9*t23; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*R*M*(I1 - I3)/I1*S */
-    const double t25 = t18*t24; /* s/v_slip*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*R*M*(I1 - I3)/I1*S */
-    const double t26 = JLT_FNMA(t5, p[5], t25); /* t25 - C*M */
-    const double t27 = p[21]*t26; /* 1/J1*(t25 - C*M) */
-    const double t28 = t0*t27; /* s*s*1/J1*(t25 - C*M) */
-    const double t29 = JLT_FNMA(t22, p[15], t17); /* v_slip - S*M/(m*R) */
-    const double t30 = t5*p[24]; /* C*I1*M*(I1 - I3) */
-    const double t31 = t9*t30; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*C*I1*M*(I1 - I3) */
-    const double t32 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
-    const double t33 = JLT_FNMA(t10, t32, t31); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*C*I1*M*(I1 - I3) - t10*s*m*R^2*I1*(I1 - I3) */
-    const double t34 = t19*t33; /* R/(I1^2*J1)*s/v_slip*t33 */
-    const double t35 = JLT_FMS(p[23], t29, t34); /* 2*m*R/J1*(v_slip - S*M/(m*R)) - R/(I1^2*J1)*s/v_slip*t33 */
-    const double t36 = x[2]*t35; /* s*(2*m*R/J1*(v_slip - S*M/(m*R)) - R/(I1^2*J1)*s/v_slip*t33) */
-    const double t37 = t5*p[17]; /* C*I3*M */
-    const double t38 = t4*t37; /* 1/Theta*C*I3*M */
-    const double t39 = x[0]*t4; /* gamma3*1/Theta */
-    const double t40 = x[2]*p[16]; /* s*G*J3/R */
-    const double t41 = JLT_FMA(x[0], t37, t40); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t42 = t4*t41; /* 1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t43 = p[26]*t39; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t44 = JLT_FNMA(t42, t43, t38); /* 1/Theta*C*I3*M - 1/Theta*(gamma3*C*I3*M + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    const double t45 = t39*p[27]; /* gamma3*1/Theta*(-I3*M) */
-    const double t46 = t22*t45; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t47 = JLT_FNMA(x[2], t42, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t48 = t4*p[28]; /* 1/Theta*2*m*R^2*I1 */
-    const double t49 = t47*t48; /* (1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*C*I3*M + s*G*J3/R))*1/Theta*2*m*R^2*I1 */
-    const double t50 = t29*p[7]; /* (v_slip - S*M/(m*R))*m*R/J1 */
-    const double t51 = x[2]*t50; /* s*(v_slip - S*M/(m*R))*m*R/J1 */
-    const double t52 = JLT_FMA(x[0], t20, t51); /* gamma3*t13*R/(I1^2*J1)*s/v_slip + s*(v_slip - S*M/(m*R))*m*R/J1 */
-    const double t53 = -t52; /* -t52 */
-    const double t54 = x[2]*x[0]; /* s*gamma3 */
-    const double t55 = t27*t54; /* 1/J1*(t25 - C*M)*s*gamma3 */
-    const double t56 = -t55; /* -1/J1*(t25 - C*M)*s*gamma3 */
-    const double t57 = t34 - t50; /* R/(I1^2*J1)*s/v_slip*t33 - (v_slip - S*M/(m*R))*m*R/J1 */
-    const double t58 = x[0]*t57; /* gamma3*(R/(I1^2*J1)*s/v_slip*t33 - (v_slip - S*M/(m*R))*m*R/J1) */
-    out[0] = t21;
+    const double t10 = p[9]*t8; /* (I1 - I3)*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t11 = JLT_FNMA(t9, t10, p[6]); /* F0 - 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t12 = p[8]*t11; /* 1/(m*I1^2)*t11 */
+    const double t13 = sqrt(t12); /* v_slip = sqrt(1/(m*I1^2)*t11) */
+    const double t14 = sin(x[1]); /* S = sin(psi) */
+    const double t15 = p[22]*t14; /* R*M*(I1 - I3)/I1*S */
+    const double t16 = t9*t15; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*R*M*(I1 - I3)/I1*S */
+    const double t17 = t9*t9; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t18 = p[18]*x[0]; /* m*R^2*I3*(I1 - I3)*gamma3 */
+    const double t19 = t17*t18; /* t17*m*R^2*I3*(I1 - I3)*gamma3 */
+    const double t20 = JLT_FMA(p[19], t9, t19); /* G*J1*(I1 - I3)/R*1/Theta*(C*s*I1*M - gamma3*G*J1/R) + t17*m*R^2*I3*(I1 - I3)*gamma3 */
+    const double t21 = x[2]/t13; /* s/v_slip */
+    const double t22 = t16*t21; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*R*M*(I1 - I3)/I1*S*s/v_slip */
+    const double t23 = JLT_FNMA(p[15], t14, t13); /* v_slip - M/(m*R)*S */
+    const double t24 = p[20]*t21; /* R/(I1^2*J1)*s/v_slip */
+    const double t25 = JLT_FNMA(p[5], t5, t22); /* t22 - M*C */
+    const double t26 = t20*t24; /* t20*R/(I1^2*J1)*s/v_slip */
+    const double t27 = p[21]*t25; /* 1/J1*(t22 - M*C) */
+    const double t28 = t0*t27; /* s*s*1/J1*(t22 - M*C) */
     out[1] = t28;
-    out[2] = t36;
-    out[3] = t44;
-    out[4] = t46;
-    out[5] = t49;
-    out[6] = t53;
-    out[7] = t56;
-    out[8] = t58;
+    const double t29 = x[2]*t26; /* s*t20*R/(I1^2*J1)*s/v_slip */
+    out[0] = t29;
+    const double t30 = p[24]*t5; /* I1*M*(I1 - I3)*C */
+    const double t31 = t9*t30; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*I1*M*(I1 - I3)*C */
+    const double t32 = p[17]*t5; /* I3*M*C */
+    const double t33 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
+    const double t34 = JLT_FNMA(t17, t33, t31); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*I1*M*(I1 - I3)*C - t17*s*m*R^2*I1*(I1 - I3) */
+    const double t35 = t24*t34; /* R/(I1^2*J1)*s/v_slip*t34 */
+    const double t36 = x[2]*p[16]; /* s*G*J3/R */
+    const double t37 = JLT_FMA(x[0], t32, t36); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t38 = t4*t37; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t39 = t4*t32; /* 1/Theta*I3*M*C */
+    const double t40 = p[7]*t23; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t41 = JLT_FMS(p[23], t23, t35); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t34 */
+    const double t42 = x[2]*t41; /* s*(2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t34) */
+    out[2] = t42;
+    const double t43 = t35 - t40; /* R/(I1^2*J1)*s/v_slip*t34 - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t44 = x[0]*t43; /* gamma3*(R/(I1^2*J1)*s/v_slip*t34 - m*R/J1*(v_slip - M/(m*R)*S)) */
+    out[8] = t44;
+    const double t45 = x[2]*t40; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t46 = JLT_FMA(x[0], t26, t45); /* gamma3*t20*R/(I1^2*J1)*s/v_slip + s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t47 = -t46; /* -t46 */
+    out[6] = t47;
+    const double t48 = x[0]*t4; /* gamma3*1/Theta */
+    const double t49 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
+    const double t50 = x[2]*x[0]; /* s*gamma3 */
+    const double t51 = t27*t50; /* 1/J1*(t22 - M*C)*s*gamma3 */
+    const double t52 = -t51; /* -1/J1*(t22 - M*C)*s*gamma3 */
+    out[7] = t52;
+    const double t53 = p[26]*t48; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t54 = JLT_FNMA(t38, t53, t39); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    out[3] = t54;
+    const double t55 = p[27]*t48; /* (-I3*M)*gamma3*1/Theta */
+    const double t56 = t14*t55; /* S*(-I3*M)*gamma3*1/Theta */
+    out[4] = t56;
+    const double t57 = JLT_FNMA(x[2], t38, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t58 = t49*t57; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
+    out[5] = t58;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[2]*x[2]; /* s*s */
-    const double t1 = cos(x[1]); /* C = cos(psi) */
-    const double t2 = x[2]*p[13]; /* s*I1*M */
-    const double t3 = t1*t2; /* C*s*I1*M */
-    const double t4 = JLT_FNMA(p[14], x[0], t3); /* C*s*I1*M - G*J1/R*gamma3 */
-    const double t5 = x[0]*p[12]; /* gamma3*I3/I1 */
-    const double t6 = JLT_FMA(x[0], t5, t0); /* gamma3*gamma3*I3/I1 + s*s */
-    const double t7 = JLT_FMA(p[11], t6, p[10]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s*s) + I1*I3 */
-    const double t8 = 1.0/t7; /* 1/Theta */
-    const double t9 = t4*t8; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta */
-    const double t10 = p[9]*t4; /* (I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t11 = JLT_FNMA(t9, t10, p[6]); /* F0 - (C*s*I1*M - G*J1/R*gamma3)*1/Theta*(I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t1 = x[0]*p[12]; /* gamma3*I3/I1 */
+    const double t2 = JLT_FMA(x[0], t1, t0); /* gamma3*gamma3*I3/I1 + s*s */
+    const double t3 = JLT_FMA(p[11], t2, p[10]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s*s) + I1*I3 */
+    const double t4 = 1.0/t3; /* 1/Theta */
+    const double t5 = cos(x[1]); /* C = cos(psi) */
+    const double t6 = x[2]*p[13]; /* s*I1*M */
+    const double t7 = t5*t6; /* C*s*I1*M */
+    const double t8 = JLT_FNMA(p[14], x[0], t7); /* C*s*I1*M - G*J1/R*gamma3 */
+    const double t9 = t4*t8; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t10 = p[9]*t8; /* (I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t11 = JLT_FNMA(t9, t10, p[6]); /* F0 - 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*(I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
     const double t12 = p[8]*t11; /* 1/(m*I1^2)*t11 */
     const double t13 = sqrt(t12); /* v_slip = sqrt(1/(m*I1^2)*t11) */
     const double t14 = sin(x[1]); /* S = sin(psi) */
-    const double t15 = JLT_FNMA(p[15], t14, t13); /* v_slip - M/(m*R)*S */
-    const double t16 = p[7]*t15; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t17 = t0*t16; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t18 = x[2]*p[16]; /* s*G*J3/R */
-    const double t19 = t1*p[17]; /* C*I3*M */
-    const double t20 = JLT_FMA(x[0], t19, t18); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t21 = t8*t20; /* 1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t22 = x[2]*x[0]; /* s*gamma3 */
-    const double t23 = t16*t22; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    const double t24 = -t23; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    const double t25 = t9*t9; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta */
-    const double t26 = x[0]*p[18]; /* gamma3*m*R^2*I3*(I1 - I3) */
-    const double t27 = t25*t26; /* t25*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t28 = JLT_FMA(t9, p[19], t27); /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*G*J1*(I1 - I3)/R + t25*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t29 = x[2]/t13; /* s/v_slip */
-    const double t30 = p[20]*t29; /* R/(I1^2*J1)*s/v_slip */
-    const double t31 = t28*t30; /* t28*R/(I1^2*J1)*s/v_slip */
-    const double t32 = x[2]*t31; /* s*t28*R/(I1^2*J1)*s/v_slip */
-    const double t33 = t14*p[22]; /* S*R*M*(I1 - I3)/I1 */
-    const double t34 = t9*t33; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*S*R*M*(I1 - I3)/I1 */
-    const double t35 = t29*t34; /* s/v_slip*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*S*R*M*(I1 - I3)/I1 */
-    const double t36 = JLT_FNMA(t1, p[5], t35); /* t35 - C*M */
-    const double t37 = p[21]*t36; /* 1/J1*(t35 - C*M) */
-    const double t38 = t0*t37; /* s*s*1/J1*(t35 - C*M) */
-    const double t39 = t1*p[24]; /* C*I1*M*(I1 - I3) */
-    const double t40 = t9*t39; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*C*I1*M*(I1 - I3) */
-    const double t41 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
-    const double t42 = JLT_FNMA(t25, t41, t40); /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta*C*I1*M*(I1 - I3) - t25*s*m*R^2*I1*(I1 - I3) */
-    const double t43 = t30*t42; /* R/(I1^2*J1)*s/v_slip*t42 */
-    const double t44 = JLT_FMS(t15, p[23], t43); /* (v_slip - M/(m*R)*S)*2*m*R/J1 - R/(I1^2*J1)*s/v_slip*t42 */
-    const double t45 = x[2]*t44; /* s*((v_slip - M/(m*R)*S)*2*m*R/J1 - R/(I1^2*J1)*s/v_slip*t42) */
-    const double t46 = t8*t19; /* 1/Theta*C*I3*M */
-    const double t47 = x[0]*t8; /* gamma3*1/Theta */
-    const double t48 = p[26]*t47; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t49 = JLT_FNMA(t21, t48, t46); /* 1/Theta*C*I3*M - 1/Theta*(gamma3*C*I3*M + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    const double t50 = t47*p[27]; /* gamma3*1/Theta*(-I3*M) */
-    const double t51 = t14*t50; /* S*gamma3*1/Theta*(-I3*M) */
-    const double t52 = JLT_FNMA(x[2], t21, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*C*I3*M + s*G*J3/R) */
-    const double t53 = t8*p[28]; /* 1/Theta*2*m*R^2*I1 */
-    const double t54 = t52*t53; /* (1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*C*I3*M + s*G*J3/R))*1/Theta*2*m*R^2*I1 */
-    const double t55 = x[2]*t16; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t56 = JLT_FMA(x[0], t31, t55); /* gamma3*t28*R/(I1^2*J1)*s/v_slip + s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t57 = -t56; /* -t56 */
-    const double t58 = t22*t37; /* s*gamma3*1/J1*(t35 - C*M) */
-    const double t59 = -t58; /* -s*gamma3*1/J1*(t35 - C*M) */
-    const double t60 = t43 - t16; /* R/(I1^2*J1)*s/v_slip*t42 - m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t61 = x[0]*t60; /* gamma3*(R/(I1^2*J1)*s/v_slip*t42 - m*R/J1*(v_slip - M/(m*R)*S)) */
-    out[0] = t17;
-    out[1] = t21;
-    out[2] = t24;
-    out[3] = t32;
-    out[4] = t38;
-    out[5] = t45;
-    out[6] = t49;
-    out[7] = t51;
-    out[8] = t54;
-    out[9] = t57;
-    out[10] = t59;
-    out[11] = t61;
+    const double t15 = p[22]*t14; /* R*M*(I1 - I3)/I1*S */
+    const double t16 = t9*t15; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*R*M*(I1 - I3)/I1*S */
+    const double t17 = t9*t9; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t18 = x[0]*p[18]; /* gamma3*m*R^2*I3*(I1 - I3) */
+    const double t19 = t17*t18; /* t17*gamma3*m*R^2*I3*(I1 - I3) */
+    const double t20 = JLT_FMA(p[19], t9, t19); /* G*J1*(I1 - I3)/R*1/Theta*(C*s*I1*M - G*J1/R*gamma3) + t17*gamma3*m*R^2*I3*(I1 - I3) */
+    const double t21 = x[2]/t13; /* s/v_slip */
+    const double t22 = JLT_FNMA(p[15], t14, t13); /* v_slip - M/(m*R)*S */
+    const double t23 = t16*t21; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*R*M*(I1 - I3)/I1*S*s/v_slip */
+    const double t24 = p[20]*t21; /* R/(I1^2*J1)*s/v_slip */
+    const double t25 = JLT_FNMA(p[5], t5, t23); /* t23 - M*C */
+    const double t26 = t20*t24; /* t20*R/(I1^2*J1)*s/v_slip */
+    const double t27 = p[21]*t25; /* 1/J1*(t23 - M*C) */
+    const double t28 = x[2]*t26; /* s*t20*R/(I1^2*J1)*s/v_slip */
+    out[3] = t28;
+    const double t29 = t0*t27; /* s*s*1/J1*(t23 - M*C) */
+    out[4] = t29;
+    const double t30 = p[24]*t5; /* I1*M*(I1 - I3)*C */
+    const double t31 = t9*t30; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C */
+    const double t32 = p[17]*t5; /* I3*M*C */
+    const double t33 = x[2]*p[16]; /* s*G*J3/R */
+    const double t34 = JLT_FMA(x[0], t32, t33); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t35 = t4*t34; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    out[1] = t35;
+    const double t36 = t4*t32; /* 1/Theta*I3*M*C */
+    const double t37 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
+    const double t38 = JLT_FNMA(t17, t37, t31); /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C - t17*s*m*R^2*I1*(I1 - I3) */
+    const double t39 = t24*t38; /* R/(I1^2*J1)*s/v_slip*t38 */
+    const double t40 = p[7]*t22; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t41 = t0*t40; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[0] = t41;
+    const double t42 = JLT_FMS(p[23], t22, t39); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t38 */
+    const double t43 = x[2]*t42; /* s*(2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t38) */
+    out[5] = t43;
+    const double t44 = t39 - t40; /* R/(I1^2*J1)*s/v_slip*t38 - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t45 = x[0]*t44; /* gamma3*(R/(I1^2*J1)*s/v_slip*t38 - m*R/J1*(v_slip - M/(m*R)*S)) */
+    out[11] = t45;
+    const double t46 = x[2]*x[0]; /* s*gamma3 */
+    const double t47 = t27*t46; /* 1/J1*(t23 - M*C)*s*gamma3 */
+    const double t48 = -t47; /* -1/J1*(t23 - M*C)*s*gamma3 */
+    out[10] = t48;
+    const double t49 = t40*t46; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    const double t50 = -t49; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    out[2] = t50;
+    const double t51 = x[2]*t40; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t52 = JLT_FMA(x[0], t26, t51); /* gamma3*t20*R/(I1^2*J1)*s/v_slip + s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t53 = -t52; /* -t52 */
+    out[9] = t53;
+    const double t54 = x[0]*t4; /* gamma3*1/Theta */
+    const double t55 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
+    const double t56 = p[26]*t54; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t57 = JLT_FNMA(t35, t56, t36); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    out[6] = t57;
+    const double t58 = p[27]*t54; /* (-I3*M)*gamma3*1/Theta */
+    const double t59 = t14*t58; /* S*(-I3*M)*gamma3*1/Theta */
+    out[7] = t59;
+    const double t60 = JLT_FNMA(x[2], t35, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t61 = t55*t60; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
+    out[8] = t61;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -311,20 +313,20 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t4 = x[2]*p[2]; /* s*I1 */
     const double t5 = x[0]*p[3]; /* gamma3*I3 */
     const double t6 = JLT_FMA(x[2], t4, p[31]); /* s*s*I1 + I1*I3/(m*R^2) */
-    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta scaled = gamma3*gamma3*I3 + s*s*I1 + I1*I3/(m*R^2) */
-    const double t8 = 1.0/t7; /* 1/Theta scaled */
-    const double t9 = t3*t8; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled */
+    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta/(m*R^2) = gamma3*gamma3*I3 + s*s*I1 + I1*I3/(m*R^2) */
+    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2)) */
+    const double t9 = t3*t8; /* (C*s*I1*M - G*J1/R*gamma3)*1/(Theta/(m*R^2)) */
     const double t10 = p[30]*t3; /* (I1 - I3)/(m*R^2)*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t11 = JLT_FNMA(t9, t10, p[6]); /* F0 - (C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled*(I1 - I3)/(m*R^2)*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t11 = JLT_FNMA(t9, t10, p[6]); /* F0 - (C*s*I1*M - G*J1/R*gamma3)*1/(Theta/(m*R^2))*(I1 - I3)/(m*R^2)*(C*s*I1*M - G*J1/R*gamma3) */
     const double t12 = p[8]*t11; /* 1/(m*I1^2)*t11 */
     const double t13 = sqrt(t12); /* v_slip = sqrt(1/(m*I1^2)*t11) */
-    const double t14 = t9*t9; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled*(C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled */
+    const double t14 = t9*t9; /* (C*s*I1*M - G*J1/R*gamma3)*1/(Theta/(m*R^2))*(C*s*I1*M - G*J1/R*gamma3)*1/(Theta/(m*R^2)) */
     const double t15 = x[0]*p[32]; /* gamma3*I3*(I1 - I3)/(m*R^2) */
     const double t16 = t14*t15; /* t14*gamma3*I3*(I1 - I3)/(m*R^2) */
-    const double t17 = JLT_FMA(t9, p[33], t16); /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled*G*J1*(I1 - I3)/(m*R^3) + t14*gamma3*I3*(I1 - I3)/(m*R^2) */
+    const double t17 = JLT_FMA(t9, p[33], t16); /* (C*s*I1*M - G*J1/R*gamma3)*1/(Theta/(m*R^2))*G*J1*(I1 - I3)/(m*R^3) + t14*gamma3*I3*(I1 - I3)/(m*R^2) */
     const double t18 = x[2]*t17; /* s*t17 */
     const double t19 = t0*p[34]; /* C*I1*M*(I1 - I3)/(m*R^2) */
-    const double t20 = t9*t19; /* (C*s*I1*M - G*J1/R*gamma3)*1/Theta scaled*C*I1*M*(I1 - I3)/(m*R^2) */
+    const double t20 = t9*t19; /* (C*s*I1*M - G*J1/R*gamma3)*1/(Theta/(m*R^2))*C*I1*M*(I1 - I3)/(m*R^2) */
     const double t21 = x[2]*p[35]; /* s*I1*(I1 - I3)/(m*R^2) */
     const double t22 = JLT_FNMA(t14, t21, t20); /* t20 - t14*s*I1*(I1 - I3)/(m*R^2) */
     const double t23 = JLT_FMA(x[0], t22, t18); /* gamma3*(t20 - t14*s*I1*(I1 - I3)/(m*R^2)) + s*t17 */
@@ -332,11 +334,11 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t25 = t23*t24; /* (gamma3*(t20 - t14*s*I1*(I1 - I3)/(m*R^2)) + s*t17)*R/(I1^2*J1)*s */
     const double t26 = t25/t13; /* t25/v_slip */
     const double t27 = sin(x[1]); /* S = sin(psi) */
-    const double t28 = t8*p[36]; /* 1/Theta scaled*I3*M/(m*R^2) */
-    const double t29 = t27*t28; /* S*1/Theta scaled*I3*M/(m*R^2) */
+    const double t28 = t8*p[36]; /* 1/(Theta/(m*R^2))*I3*M/(m*R^2) */
+    const double t29 = t27*t28; /* S*1/(Theta/(m*R^2))*I3*M/(m*R^2) */
     const double t30 = JLT_FNMA(t27, p[15], t13); /* v_slip - S*M/(m*R) */
-    const double t31 = JLT_FMA(p[7], t30, t29); /* m*R/J1*(v_slip - S*M/(m*R)) + S*1/Theta scaled*I3*M/(m*R^2) */
-    const double t32 = JLT_FNMA(x[0], t31, t26); /* t25/v_slip - gamma3*(m*R/J1*(v_slip - S*M/(m*R)) + S*1/Theta scaled*I3*M/(m*R^2)) */
+    const double t31 = JLT_FMA(p[7], t30, t29); /* m*R/J1*(v_slip - S*M/(m*R)) + S*1/(Theta/(m*R^2))*I3*M/(m*R^2) */
+    const double t32 = JLT_FNMA(x[0], t31, t26); /* t25/v_slip - gamma3*t31 */
     out[0] = t32;
 }
 
@@ -474,11 +476,11 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 3, { 1, 14, 6, 1, 1, 2, 13, 6 }, { 11, 36, 0, 7, 1, 2, 17, 9 },
+    .rhs = { rhs, 3, { 1, 14, 6, 1, 1, 2, 13, 5 }, { 11, 36, 0, 7, 1, 2, 17, 9 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 9, { 3, 38, 13, 2, 1, 2, 14, 12 }, { 46, 207, 0, 39, 1, 2, 18, 14 },
+    .jacobian = { jacobian, 9, { 3, 38, 13, 2, 1, 2, 14, 11 }, { 46, 207, 0, 39, 1, 2, 18, 14 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 4, 40, 13, 2, 1, 2, 14, 16 }, { 50, 222, 0, 43, 1, 2, 18, 15 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 4, 40, 13, 2, 1, 2, 14, 13 }, { 50, 222, 0, 43, 1, 2, 18, 15 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 0, 18, 10, 2, 1, 2, 13, 7 }, { 20, 82, 0, 15, 1, 2, 17, 12 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
