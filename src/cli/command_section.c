@@ -58,7 +58,8 @@ static const struct argp parser = {
     "of orbits, and what becomes of them. For another model, on a section STATE=VALUE."
     "\vColumns: orbit, return, t, eta, gamma3, v_nu, omega_n, omega3, fate. Return 0 is the start. An orbit that ends has "
     "a last row with its fate: pole+ or pole- (gamma3 = 1 or -1 is reached; velocities are the limits), lost_contact, or "
-    "budget (one return took more than 100000 steps). Coordinates of the section are empty there.\n\n"
+    "budget (one return took more than 100000 steps, or the orbit has come to rest at an equilibrium). Coordinates of the "
+    "section are empty there.\n\n"
     "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 --returns 10 --tol 1e-13\n"
     "  jellett section --grid 24x16 --returns 400 --plot section.svg > section.csv",
     children, NULL, NULL,

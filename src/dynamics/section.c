@@ -12,6 +12,8 @@ struct jlt_section {
     size_t number;
     int time_direction;
     double t_start;  /* of the current return */
+    double x[JLT_CHART_STATES_MAX]; /* there, when at rest */
+    bool at_rest;
     double contact;
 };
 
@@ -84,6 +86,18 @@ void jlt_section_destroy(jlt_section *self)
     free(self);
 }
 
+/* No state changes by more than this in a unit of time, relative to its size: a crossing there is rounding error. */
+static bool rests(const jlt_section *self, const double *x)
+{
+    static const double still = 1e-12;
+    double f[JLT_CHART_STATES_MAX], fastest = 0;
+    unsigned i;
+
+    self->flow.field->call(x, self->flow.field->p, f);
+    for (i = 0; i < self->flow.chart->states; i++) fastest = fmax(fastest, fabs(f[i]) / fmax(1, fabs(x[i])));
+    return fastest < still;
+}
+
 static void fill(jlt_return *row, const jlt_section *self, double t, const double *x, bool on_section)
 {
     const jlt_chart *chart = self->flow.chart;
@@ -112,6 +126,8 @@ jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const dou
     self->number = 0;
     self->t_start = 0;
     self->time_direction = time_direction;
+    self->at_rest = rests(self, x);
+    memcpy(self->x, x, chart->states * sizeof *x);
     self->contact = INFINITY;
     if (chart->contact != NULL) {
         self->flow.field->call(x, self->flow.field->p, f);
@@ -136,10 +152,16 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
 {
     const jlt_chart *chart = self->flow.chart;
     jlt_outcome outcome;
-    jlt_status st =
-        jlt_orbit_next(self->orbit, self->t_start + self->time_direction * self->flow.t_max, self->events,
-                       self->event_count, &outcome);
+    jlt_status st;
 
+    if (self->at_rest) {
+        self->number++;
+        fill(row, self, self->t_start, self->x, false);
+        row->fate = JLT_FATE_BUDGET;
+        return JLT_OK;
+    }
+    st = jlt_orbit_next(self->orbit, self->t_start + self->time_direction * self->flow.t_max, self->events,
+                        self->event_count, &outcome);
     if (st != JLT_OK && st != JLT_ERR_BUDGET) return st;
     self->number++;
     self->t_start = outcome.t;
@@ -151,6 +173,8 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
     if (outcome.end == JLT_END_EVENT && outcome.crossing.event == 0) {
         fill(row, self, outcome.t, outcome.x, true);
         row->direction = outcome.crossing.direction;
+        self->at_rest = rests(self, row->x);
+        memcpy(self->x, row->x, sizeof self->x);
         return JLT_OK;
     }
     fill(row, self, outcome.t, outcome.x, false);

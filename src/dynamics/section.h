@@ -28,7 +28,8 @@ typedef enum {
     JLT_FATE_POLE_PLUS,    /* ended at gamma3 = +1 */
     JLT_FATE_POLE_MINUS,   /* ended at gamma3 = -1 */
     JLT_FATE_LOST_CONTACT, /* ended where the support no longer pushes */
-    JLT_FATE_BUDGET        /* steps or time of one return spent: neither a return nor an end was found */
+    JLT_FATE_BUDGET        /* neither a return nor an end was found: steps or time of one return are spent, or the orbit
+                              has come to rest at an equilibrium, where crossings drown in rounding */
 } jlt_fate;
 
 /** alive, pole+, pole-, lost_contact, budget. */

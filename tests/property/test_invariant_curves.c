@@ -262,6 +262,34 @@ static void loss_of_contact_ends_orbits_when_asked(void **unused)
     jlt_system_destroy(system);
 }
 
+/* With a3 = 0 the family (4.4) of the paper attracts where its trace is negative: an orbit comes to rest there, with
+ * omega_tau = omega_n = 0, and is not followed into rounding errors. */
+static void orbits_come_to_rest_on_attracting_equilibria(void **unused)
+{
+    const double q[2] = { 1.0471975511965974, 0.3 };
+    const jlt_flow options = { .tolerance = 1e-12, .direction = JLT_RISING };
+    jlt_top_values values = jlt_system_defaults();
+    jlt_section *section;
+    jlt_system *system;
+    jlt_fates_end end;
+    double omega_n, omega3;
+
+    (void)unused;
+    values.a3 = 0;
+    assert_ok(jlt_system_top(&system, &values, &options));
+    assert_ok(jlt_section_create(&section, &system->flow));
+    assert_ok(jlt_fates_follow(section, &end, q, 100000));
+    assert_int_equal(end.fate, JLT_FATE_BUDGET);
+    assert_true(end.returns < 1000);
+    jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, end.x);
+    assert_near(omega_n, 0, 1e-11);
+    assert_near(end.x[JLT_CHART_TOP_OMEGA_TAU], 0, 1e-11);
+    /* (4.6): tr A = -m R I3 gamma3 v_nu/(s Theta) < 0 */
+    assert_true(end.x[JLT_CHART_TOP_GAMMA3] * end.x[JLT_CHART_TOP_V_NU] > 0);
+    jlt_section_destroy(section);
+    jlt_system_destroy(system);
+}
+
 /* Two known cases: an island of symmetric tori, where the forward and backward sets agree, and an attracting fixed point whose
  * mirror image repels, where they share nothing. */
 static void attractor_and_repeller_are_told_apart(void **unused)
@@ -304,6 +332,7 @@ int main(void)
         cmocka_unit_test(exponents_of_the_lorenz_attractor),
         cmocka_unit_test(exponents_of_a_periodic_orbit_are_its_multipliers),
         cmocka_unit_test(loss_of_contact_ends_orbits_when_asked),
+        cmocka_unit_test(orbits_come_to_rest_on_attracting_equilibria),
         cmocka_unit_test(attractor_and_repeller_are_told_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
