@@ -58,4 +58,35 @@ for signal in INT TERM KILL; do
         find "$scratch/d" -name 'out?*' -delete
     done
 done
+
+# A section map that is interrupted keeps whole rows, the first of those that an undisturbed run writes, and says so.
+section=(jellett section --grid 8x8 --returns 600)
+"${section[@]}" --output "$scratch/rows" 2> /dev/null
+for signal in INT TERM KILL; do
+    rm -rf "$scratch/d"
+    mkdir "$scratch/d"
+    set -m
+    "${section[@]}" --output "$scratch/d/out" > /dev/null 2> "$scratch/err" &
+    job=$!
+    set +m
+    sleep 0.3
+    kill -$signal $job 2>/dev/null
+    wait $job 2>/dev/null
+    if [ $signal = KILL ]; then
+        [ ! -e "$scratch/d/out" ] || same "$scratch/d/out" "$scratch/rows" || fail "SIGKILL: section leaves a part of its rows"
+        continue
+    fi
+    [ "$(ls -A "$scratch/d")" = out ] || { fail "SIG$signal: section leaves '$(ls -A "$scratch/d")'"; continue; }
+    grep -q . "$scratch/err" || fail "SIG$signal: section does not say what is saved"
+    lines=$(wc -l < "$scratch/d/out")
+    cmp -s <(grep -v '^#' "$scratch/d/out") <(head -n "$lines" "$scratch/rows" | grep -v '^#') ||
+        fail "SIG$signal: section's rows are not the first ones of a whole run"
+done
+for command in "section --start eta=0.1,gamma3=-0.6 --returns 5" "orbits --period 1 --grid 0x0 --samples 20" \
+    "simulate --start gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8 --until 1 --every 0.1" measure; do
+    # shellcheck disable=SC2086
+    for place in "$scratch/none/out" "$scratch/file/below" "$scratch/d" /dev/full; do
+        expect 5 "$command to $place" jellett $command --output "$place"
+    done
+done
 exit $status

@@ -82,7 +82,20 @@ expect 3 jellett eigen --set a3=0 --at gamma3=2,v_nu=0.7,omega3=1.1
 expect 3 jellett eigen --set a3=0 --at $at,omega_tau=0.5
 expect 3 jellett eigen --set a3=nan --at $at
 expect 3 jellett eigen --set I1=-1 --at $at
-for command in models "eigen --set a3=0 --at $at" "measure --set I3=0"; do
+expect 0 jellett verify chaplygin_sleigh
+expect 3 jellett verify no_such_model
+expect 2 jellett verify --seed
+start=gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8
+expect 2 jellett section
+expect 2 jellett section --start eta=0.1,gamma3=-0.6 --method none
+expect 3 jellett section --start eta=0.1,gamma3=7
+expect 3 jellett section --start eta=0.1,gamma3=-0.6 --level E=-100,G=0
+expect 3 jellett section --start eta=0.1,gamma3=-0.6 --tol 0
+expect 2 jellett simulate
+expect 3 jellett simulate --start "$start" --until nan --every 1
+expect 3 jellett simulate --start "$start" --until 1 --every 0.1 --set g=-1
+for command in models verify "eigen --set a3=0 --at $at" "measure --set I3=0" "section --start eta=0.1,gamma3=-0.6 --returns 5" \
+    "simulate --start $start --until 1 --every 0.1" "orbits --period 1 --grid 0x0 --samples 20"; do
     # shellcheck disable=SC2086
     expect 5 into_full jellett $command
 done
