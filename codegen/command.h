@@ -19,6 +19,7 @@ typedef struct {
     size_t file_count;
     bool json;
     bool mutate;
+    bool kernels;
     const char *out;    /* directory */
     const char *format; /* "text", "latex" or "dot" */
     const char *command_line; /* "ttc COMMAND OPTIONS..." without directories of files, for headers of what is written */

@@ -1,6 +1,7 @@
 /* ttc prove: every claim of the tables, proved or refuted exactly. */
 #include "command.h"
 #include "mutate.h"
+#include "prove_kernels.h"
 
 #include <jansson.h>
 
@@ -117,12 +118,25 @@ static int mutate(const ttc_model *model, bool json, json_t *reports)
     return status;
 }
 
-static int prove(const ttc_model *model, bool json, json_t *reports)
+/* NULL: memory ran out, or the kernels cannot be made. */
+static ttc_proof_report *make_report(const ttc_model *model, bool kernels)
+{
+    ttc_plan plan = { 0 };
+    ttc_proof_report *report = NULL;
+    if (!ttc_prove(model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report)) return NULL;
+    bool ok = !kernels || (ttc_plan_create(&plan, model) && ttc_prove_kernels(&plan, report));
+    ttc_plan_clear(&plan);
+    if (ok) return report;
+    ttc_proof_report_destroy(report);
+    return NULL;
+}
+
+static int prove(const ttc_model *model, bool kernels, bool json, json_t *reports)
 {
     int status = TTC_EXIT_DONE;
-    ttc_proof_report *report = NULL;
-    if (!ttc_prove(model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report)) {
-        fprintf(stderr, "ttc: out of memory while proving %s\n", model->file);
+    ttc_proof_report *report = make_report(model, kernels);
+    if (report == NULL) {
+        fprintf(stderr, "ttc: out of memory while proving %s, or its kernels cannot be made\n", model->file);
         return TTC_EXIT_IO;
     }
     if (json) json_array_append_new(reports, report_json(report));
@@ -141,7 +155,7 @@ int ttc_command_prove(const ttc_options *options)
     for (size_t i = 0; i < options->file_count; i++) {
         ttc_model *model = ttc_command_read(options->files[i], &status);
         if (model == NULL) continue;
-        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options->json, reports));
+        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options->kernels, options->json, reports));
         ttc_model_destroy(model);
     }
     if (options->json) print_json(reports, options->file_count);

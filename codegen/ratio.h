@@ -89,4 +89,8 @@ void ttc_ratio_norm(ttc_ring *ring, fmpz_mpoly_t norm, const ttc_ratio *a);
  *  a square in its field, which is decided exactly, nested roots included; otherwise `variable` (or a spare one when negative) becomes a generator. */
 void ttc_ring_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, slong variable, bool positive);
 
+/** Derivative of a along a direction. slopes: shape (variable_count,), the rate of each variable; those of generators are
+ *  ignored, as they follow from their squares: r' = (r^2)'/(2r). */
+void ttc_ratio_derive(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, const ttc_ratio *slopes);
+
 #endif

@@ -13,6 +13,7 @@ struct ttc_valuation {
     knowledge *known;
     ttc_id *bound, *square; /* by symbol; TTC_NONE: not so */
     slong *variable;        /* by symbol; -1: none */
+    bool *freed;            /* by symbol: a root that is a variable */
     const char **names;     /* by variable */
     bool *positive;
     ttc_ratio *memo; /* by node */
@@ -34,9 +35,10 @@ static ttc_valuation *allocate(const ttc_model *model)
     v->bound = calloc(v->symbol_count, sizeof *v->bound);
     v->square = calloc(v->symbol_count, sizeof *v->square);
     v->variable = calloc(v->symbol_count, sizeof *v->variable);
+    v->freed = calloc(v->symbol_count, sizeof *v->freed);
     v->names = calloc(v->symbol_count + TTC_SPARE_VARIABLES, sizeof *v->names);
     v->positive = calloc(v->symbol_count + TTC_SPARE_VARIABLES, sizeof *v->positive);
-    if (v->values == NULL || v->known == NULL || v->bound == NULL || v->square == NULL || v->variable == NULL
+    if (v->values == NULL || v->known == NULL || v->bound == NULL || v->square == NULL || v->variable == NULL || v->freed == NULL
         || v->names == NULL || v->positive == NULL) {
         v->symbol_count = 0;
         ttc_valuation_destroy(v);
@@ -112,6 +114,7 @@ void ttc_valuation_destroy(ttc_valuation *v)
     free(v->memo);
     free(v->positive);
     free(v->names);
+    free(v->freed);
     free(v->variable);
     free(v->square);
     free(v->bound);
@@ -124,6 +127,7 @@ ttc_ring *ttc_valuation_ring(ttc_valuation *v) { return v->ring; }
 const ttc_model *ttc_valuation_model(const ttc_valuation *v) { return v->model; }
 void ttc_valuation_bind(ttc_valuation *v, uint32_t symbol, ttc_id expression) { v->bound[symbol] = expression; }
 void ttc_valuation_bind_square(ttc_valuation *v, uint32_t symbol, ttc_id square) { v->square[symbol] = square; }
+void ttc_valuation_free_root(ttc_valuation *v, uint32_t symbol) { v->freed[symbol] = true; }
 slong ttc_valuation_variable(const ttc_valuation *v, uint32_t symbol) { return v->variable[symbol]; }
 
 bool ttc_valuation_is_bound(const ttc_valuation *v, uint32_t symbol)
@@ -192,7 +196,7 @@ static void defined_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
         ttc_ring_root(v->ring, out, out, v->variable[symbol], false);
     } else if (!spare && entry->kind == TTC_LET) {
         ttc_evaluate(v, out, entry->definition);
-    } else if (!spare && entry->kind == TTC_ROOT) {
+    } else if (!spare && entry->kind == TTC_ROOT && !v->freed[symbol]) {
         ttc_evaluate(v, out, entry->definition);
         ttc_ring_root(v->ring, out, out, v->variable[symbol], true);
     } else if (!spare && (entry->kind == TTC_COSINE || entry->kind == TTC_SINE)) {

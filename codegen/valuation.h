@@ -28,6 +28,8 @@ const ttc_model *ttc_valuation_model(const ttc_valuation *valuation);
 
 void ttc_valuation_bind(ttc_valuation *valuation, uint32_t symbol, ttc_id expression);
 void ttc_valuation_bind_square(ttc_valuation *valuation, uint32_t symbol, ttc_id square);
+/* A root becomes a variable of its own, as a lifted root is a state; before anything is evaluated. */
+void ttc_valuation_free_root(ttc_valuation *valuation, uint32_t symbol);
 bool ttc_valuation_is_bound(const ttc_valuation *valuation, uint32_t symbol);
 /* The ring's variable of a symbol, or -1; and back, SIZE_MAX when there is none. */
 slong ttc_valuation_variable(const ttc_valuation *valuation, uint32_t symbol);
