@@ -204,7 +204,7 @@ static ttc_id slope(void *context, uint32_t symbol)
     case TTC_ROLE_ROOT: /* r' = q'/(2 r) */
         inner = ttc_derivative(graph, s->definition, slope, d);
         outer = ttc_multiply(graph, ttc_integer(graph, 2), field->symbols[symbol].node);
-        if (inner != TTC_NONE) inner = ttc_field_distribute(field, inner, ttc_power(graph, outer, -1));
+        if (inner != TTC_NONE) inner = ttc_divide(graph, inner, outer);
         break;
     case TTC_ROLE_COSINE:
     case TTC_ROLE_SINE:

@@ -14,10 +14,11 @@ static unsigned cost_of(const ttc_program *program)
     return 3 * (c.add + c.multiply) + 4 * c.fma + 18 * (c.divide + c.root) + 60 * c.elementary;
 }
 
-/* Searches from each start; in each, first extractions, then rounds of undoing and redoing,
- * until so many in a row have brought nothing. The work of
- * a search, in comparisons, is bounded, so that large kernels stop early, at the same place on every machine. */
-enum { REPEATS = 1, SEEDS = 8, PATIENCE = 80 };
+/* Searches from each start, several where they are cheap; in each, first extractions, then rounds of undoing and redoing,
+ * until so many in a row have brought nothing. Work is counted in comparisons and bounded, so that a search ends at the
+ * same place on every machine: EFFORT is what a kernel may take before it is searched again, WORK_LIMIT ends one search. */
+enum { REPEATS = 8, SEEDS = 8, PATIENCE = 80 };
+#define EFFORT UINT64_C(500000)
 #define WORK_LIMIT UINT64_C(60000000)
 
 static ttc_program *finish(const ttc_system *system, ttc_block *block)
@@ -127,7 +128,10 @@ static bool make_starts(ttc_system **starts, ttc_field *field, const ttc_id *out
         starts[k] = ttc_system_create(field, ids, count);
         starts[k + 2] = starts[k] == NULL ? NULL : ttc_system_clone(starts[k]);
         if (starts[k + 2] == NULL) return false;
-        if (ttc_system_write_out(starts[k + 2])) continue;
+        bool differs = ttc_system_write_out(starts[k + 2]);
+        ttc_system_raise_reciprocals(starts[k]);
+        ttc_system_raise_reciprocals(starts[k + 2]);
+        if (differs) continue;
         ttc_system_destroy(starts[k + 2]);
         starts[k + 2] = NULL;
     }
@@ -139,9 +143,11 @@ ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id 
     ttc_system *starts[STARTS];
     contest best = { NULL, (unsigned)-1, 0 };
     bool ok = make_starts(starts, field, outputs, other, count);
-    for (uint64_t k = 0; k < STARTS * REPEATS && ok; k++) {
-        if (starts[k % STARTS] == NULL) continue;
+    uint64_t work = 0;
+    for (uint64_t k = 0; k < STARTS || (k < STARTS * REPEATS && work < EFFORT); k++) {
+        if (!ok || starts[k % STARTS] == NULL) continue;
         contest c = search(starts[k % STARTS], k);
+        work += c.work;
         if (c.best != NULL && c.cost < best.cost) {
             ttc_system_destroy(best.best);
             best = c;

@@ -97,6 +97,9 @@ void ttc_system_cancel(ttc_system *system);
 /** Write products out where they are used, so that they cancel there. Returns whether there were any. */
 bool ttc_system_write_out(ttc_system *system);
 
+/* Where the reciprocal of a root occurs in multiples of one power only, r^-3 say, it becomes that of r^3 = r r^2. */
+void ttc_system_raise_reciprocals(ttc_system *system);
+
 /* Divide units by one of their scales where that saves multiplications. */
 void ttc_system_rescale(ttc_system *system);
 

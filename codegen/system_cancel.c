@@ -1,4 +1,4 @@
-/* Products written out, and what cancels in them. */
+/* Products written out, what cancels in them, and reciprocals of powers of roots. */
 #include "system.h"
 
 #include <stdlib.h>
@@ -52,4 +52,56 @@ bool ttc_system_write_out(ttc_system *system)
         if (is_product(system, v)) changed |= ttc_system_inline(system, v);
     if (changed) ttc_system_cancel(system);
     return changed;
+}
+
+/* The power of a reciprocal that divides all its powers in use, at least 1; 0 when it is not used. */
+static unsigned common_power(const ttc_system *system, uint32_t reciprocal)
+{
+    unsigned common = 0;
+    for (uint32_t v = 0; v < system->count; v++)
+        for (uint32_t i = 0; i < system->variables[v].definition.count; i++) {
+            unsigned a = common, b = ttc_cube_power(system->variables[v].definition.cubes + i, reciprocal);
+            while (b != 0) {
+                unsigned rest = a % b;
+                a = b;
+                b = rest;
+            }
+            common = a;
+        }
+    return common;
+}
+
+/* A variable that holds r^power, from the radicand where it can. */
+static uint32_t root_power(ttc_system *system, uint32_t root, unsigned power)
+{
+    ttc_cube cube = ttc_cube_one(system);
+    uint32_t radicand = system->variables[root].operand;
+    if (power == 2) return radicand;
+    for (unsigned k = 0; k < power / 2; k++) ttc_cube_multiply(&cube, radicand);
+    if (power % 2 == 1) ttc_cube_multiply(&cube, root);
+    uint32_t unit = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
+    if (!system->failed) ttc_polynomial_add(system, &system->variables[unit].definition, &cube);
+    return unit;
+}
+
+void ttc_system_raise_reciprocals(ttc_system *system)
+{
+    uint32_t count = system->count;
+    for (uint32_t r = 0; r < count && !system->failed; r++) {
+        if (system->variables[r].kind != TTC_VARIABLE_RECIPROCAL
+            || system->variables[system->variables[r].operand].kind != TTC_VARIABLE_ROOT)
+            continue;
+        unsigned power = common_power(system, r);
+        if (power < 2 || power > TTC_CUBE_LIMIT) continue;
+        uint32_t operand = root_power(system, system->variables[r].operand, power);
+        uint32_t raised = ttc_system_add_variable(system, TTC_VARIABLE_RECIPROCAL, operand);
+        for (uint32_t v = 0; v < count && !system->failed; v++)
+            for (uint32_t i = 0; i < system->variables[v].definition.count; i++) {
+                ttc_cube *cube = system->variables[v].definition.cubes + i;
+                for (unsigned e = ttc_cube_power(cube, r) / power; e > 0; e--) {
+                    for (unsigned k = 0; k < power; k++) ttc_cube_remove(cube, r);
+                    ttc_cube_multiply(cube, raised);
+                }
+            }
+    }
 }

@@ -15,7 +15,7 @@ import sympy as sp
 
 KEYWORDS = {"model", "title", "source", "param", "state", "root", "angle", "let", "eq", "variant", "time", "eliminate",
             "default", "integral", "invariant", "measure", "reversor", "equilibria", "trace", "charpoly", "obstructs",
-            "equal", "matrix", "leftnull", "reduction"}
+            "equal", "matrix", "leftnull", "reduction", "rate"}
 
 
 def records(path):
@@ -118,11 +118,11 @@ class Model:
 
 
 def flops(expressions):
-    """Operations of straight-line code for the replacements and results of sympy.cse."""
-    total = 0
+    """Operations, and divisions among them, of straight-line code for the replacements and results of sympy.cse."""
+    total, divisions = 0, 0
 
     def visit(e):
-        nonlocal total
+        nonlocal total, divisions
         if e.is_Atom:
             return
         if isinstance(e, sp.Add):
@@ -149,15 +149,15 @@ def flops(expressions):
             for a in up + down:
                 visit(a)
             total += max(len(up) - 1, 0) + max(len(down) - 1, 0) + (1 if down else 0)
+            divisions += 1 if down else 0
         elif isinstance(e, sp.Pow):
             visit(e.base)
             exponent = e.exp
             if exponent.is_negative:
-                total, exponent = total + 1, -exponent
-            if exponent.q == 2:
-                total += 1
-            whole = int(exponent.p) if exponent.is_Integer or exponent.q == 2 else 0
-            total += {1: 0, 2: 1, 3: 2, 4: 2, 5: 3, 6: 3, 7: 4, 8: 3}.get(whole, whole)
+                total, divisions, exponent = total + 1, divisions + 1, -exponent
+            if exponent.q == 2:  # x^(k + 1/2) = x^k sqrt(x)
+                total += 1 if exponent.p == 1 else 2
+            total += {0: 0, 1: 0, 2: 1, 3: 2, 4: 2, 5: 3, 6: 3, 7: 4, 8: 3}[int(exponent.p // exponent.q)]
         elif isinstance(e, sp.Function):
             total += 1
             for a in e.args:
@@ -167,7 +167,7 @@ def flops(expressions):
 
     for e in expressions:
         visit(sp.sympify(e))
-    return total
+    return total, divisions
 
 
 def cheapest(functions):
@@ -239,7 +239,7 @@ def kernels(model, variant, time, elimination):
 
 
 def main(paths):
-    print("model\tvariant\ttime\telimination\tkernel\tsympy_flops")
+    print("model\tvariant\ttime\telimination\tkernel\tsympy_flops\tsympy_div")
     for path in paths:
         model = Model(path)
         for variant in [None] + model.variants:
@@ -248,7 +248,7 @@ def main(paths):
                     found = kernels(model, variant, time, elimination)
                     for name, functions in (found or {}).items():
                         key = [model.name] + [x[0] if x else "-" for x in (variant, time, elimination)] + [name]
-                        print("\t".join(key + [str(cheapest(functions))]), flush=True)
+                        print("\t".join(key + [str(n) for n in cheapest(functions)]), flush=True)
 
 
 if __name__ == "__main__":
