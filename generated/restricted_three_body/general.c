@@ -5,12 +5,12 @@
  *  Command:    ttc generate --out DIR restricted_three_body.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   10    7    1    2    0     10    6   (40)
- *  jacobian            4   18    9    1    2    0     12   10   (113)
- *  rhs_jacobian        4   20   13    1    2    0     13   11   (142)
+ *  rhs                 3    8    7    1    2    0      9    6   (40)
+ *  jacobian            4   15    7    1    2    0     12    8   (104)
+ *  rhs_jacobian        4   17   11    1    2    0     13   10   (133)
  *  divergence          0    0    0    0    0    0      0    0   (0)
  *  integral_values     2    3    7    1    2    0      7    5   (27)
- *  integral_gradients  2   10    7    1    2    0     10    5   (39)
+ *  integral_gradients  3    8    5    1    2    0      9    6   (36)
  *  measure_values      0    0    0    0    0    0      0    0   (0)
  *  measure_divergences 0    0    0    0    0    0      0    0   (0)
  *
@@ -51,27 +51,25 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t1 = x[0] + p[0]; /* x + mu */
     const double t2 = x[1]*x[1]; /* y*y */
     const double t3 = JLT_FMA(t1, t1, t2); /* (x + mu)*(x + mu) + y*y */
-    const double t4 = JLT_FMA(t0, t0, t2); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
-    const double t5 = sqrt(t3); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
-    const double t6 = sqrt(t4); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
-    const double t7 = t5*t6; /* r1*r2 */
-    const double t8 = 1.0/t7; /* 1/(r1*r2) */
-    const double t9 = t5*t8; /* 1/r2 = r1*1/(r1*r2) */
-    const double t10 = t6*t8; /* 1/r1 = r2*1/(r1*r2) */
-    const double t11 = p[0]*t9; /* mu*1/r2 */
-    const double t12 = t9*t9; /* 1/r2*1/r2 */
-    const double t13 = t11*t12; /* mu*1/r2*1/r2*1/r2 */
-    const double t14 = p[1]*t10; /* (-1 + mu)*1/r1 */
-    const double t15 = t10*t10; /* 1/r1*1/r1 */
-    const double t16 = t14*t15; /* (-1 + mu)*1/r1*1/r1*1/r1 */
-    const double t17 = JLT_FMA(x[3], 2.0, x[0]); /* vy*2 + x */
-    const double t18 = JLT_FNMA(t0, t13, t17); /* vy*2 + x - (x + -1 + mu)*mu*1/r2*1/r2*1/r2 */
-    const double t19 = JLT_FMA(t1, t16, t18); /* (x + mu)*(-1 + mu)*1/r1*1/r1*1/r1 + vy*2 + x - (x + -1 + mu)*mu*1/r2*1/r2*1/r2 */
-    out[2] = t19;
-    const double t20 = t13 - t16; /* mu*1/r2*1/r2*1/r2 - (-1 + mu)*1/r1*1/r1*1/r1 */
-    const double t21 = JLT_FNMA(x[2], 2.0, x[1]); /* y - vx*2 */
-    const double t22 = JLT_FNMA(x[1], t20, t21); /* y - vx*2 - y*(mu*1/r2*1/r2*1/r2 - (-1 + mu)*1/r1*1/r1*1/r1) */
-    out[3] = t22;
+    const double t4 = sqrt(t3); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
+    const double t5 = t3*t4; /* ((x + mu)*(x + mu) + y*y)*r1 */
+    const double t6 = JLT_FMA(t0, t0, t2); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
+    const double t7 = sqrt(t6); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
+    const double t8 = t6*t7; /* ((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    const double t9 = t5*t8; /* ((x + mu)*(x + mu) + y*y)*r1*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    const double t10 = 1.0/t9; /* 1/t9 */
+    const double t11 = p[0]*t5; /* mu*((x + mu)*(x + mu) + y*y)*r1 */
+    const double t12 = t10*t11; /* 1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 */
+    const double t13 = p[1]*t8; /* (-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    const double t14 = t10*t13; /* 1/t9*(-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    const double t15 = JLT_FMA(x[3], 2.0, x[0]); /* vy*2 + x */
+    const double t16 = JLT_FNMA(t0, t12, t15); /* vy*2 + x - (x + -1 + mu)*1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 */
+    const double t17 = JLT_FMA(t1, t14, t16); /* (x + mu)*1/t9*(-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 + t16 */
+    out[2] = t17;
+    const double t18 = t14 - t12; /* 1/t9*(-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 - 1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 */
+    const double t19 = JLT_FNMA(x[2], 2.0, x[1]); /* y - vx*2 */
+    const double t20 = JLT_FMA(x[1], t18, t19); /* y*t18 + y - vx*2 */
+    out[3] = t20;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -100,32 +98,27 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t9 = t4*t8; /* 1/r1 = r2*1/(r2*r1) */
     const double t10 = t6*t8; /* 1/r2 = r1*1/(r2*r1) */
     const double t11 = t9*t9; /* 1/r1*1/r1 */
-    const double t12 = t10*t10; /* 1/r2*1/r2 */
-    const double t13 = t10*t12; /* 1/r2*1/r2*1/r2 */
-    const double t14 = p[2]*t12; /* 3*mu*1/r2*1/r2 */
-    const double t15 = t13*t14; /* 1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
-    const double t16 = p[1]*t9; /* (-1 + mu)*1/r1 */
-    const double t17 = JLT_FMA(t11, t16, 1.0); /* 1/r1*1/r1*(-1 + mu)*1/r1 + 1 */
-    const double t18 = JLT_FNMA(p[0], t13, t17); /* 1/r1*1/r1*(-1 + mu)*1/r1 + 1 - mu*1/r2*1/r2*1/r2 */
-    const double t19 = p[0]*t9; /* mu*1/r1 */
-    const double t20 = JLT_FMA(x[0], t9, t19); /* x*1/r1 + mu*1/r1 */
-    const double t21 = p[3]*t11; /* (-3 + 3*mu)*1/r1*1/r1 */
-    const double t22 = t11*t21; /* 1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t23 = t20*t22; /* (x*1/r1 + mu*1/r1)*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t24 = t9*t22; /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t25 = t1*t15; /* (-1 + mu + x)*1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
-    const double t26 = JLT_FMA(t1, t25, t18); /* (-1 + mu + x)*(-1 + mu + x)*1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 + 1/r1*1/r1*(-1 + mu)*1/r1 + 1 - mu*1/r2*1/r2*1/r2 */
-    const double t27 = JLT_FNMA(t2, t23, t26); /* t26 - (x + mu)*(x*1/r1 + mu*1/r1)*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    out[8] = t27;
-    const double t28 = JLT_FNMA(t2, t24, t25); /* (-1 + mu + x)*1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 - (x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t29 = t25 - t23; /* (-1 + mu + x)*1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 - (x*1/r1 + mu*1/r1)*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t30 = t15 - t24; /* 1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 - 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t31 = JLT_FMA(t0, t30, t18); /* y*y*t30 + 1/r1*1/r1*(-1 + mu)*1/r1 + 1 - mu*1/r2*1/r2*1/r2 */
-    out[13] = t31;
-    const double t32 = x[1]*t28; /* y*t28 */
-    out[9] = t32;
-    const double t33 = x[1]*t29; /* y*t29 */
-    out[12] = t33;
+    const double t12 = t9*t11; /* 1/r1*1/r1*1/r1 */
+    const double t13 = p[3]*t11; /* (-3 + 3*mu)*1/r1*1/r1 */
+    const double t14 = t12*t13; /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    const double t15 = JLT_FMA(p[1], t12, 1.0); /* (-1 + mu)*1/r1*1/r1*1/r1 + 1 */
+    const double t16 = t10*t10; /* 1/r2*1/r2 */
+    const double t17 = t10*t16; /* 1/r2*1/r2*1/r2 */
+    const double t18 = p[2]*t16; /* 3*mu*1/r2*1/r2 */
+    const double t19 = t17*t18; /* 1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
+    const double t20 = JLT_FNMA(p[0], t17, t15); /* (-1 + mu)*1/r1*1/r1*1/r1 + 1 - mu*1/r2*1/r2*1/r2 */
+    const double t21 = t1*t19; /* (-1 + mu + x)*1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
+    const double t22 = JLT_FMA(t1, t21, t20); /* (-1 + mu + x)*(-1 + mu + x)*1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 + (-1 + mu)*1/r1*1/r1*1/r1 + 1 - mu*1/r2*1/r2*1/r2 */
+    const double t23 = t14 - t19; /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 - 1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
+    const double t24 = JLT_FNMA(t0, t23, t20); /* (-1 + mu)*1/r1*1/r1*1/r1 + 1 - mu*1/r2*1/r2*1/r2 - y*y*t23 */
+    out[13] = t24;
+    const double t25 = t2*t14; /* (x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    const double t26 = JLT_FNMA(t2, t25, t22); /* t22 - (x + mu)*(x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    out[8] = t26;
+    const double t27 = t21 - t25; /* (-1 + mu + x)*1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 - (x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    const double t28 = x[1]*t27; /* y*t27 */
+    out[9] = t28;
+    out[12] = t28;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -156,40 +149,35 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t9 = t6*t8; /* 1/r1 = r2*1/(r1*r2) */
     const double t10 = t4*t8; /* 1/r2 = r1*1/(r1*r2) */
     const double t11 = t9*t9; /* 1/r1*1/r1 */
-    const double t12 = t10*t10; /* 1/r2*1/r2 */
-    const double t13 = t10*t12; /* 1/r2*1/r2*1/r2 */
-    const double t14 = p[2]*t12; /* 3*mu*1/r2*1/r2 */
-    const double t15 = t9*t11; /* 1/r1*1/r1*1/r1 */
-    const double t16 = p[0]*t9; /* mu*1/r1 */
-    const double t17 = JLT_FMA(x[0], t9, t16); /* x*1/r1 + mu*1/r1 */
-    const double t18 = t11*t17; /* 1/r1*1/r1*(x*1/r1 + mu*1/r1) */
-    const double t19 = p[3]*t11; /* (-3 + 3*mu)*1/r1*1/r1 */
-    const double t20 = t18*t19; /* 1/r1*1/r1*(x*1/r1 + mu*1/r1)*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t21 = t15*t19; /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t22 = p[1]*t15; /* (-1 + mu)*1/r1*1/r1*1/r1 */
-    const double t23 = t0*t13; /* (x + -1 + mu)*1/r2*1/r2*1/r2 */
-    const double t24 = 1.0 + t22; /* 1 + (-1 + mu)*1/r1*1/r1*1/r1 */
-    const double t25 = JLT_FNMA(p[0], t13, t24); /* 1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2 */
-    const double t26 = JLT_FNMA(t13, t14, t21); /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 - 1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
-    const double t27 = JLT_FNMA(t2, t26, t25); /* 1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2 - y*y*t26 */
-    out[17] = t27;
-    const double t28 = t14*t23; /* 3*mu*1/r2*1/r2*(x + -1 + mu)*1/r2*1/r2*1/r2 */
-    const double t29 = JLT_FMA(t0, t28, t25); /* (x + -1 + mu)*3*mu*1/r2*1/r2*(x + -1 + mu)*1/r2*1/r2*1/r2 + 1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2 */
-    const double t30 = JLT_FNMA(t1, t20, t29); /* t29 - (x + mu)*1/r1*1/r1*(x*1/r1 + mu*1/r1)*(-3 + 3*mu)*1/r1*1/r1 */
-    out[12] = t30;
-    const double t31 = x[1]*t25; /* y*(1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2) */
-    const double t32 = JLT_FNMA(x[2], 2.0, t31); /* y*(1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2) - vx*2 */
-    out[3] = t32;
-    const double t33 = JLT_FNMA(t1, t21, t28); /* 3*mu*1/r2*1/r2*(x + -1 + mu)*1/r2*1/r2*1/r2 - (x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t34 = t28 - t20; /* 3*mu*1/r2*1/r2*(x + -1 + mu)*1/r2*1/r2*1/r2 - 1/r1*1/r1*(x*1/r1 + mu*1/r1)*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t35 = x[1]*t33; /* y*t33 */
-    out[13] = t35;
-    const double t36 = x[1]*t34; /* y*t34 */
-    out[16] = t36;
-    const double t37 = JLT_FMA(x[3], 2.0, x[0]); /* vy*2 + x */
-    const double t38 = JLT_FNMA(p[0], t23, t37); /* vy*2 + x - mu*(x + -1 + mu)*1/r2*1/r2*1/r2 */
-    const double t39 = JLT_FMA(t1, t22, t38); /* (x + mu)*(-1 + mu)*1/r1*1/r1*1/r1 + vy*2 + x - mu*(x + -1 + mu)*1/r2*1/r2*1/r2 */
-    out[2] = t39;
+    const double t12 = t9*t11; /* 1/r1*1/r1*1/r1 */
+    const double t13 = p[3]*t11; /* (-3 + 3*mu)*1/r1*1/r1 */
+    const double t14 = t12*t13; /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    const double t15 = p[1]*t12; /* (-1 + mu)*1/r1*1/r1*1/r1 */
+    const double t16 = t10*t10; /* 1/r2*1/r2 */
+    const double t17 = t10*t16; /* 1/r2*1/r2*1/r2 */
+    const double t18 = p[2]*t16; /* 3*mu*1/r2*1/r2 */
+    const double t19 = t0*t17; /* (x + -1 + mu)*1/r2*1/r2*1/r2 */
+    const double t20 = 1.0 + t15; /* 1 + (-1 + mu)*1/r1*1/r1*1/r1 */
+    const double t21 = JLT_FNMA(p[0], t17, t20); /* 1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2 */
+    const double t22 = JLT_FNMA(t17, t18, t14); /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 - 1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
+    const double t23 = JLT_FNMA(t2, t22, t21); /* 1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2 - y*y*t22 */
+    out[17] = t23;
+    const double t24 = t18*t19; /* 3*mu*1/r2*1/r2*(x + -1 + mu)*1/r2*1/r2*1/r2 */
+    const double t25 = t1*t14; /* (x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    const double t26 = JLT_FMA(t0, t24, t21); /* (x + -1 + mu)*3*mu*1/r2*1/r2*(x + -1 + mu)*1/r2*1/r2*1/r2 + 1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2 */
+    const double t27 = JLT_FNMA(t1, t25, t26); /* t26 - (x + mu)*(x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    out[12] = t27;
+    const double t28 = t24 - t25; /* 3*mu*1/r2*1/r2*(x + -1 + mu)*1/r2*1/r2*1/r2 - (x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    const double t29 = x[1]*t28; /* y*t28 */
+    out[13] = t29;
+    out[16] = t29;
+    const double t30 = x[1]*t21; /* y*(1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2) */
+    const double t31 = JLT_FNMA(x[2], 2.0, t30); /* y*(1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2) - vx*2 */
+    out[3] = t31;
+    const double t32 = JLT_FMA(x[3], 2.0, x[0]); /* vy*2 + x */
+    const double t33 = JLT_FNMA(p[0], t19, t32); /* vy*2 + x - mu*(x + -1 + mu)*1/r2*1/r2*1/r2 */
+    const double t34 = JLT_FMA(t1, t15, t33); /* (x + mu)*(-1 + mu)*1/r1*1/r1*1/r1 + vy*2 + x - mu*(x + -1 + mu)*1/r2*1/r2*1/r2 */
+    out[2] = t34;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -221,32 +209,29 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    out[2] = x[2];
-    out[3] = x[3];
     const double t0 = x[0] + p[1]; /* x + -1 + mu */
     const double t1 = x[0] + p[0]; /* x + mu */
     const double t2 = x[1]*x[1]; /* y*y */
     const double t3 = JLT_FMA(t1, t1, t2); /* (x + mu)*(x + mu) + y*y */
-    const double t4 = JLT_FMA(t0, t0, t2); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
-    const double t5 = sqrt(t3); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
-    const double t6 = sqrt(t4); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
-    const double t7 = t5*t6; /* r1*r2 */
-    const double t8 = 1.0/t7; /* 1/(r1*r2) */
-    const double t9 = t5*t8; /* 1/r2 = r1*1/(r1*r2) */
-    const double t10 = t6*t8; /* 1/r1 = r2*1/(r1*r2) */
-    const double t11 = p[0]*t9; /* mu*1/r2 */
-    const double t12 = t9*t9; /* 1/r2*1/r2 */
-    const double t13 = t11*t12; /* mu*1/r2*1/r2*1/r2 */
-    const double t14 = JLT_FMS(t0, t13, x[0]); /* (x + -1 + mu)*mu*1/r2*1/r2*1/r2 - x */
-    const double t15 = p[1]*t10; /* (-1 + mu)*1/r1 */
-    const double t16 = t10*t15; /* 1/r1*(-1 + mu)*1/r1 */
-    const double t17 = JLT_FNMA(t10, t16, t13); /* mu*1/r2*1/r2*1/r2 - 1/r1*1/r1*(-1 + mu)*1/r1 */
-    const double t18 = JLT_FMS(x[1], t17, x[1]); /* y*(mu*1/r2*1/r2*1/r2 - 1/r1*1/r1*(-1 + mu)*1/r1) - y */
+    const double t4 = sqrt(t3); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
+    const double t5 = t3*t4; /* ((x + mu)*(x + mu) + y*y)*r1 */
+    const double t6 = JLT_FMA(t0, t0, t2); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
+    const double t7 = sqrt(t6); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
+    const double t8 = t6*t7; /* ((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    const double t9 = t5*t8; /* ((x + mu)*(x + mu) + y*y)*r1*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    const double t10 = 1.0/t9; /* 1/t9 */
+    const double t11 = p[0]*t5; /* mu*((x + mu)*(x + mu) + y*y)*r1 */
+    const double t12 = t10*t11; /* 1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 */
+    const double t13 = p[1]*t8; /* (-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    const double t14 = t10*t13; /* 1/t9*(-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    const double t15 = JLT_FMS(t0, t12, x[0]); /* (x + -1 + mu)*1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 - x */
+    const double t16 = JLT_FNMA(t1, t14, t15); /* (x + -1 + mu)*1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 - x - (x + mu)*1/t9*(-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    out[0] = t16;
+    const double t17 = t12 - t14; /* 1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 - 1/t9*(-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    const double t18 = JLT_FMS(x[1], t17, x[1]); /* y*t17 - y */
     out[1] = t18;
-    const double t19 = p[0]*t10; /* mu*1/r1 */
-    const double t20 = JLT_FMA(x[0], t10, t19); /* x*1/r1 + mu*1/r1 */
-    const double t21 = JLT_FNMA(t16, t20, t14); /* (x + -1 + mu)*mu*1/r2*1/r2*1/r2 - x - 1/r1*(-1 + mu)*1/r1*(x*1/r1 + mu*1/r1) */
-    out[0] = t21;
+    out[2] = x[2];
+    out[3] = x[3];
 }
 
 static void measure_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -270,7 +255,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
-    double t8[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t7[JLT_JET_ORDER_MAX + 1];
     double t9[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
@@ -279,7 +265,6 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
-    double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
@@ -291,41 +276,37 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t26[JLT_JET_ORDER_MAX + 1];
     double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
-    double t30[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = x3[0] = x[3];
     for (unsigned k = 0; k < order; k++) {
-        t8[k] = x0[k] + (k == 0 ? p[1] : 0);
-        t9[k] = x0[k] + (k == 0 ? p[0] : 0);
-        t10[k] = jlt_jet_product(x1, x1, k);
-        t11[k] = jlt_jet_product(t9, t9, k) + t10[k];
-        t12[k] = jlt_jet_product(t8, t8, k) + t10[k];
-        t13[k] = jlt_jet_root(t11[k], t13, k);
-        t14[k] = jlt_jet_root(t12[k], t14, k);
+        t5[k] = x0[k] + (k == 0 ? p[1] : 0);
+        t7[k] = x0[k] + (k == 0 ? p[0] : 0);
+        t9[k] = jlt_jet_product(x1, x1, k);
+        t10[k] = jlt_jet_product(t7, t7, k) + t9[k];
+        t11[k] = jlt_jet_root(t10[k], t11, k);
+        t12[k] = jlt_jet_product(t10, t11, k);
+        t13[k] = jlt_jet_product(t5, t5, k) + t9[k];
+        t14[k] = jlt_jet_root(t13[k], t14, k);
         t15[k] = jlt_jet_product(t13, t14, k);
-        t16[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t15, t16, k);
-        t17[k] = jlt_jet_product(t13, t16, k);
-        t18[k] = jlt_jet_product(t14, t16, k);
-        t19[k] = p[0]*t17[k];
-        t20[k] = jlt_jet_product(t17, t17, k);
-        t21[k] = jlt_jet_product(t19, t20, k);
-        t22[k] = p[1]*t18[k];
-        t23[k] = jlt_jet_product(t18, t18, k);
-        t24[k] = jlt_jet_product(t22, t23, k);
-        t25[k] = x3[k]*2.0 + x0[k];
-        t26[k] = t25[k] - jlt_jet_product(t8, t21, k);
-        t27[k] = jlt_jet_product(t9, t24, k) + t26[k];
-        t28[k] = t21[k] - t24[k];
-        t29[k] = x1[k] - x2[k]*2.0;
-        t30[k] = t29[k] - jlt_jet_product(x1, t28, k);
+        t16[k] = jlt_jet_product(t12, t15, k);
+        t18[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t16, t18, k);
+        t19[k] = p[0]*t12[k];
+        t20[k] = jlt_jet_product(t18, t19, k);
+        t21[k] = p[1]*t15[k];
+        t22[k] = jlt_jet_product(t18, t21, k);
+        t23[k] = x3[k]*2.0 + x0[k];
+        t24[k] = t23[k] - jlt_jet_product(t5, t20, k);
+        t25[k] = jlt_jet_product(t7, t22, k) + t24[k];
+        t26[k] = t22[k] - t20[k];
+        t27[k] = x1[k] - x2[k]*2.0;
+        t28[k] = jlt_jet_product(x1, t26, k) + t27[k];
         double *restrict next = coefficients + (k + 1)*4;
         next[0] = x0[k + 1] = x2[k]/(k + 1);
         next[1] = x1[k + 1] = x3[k]/(k + 1);
-        next[2] = x2[k + 1] = t27[k]/(k + 1);
-        next[3] = x3[k + 1] = t30[k]/(k + 1);
+        next[2] = x2[k + 1] = t25[k]/(k + 1);
+        next[3] = x3[k + 1] = t28[k]/(k + 1);
     }
 }
 
@@ -384,17 +365,17 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 3, 10, 7, 1, 2, 0, 10, 6 }, { 16, 18, 0, 4, 2, 0, 10, 7 },
+    .rhs = { rhs, 4, { 3, 8, 7, 1, 2, 0, 9, 6 }, { 16, 18, 0, 4, 2, 0, 10, 7 },
         "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 4, 18, 9, 1, 2, 0, 12, 10 }, { 33, 56, 0, 22, 2, 0, 14, 8 },
+    .jacobian = { jacobian, 16, { 4, 15, 7, 1, 2, 0, 12, 8 }, { 30, 60, 0, 12, 2, 0, 13, 7 },
         "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 4, 20, 13, 1, 2, 0, 13, 11 }, { 44, 70, 0, 26, 2, 0, 14, 8 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 4, 17, 11, 1, 2, 0, 13, 10 }, { 41, 74, 0, 16, 2, 0, 13, 7 },
         "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .integral_values = { integral_values, 1, { 2, 3, 7, 1, 2, 0, 7, 5 }, { 11, 12, 0, 2, 2, 0, 8, 4 },
         "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 4, { 2, 10, 7, 1, 2, 0, 10, 5 }, { 14, 14, 0, 9, 2, 0, 12, 8 },
+    .integral_gradients = { integral_gradients, 4, { 3, 8, 5, 1, 2, 0, 9, 6 }, { 14, 16, 0, 4, 2, 0, 10, 7 },
         "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { measure_values, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },

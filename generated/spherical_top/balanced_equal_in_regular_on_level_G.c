@@ -10,10 +10,10 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   15    6    1    0    0     10    6   (47)
  *  jacobian            6   30    8    1    0    0     12    6   (180)
- *  rhs_jacobian        8   37    9    1    0    0     13    9   (205)
+ *  rhs_jacobian        9   36    9    1    0    0     14    9   (205)
  *  divergence          2    3    3    1    0    0      7    3   (23)
  *  integral_values     0    9    7    1    0    0      8    4   (39)
- *  integral_gradients  1   16    9    1    0    0      8    8   (72)
+ *  integral_gradients  0   15   10    1    0    0      7    8   (72)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          0    2    1    1    0    0      4    2   (7)
  *
@@ -64,9 +64,9 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t4 = 1.0/t3; /* 1/(R*I3*I3) */
     out[9] = t4;
     const double t5 = params[1]*params[1]; /* R*R */
-    out[25] = t5;
+    out[29] = t5;
     const double t6 = params[0]*t5; /* m*R*R */
-    out[27] = t6;
+    out[32] = t6;
     const double t7 = params[5]*t6; /* I3*m*R*R */
     out[11] = t7;
     const double t8 = t2*t5; /* I3*I3*R*R */
@@ -96,20 +96,30 @@ static void prepare(const double *restrict params, double *restrict out)
     out[21] = t22;
     const double t23 = -t17; /* -R*m */
     out[22] = t23;
-    const double t24 = params[0]/2.0; /* m/2 */
+    const double t24 = (-2.0)/params[5]; /* (-2)/I3 */
     out[23] = t24;
-    const double t25 = params[5]/params[0]; /* I3/m */
-    out[24] = t25;
-    const double t26 = t2*params[0]; /* I3*I3*m */
-    out[26] = t26;
-    const double t27 = 1.0/params[1]; /* 1/R */
-    out[28] = t27;
-    const double t28 = params[0]*2.0; /* m*2 */
-    const double t29 = t2*t28; /* I3*I3*m*2 */
-    out[29] = t29;
-    const double t30 = params[1]*t28; /* R*m*2 */
-    const double t31 = t2*t30; /* I3*I3*R*m*2 */
-    out[30] = t31;
+    const double t25 = params[1]*t5; /* R*R*R */
+    const double t26 = t20*t25; /* 2*m*m*R*R*R */
+    const double t27 = t2*t26; /* I3*I3*2*m*m*R*R*R */
+    out[24] = t27;
+    const double t28 = -t18; /* -I3*R*m */
+    out[25] = t28;
+    const double t29 = -t7; /* -I3*m*R*R */
+    out[26] = t29;
+    const double t30 = params[0]/2.0; /* m/2 */
+    out[27] = t30;
+    const double t31 = params[5]/params[0]; /* I3/m */
+    out[28] = t31;
+    const double t32 = t2*params[0]; /* I3*I3*m */
+    out[30] = t32;
+    const double t33 = 1.0/params[1]; /* 1/R */
+    out[31] = t33;
+    const double t34 = params[0]*2.0; /* m*2 */
+    const double t35 = t2*t34; /* I3*I3*m*2 */
+    out[33] = t35;
+    const double t36 = params[1]*t34; /* R*m*2 */
+    const double t37 = t2*t36; /* I3*I3*R*m*2 */
+    out[34] = t37;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -240,22 +250,22 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t7 = p[8]*x[0]; /* R*I3*gamma3 */
     const double t8 = JLT_FMA(x[3], t7, p[6]); /* omega3*R*I3*gamma3 + G_level */
     const double t9 = t5*t8; /* 1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t10 = x[0]*t9; /* gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t11 = t5*t10; /* 1/s*gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t12 = x[4]*t9; /* s*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t10 = p[17]*t9; /* 1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t11 = x[0]*t10; /* gamma3*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t12 = t5*t11; /* 1/s*gamma3*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
     const double t13 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t14 = t6*t13; /* 1/Theta*V */
-    const double t15 = t6*t12; /* 1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t16 = p[14]*t15; /* (-m)*1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    out[21] = t16;
-    const double t17 = p[22]*t15; /* (-m*R)*1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    out[22] = t17;
-    const double t18 = p[17]*t12; /* 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t19 = JLT_FMA(p[15], t11, x[3]); /* 2/(R*I3)*1/s*gamma3*1/s*(omega3*R*I3*gamma3 + G_level) + omega3 */
-    const double t20 = t9*t11; /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/s*gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t21 = p[18]*t20; /* (-2/(R*I3^2))*t20 */
+    const double t15 = x[4]*t10; /* s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t16 = t6*t15; /* 1/Theta*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t17 = p[25]*t16; /* (-m*R*I3)*1/Theta*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    out[21] = t17;
+    const double t18 = p[26]*t16; /* (-m*R^2*I3)*1/Theta*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    out[22] = t18;
+    const double t19 = JLT_FMA(2.0, t12, x[3]); /* 2*1/s*gamma3*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3 */
+    const double t20 = t9*t12; /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/s*gamma3*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t21 = p[23]*t20; /* (-2/I3)*t20 */
     out[14] = t21;
-    const double t22 = p[19]*t20; /* 2/(R^2*I3^2)*t20 */
+    const double t22 = p[15]*t20; /* 2/(R*I3)*t20 */
     out[19] = t22;
     const double t23 = x[4]*x[2]; /* s*omega_tau */
     const double t24 = x[4]*t23; /* s*s*omega_tau */
@@ -267,36 +277,36 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t27 = x[0]*t23; /* gamma3*s*omega_tau */
     const double t28 = -t27; /* -gamma3*s*omega_tau */
     out[4] = t28;
-    const double t29 = x[3]*t18; /* omega3*1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t30 = JLT_FMA(x[0], t19, t18); /* gamma3*t19 + 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t31 = x[3]*t19; /* omega3*t19 */
-    const double t32 = p[1]*t30; /* R*(gamma3*t19 + 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level)) */
-    out[13] = t32;
-    const double t33 = -t30; /* -(gamma3*t19 + 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level)) */
-    out[18] = t33;
-    const double t34 = p[16]*t9; /* 1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t35 = JLT_FMA(t10, t34, t29); /* gamma3*1/s*(omega3*R*I3*gamma3 + G_level)*1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t36 = JLT_FMA(t9, t34, t31); /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*t19 */
-    const double t37 = p[1]*t35; /* R*t35 */
-    out[1] = t37;
-    const double t38 = -t35; /* -t35 */
-    out[2] = t38;
-    const double t39 = p[1]*t36; /* R*t36 */
-    out[10] = t39;
-    const double t40 = -t36; /* -t36 */
-    out[15] = t40;
-    const double t41 = p[20]*t14; /* m*R*I3*1/Theta*V */
-    const double t42 = p[21]*t14; /* 2*m^2*R^2*I3*1/Theta*V */
-    const double t43 = t15*t42; /* 1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level)*2*m^2*R^2*I3*1/Theta*V */
-    const double t44 = p[14]*t14; /* (-m)*1/Theta*V */
-    const double t45 = t12*t44; /* s*1/s*(omega3*R*I3*gamma3 + G_level)*(-m)*1/Theta*V */
-    out[3] = t45;
-    const double t46 = x[4]*t43; /* s*t43 */
-    out[24] = t46;
-    const double t47 = x[3]*t41; /* omega3*m*R*I3*1/Theta*V */
-    const double t48 = JLT_FMS(x[0], t43, t47); /* gamma3*t43 - omega3*m*R*I3*1/Theta*V */
+    const double t29 = x[3]*t15; /* omega3*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t30 = JLT_FMA(t10, t11, t29); /* 1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level)*gamma3*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t31 = p[1]*t30; /* R*t30 */
+    out[1] = t31;
+    const double t32 = -t30; /* -t30 */
+    out[2] = t32;
+    const double t33 = p[20]*t14; /* m*R*I3*1/Theta*V */
+    const double t34 = p[24]*t14; /* 2*m^2*R^3*I3^2*1/Theta*V */
+    const double t35 = t16*t34; /* 1/Theta*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level)*2*m^2*R^3*I3^2*1/Theta*V */
+    const double t36 = x[4]*t35; /* s*t35 */
+    out[24] = t36;
+    const double t37 = x[3]*t19; /* omega3*t19 */
+    const double t38 = JLT_FMA(x[0], t19, t15); /* gamma3*t19 + s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t39 = t15*t33; /* s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level)*m*R*I3*1/Theta*V */
+    const double t40 = -t39; /* -t39 */
+    out[3] = t40;
+    const double t41 = p[1]*t38; /* R*(gamma3*t19 + s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level)) */
+    out[13] = t41;
+    const double t42 = -t38; /* -(gamma3*t19 + s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level)) */
+    out[18] = t42;
+    const double t43 = p[16]*t9; /* 1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t44 = JLT_FMA(t9, t43, t37); /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*t19 */
+    const double t45 = p[1]*t44; /* R*t44 */
+    out[10] = t45;
+    const double t46 = -t44; /* -t44 */
+    out[15] = t46;
+    const double t47 = x[3]*t33; /* omega3*m*R*I3*1/Theta*V */
+    const double t48 = JLT_FMS(x[0], t35, t47); /* gamma3*t35 - omega3*m*R*I3*1/Theta*V */
     out[20] = t48;
-    const double t49 = x[0]*t41; /* gamma3*m*R*I3*1/Theta*V */
+    const double t49 = x[0]*t33; /* gamma3*m*R*I3*1/Theta*V */
     const double t50 = -t49; /* -gamma3*m*R*I3*1/Theta*V */
     out[23] = t50;
     const double t51 = x[4]*x[0]; /* s*gamma3 */
@@ -333,14 +343,14 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t7 = x[3]*x[4]; /* omega3*s */
     const double t8 = JLT_FMA(x[0], t3, t7); /* v_tau/R = gamma3*omega_n + omega3*s */
     const double t9 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t10 = JLT_FMA(p[24], t6, t9); /* I3/m*(omega_n*omega_n + omega_tau*omega_tau + omega3*omega3) + v_nu*v_nu */
-    const double t11 = p[25]*t8; /* R^2*v_tau/R */
+    const double t10 = JLT_FMA(p[28], t6, t9); /* I3/m*(omega_n*omega_n + omega_tau*omega_tau + omega3*omega3) + v_nu*v_nu */
+    const double t11 = p[29]*t8; /* R^2*v_tau/R */
     const double t12 = JLT_FMA(t8, t11, t10); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + t10 */
-    const double t13 = p[23]*t12; /* 1/2*m*energy/(1/2*m) */
+    const double t13 = p[27]*t12; /* 1/2*m*energy/(1/2*m) */
     out[0] = t13;
     const double t14 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     out[2] = t14;
-    const double t15 = p[26]*t14; /* m*I3^2*(omega_tau*R + v_nu) */
+    const double t15 = p[30]*t14; /* m*I3^2*(omega_tau*R + v_nu) */
     const double t16 = t14*t15; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
     out[1] = t16;
 }
@@ -348,6 +358,34 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[11] = 1.0;
+    const double t0 = 1.0/x[4]; /* 1/s */
+    const double t1 = p[8]*x[0]; /* R*I3*gamma3 */
+    const double t2 = JLT_FMA(x[3], t1, p[6]); /* omega3*R*I3*gamma3 + G_level */
+    const double t3 = t0*t2; /* 1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t4 = p[31]*t3; /* 1/R*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t5 = t0*t4; /* 1/s*1/R*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t6 = x[3]*t5; /* omega3*1/s*1/R*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t7 = t3*p[17]; /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/(R*I3) */
+    const double t8 = t0*x[0]; /* 1/s*gamma3 */
+    const double t9 = JLT_FMA(x[3], t8, t7); /* d(v_tau)/d(gamma3)/R = omega3*1/s*gamma3 + 1/s*(omega3*R*I3*gamma3 + G_level)*1/(R*I3) */
+    const double t10 = x[3]*x[4]; /* omega3*s */
+    const double t11 = JLT_FMA(x[0], t7, t10); /* v_tau/R = gamma3*1/s*(omega3*R*I3*gamma3 + G_level)*1/(R*I3) + omega3*s */
+    const double t12 = p[32]*t11; /* m*R^2*v_tau/R */
+    const double t13 = JLT_FMA(t9, t12, t6); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R + omega3*1/s*1/R*1/s*(omega3*R*I3*gamma3 + G_level) */
+    out[0] = t13;
+    const double t14 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t14;
+    const double t15 = p[5]*x[2]; /* I3*omega_tau */
+    out[2] = t15;
+    const double t16 = x[3]*p[5]; /* omega3*I3 */
+    const double t17 = JLT_FMA(x[0], t8, x[4]); /* d(v_tau)/d(omega3)/R = gamma3*1/s*gamma3 + s */
+    const double t18 = JLT_FMA(t4, t8, t16); /* 1/R*1/s*(omega3*R*I3*gamma3 + G_level)*1/s*gamma3 + omega3*I3 */
+    const double t19 = JLT_FMA(t12, t17, t18); /* d(energy)/d(omega3) = m*R^2*v_tau/R*d(v_tau)/d(omega3)/R + t18 */
+    out[3] = t19;
+    const double t20 = t5*t7; /* 1/s*1/R*1/s*(omega3*R*I3*gamma3 + G_level)*1/s*(omega3*R*I3*gamma3 + G_level)*1/(R*I3) */
+    const double t21 = JLT_FNMA(t7, t8, x[3]); /* d(v_tau)/d(s)/R = omega3 - 1/s*(omega3*R*I3*gamma3 + G_level)*1/(R*I3)*1/s*gamma3 */
+    const double t22 = JLT_FMS(t12, t21, t20); /* d(energy)/d(s) = m*R^2*v_tau/R*d(v_tau)/d(s)/R - t20 */
+    out[4] = t22;
     out[5] = 0.0;
     out[8] = 0.0;
     out[9] = 0.0;
@@ -355,40 +393,11 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[13] = 0.0;
     out[14] = 0.0;
     out[12] = p[1];
-    const double t0 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t0;
-    const double t1 = p[5]*x[2]; /* I3*omega_tau */
-    out[2] = t1;
-    const double t2 = x[3]*x[0]; /* omega3*gamma3 */
-    const double t3 = 1.0/x[4]; /* 1/s */
-    const double t4 = JLT_FMA(p[8], t2, p[6]); /* R*I3*omega3*gamma3 + G_level */
-    const double t5 = t3*t4; /* 1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t6 = p[17]*t5; /* 1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t7 = p[28]*t5; /* 1/R*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t8 = JLT_FMA(t2, t3, t6); /* d(v_tau)/d(gamma3)/R = omega3*gamma3*1/s + 1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t9 = x[0]*t6; /* gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t10 = t3*t6; /* 1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t11 = t7*t10; /* 1/R*1/s*(R*I3*omega3*gamma3 + G_level)*1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t12 = p[5]*x[3]; /* I3*omega3 */
-    const double t13 = t10*t12; /* 1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level)*I3*omega3 */
-    const double t14 = JLT_FMA(x[3], x[4], t9); /* v_tau/R = omega3*s + gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t15 = t3*t9; /* 1/s*gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t16 = p[27]*t14; /* m*R^2*v_tau/R */
-    const double t17 = JLT_FMA(t8, t16, t13); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R + 1/s*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level)*I3*omega3 */
-    out[0] = t17;
-    const double t18 = JLT_FMA(p[5], t15, t12); /* I3*1/s*gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) + I3*omega3 */
-    const double t19 = x[3] - t15; /* d(v_tau)/d(s)/R = omega3 - 1/s*gamma3*1/(R*I3)*1/s*(R*I3*omega3*gamma3 + G_level) */
-    const double t20 = JLT_FMS(t16, t19, t11); /* d(energy)/d(s) = m*R^2*v_tau/R*d(v_tau)/d(s)/R - t11 */
-    out[4] = t20;
-    const double t21 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t22 = JLT_FMA(t3, t21, x[4]); /* d(v_tau)/d(omega3)/R = 1/s*gamma3*gamma3 + s */
-    const double t23 = JLT_FMA(t16, t22, t18); /* d(energy)/d(omega3) = m*R^2*v_tau/R*d(v_tau)/d(omega3)/R + t18 */
-    out[3] = t23;
-    const double t24 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t25 = p[29]*t24; /* 2*m*I3^2*(omega_tau*R + v_nu) */
-    out[6] = t25;
-    const double t26 = p[30]*t24; /* 2*m*R*I3^2*(omega_tau*R + v_nu) */
-    out[7] = t26;
+    const double t23 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t24 = p[33]*t23; /* 2*m*I3^2*(omega_tau*R + v_nu) */
+    out[6] = t24;
+    const double t25 = t23*p[34]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
+    out[7] = t25;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -545,7 +554,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 31,
+    .state_count = 5, .param_count = 7, .block_count = 35,
     .states = states,
     .params = params,
     .impose = impose,
@@ -554,13 +563,13 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .jacobian = { jacobian, 25, { 6, 30, 8, 1, 0, 0, 12, 6 }, { 32, 131, 0, 17, 0, 0, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 8, 37, 9, 1, 0, 0, 13, 9 }, { 37, 150, 0, 18, 0, 0, 11, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 9, 36, 9, 1, 0, 0, 14, 9 }, { 37, 150, 0, 18, 0, 0, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .divergence = { divergence, 1, { 2, 3, 3, 1, 0, 0, 7, 3 }, { 5, 17, 0, 1, 0, 0, 8, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .integral_values = { integral_values, 3, { 0, 9, 7, 1, 0, 0, 8, 4 }, { 8, 30, 0, 1, 0, 0, 13, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .integral_gradients = { integral_gradients, 15, { 1, 16, 9, 1, 0, 0, 8, 8 }, { 13, 52, 0, 7, 0, 0, 10, 7 },
+    .integral_gradients = { integral_gradients, 15, { 0, 15, 10, 1, 0, 0, 7, 8 }, { 13, 52, 0, 7, 0, 0, 10, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

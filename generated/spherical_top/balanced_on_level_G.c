@@ -8,9 +8,9 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   17    5    1    1    0     12    6   (56)
- *  jacobian            5   37   17    1    1    0     14   13   (205)
- *  rhs_jacobian        6   39   17    1    1    0     17   13   (236)
- *  divergence          3   10    4    1    1    0     10    5   (36)
+ *  jacobian            5   37   17    1    1    0     14   12   (205)
+ *  rhs_jacobian        8   39   16    1    1    0     15   16   (236)
+ *  divergence          3   10    4    1    1    0     11    5   (36)
  *  integral_values     3   13    9    1    1    0      9    6   (58)
  *  integral_gradients  4   23   10    1    1    0     11   10   (104)
  *  eliminated          2    3    1    1    1    0      4    3   (10)
@@ -53,14 +53,14 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     out[6] = params[6];
     const double t0 = params[1]*params[4]; /* R*I1 */
-    out[41] = t0;
+    out[38] = t0;
     const double t1 = 1.0/t0; /* 1/(R*I1) */
     out[7] = t1;
     const double t2 = params[1]*params[5]; /* R*I3 */
     out[8] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
     const double t4 = params[0]*t3; /* m*R*R */
-    out[42] = t4;
+    out[39] = t4;
     const double t5 = params[5]/t4; /* I3/(m*R*R) */
     out[9] = t5;
     const double t6 = params[5]/params[4]; /* I3/I1 */
@@ -96,64 +96,58 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t25 = t24/t18; /* I3*I3/(I1*I1) */
     const double t26 = -t25; /* -I3*I3/(I1*I1) */
     out[21] = t26;
-    const double t27 = t4*t7; /* m*R*R*(I1 - I3) */
-    out[22] = t27;
-    const double t28 = t11*2.0; /* I1*m*R*R*2 */
-    const double t29 = t12*2.0; /* I3*m*R*R*2 */
-    const double t30 = t28 - t29; /* I1*m*R*R*2 - I3*m*R*R*2 */
+    const double t27 = params[1]*params[0]; /* R*m */
+    const double t28 = params[4]*t27; /* I1*R*m */
+    out[22] = t28;
+    const double t29 = params[1]*t7; /* R*(I1 - I3) */
+    const double t30 = t29/params[4]; /* R*(I1 - I3)/I1 */
     out[23] = t30;
-    const double t31 = params[1]*params[0]; /* R*m */
-    const double t32 = params[4]*t31; /* I1*R*m */
-    out[24] = t32;
-    const double t33 = -t32; /* -I1*R*m */
-    out[25] = t33;
-    const double t34 = params[5]*t31; /* I3*R*m */
-    out[26] = t34;
-    const double t35 = 2.0/params[4]; /* 2/I1 */
-    out[27] = t35;
-    const double t36 = params[4]*t15; /* I1*R*2 */
-    const double t37 = 1.0/t36; /* 1/(I1*R*2) */
-    out[28] = t37;
-    const double t38 = (-2.0)/t0; /* (-2)/(R*I1) */
-    out[29] = t38;
-    const double t39 = -t6; /* -I3/I1 */
-    out[30] = t39;
-    const double t40 = t11 - t12; /* I1*m*R*R - I3*m*R*R */
-    const double t41 = 2.0*t40; /* 2*(I1*m*R*R - I3*m*R*R) */
-    const double t42 = t41/t11; /* 2*(I1*m*R*R - I3*m*R*R)/(I1*m*R*R) */
-    out[31] = t42;
-    const double t43 = params[4]*t3; /* I1*R*R */
-    const double t44 = (-1.0)/t43; /* (-1)/(I1*R*R) */
+    const double t31 = t11*2.0; /* I1*m*R*R*2 */
+    const double t32 = t12*2.0; /* I3*m*R*R*2 */
+    const double t33 = t31 - t32; /* I1*m*R*R*2 - I3*m*R*R*2 */
+    out[24] = t33;
+    const double t34 = -t28; /* -I1*R*m */
+    out[25] = t34;
+    const double t35 = t4*t7; /* m*R*R*(I1 - I3) */
+    out[26] = t35;
+    const double t36 = params[5]*t27; /* I3*R*m */
+    out[27] = t36;
+    const double t37 = t11 - t12; /* I1*m*R*R - I3*m*R*R */
+    const double t38 = 2.0*t37; /* 2*(I1*m*R*R - I3*m*R*R) */
+    const double t39 = t38/t11; /* 2*(I1*m*R*R - I3*m*R*R)/(I1*m*R*R) */
+    out[28] = t39;
+    const double t40 = params[4]*t3; /* I1*R*R */
+    const double t41 = (-1.0)/t40; /* (-1)/(I1*R*R) */
+    out[29] = t41;
+    const double t42 = params[5]/t0; /* I3/(R*I1) */
+    out[30] = t42;
+    const double t43 = params[0]/2.0; /* m/2 */
+    out[31] = t43;
+    const double t44 = params[4]/2.0; /* I1/2 */
     out[32] = t44;
-    const double t45 = params[5]/t0; /* I3/(R*I1) */
+    const double t45 = params[5]/2.0; /* I3/2 */
     out[33] = t45;
-    const double t46 = params[0]/2.0; /* m/2 */
+    const double t46 = params[0]*t18; /* m*I1*I1 */
     out[34] = t46;
-    const double t47 = params[4]/2.0; /* I1/2 */
+    const double t47 = t7*t11; /* (I1 - I3)*I1*m*R*R */
     out[35] = t47;
-    const double t48 = params[5]/2.0; /* I3/2 */
+    const double t48 = 1.0/t40; /* 1/(I1*R*R) */
     out[36] = t48;
-    const double t49 = params[0]*t18; /* m*I1*I1 */
+    const double t49 = t27/params[4]; /* R*m/I1 */
     out[37] = t49;
-    const double t50 = t7*t11; /* (I1 - I3)*I1*m*R*R */
-    out[38] = t50;
-    const double t51 = 1.0/t43; /* 1/(I1*R*R) */
-    out[39] = t51;
-    const double t52 = t31/params[4]; /* R*m/I1 */
-    out[40] = t52;
-    const double t53 = t7*(-2.0); /* (I1 - I3)*(-2) */
-    const double t54 = t40*t53; /* (I1*m*R*R - I3*m*R*R)*(I1 - I3)*(-2) */
-    out[43] = t54;
-    const double t55 = params[0]*2.0; /* m*2 */
-    const double t56 = t18*t55; /* I1*I1*m*2 */
-    out[44] = t56;
-    const double t57 = params[1]*t55; /* R*m*2 */
-    const double t58 = t18*t57; /* I1*I1*R*m*2 */
-    out[45] = t58;
-    const double t59 = t3*t55; /* R*R*m*2 */
-    const double t60 = params[4]*t59; /* I1*R*R*m*2 */
-    const double t61 = t7*t60; /* (I1 - I3)*I1*R*R*m*2 */
-    out[46] = t61;
+    const double t50 = t7*(-2.0); /* (I1 - I3)*(-2) */
+    const double t51 = t37*t50; /* (I1*m*R*R - I3*m*R*R)*(I1 - I3)*(-2) */
+    out[40] = t51;
+    const double t52 = params[0]*2.0; /* m*2 */
+    const double t53 = t18*t52; /* I1*I1*m*2 */
+    out[41] = t53;
+    const double t54 = params[1]*t52; /* R*m*2 */
+    const double t55 = t18*t54; /* I1*I1*R*m*2 */
+    out[42] = t55;
+    const double t56 = t3*t52; /* R*R*m*2 */
+    const double t57 = params[4]*t56; /* I1*R*R*m*2 */
+    const double t58 = t7*t57; /* (I1 - I3)*I1*R*R*m*2 */
+    out[43] = t58;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -216,61 +210,61 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[6] = 0.0;
     out[9] = 0.0;
     out[10] = 0.0;
-    const double t13 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t14 = JLT_FMA(p[8], t13, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t15 = t9*t14; /* 1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t16 = p[7]*t15; /* 1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t17 = t10*t16; /* gamma3*1/s*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t18 = x[3]*p[10]; /* omega3*I3/I1 */
-    const double t19 = t17 + t18; /* gamma3*1/s*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level) + omega3*I3/I1 */
-    const double t20 = t9*t19; /* d(omega_n)/d(gamma3) = 1/s*t19 */
-    const double t21 = t9*t16; /* 1/s*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t22 = t9*t21; /* 1/s*1/s*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t23 = t21*t22; /* 1/s*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*1/s*1/s*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t24 = t17*2.0; /* gamma3*1/s*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*2 */
-    const double t25 = JLT_FMA(t20, t24, t23); /* d(omega_n)/d(gamma3)*gamma3*1/s*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*2 + t23 */
-    const double t26 = JLT_FMA(x[3], t20, t25); /* omega3*d(omega_n)/d(gamma3) + t25 */
+    const double t13 = x[0]*p[8]; /* gamma3*R*I3 */
+    const double t14 = JLT_FMA(x[3], t13, p[6]); /* omega3*gamma3*R*I3 + G_level */
+    const double t15 = t9*t14; /* 1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t16 = p[7]*t15; /* 1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t17 = t10*t16; /* gamma3*1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t18 = JLT_FMA(x[3], p[10], t17); /* omega3*I3/I1 + gamma3*1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t19 = t9*t18; /* d(omega_n)/d(gamma3) = 1/s*t18 */
+    const double t20 = x[3]*t19; /* omega3*d(omega_n)/d(gamma3) */
+    const double t21 = t9*t16; /* 1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t22 = t9*t21; /* 1/s*1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t23 = t21*t22; /* 1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*1/s*1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t24 = t17*2.0; /* gamma3*1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*2 */
+    const double t25 = JLT_FMA(t19, t24, t23); /* d(omega_n)/d(gamma3)*gamma3*1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*2 + t23 */
+    const double t26 = t20 + t25; /* omega3*d(omega_n)/d(gamma3) + t25 */
     const double t27 = p[1]*t26; /* R*(omega3*d(omega_n)/d(gamma3) + t25) */
     out[4] = t27;
-    const double t28 = t15*p[16]; /* 1/s*(R*I3*gamma3*omega3 + G_level)*1/I1 */
+    const double t28 = t15*p[16]; /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/I1 */
     const double t29 = t10*x[3]; /* gamma3*1/s*omega3 */
-    const double t30 = t10*t17; /* gamma3*1/s*gamma3*1/s*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t31 = JLT_FMA(p[17], t29, t28); /* R*I3/I1*gamma3*1/s*omega3 + 1/s*(R*I3*gamma3*omega3 + G_level)*1/I1 */
+    const double t30 = t10*t17; /* gamma3*1/s*gamma3*1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t31 = JLT_FMA(p[17], t29, t28); /* R*I3/I1*gamma3*1/s*omega3 + 1/s*(omega3*gamma3*R*I3 + G_level)*1/I1 */
     const double t32 = JLT_FMA(p[18], t30, t31); /* 2*R*I3/I1*t30 + t31 */
     out[7] = t32;
-    const double t33 = JLT_FMA(t18, t20, t25); /* omega3*I3/I1*d(omega_n)/d(gamma3) + t25 */
-    const double t34 = -t33; /* -(omega3*I3/I1*d(omega_n)/d(gamma3) + t25) */
+    const double t33 = JLT_FMA(p[10], t20, t25); /* I3/I1*omega3*d(omega_n)/d(gamma3) + t25 */
+    const double t34 = -t33; /* -(I3/I1*omega3*d(omega_n)/d(gamma3) + t25) */
     out[8] = t34;
-    const double t35 = t15*p[19]; /* 1/s*(R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
-    const double t36 = JLT_FMA(t29, p[21], t35); /* gamma3*1/s*omega3*(-I3^2/I1^2) + 1/s*(R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
+    const double t35 = t15*p[19]; /* 1/s*(omega3*gamma3*R*I3 + G_level)*(-I3/(R*I1^2)) */
+    const double t36 = JLT_FMA(t29, p[21], t35); /* gamma3*1/s*omega3*(-I3^2/I1^2) + 1/s*(omega3*gamma3*R*I3 + G_level)*(-I3/(R*I1^2)) */
     const double t37 = JLT_FMA(t30, p[20], t36); /* t30*(-2*I3/I1) + t36 */
     out[11] = t37;
-    const double t38 = x[0]*p[23]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t39 = t6*t8; /* 1/Theta = s*1/(Theta*s) */
-    const double t40 = t6*t39; /* s*1/Theta */
-    const double t41 = JLT_FMS(t38, t40, t10); /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*s*1/Theta - gamma3*1/s */
-    const double t42 = JLT_FMA(x[0], t41, t6); /* gamma3*(gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*s*1/Theta - gamma3*1/s) + s */
-    const double t43 = x[2]*p[22]; /* omega_tau*m*R^2*(I1 - I3) */
-    const double t44 = x[3]*t43; /* omega3*omega_tau*m*R^2*(I1 - I3) */
-    const double t45 = t39*t44; /* 1/Theta*omega3*omega_tau*m*R^2*(I1 - I3) */
-    const double t46 = t42*t45; /* t42*1/Theta*omega3*omega_tau*m*R^2*(I1 - I3) */
-    const double t47 = t16*t39; /* 1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*1/Theta */
-    const double t48 = JLT_FMA(t38, t47, t20); /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*1/Theta + d(omega_n)/d(gamma3) */
-    const double t49 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t50 = t39*t49; /* 1/Theta*V */
-    const double t51 = p[24]*t50; /* m*R*I1*1/Theta*V */
-    const double t52 = JLT_FNMA(t48, t51, t46); /* t42*1/Theta*omega3*omega_tau*m*R^2*(I1 - I3) - t48*m*R*I1*1/Theta*V */
-    out[12] = t52;
-    const double t53 = t47*p[25]; /* 1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*1/Theta*(-m*R*I1) */
+    const double t38 = t6*t8; /* 1/Theta = s*1/(Theta*s) */
+    const double t39 = x[0]*t38; /* gamma3*1/Theta */
+    const double t40 = t6*t39; /* s*gamma3*1/Theta */
+    const double t41 = JLT_FNMA(p[24], t40, t10); /* gamma3*1/s - (2*m*R^2*I1 - 2*m*R^2*I3)*s*gamma3*1/Theta */
+    const double t42 = JLT_FNMA(x[0], t41, t6); /* s - gamma3*(gamma3*1/s - (2*m*R^2*I1 - 2*m*R^2*I3)*s*gamma3*1/Theta) */
+    const double t43 = x[2]*p[23]; /* omega_tau*R*(I1 - I3)/I1 */
+    const double t44 = x[3]*t43; /* omega3*omega_tau*R*(I1 - I3)/I1 */
+    const double t45 = t42*t44; /* t42*omega3*omega_tau*R*(I1 - I3)/I1 */
+    const double t46 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t47 = p[24]*t39; /* (2*m*R^2*I1 - 2*m*R^2*I3)*gamma3*1/Theta */
+    const double t48 = JLT_FMA(t16, t47, t19); /* 1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*(2*m*R^2*I1 - 2*m*R^2*I3)*gamma3*1/Theta + d(omega_n)/d(gamma3) */
+    const double t49 = JLT_FNMA(t46, t48, t45); /* t42*omega3*omega_tau*R*(I1 - I3)/I1 - V*t48 */
+    const double t50 = p[22]*t38; /* m*R*I1*1/Theta */
+    const double t51 = t49*t50; /* (t42*omega3*omega_tau*R*(I1 - I3)/I1 - V*t48)*m*R*I1*1/Theta */
+    out[12] = t51;
+    const double t52 = t16*t38; /* 1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*1/Theta */
+    const double t53 = p[25]*t52; /* (-m*R*I1)*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*1/Theta */
     out[13] = t53;
-    const double t54 = p[22]*t40; /* m*R^2*(I1 - I3)*s*1/Theta */
-    const double t55 = t13*t54; /* gamma3*omega3*m*R^2*(I1 - I3)*s*1/Theta */
-    const double t56 = JLT_FNMA(p[14], t47, t55); /* gamma3*omega3*m*R^2*(I1 - I3)*s*1/Theta - m*R^2*I1*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*1/Theta */
+    const double t54 = t40*p[26]; /* s*gamma3*1/Theta*m*R^2*(I1 - I3) */
+    const double t55 = x[3]*t54; /* omega3*s*gamma3*1/Theta*m*R^2*(I1 - I3) */
+    const double t56 = JLT_FNMA(p[14], t52, t55); /* omega3*s*gamma3*1/Theta*m*R^2*(I1 - I3) - m*R^2*I1*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*1/Theta */
     out[14] = t56;
-    const double t57 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t58 = t54*t57; /* m*R^2*(I1 - I3)*s*1/Theta*omega_tau*gamma3 */
-    const double t59 = t10*p[26]; /* gamma3*1/s*m*R*I3 */
-    const double t60 = JLT_FNMA(t50, t59, t58); /* m*R^2*(I1 - I3)*s*1/Theta*omega_tau*gamma3 - 1/Theta*V*gamma3*1/s*m*R*I3 */
+    const double t57 = x[2]*t54; /* omega_tau*s*gamma3*1/Theta*m*R^2*(I1 - I3) */
+    const double t58 = t46*p[27]; /* V*m*R*I3 */
+    const double t59 = t38*t58; /* 1/Theta*V*m*R*I3 */
+    const double t60 = JLT_FNMA(t10, t59, t57); /* omega_tau*s*gamma3*1/Theta*m*R^2*(I1 - I3) - gamma3*1/s*1/Theta*V*m*R*I3 */
     out[15] = t60;
 }
 
@@ -294,72 +288,73 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*s) */
     const double t9 = t5*t8; /* 1/s = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
     const double t10 = t6*t8; /* 1/(Theta/(m*R^2*I1)) = s*1/(Theta/(m*R^2*I1)*s) */
-    const double t11 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t12 = JLT_FMA(p[8], t11, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t13 = t9*t12; /* 1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t14 = p[7]*t13; /* 1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t15 = x[0]*t9; /* gamma3*1/s */
-    const double t16 = t14*t15; /* 1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s */
-    const double t17 = JLT_FMA(x[3], p[10], t16); /* omega3*I3/I1 + 1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s */
-    const double t18 = x[2]*t6; /* omega_tau*s */
-    out[0] = t18;
-    const double t19 = p[11]*t10; /* (I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t20 = t11*t19; /* gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t21 = t18*t19; /* omega_tau*s*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t22 = t18*t20; /* omega_tau*s*gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t23 = t6*t20; /* s*gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t24 = JLT_FNMA(t10, t14, t23); /* s*gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    out[18] = t24;
-    const double t25 = t9*t17; /* d(omega_n)/d(gamma3) = 1/s*t17 */
-    const double t26 = t14*t17; /* 1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*t17 */
-    const double t27 = -t26; /* -1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*t17 */
-    out[2] = t27;
-    const double t28 = JLT_FMA(p[12], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t29 = t10*t28; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t30 = JLT_FNMA(t14, t29, t22); /* omega_tau*s*gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1))*V/R */
-    out[3] = t30;
-    const double t31 = x[0]*t25; /* gamma3*d(omega_n)/d(gamma3) */
-    const double t32 = t9*t13; /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t33 = p[28]*t9; /* 1/2/(R*I1)*1/s */
-    const double t34 = JLT_FMA(t32, t33, t31); /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level)*1/2/(R*I1)*1/s + gamma3*d(omega_n)/d(gamma3) */
-    const double t35 = t32*t34; /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level)*t34 */
-    const double t36 = x[2]*t15; /* omega_tau*gamma3*1/s */
-    const double t37 = -t36; /* -omega_tau*gamma3*1/s */
-    out[4] = t37;
-    const double t38 = x[3]*t21; /* omega3*omega_tau*s*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t39 = JLT_FNMA(t20, t36, t38); /* omega3*omega_tau*s*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*1/s */
-    const double t40 = x[0]*t21; /* gamma3*omega_tau*s*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t41 = x[0]*p[31]; /* gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
-    const double t42 = t10*t41; /* 1/(Theta/(m*R^2*I1))*gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
-    const double t43 = JLT_FMA(t30, t42, t39); /* t30*t42 + t39 */
-    const double t44 = JLT_FNMA(t25, t29, t43); /* t30*t42 + t39 - d(omega_n)/d(gamma3)*1/(Theta/(m*R^2*I1))*V/R */
-    out[16] = t44;
-    const double t45 = x[3]*t25; /* omega3*d(omega_n)/d(gamma3) */
-    const double t46 = p[32]*t10; /* (-1/(R^2*I1))*1/(Theta/(m*R^2*I1)) */
-    const double t47 = t13*t46; /* 1/s*(R*I3*gamma3*omega3 + G_level)*(-1/(R^2*I1))*1/(Theta/(m*R^2*I1)) */
-    out[17] = t47;
-    const double t48 = p[10]*t29; /* I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t49 = JLT_FNMA(t15, t48, t40); /* gamma3*omega_tau*s*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - gamma3*1/s*I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    out[19] = t49;
-    const double t50 = p[16]*t13; /* 1/I1*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t51 = p[19]*t13; /* (-I3/(R*I1^2))*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t52 = x[3]*t15; /* omega3*gamma3*1/s */
-    const double t53 = t15*t16; /* gamma3*1/s*1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s */
-    const double t54 = x[3] + t16; /* omega3 + 1/(R*I1)*1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s */
-    const double t55 = t50*t54; /* 1/I1*1/s*(R*I3*gamma3*omega3 + G_level)*t54 */
-    out[1] = t55;
-    const double t56 = JLT_FMA(p[17], t52, t50); /* R*I3/I1*omega3*gamma3*1/s + 1/I1*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t57 = JLT_FMA(p[21], t52, t51); /* (-I3^2/I1^2)*omega3*gamma3*1/s + (-I3/(R*I1^2))*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t58 = JLT_FMA(p[18], t53, t56); /* 2*R*I3/I1*t53 + t56 */
-    out[11] = t58;
-    const double t59 = JLT_FMA(p[20], t53, t57); /* (-2*I3/I1)*t53 + t57 */
-    out[15] = t59;
-    const double t60 = p[1]*t45; /* R*omega3*d(omega_n)/d(gamma3) */
-    const double t61 = JLT_FMA(p[27], t35, t60); /* 2/I1*1/s*1/s*(R*I3*gamma3*omega3 + G_level)*t34 + R*omega3*d(omega_n)/d(gamma3) */
-    out[8] = t61;
-    const double t62 = p[29]*t35; /* (-2/(R*I1))*1/s*1/s*(R*I3*gamma3*omega3 + G_level)*t34 */
-    const double t63 = JLT_FMA(p[30], t45, t62); /* (-I3/I1)*omega3*d(omega_n)/d(gamma3) + (-2/(R*I1))*1/s*1/s*(R*I3*gamma3*omega3 + G_level)*t34 */
-    out[12] = t63;
+    const double t11 = x[0]*p[8]; /* gamma3*R*I3 */
+    const double t12 = JLT_FMA(x[3], t11, p[6]); /* omega3*gamma3*R*I3 + G_level */
+    const double t13 = t9*t12; /* 1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t14 = x[2]*t6; /* omega_tau*s */
+    out[0] = t14;
+    const double t15 = p[7]*t13; /* 1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t16 = x[0]*t9; /* gamma3*1/s */
+    const double t17 = t15*t16; /* 1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s */
+    const double t18 = x[0]*t10; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t19 = x[3]*p[11]; /* omega3*(I1 - I3)/I1 */
+    const double t20 = t18*t19; /* gamma3*1/(Theta/(m*R^2*I1))*omega3*(I1 - I3)/I1 */
+    const double t21 = t9*t15; /* 1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t22 = p[11]*t14; /* (I1 - I3)/I1*omega_tau*s */
+    const double t23 = t14*t20; /* omega_tau*s*gamma3*1/(Theta/(m*R^2*I1))*omega3*(I1 - I3)/I1 */
+    const double t24 = JLT_FMA(x[3], p[10], t17); /* omega3*I3/I1 + 1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s */
+    const double t25 = JLT_FMA(p[12], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t26 = t10*t25; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t27 = JLT_FNMA(t15, t26, t23); /* omega_tau*s*gamma3*1/(Theta/(m*R^2*I1))*omega3*(I1 - I3)/I1 - 1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*1/(Theta/(m*R^2*I1))*V/R */
+    out[3] = t27;
+    const double t28 = t9*t21; /* 1/s*1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t29 = t21*t28; /* 1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*1/s*1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t30 = t9*t24; /* d(omega_n)/d(gamma3) = 1/s*t24 */
+    const double t31 = t15*t24; /* 1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*t24 */
+    const double t32 = -t31; /* -1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*t24 */
+    out[2] = t32;
+    const double t33 = t10*t15; /* 1/(Theta/(m*R^2*I1))*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t34 = JLT_FMS(t6, t20, t33); /* s*gamma3*1/(Theta/(m*R^2*I1))*omega3*(I1 - I3)/I1 - t33 */
+    out[18] = t34;
+    const double t35 = x[3]*t22; /* omega3*(I1 - I3)/I1*omega_tau*s */
+    const double t36 = t10*t35; /* 1/(Theta/(m*R^2*I1))*omega3*(I1 - I3)/I1*omega_tau*s */
+    const double t37 = p[29]*t10; /* (-1/(R^2*I1))*1/(Theta/(m*R^2*I1)) */
+    const double t38 = t13*t37; /* 1/s*(omega3*gamma3*R*I3 + G_level)*(-1/(R^2*I1))*1/(Theta/(m*R^2*I1)) */
+    out[17] = t38;
+    const double t39 = t18*t22; /* gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega_tau*s */
+    const double t40 = p[28]*t18; /* 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t41 = x[2]*t16; /* omega_tau*gamma3*1/s */
+    const double t42 = JLT_FNMA(t20, t41, t36); /* 1/(Theta/(m*R^2*I1))*omega3*(I1 - I3)/I1*omega_tau*s - gamma3*1/(Theta/(m*R^2*I1))*omega3*(I1 - I3)/I1*omega_tau*gamma3*1/s */
+    const double t43 = JLT_FMA(t27, t40, t42); /* t27*t40 + t42 */
+    const double t44 = -t41; /* -omega_tau*gamma3*1/s */
+    out[4] = t44;
+    const double t45 = JLT_FNMA(t26, t30, t43); /* t27*t40 + t42 - 1/(Theta/(m*R^2*I1))*V/R*d(omega_n)/d(gamma3) */
+    out[16] = t45;
+    const double t46 = p[10]*t26; /* I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t47 = JLT_FNMA(t16, t46, t39); /* gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega_tau*s - gamma3*1/s*I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    out[19] = t47;
+    const double t48 = 2.0*t17; /* 2*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s */
+    const double t49 = JLT_FMA(t30, t48, t29); /* d(omega_n)/d(gamma3)*2*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s + t29 */
+    const double t50 = x[3]*t30; /* omega3*d(omega_n)/d(gamma3) */
+    const double t51 = p[16]*t13; /* 1/I1*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t52 = p[19]*t13; /* (-I3/(R*I1^2))*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t53 = x[3]*t16; /* omega3*gamma3*1/s */
+    const double t54 = t16*t17; /* gamma3*1/s*1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s */
+    const double t55 = x[3] + t17; /* omega3 + 1/(R*I1)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s */
+    const double t56 = t51*t55; /* 1/I1*1/s*(omega3*gamma3*R*I3 + G_level)*t55 */
+    out[1] = t56;
+    const double t57 = JLT_FMA(p[17], t53, t51); /* R*I3/I1*omega3*gamma3*1/s + 1/I1*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t58 = JLT_FMA(p[21], t53, t52); /* (-I3^2/I1^2)*omega3*gamma3*1/s + (-I3/(R*I1^2))*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t59 = JLT_FMA(p[18], t54, t57); /* 2*R*I3/I1*t54 + t57 */
+    out[11] = t59;
+    const double t60 = JLT_FMA(p[20], t54, t58); /* (-2*I3/I1)*t54 + t58 */
+    out[15] = t60;
+    const double t61 = t49 + t50; /* t49 + omega3*d(omega_n)/d(gamma3) */
+    const double t62 = JLT_FMA(p[10], t50, t49); /* I3/I1*omega3*d(omega_n)/d(gamma3) + t49 */
+    const double t63 = p[1]*t61; /* R*(t49 + omega3*d(omega_n)/d(gamma3)) */
+    out[8] = t63;
+    const double t64 = -t62; /* -(I3/I1*omega3*d(omega_n)/d(gamma3) + t49) */
+    out[12] = t64;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -367,21 +362,21 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = x[0]*p[10]; /* gamma3*I3/I1 */
-    const double t4 = p[9] + t2; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*s */
-    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*s) */
-    const double t9 = t5*t8; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
-    const double t10 = t6*t8; /* 1/(Theta/(m*R^2*I1)) = s*1/(Theta/(m*R^2*I1)*s) */
-    const double t11 = p[11]*x[2]; /* (I1 - I3)/I1*omega_tau */
-    const double t12 = t6*t11; /* s*(I1 - I3)/I1*omega_tau */
-    const double t13 = t10*t12; /* 1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1*omega_tau */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = x[0]*p[10]; /* gamma3*I3/I1 */
+    const double t5 = t2 + p[9]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t7 = t3*t6; /* s*Theta/(m*R^2*I1) */
+    const double t8 = 1.0/t7; /* 1/(s*Theta/(m*R^2*I1)) */
+    const double t9 = t3*t8; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
+    const double t10 = p[11]*t3; /* (I1 - I3)/I1*s */
+    const double t11 = t6*t8; /* 1/s = Theta/(m*R^2*I1)*1/(s*Theta/(m*R^2*I1)) */
+    const double t12 = JLT_FMS(t9, t10, t11); /* 1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s - 1/s */
+    const double t13 = x[2]*t12; /* omega_tau*(1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s - 1/s) */
     const double t14 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t15 = p[33]*t14; /* I3/(R*I1)*V */
-    const double t16 = JLT_FMA(t10, t15, x[2]); /* 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V + omega_tau */
-    const double t17 = JLT_FNMA(t9, t16, t13); /* 1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1*omega_tau - Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s)*(1/(Theta/(m*R^2*I1))*I3/(R*I1)*V + omega_tau) */
+    const double t15 = p[30]*t14; /* I3/(R*I1)*V */
+    const double t16 = t9*t15; /* 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
+    const double t17 = JLT_FNMA(t11, t16, t13); /* omega_tau*(1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s - 1/s) - 1/s*1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
     const double t18 = x[0]*t17; /* gamma3*t17 */
     out[0] = t18;
 }
@@ -403,18 +398,18 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t12 = JLT_FMA(t11, t11, t0); /* v_tau*v_tau + v_nu*v_nu */
     const double t13 = t8*t8; /* omega_n*omega_n */
     const double t14 = JLT_FMA(x[2], x[2], t13); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t15 = p[35]*t14; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t15 = p[32]*t14; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
     const double t16 = x[3]*x[3]; /* omega3*omega3 */
-    const double t17 = JLT_FMA(p[36], t16, t15); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t18 = JLT_FMA(p[34], t12, t17); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t17 */
+    const double t17 = JLT_FMA(p[33], t16, t15); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t18 = JLT_FMA(p[31], t12, t17); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t17 */
     out[0] = t18;
     const double t19 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
-    const double t20 = p[37]*t19; /* m*I1^2*(R*omega_tau + v_nu) */
+    const double t20 = p[34]*t19; /* m*I1^2*(R*omega_tau + v_nu) */
     const double t21 = t19*t20; /* (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
     const double t22 = x[0]*p[10]; /* gamma3*I3/I1 */
     const double t23 = t3 + p[9]; /* (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
     const double t24 = JLT_FMA(x[0], t22, t23); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
-    const double t25 = t16*p[38]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
+    const double t25 = t16*p[35]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
     const double t26 = JLT_FMA(t24, t25, t21); /* Theta/(m*R^2*I1)*omega3*omega3*m*R^2*I1*(I1 - I3) + (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
     out[1] = t26;
 }
@@ -442,30 +437,30 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t16 = JLT_FMA(t8, t14, t5); /* d(v_tau)/d(omega3)/R = 1/s*gamma3*gamma3*I3/I1 + s */
     const double t17 = x[3]*t5; /* omega3*s */
     const double t18 = JLT_FMA(p[7], t11, t17); /* v_tau/R = 1/(R*I1)*gamma3*1/s*(R*I3*gamma3*omega3 + G_level) + omega3*s */
-    const double t19 = p[42]*t16; /* m*R^2*d(v_tau)/d(omega3)/R */
+    const double t19 = p[39]*t16; /* m*R^2*d(v_tau)/d(omega3)/R */
     const double t20 = JLT_FMA(p[8], x[3], t12); /* R*I3*omega3 + 1/s*gamma3*1/s*(R*I3*gamma3*omega3 + G_level) */
     const double t21 = t8*t20; /* d(omega_n)/d(gamma3)/(1/(R*I1)) = 1/s*(R*I3*omega3 + 1/s*gamma3*1/s*(R*I3*gamma3*omega3 + G_level)) */
-    const double t22 = p[41]*t7; /* R*I1*gamma3*omega3 */
+    const double t22 = p[38]*t7; /* R*I1*gamma3*omega3 */
     const double t23 = JLT_FNMA(t8, t22, t10); /* 1/s*(R*I3*gamma3*omega3 + G_level) - 1/s*R*I1*gamma3*omega3 */
-    const double t24 = p[39]*t10; /* 1/(R^2*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t24 = p[36]*t10; /* 1/(R^2*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
     const double t25 = t21*t24; /* d(omega_n)/d(gamma3)/(1/(R*I1))*1/(R^2*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
     const double t26 = JLT_FMA(x[0], t21, t23); /* d(v_tau)/d(gamma3)/(1/I1) = gamma3*d(omega_n)/d(gamma3)/(1/(R*I1)) + 1/s*(R*I3*gamma3*omega3 + G_level) - 1/s*R*I1*gamma3*omega3 */
     const double t27 = x[3]*p[5]; /* omega3*I3 */
-    const double t28 = JLT_FMA(p[33], t12, t27); /* I3/(R*I1)*1/s*gamma3*1/s*(R*I3*gamma3*omega3 + G_level) + omega3*I3 */
+    const double t28 = JLT_FMA(p[30], t12, t27); /* I3/(R*I1)*1/s*gamma3*1/s*(R*I3*gamma3*omega3 + G_level) + omega3*I3 */
     const double t29 = JLT_FMA(t18, t19, t28); /* d(energy)/d(omega3) = v_tau/R*m*R^2*d(v_tau)/d(omega3)/R + t28 */
     out[3] = t29;
-    const double t30 = p[40]*t18; /* m*R/I1*v_tau/R */
+    const double t30 = p[37]*t18; /* m*R/I1*v_tau/R */
     const double t31 = JLT_FMA(t26, t30, t25); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/(1/I1)*m*R/I1*v_tau/R + t25 */
     out[0] = t31;
-    const double t32 = x[3]*p[43]; /* omega3*(-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)) */
+    const double t32 = x[3]*p[40]; /* omega3*(-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)) */
     const double t33 = t7*t32; /* gamma3*omega3*omega3*(-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)) */
     out[4] = t33;
     const double t34 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t35 = p[44]*t34; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t35 = p[41]*t34; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[5] = t35;
-    const double t36 = p[45]*t34; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
+    const double t36 = p[42]*t34; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
     out[6] = t36;
-    const double t37 = x[3]*p[46]; /* omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t37 = x[3]*p[43]; /* omega3*2*m*R^2*I1*(I1 - I3) */
     const double t38 = t15*t37; /* Theta/(m*R^2*I1)*omega3*2*m*R^2*I1*(I1 - I3) */
     out[7] = t38;
 }
@@ -626,18 +621,18 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G = {
     .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 47,
+    .state_count = 4, .param_count = 7, .block_count = 44,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 5, 17, 5, 1, 1, 0, 12, 6 }, { 10, 39, 0, 6, 1, 0, 10, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 5, 37, 17, 1, 1, 0, 14, 13 }, { 33, 145, 0, 26, 1, 0, 13, 10 },
+    .jacobian = { jacobian, 16, { 5, 37, 17, 1, 1, 0, 14, 12 }, { 33, 145, 0, 26, 1, 0, 13, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 6, 39, 17, 1, 1, 0, 17, 13 }, { 38, 166, 0, 31, 1, 0, 13, 10 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 8, 39, 16, 1, 1, 0, 15, 16 }, { 38, 166, 0, 31, 1, 0, 13, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 3, 10, 4, 1, 1, 0, 10, 5 }, { 7, 25, 0, 3, 1, 0, 10, 7 },
+    .divergence = { divergence, 1, { 3, 10, 4, 1, 1, 0, 11, 5 }, { 7, 25, 0, 3, 1, 0, 10, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { integral_values, 2, { 3, 13, 9, 1, 1, 0, 9, 6 }, { 12, 44, 0, 1, 1, 0, 12, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -8,8 +8,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1    7    4    1    0    2      5    5   (41)
- *  jacobian            1   22    6    1    0    2      8    8   (100)
- *  rhs_jacobian        4   23    6    1    0    2      8    9   (123)
+ *  jacobian            1   21    6    1    0    2      8    9   (100)
+ *  rhs_jacobian        3   23    6    1    0    2      8    9   (123)
  *  divergence          1    3    4    1    0    1      8    3   (26)
  *  integral_values     0    2    0    0    0    0      2    2   (4)
  *  integral_gradients  0    1    0    0    0    0      1    1   (4)
@@ -51,7 +51,6 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     const double t0 = params[0]*params[1]; /* m*R */
-    out[14] = t0;
     const double t1 = params[1]*params[1]; /* R*R */
     const double t2 = params[0]*t1; /* m*R*R */
     const double t3 = params[3] + t2; /* J1 = I3 + m*R*R */
@@ -70,29 +69,25 @@ static void prepare(const double *restrict params, double *restrict out)
     out[11] = t10;
     const double t11 = params[5]/t3; /* M/J1 */
     out[12] = t11;
-    const double t12 = 2.0/t3; /* 2/J1 */
-    out[13] = t12;
-    const double t13 = params[0]*2.0; /* m*2 */
-    const double t14 = t1*t13; /* R*R*m*2 */
-    const double t15 = params[3]*t14; /* I3*R*R*m*2 */
-    out[15] = t15;
-    const double t16 = -t10; /* -I3*M */
-    out[16] = t16;
-    const double t17 = (-1.0)/t3; /* (-1)/J1 */
-    out[17] = t17;
+    const double t12 = params[0]*2.0; /* m*2 */
+    const double t13 = params[1]*t12; /* R*m*2 */
+    const double t14 = t13/t3; /* R*m*2/J1 */
+    out[13] = t14;
+    const double t15 = t1*t12; /* R*R*m*2 */
+    const double t16 = params[3]*t15; /* I3*R*R*m*2 */
+    out[14] = t16;
+    const double t17 = -t10; /* -I3*M */
+    out[15] = t17;
     const double t18 = -t4; /* -m*R/J1 */
-    out[18] = t18;
-    const double t19 = params[1]*t13; /* R*m*2 */
-    const double t20 = t19/t3; /* R*m*2/J1 */
-    out[19] = t20;
-    const double t21 = t10/t2; /* I3*M/(m*R*R) */
-    out[20] = t21;
-    const double t22 = t6/t2; /* I3*I3/(m*R*R) */
-    out[21] = t22;
-    const double t23 = params[0]*t6; /* m*I3*I3 */
-    out[22] = t23;
-    const double t24 = t6*t13; /* I3*I3*m*2 */
-    out[23] = t24;
+    out[16] = t18;
+    const double t19 = t10/t2; /* I3*M/(m*R*R) */
+    out[17] = t19;
+    const double t20 = t6/t2; /* I3*I3/(m*R*R) */
+    out[18] = t20;
+    const double t21 = params[0]*t6; /* m*I3*I3 */
+    out[19] = t21;
+    const double t22 = t6*t12; /* I3*I3*m*2 */
+    out[20] = t22;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -133,41 +128,40 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t3 = JLT_FMA(p[9], t2, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
     const double t4 = 1.0/t3; /* 1/Theta */
     const double t5 = cos(x[2]); /* C = cos(psi) */
-    const double t6 = p[11]*t5; /* I3*M*C */
-    const double t7 = p[12]*t5; /* M/J1*C */
-    const double t8 = t0*t7; /* s*s*M/J1*C */
-    const double t9 = -t8; /* -s*s*M/J1*C */
-    out[2] = t9;
-    const double t10 = x[3]*p[10]; /* s*G*J3/R */
-    const double t11 = JLT_FMA(x[0], t6, t10); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t12 = t4*t6; /* 1/Theta*I3*M*C */
-    const double t13 = p[14]*x[1]; /* m*R*v_slip */
-    const double t14 = sin(x[2]); /* S = sin(psi) */
-    const double t15 = JLT_FNMA(p[5], t14, t13); /* m*R*v_slip - M*S */
-    const double t16 = p[15]*t4; /* 2*m*R^2*I3*1/Theta */
-    const double t17 = t11*t16; /* (gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta */
-    const double t18 = x[0]*t4; /* gamma3*1/Theta */
-    const double t19 = JLT_FNMA(t17, t18, t12); /* 1/Theta*I3*M*C - (gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta*gamma3*1/Theta */
-    out[8] = t19;
-    const double t20 = p[16]*t18; /* (-I3*M)*gamma3*1/Theta */
-    const double t21 = t14*t20; /* S*(-I3*M)*gamma3*1/Theta */
-    out[10] = t21;
-    const double t22 = JLT_FNMA(x[3], t17, p[10]); /* G*J3/R - s*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta */
-    const double t23 = t4*t22; /* 1/Theta*(G*J3/R - s*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta) */
-    out[11] = t23;
-    const double t24 = x[3]*t15; /* s*(m*R*v_slip - M*S) */
-    const double t25 = p[13]*t24; /* 2/J1*s*(m*R*v_slip - M*S) */
-    out[3] = t25;
-    const double t26 = p[17]*t24; /* (-1/J1)*s*(m*R*v_slip - M*S) */
-    out[12] = t26;
-    const double t27 = x[3]*x[0]; /* s*gamma3 */
-    const double t28 = t7*t27; /* M/J1*C*s*gamma3 */
-    out[14] = t28;
-    const double t29 = p[18]*t27; /* (-m*R/J1)*s*gamma3 */
-    out[13] = t29;
-    const double t30 = x[0]*p[17]; /* gamma3*(-1/J1) */
-    const double t31 = t15*t30; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
-    out[15] = t31;
+    const double t6 = x[3]*p[10]; /* s*G*J3/R */
+    const double t7 = p[11]*t5; /* I3*M*C */
+    const double t8 = JLT_FMA(x[0], t7, t6); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t9 = p[12]*t5; /* M/J1*C */
+    const double t10 = t0*t9; /* s*s*M/J1*C */
+    const double t11 = -t10; /* -s*s*M/J1*C */
+    out[2] = t11;
+    const double t12 = sin(x[2]); /* S = sin(psi) */
+    const double t13 = p[14]*t4; /* 2*m*R^2*I3*1/Theta */
+    const double t14 = t8*t13; /* (gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta */
+    const double t15 = JLT_FNMA(p[7], t12, x[1]); /* v_slip - M/(m*R)*S */
+    const double t16 = x[0]*t4; /* gamma3*1/Theta */
+    const double t17 = x[3]*t15; /* s*(v_slip - M/(m*R)*S) */
+    const double t18 = p[13]*t17; /* 2*m*R/J1*s*(v_slip - M/(m*R)*S) */
+    out[3] = t18;
+    const double t19 = p[16]*t17; /* (-m*R/J1)*s*(v_slip - M/(m*R)*S) */
+    out[12] = t19;
+    const double t20 = t14*t16; /* (gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta*gamma3*1/Theta */
+    const double t21 = JLT_FMS(t4, t7, t20); /* 1/Theta*I3*M*C - (gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta*gamma3*1/Theta */
+    out[8] = t21;
+    const double t22 = p[15]*t16; /* (-I3*M)*gamma3*1/Theta */
+    const double t23 = t12*t22; /* S*(-I3*M)*gamma3*1/Theta */
+    out[10] = t23;
+    const double t24 = JLT_FNMA(x[3], t14, p[10]); /* G*J3/R - s*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta */
+    const double t25 = t4*t24; /* 1/Theta*(G*J3/R - s*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*1/Theta) */
+    out[11] = t25;
+    const double t26 = x[3]*x[0]; /* s*gamma3 */
+    const double t27 = t9*t26; /* M/J1*C*s*gamma3 */
+    out[14] = t27;
+    const double t28 = p[16]*t26; /* (-m*R/J1)*s*gamma3 */
+    out[13] = t28;
+    const double t29 = x[0]*p[16]; /* gamma3*(-m*R/J1) */
+    const double t30 = t15*t29; /* (v_slip - M/(m*R)*S)*gamma3*(-m*R/J1) */
+    out[15] = t30;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -180,54 +174,53 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[11] = 0.0;
     out[13] = 0.0;
     const double t0 = x[3]*x[3]; /* s*s */
-    const double t1 = p[6]*t0; /* m*R/J1*s*s */
-    out[5] = t1;
-    const double t2 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t3 = JLT_FMA(p[9], t2, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t4 = 1.0/t3; /* 1/Theta */
-    const double t5 = cos(x[2]); /* C = cos(psi) */
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[9], t1, p[8]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t3 = 1.0/t2; /* 1/Theta */
+    const double t4 = cos(x[2]); /* C = cos(psi) */
+    const double t5 = sin(x[2]); /* S = sin(psi) */
     const double t6 = x[3]*p[10]; /* s*G*J3/R */
-    const double t7 = p[11]*t5; /* I3*M*C */
+    const double t7 = p[11]*t4; /* I3*M*C */
     const double t8 = JLT_FMA(x[0], t7, t6); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t9 = t4*t8; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t9 = t3*t8; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
     out[2] = t9;
-    const double t10 = p[12]*t5; /* M/J1*C */
-    const double t11 = p[15]*t9; /* 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t12 = t4*t7; /* 1/Theta*I3*M*C */
-    const double t13 = sin(x[2]); /* S = sin(psi) */
-    const double t14 = JLT_FNMA(p[7], t13, x[1]); /* v_slip - M/(m*R)*S */
-    const double t15 = p[6]*t14; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t16 = t0*t15; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[0] = t16;
-    const double t17 = t0*t10; /* s*s*M/J1*C */
-    const double t18 = -t17; /* -s*s*M/J1*C */
-    out[6] = t18;
-    const double t19 = x[3]*x[0]; /* s*gamma3 */
-    const double t20 = t10*t19; /* M/J1*C*s*gamma3 */
-    out[18] = t20;
-    const double t21 = p[18]*t19; /* (-m*R/J1)*s*gamma3 */
-    out[17] = t21;
-    const double t22 = t15*t19; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    const double t23 = -t22; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    out[3] = t23;
-    const double t24 = x[0]*t4; /* gamma3*1/Theta */
-    const double t25 = JLT_FNMA(t11, t24, t12); /* 1/Theta*I3*M*C - 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*gamma3*1/Theta */
-    out[12] = t25;
-    const double t26 = p[16]*t24; /* (-I3*M)*gamma3*1/Theta */
-    const double t27 = t13*t26; /* S*(-I3*M)*gamma3*1/Theta */
-    out[14] = t27;
-    const double t28 = JLT_FNMA(x[3], t11, p[10]); /* G*J3/R - s*2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t29 = t4*t28; /* 1/Theta*(G*J3/R - s*2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
-    out[15] = t29;
-    const double t30 = x[3]*p[19]; /* s*2*m*R/J1 */
-    const double t31 = t14*t30; /* (v_slip - M/(m*R)*S)*s*2*m*R/J1 */
-    out[7] = t31;
-    const double t32 = x[3]*t15; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t33 = -t32; /* -s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[16] = t33;
-    const double t34 = x[0]*t15; /* gamma3*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t35 = -t34; /* -gamma3*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[19] = t35;
+    const double t10 = p[12]*t4; /* M/J1*C */
+    const double t11 = p[14]*t9; /* 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t12 = t3*t7; /* 1/Theta*I3*M*C */
+    const double t13 = JLT_FNMA(p[7], t5, x[1]); /* v_slip - M/(m*R)*S */
+    const double t14 = x[3]*t13; /* s*(v_slip - M/(m*R)*S) */
+    const double t15 = p[13]*t14; /* 2*m*R/J1*s*(v_slip - M/(m*R)*S) */
+    out[7] = t15;
+    const double t16 = p[6]*t14; /* m*R/J1*s*(v_slip - M/(m*R)*S) */
+    const double t17 = -t16; /* -m*R/J1*s*(v_slip - M/(m*R)*S) */
+    out[16] = t17;
+    const double t18 = x[0]*t16; /* gamma3*m*R/J1*s*(v_slip - M/(m*R)*S) */
+    const double t19 = -t18; /* -gamma3*m*R/J1*s*(v_slip - M/(m*R)*S) */
+    out[3] = t19;
+    const double t20 = x[0]*t3; /* gamma3*1/Theta */
+    const double t21 = JLT_FNMA(t11, t20, t12); /* 1/Theta*I3*M*C - 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*gamma3*1/Theta */
+    out[12] = t21;
+    const double t22 = p[15]*t20; /* (-I3*M)*gamma3*1/Theta */
+    const double t23 = t5*t22; /* S*(-I3*M)*gamma3*1/Theta */
+    out[14] = t23;
+    const double t24 = JLT_FNMA(x[3], t11, p[10]); /* G*J3/R - s*2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t25 = t3*t24; /* 1/Theta*(G*J3/R - s*2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
+    out[15] = t25;
+    const double t26 = p[6]*t0; /* m*R/J1*s*s */
+    out[5] = t26;
+    const double t27 = t13*t26; /* (v_slip - M/(m*R)*S)*m*R/J1*s*s */
+    out[0] = t27;
+    const double t28 = t0*t10; /* s*s*M/J1*C */
+    const double t29 = -t28; /* -s*s*M/J1*C */
+    out[6] = t29;
+    const double t30 = x[3]*x[0]; /* s*gamma3 */
+    const double t31 = t10*t30; /* M/J1*C*s*gamma3 */
+    out[18] = t31;
+    const double t32 = p[16]*t30; /* (-m*R/J1)*s*gamma3 */
+    out[17] = t32;
+    const double t33 = x[0]*p[16]; /* gamma3*(-m*R/J1) */
+    const double t34 = t13*t33; /* (v_slip - M/(m*R)*S)*gamma3*(-m*R/J1) */
+    out[19] = t34;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -235,8 +228,8 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = sin(x[2]); /* S = sin(psi) */
     const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t2 = JLT_FMA(x[3], x[3], t1); /* s*s + gamma3*gamma3 */
-    const double t3 = JLT_FMA(p[3], t2, p[21]); /* Theta/(m*R^2) = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
-    const double t4 = p[20]/t3; /* I3*M/(m*R^2)/(Theta/(m*R^2)) */
+    const double t3 = JLT_FMA(p[3], t2, p[18]); /* Theta/(m*R^2) = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
+    const double t4 = p[17]/t3; /* I3*M/(m*R^2)/(Theta/(m*R^2)) */
     const double t5 = t0*t4; /* S*I3*M/(m*R^2)/(Theta/(m*R^2)) */
     const double t6 = JLT_FNMA(t0, p[7], x[1]); /* v_slip - S*M/(m*R) */
     const double t7 = JLT_FMA(p[6], t6, t5); /* m*R/J1*(v_slip - S*M/(m*R)) + S*I3*M/(m*R^2)/(Theta/(m*R^2)) */
@@ -247,7 +240,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[22]*x[1]; /* m*I3^2*v_slip */
+    const double t0 = p[19]*x[1]; /* m*I3^2*v_slip */
     const double t1 = x[1]*t0; /* v_slip*m*I3^2*v_slip */
     out[0] = t1;
 }
@@ -257,7 +250,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[0] = 0.0;
     out[2] = 0.0;
     out[3] = 0.0;
-    const double t0 = p[23]*x[1]; /* 2*m*I3^2*v_slip */
+    const double t0 = p[20]*x[1]; /* 2*m*I3^2*v_slip */
     out[1] = t0;
 }
 
@@ -379,16 +372,16 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular
     .sha256 = "70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_balanced,
-    .state_count = 4, .param_count = 6, .block_count = 24,
+    .state_count = 4, .param_count = 6, .block_count = 21,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 1, 7, 4, 1, 0, 2, 5, 5 }, { 8, 27, 0, 4, 0, 2, 7, 7 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .jacobian = { jacobian, 16, { 1, 22, 6, 1, 0, 2, 8, 8 }, { 16, 68, 0, 14, 0, 2, 10, 11 },
+    .jacobian = { jacobian, 16, { 1, 21, 6, 1, 0, 2, 8, 9 }, { 16, 68, 0, 14, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 4, 23, 6, 1, 0, 2, 8, 9 }, { 20, 83, 0, 18, 0, 2, 10, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 3, 23, 6, 1, 0, 2, 8, 9 }, { 20, 83, 0, 18, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
     .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 8, 3 }, { 6, 17, 0, 2, 0, 1, 8, 7 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },

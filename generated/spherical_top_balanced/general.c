@@ -6,8 +6,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   16    5    1    1    2     10    7   (75)
- *  jacobian            2   33   12    1    1    2     14   12   (282)
- *  rhs_jacobian        3   34   12    1    1    2     14   15   (336)
+ *  jacobian            2   31   12    1    1    2     14   11   (282)
+ *  rhs_jacobian        2   34   12    1    1    2     13   12   (336)
  *  divergence          4    9    3    1    1    1     10    5   (31)
  *  integral_values     3    7    3    1    1    1      8    4   (33)
  *  integral_gradients  2   15    5    1    1    2     10    5   (77)
@@ -172,50 +172,48 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t10 = t5*t9; /* 1/s = Theta*1/(Theta*s) */
     const double t11 = t6*t9; /* 1/Theta = s*1/(Theta*s) */
     const double t12 = cos(x[2]); /* C = cos(psi) */
-    const double t13 = t6*t12; /* s*C */
-    const double t14 = p[17]*t13; /* (-M/J1)*s*C */
-    out[2] = t14;
-    const double t15 = p[9]*t13; /* I1*M*s*C */
-    const double t16 = JLT_FNMA(x[0], p[10], t15); /* I1*M*s*C - gamma3*G*J1/R */
-    const double t17 = t11*t16; /* 1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
-    const double t18 = x[0]*t10; /* gamma3*1/s */
-    const double t19 = p[11]*t6; /* G*J3/R*s */
-    const double t20 = p[19]*t6; /* (R*I3*M - R*I1*M)*s */
-    const double t21 = p[12]*t12; /* I3*M*C */
-    const double t22 = JLT_FMA(x[0], t21, t19); /* gamma3*I3*M*C + G*J3/R*s */
-    const double t23 = JLT_FMS(p[11], t18, t21); /* G*J3/R*gamma3*1/s - I3*M*C */
-    const double t24 = t11*t18; /* 1/Theta*gamma3*1/s */
-    const double t25 = t11*t11; /* 1/Theta*1/Theta */
-    const double t26 = t22*t25; /* (gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta */
-    const double t27 = t20*t26; /* (R*I3*M - R*I1*M)*s*(gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta */
-    const double t28 = t10*t24; /* 1/s*1/Theta*gamma3*1/s */
-    const double t29 = t22*t28; /* (gamma3*I3*M*C + G*J3/R*s)*1/s*1/Theta*gamma3*1/s */
-    const double t30 = JLT_FNMA(t11, t23, t29); /* (gamma3*I3*M*C + G*J3/R*s)*1/s*1/Theta*gamma3*1/s - 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
-    const double t31 = t11*t17; /* 1/Theta*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
-    const double t32 = p[18]*t17; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
-    const double t33 = t23*t31; /* (G*J3/R*gamma3*1/s - I3*M*C)*1/Theta*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
-    const double t34 = p[9]*t18; /* I1*M*gamma3*1/s */
-    const double t35 = JLT_FMA(t12, t34, p[10]); /* C*I1*M*gamma3*1/s + G*J1/R */
-    const double t36 = JLT_FMA(t26, t35, t33); /* (gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta*(C*I1*M*gamma3*1/s + G*J1/R) + t33 */
-    const double t37 = x[0]*t26; /* gamma3*(gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta */
-    const double t38 = p[16]*t18; /* (-m*R/J1)*gamma3*1/s */
-    const double t39 = t32*t37; /* t32*gamma3*(gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta */
-    const double t40 = JLT_FNMA(p[8], t36, t39); /* t32*gamma3*(gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta - (R - R*I3/I1)*t36 */
-    out[3] = t40;
-    const double t41 = JLT_FMA(p[21], t37, t30); /* 2*m*R^2*(I1 - I3)*gamma3*(gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/Theta + t30 */
-    const double t42 = t10*t41; /* 1/s*t41 */
-    out[6] = t42;
-    const double t43 = sin(x[2]); /* S = sin(psi) */
-    const double t44 = x[0]*p[20]; /* gamma3*(R*I3*M - R*I3^2*M/I1) */
-    const double t45 = JLT_FNMA(t31, t44, t27); /* t27 - 1/Theta*1/Theta*(I1*M*s*C - gamma3*G*J1/R)*gamma3*(R*I3*M - R*I3^2*M/I1) */
-    const double t46 = t43*t45; /* S*t45 */
-    out[5] = t46;
-    const double t47 = JLT_FNMA(p[7], t43, x[1]); /* v_slip - M/(m*R)*S */
-    const double t48 = t38*t47; /* (-m*R/J1)*gamma3*1/s*(v_slip - M/(m*R)*S) */
-    out[0] = t48;
-    const double t49 = p[22]*t43; /* (-I3*M)*S */
-    const double t50 = t24*t49; /* 1/Theta*gamma3*1/s*(-I3*M)*S */
-    out[8] = t50;
+    const double t13 = x[0]*t10; /* gamma3*1/s */
+    const double t14 = t6*t12; /* s*C */
+    const double t15 = p[17]*t14; /* (-M/J1)*s*C */
+    out[2] = t15;
+    const double t16 = p[9]*t14; /* I1*M*s*C */
+    const double t17 = JLT_FNMA(x[0], p[10], t16); /* I1*M*s*C - gamma3*G*J1/R */
+    const double t18 = p[11]*t6; /* G*J3/R*s */
+    const double t19 = p[19]*t6; /* (R*I3*M - R*I1*M)*s */
+    const double t20 = p[12]*t12; /* I3*M*C */
+    const double t21 = JLT_FMA(x[0], t20, t18); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t22 = JLT_FMS(p[11], t13, t20); /* G*J3/R*gamma3*1/s - I3*M*C */
+    const double t23 = t11*t21; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t24 = t11*t22; /* 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t25 = t19*t23; /* (R*I3*M - R*I1*M)*s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t26 = x[0]*t11; /* gamma3*1/Theta */
+    const double t27 = p[9]*t13; /* I1*M*gamma3*1/s */
+    const double t28 = JLT_FMA(t12, t27, p[10]); /* C*I1*M*gamma3*1/s + G*J1/R */
+    const double t29 = t17*t26; /* (I1*M*s*C - gamma3*G*J1/R)*gamma3*1/Theta */
+    const double t30 = t17*t24; /* (I1*M*s*C - gamma3*G*J1/R)*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t31 = JLT_FMA(t23, t28, t30); /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(C*I1*M*gamma3*1/s + G*J1/R) + t30 */
+    const double t32 = JLT_FNMA(p[20], t29, t25); /* (R*I3*M - R*I1*M)*s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) - (R*I3*M - R*I3^2*M/I1)*(I1*M*s*C - gamma3*G*J1/R)*gamma3*1/Theta */
+    const double t33 = p[18]*t23; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t34 = t29*t33; /* (I1*M*s*C - gamma3*G*J1/R)*gamma3*1/Theta*t33 */
+    const double t35 = JLT_FNMA(p[8], t31, t34); /* (I1*M*s*C - gamma3*G*J1/R)*gamma3*1/Theta*t33 - (R - R*I3/I1)*t31 */
+    const double t36 = t11*t35; /* 1/Theta*t35 */
+    out[3] = t36;
+    const double t37 = t10*t13; /* 1/s*gamma3*1/s */
+    const double t38 = JLT_FMA(p[21], t26, t37); /* 2*m*R^2*(I1 - I3)*gamma3*1/Theta + 1/s*gamma3*1/s */
+    const double t39 = JLT_FMS(t23, t38, t24); /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(2*m*R^2*(I1 - I3)*gamma3*1/Theta + 1/s*gamma3*1/s) - 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t40 = t10*t39; /* 1/s*t39 */
+    out[6] = t40;
+    const double t41 = sin(x[2]); /* S = sin(psi) */
+    const double t42 = t11*t41; /* 1/Theta*S */
+    const double t43 = t32*t42; /* t32*1/Theta*S */
+    out[5] = t43;
+    const double t44 = JLT_FNMA(p[7], t41, x[1]); /* v_slip - M/(m*R)*S */
+    const double t45 = p[16]*t13; /* (-m*R/J1)*gamma3*1/s */
+    const double t46 = t44*t45; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*1/s */
+    out[0] = t46;
+    const double t47 = p[22]*t13; /* (-I3*M)*gamma3*1/s */
+    const double t48 = t42*t47; /* 1/Theta*S*(-I3*M)*gamma3*1/s */
+    out[8] = t48;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -234,57 +232,56 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t9 = t6*t8; /* 1/s = Theta*1/(s*Theta) */
     const double t10 = t5*t8; /* 1/Theta = s*1/(s*Theta) */
     const double t11 = cos(x[2]); /* C = cos(psi) */
-    const double t12 = p[11]*t5; /* G*J3/R*s */
-    const double t13 = p[12]*t11; /* I3*M*C */
-    const double t14 = JLT_FMA(x[0], t13, t12); /* gamma3*I3*M*C + G*J3/R*s */
-    const double t15 = t10*t14; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t16 = p[9]*t11; /* I1*M*C */
-    const double t17 = t5*t16; /* s*I1*M*C */
-    const double t18 = JLT_FNMA(x[0], p[10], t17); /* s*I1*M*C - gamma3*G*J1/R */
-    const double t19 = t10*t15; /* 1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t20 = x[0]*t9; /* gamma3*1/s */
-    const double t21 = JLT_FMS(p[11], t20, t13); /* G*J3/R*gamma3*1/s - I3*M*C */
-    const double t22 = t10*t21; /* 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
-    const double t23 = JLT_FMA(t16, t20, p[10]); /* I1*M*C*gamma3*1/s + G*J1/R */
-    const double t24 = t10*t18; /* 1/Theta*(s*I1*M*C - gamma3*G*J1/R) */
-    const double t25 = x[0]*t19; /* gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t26 = p[8]*t19; /* (R - R*I3/I1)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t27 = t18*t26; /* (s*I1*M*C - gamma3*G*J1/R)*(R - R*I3/I1)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    out[1] = t27;
-    const double t28 = x[0]*p[20]; /* gamma3*(R*I3*M - R*I3^2*M/I1) */
-    const double t29 = t24*t28; /* 1/Theta*(s*I1*M*C - gamma3*G*J1/R)*gamma3*(R*I3*M - R*I3^2*M/I1) */
-    const double t30 = sin(x[2]); /* S = sin(psi) */
-    const double t31 = t10*t30; /* 1/Theta*S */
-    const double t32 = JLT_FNMA(p[7], t30, x[1]); /* v_slip - M/(m*R)*S */
-    const double t33 = t9*t15; /* 1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    out[2] = t33;
-    const double t34 = JLT_FMS(t20, t33, t22); /* gamma3*1/s*1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) - 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
-    const double t35 = JLT_FMA(p[21], t25, t34); /* 2*m*R^2*(I1 - I3)*gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) + t34 */
-    const double t36 = t9*t35; /* 1/s*t35 */
-    out[9] = t36;
-    const double t37 = p[18]*t25; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*gamma3*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t38 = JLT_FNMA(p[8], t22, t37); /* t37 - (R - R*I3/I1)*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
-    const double t39 = t24*t38; /* 1/Theta*(s*I1*M*C - gamma3*G*J1/R)*(t37 - (R - R*I3/I1)*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C)) */
-    const double t40 = JLT_FNMA(t23, t26, t39); /* t39 - (I1*M*C*gamma3*1/s + G*J1/R)*(R - R*I3/I1)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t12 = t5*t11; /* s*C */
+    const double t13 = p[17]*t12; /* (-M/J1)*s*C */
+    out[5] = t13;
+    const double t14 = p[9]*t12; /* I1*M*s*C */
+    const double t15 = JLT_FNMA(x[0], p[10], t14); /* I1*M*s*C - gamma3*G*J1/R */
+    const double t16 = t10*t15; /* 1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t17 = p[11]*t5; /* G*J3/R*s */
+    const double t18 = p[12]*t11; /* I3*M*C */
+    const double t19 = JLT_FMA(x[0], t18, t17); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t20 = t10*t19; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t21 = x[0]*t9; /* gamma3*1/s */
+    const double t22 = JLT_FMS(p[11], t21, t18); /* G*J3/R*gamma3*1/s - I3*M*C */
+    const double t23 = t10*t22; /* 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t24 = x[0]*t16; /* gamma3*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t25 = p[8]*t16; /* (R - R*I3/I1)*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t26 = t20*t25; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R - R*I3/I1)*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    out[1] = t26;
+    const double t27 = p[9]*t21; /* I1*M*gamma3*1/s */
+    const double t28 = JLT_FMA(t11, t27, p[10]); /* C*I1*M*gamma3*1/s + G*J1/R */
+    const double t29 = t9*t20; /* 1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    out[2] = t29;
+    const double t30 = t9*t29; /* 1/s*1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t31 = t9*t23; /* 1/s*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    const double t32 = p[18]*t24; /* 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1)*gamma3*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t33 = JLT_FNMA(p[8], t28, t32); /* t32 - (R - R*I3/I1)*(C*I1*M*gamma3*1/s + G*J1/R) */
+    const double t34 = p[19]*t5; /* (R*I3*M - R*I1*M)*s */
+    const double t35 = t20*t34; /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s */
+    const double t36 = JLT_FNMA(p[20], t24, t35); /* 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s - (R*I3*M - R*I3^2*M/I1)*gamma3*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
+    const double t37 = t10*t20; /* 1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t38 = p[6]*t5; /* m*R/J1*s */
+    out[4] = t38;
+    const double t39 = t33*t37; /* (t32 - (R - R*I3/I1)*(C*I1*M*gamma3*1/s + G*J1/R))*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t40 = JLT_FNMA(t23, t25, t39); /* t39 - 1/Theta*(G*J3/R*gamma3*1/s - I3*M*C)*(R - R*I3/I1)*1/Theta*(I1*M*s*C - gamma3*G*J1/R) */
     out[6] = t40;
-    const double t41 = p[19]*t5; /* (R*I3*M - R*I1*M)*s */
-    const double t42 = JLT_FNMA(t15, t41, t29); /* t29 - 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s */
-    const double t43 = t31*t42; /* 1/Theta*S*(t29 - 1/Theta*(gamma3*I3*M*C + G*J3/R*s)*(R*I3*M - R*I1*M)*s) */
-    const double t44 = -t43; /* -t43 */
-    out[8] = t44;
-    const double t45 = p[6]*t5; /* m*R/J1*s */
-    out[4] = t45;
-    const double t46 = t32*t45; /* (v_slip - M/(m*R)*S)*m*R/J1*s */
-    out[0] = t46;
-    const double t47 = p[17]*t5; /* (-M/J1)*s */
-    const double t48 = t11*t47; /* C*(-M/J1)*s */
-    out[5] = t48;
-    const double t49 = p[16]*t20; /* (-m*R/J1)*gamma3*1/s */
-    const double t50 = t32*t49; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*1/s */
-    out[3] = t50;
-    const double t51 = p[22]*t20; /* (-I3*M)*gamma3*1/s */
-    const double t52 = t31*t51; /* 1/Theta*S*(-I3*M)*gamma3*1/s */
-    out[11] = t52;
+    const double t41 = JLT_FMA(p[21], t37, t30); /* 2*m*R^2*(I1 - I3)*1/Theta*1/Theta*(gamma3*I3*M*C + G*J3/R*s) + 1/s*1/s*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t42 = JLT_FMS(t21, t41, t31); /* gamma3*1/s*t41 - 1/s*1/Theta*(G*J3/R*gamma3*1/s - I3*M*C) */
+    out[9] = t42;
+    const double t43 = sin(x[2]); /* S = sin(psi) */
+    const double t44 = t10*t43; /* 1/Theta*S */
+    const double t45 = t36*t44; /* t36*1/Theta*S */
+    out[8] = t45;
+    const double t46 = JLT_FNMA(p[7], t43, x[1]); /* v_slip - M/(m*R)*S */
+    const double t47 = t38*t46; /* m*R/J1*s*(v_slip - M/(m*R)*S) */
+    out[0] = t47;
+    const double t48 = p[16]*t21; /* (-m*R/J1)*gamma3*1/s */
+    const double t49 = t46*t48; /* (v_slip - M/(m*R)*S)*(-m*R/J1)*gamma3*1/s */
+    out[3] = t49;
+    const double t50 = p[22]*t21; /* (-I3*M)*gamma3*1/s */
+    const double t51 = t44*t50; /* 1/Theta*S*(-I3*M)*gamma3*1/s */
+    out[11] = t51;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -500,9 +497,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .prepare = prepare,
     .rhs = { rhs, 3, { 2, 16, 5, 1, 1, 2, 10, 7 }, { 12, 51, 0, 9, 1, 2, 12, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 9, { 2, 33, 12, 1, 1, 2, 14, 12 }, { 42, 199, 0, 38, 1, 2, 17, 12 },
+    .jacobian = { jacobian, 9, { 2, 31, 12, 1, 1, 2, 14, 11 }, { 42, 199, 0, 38, 1, 2, 17, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 3, 34, 12, 1, 1, 2, 14, 15 }, { 49, 237, 0, 47, 1, 2, 17, 12 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 2, 34, 12, 1, 1, 2, 13, 12 }, { 49, 237, 0, 47, 1, 2, 17, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 4, 9, 3, 1, 1, 1, 10, 5 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

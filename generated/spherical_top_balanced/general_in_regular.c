@@ -7,8 +7,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   15    5    1    0    2      7    6   (82)
- *  jacobian            1   38   13    1    0    2     11   14   (432)
- *  rhs_jacobian        3   42   13    1    0    2     10   14   (496)
+ *  jacobian            1   37   13    1    0    2     10   13   (432)
+ *  rhs_jacobian        3   41   13    1    0    2     10   14   (496)
  *  divergence          1    3    4    1    0    1      7    3   (26)
  *  integral_values     0    6    4    1    0    1      5    4   (30)
  *  integral_gradients  1   13    5    1    0    2      7    5   (101)
@@ -98,13 +98,13 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t42 = params[5]*t41; /* M*R*I1 */
     const double t43 = t23 - t42; /* M*R*I3 - M*R*I1 */
     out[21] = t43;
-    const double t44 = t15*t29; /* J3*I3*G */
-    const double t45 = t44/params[2]; /* J3*I3*G/I1 */
-    const double t46 = t16 - t45; /* G*J3 - J3*I3*G/I1 */
+    const double t44 = params[2]*t34; /* I1*m*R*R*R */
+    const double t45 = 4.0*t44; /* 4*I1*m*R*R*R */
+    const double t46 = t36 - t45; /* I3*m*R*R*R*4 - 4*I1*m*R*R*R */
     out[22] = t46;
-    const double t47 = params[2]*t34; /* I1*m*R*R*R */
-    const double t48 = 4.0*t47; /* 4*I1*m*R*R*R */
-    const double t49 = t36 - t48; /* I3*m*R*R*R*4 - 4*I1*m*R*R*R */
+    const double t47 = t15*t29; /* J3*I3*G */
+    const double t48 = t47/params[2]; /* J3*I3*G/I1 */
+    const double t49 = t16 - t48; /* G*J3 - J3*I3*G/I1 */
     out[23] = t49;
     const double t50 = t1*t20; /* R*R*m*2 */
     const double t51 = params[3]*t50; /* I3*R*R*m*2 */
@@ -197,62 +197,61 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t8 = p[15]*t6; /* I3*M*C */
     const double t9 = JLT_FMA(x[0], t8, t7); /* gamma3*I3*M*C + s*G*J3/R */
     const double t10 = t5*t9; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t11 = t5*t8; /* 1/Theta*I3*M*C */
-    const double t12 = x[3]*t5; /* s*1/Theta */
-    const double t13 = x[3]*p[12]; /* s*I1*M */
-    const double t14 = t6*t13; /* C*s*I1*M */
-    const double t15 = JLT_FNMA(x[0], p[13], t14); /* C*s*I1*M - gamma3*G*J1/R */
-    const double t16 = t10*t12; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    const double t17 = p[22]*t5; /* (G*J3 - I3*G*J3/I1)*1/Theta */
-    const double t18 = JLT_FMA(p[23], t16, t17); /* (4*m*R^3*I3 - 4*m*R^3*I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta + (G*J3 - I3*G*J3/I1)*1/Theta */
-    const double t19 = t12*t18; /* s*1/Theta*t18 */
-    const double t20 = p[18]*t12; /* (R*I3*M - R*I3^2*M/I1)*s*1/Theta */
-    const double t21 = t15*t20; /* (C*s*I1*M - gamma3*G*J1/R)*(R*I3*M - R*I3^2*M/I1)*s*1/Theta */
-    const double t22 = sin(x[2]); /* S = sin(psi) */
-    const double t23 = x[0]*t5; /* gamma3*1/Theta */
-    const double t24 = p[8]*t5; /* (R - R*I3/I1)*1/Theta */
-    const double t25 = JLT_FMA(t10, t24, t19); /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*(R - R*I3/I1)*1/Theta + s*1/Theta*t18 */
-    const double t26 = t15*t25; /* (C*s*I1*M - gamma3*G*J1/R)*t25 */
-    const double t27 = p[16]*t6; /* M/J1*C */
-    const double t28 = t0*t27; /* s*s*M/J1*C */
-    const double t29 = -t28; /* -s*s*M/J1*C */
-    out[2] = t29;
-    const double t30 = JLT_FNMA(p[7], t22, x[1]); /* v_slip - M/(m*R)*S */
-    const double t31 = t5*t6; /* 1/Theta*C */
-    const double t32 = t21*t31; /* (C*s*I1*M - gamma3*G*J1/R)*(R*I3*M - R*I3^2*M/I1)*s*1/Theta*1/Theta*C */
-    const double t33 = p[14]*t5; /* G*J3/R*1/Theta */
-    const double t34 = JLT_FNMA(p[26], t16, t33); /* G*J3/R*1/Theta - 2*m*R^2*I1*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    out[11] = t34;
-    const double t35 = p[20]*t23; /* (4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*gamma3*1/Theta */
-    const double t36 = JLT_FMA(t15, t35, p[19]); /* (C*s*I1*M - gamma3*G*J1/R)*(4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*gamma3*1/Theta + G*J1 - I3*G*J1/I1 */
-    const double t37 = JLT_FNMA(t16, t36, t32); /* t32 - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta*t36 */
-    out[4] = t37;
-    const double t38 = p[21]*t16; /* (R*I3*M - R*I1*M)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
-    const double t39 = JLT_FNMA(t6, t38, t26); /* (C*s*I1*M - gamma3*G*J1/R)*t25 - C*t38 */
-    out[7] = t39;
-    const double t40 = x[3]*t22; /* s*S */
-    const double t41 = t38*t40; /* t38*s*S */
-    const double t42 = t22*t23; /* S*gamma3*1/Theta */
-    const double t43 = JLT_FNMA(t21, t42, t41); /* t38*s*S - (C*s*I1*M - gamma3*G*J1/R)*(R*I3*M - R*I3^2*M/I1)*s*1/Theta*S*gamma3*1/Theta */
-    out[6] = t43;
-    const double t44 = p[25]*t42; /* (-I3*M)*S*gamma3*1/Theta */
-    out[10] = t44;
-    const double t45 = p[24]*t23; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t46 = JLT_FNMA(t10, t45, t11); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    out[8] = t46;
-    const double t47 = x[3]*t30; /* s*(v_slip - M/(m*R)*S) */
-    const double t48 = p[17]*t47; /* 2*m*R/J1*s*(v_slip - M/(m*R)*S) */
-    out[3] = t48;
-    const double t49 = p[27]*t47; /* (-m*R/J1)*s*(v_slip - M/(m*R)*S) */
-    out[12] = t49;
-    const double t50 = x[3]*x[0]; /* s*gamma3 */
-    const double t51 = t27*t50; /* M/J1*C*s*gamma3 */
-    out[14] = t51;
-    const double t52 = p[27]*t50; /* (-m*R/J1)*s*gamma3 */
-    out[13] = t52;
-    const double t53 = x[0]*p[27]; /* gamma3*(-m*R/J1) */
-    const double t54 = t30*t53; /* (v_slip - M/(m*R)*S)*gamma3*(-m*R/J1) */
-    out[15] = t54;
+    const double t11 = x[3]*p[12]; /* s*I1*M */
+    const double t12 = t6*t11; /* C*s*I1*M */
+    const double t13 = JLT_FNMA(x[0], p[13], t12); /* C*s*I1*M - gamma3*G*J1/R */
+    const double t14 = t5*t13; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t15 = x[3]*t5; /* s*1/Theta */
+    const double t16 = t10*t15; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    const double t17 = p[23]*t15; /* (G*J3 - I3*G*J3/I1)*s*1/Theta */
+    const double t18 = p[18]*t15; /* (R*I3*M - R*I3^2*M/I1)*s*1/Theta */
+    const double t19 = JLT_FMA(p[8], t10, t17); /* (R - R*I3/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R) + (G*J3 - I3*G*J3/I1)*s*1/Theta */
+    const double t20 = t14*t18; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(R*I3*M - R*I3^2*M/I1)*s*1/Theta */
+    const double t21 = sin(x[2]); /* S = sin(psi) */
+    const double t22 = x[3]*t16; /* s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    const double t23 = JLT_FMA(p[22], t22, t19); /* (4*m*R^3*I3 - 4*m*R^3*I1)*s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta + t19 */
+    const double t24 = p[21]*t22; /* (R*I3*M - R*I1*M)*s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    const double t25 = JLT_FNMA(x[0], t20, t24); /* t24 - gamma3*t20 */
+    const double t26 = t21*t25; /* S*(t24 - gamma3*t20) */
+    out[6] = t26;
+    const double t27 = t6*t20; /* C*t20 */
+    const double t28 = t14*t23; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*t23 */
+    const double t29 = x[0]*t5; /* gamma3*1/Theta */
+    const double t30 = p[16]*t6; /* M/J1*C */
+    const double t31 = t0*t30; /* s*s*M/J1*C */
+    const double t32 = -t31; /* -s*s*M/J1*C */
+    out[2] = t32;
+    const double t33 = p[21]*t6; /* (R*I3*M - R*I1*M)*C */
+    const double t34 = JLT_FNMA(t16, t33, t28); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*t23 - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta*(R*I3*M - R*I1*M)*C */
+    out[7] = t34;
+    const double t35 = JLT_FNMA(p[7], t21, x[1]); /* v_slip - M/(m*R)*S */
+    const double t36 = x[0]*p[20]; /* gamma3*(4*m*R^3*I3 - 4*m*R^3*I3^2/I1) */
+    const double t37 = JLT_FMA(t14, t36, p[19]); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*gamma3*(4*m*R^3*I3 - 4*m*R^3*I3^2/I1) + G*J1 - I3*G*J1/I1 */
+    const double t38 = JLT_FNMA(t16, t37, t27); /* C*t20 - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta*t37 */
+    out[4] = t38;
+    const double t39 = p[24]*t29; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t40 = t10*t39; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    const double t41 = JLT_FMS(t5, t8, t40); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    out[8] = t41;
+    const double t42 = p[25]*t29; /* (-I3*M)*gamma3*1/Theta */
+    const double t43 = t21*t42; /* S*(-I3*M)*gamma3*1/Theta */
+    out[10] = t43;
+    const double t44 = p[14]*t5; /* G*J3/R*1/Theta */
+    const double t45 = JLT_FNMA(p[26], t16, t44); /* G*J3/R*1/Theta - 2*m*R^2*I1*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    out[11] = t45;
+    const double t46 = x[3]*t35; /* s*(v_slip - M/(m*R)*S) */
+    const double t47 = p[17]*t46; /* 2*m*R/J1*s*(v_slip - M/(m*R)*S) */
+    out[3] = t47;
+    const double t48 = p[27]*t46; /* (-m*R/J1)*s*(v_slip - M/(m*R)*S) */
+    out[12] = t48;
+    const double t49 = x[3]*x[0]; /* s*gamma3 */
+    const double t50 = t30*t49; /* M/J1*C*s*gamma3 */
+    out[14] = t50;
+    const double t51 = p[27]*t49; /* (-m*R/J1)*s*gamma3 */
+    out[13] = t51;
+    const double t52 = x[0]*p[27]; /* gamma3*(-m*R/J1) */
+    const double t53 = t35*t52; /* (v_slip - M/(m*R)*S)*gamma3*(-m*R/J1) */
+    out[15] = t53;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -263,81 +262,80 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t0 = x[3]*x[3]; /* s*s */
     const double t1 = p[6]*t0; /* m*R/J1*s*s */
     out[5] = t1;
-    const double t2 = p[11]*x[0]; /* I3/I1*gamma3 */
-    const double t3 = JLT_FMA(x[0], t2, t0); /* gamma3*I3/I1*gamma3 + s*s */
-    const double t4 = JLT_FMA(p[10], t3, p[9]); /* Theta = m*R^2*I1*(gamma3*I3/I1*gamma3 + s*s) + I1*I3 */
+    const double t2 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t3 = JLT_FMA(x[0], t2, t0); /* gamma3*gamma3*I3/I1 + s*s */
+    const double t4 = JLT_FMA(p[10], t3, p[9]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s*s) + I1*I3 */
     const double t5 = 1.0/t4; /* 1/Theta */
     const double t6 = cos(x[2]); /* C = cos(psi) */
     const double t7 = x[3]*p[12]; /* s*I1*M */
     const double t8 = t6*t7; /* C*s*I1*M */
-    const double t9 = JLT_FNMA(x[0], p[13], t8); /* C*s*I1*M - gamma3*G*J1/R */
-    const double t10 = t5*t9; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t11 = x[3]*p[14]; /* s*G*J3/R */
-    const double t12 = x[0]*p[15]; /* gamma3*I3*M */
-    const double t13 = JLT_FMA(t6, t12, t11); /* C*gamma3*I3*M + s*G*J3/R */
-    const double t14 = t5*t13; /* 1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    out[2] = t14;
-    const double t15 = sin(x[2]); /* S = sin(psi) */
-    const double t16 = x[3]*t10; /* s*1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t17 = JLT_FNMA(p[7], t15, x[1]); /* v_slip - M/(m*R)*S */
-    const double t18 = p[8]*t14; /* (R - R*I3/I1)*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    const double t19 = t5*t14; /* 1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    const double t20 = t10*t18; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(R - R*I3/I1)*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    const double t21 = t16*t18; /* s*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(R - R*I3/I1)*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    out[1] = t21;
-    const double t22 = p[18]*t16; /* (R*I3*M - R*I3^2*M/I1)*s*1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t23 = t5*t6; /* 1/Theta*C */
-    const double t24 = p[21]*t0; /* (R*I3*M - R*I1*M)*s*s */
-    const double t25 = t15*t24; /* S*(R*I3*M - R*I1*M)*s*s */
-    const double t26 = t19*t25; /* 1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R)*S*(R*I3*M - R*I1*M)*s*s */
-    const double t27 = p[6]*t17; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t28 = x[3]*t17; /* s*(v_slip - M/(m*R)*S) */
-    const double t29 = t0*t27; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[0] = t29;
-    const double t30 = p[17]*t28; /* 2*m*R/J1*s*(v_slip - M/(m*R)*S) */
-    out[7] = t30;
-    const double t31 = p[27]*t28; /* (-m*R/J1)*s*(v_slip - M/(m*R)*S) */
-    out[16] = t31;
-    const double t32 = x[3]*x[0]; /* s*gamma3 */
-    const double t33 = p[27]*t32; /* (-m*R/J1)*s*gamma3 */
-    out[17] = t33;
-    const double t34 = p[16]*t6; /* M/J1*C */
-    const double t35 = p[21]*t6; /* (R*I3*M - R*I1*M)*C */
-    const double t36 = t0*t34; /* s*s*M/J1*C */
-    const double t37 = -t36; /* -s*s*M/J1*C */
-    out[6] = t37;
-    const double t38 = t32*t34; /* s*gamma3*M/J1*C */
-    out[18] = t38;
-    const double t39 = t27*t32; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    const double t40 = -t39; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    out[3] = t40;
-    const double t41 = x[0]*t27; /* gamma3*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t42 = -t41; /* -gamma3*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[19] = t42;
-    const double t43 = t22*t23; /* (R*I3*M - R*I3^2*M/I1)*s*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*1/Theta*C */
-    const double t44 = p[15]*t23; /* I3*M*1/Theta*C */
-    const double t45 = x[0]*t19; /* gamma3*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    const double t46 = JLT_FNMA(p[24], t45, t44); /* I3*M*1/Theta*C - 2*m*R^2*I3*gamma3*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    out[12] = t46;
-    const double t47 = x[3]*t19; /* s*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    const double t48 = JLT_FNMA(t35, t47, t20); /* t20 - (R*I3*M - R*I1*M)*C*s*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    const double t49 = p[20]*t16; /* (4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*s*1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t50 = JLT_FNMA(t45, t49, t43); /* t43 - gamma3*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R)*t49 */
-    const double t51 = JLT_FNMA(p[19], t47, t50); /* t43 - gamma3*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R)*t49 - (G*J1 - I3*G*J1/I1)*s*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    out[8] = t51;
-    const double t52 = x[0]*t5; /* gamma3*1/Theta */
-    const double t53 = t15*t52; /* S*gamma3*1/Theta */
-    const double t54 = JLT_FNMA(t22, t53, t26); /* t26 - (R*I3*M - R*I3^2*M/I1)*s*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*S*gamma3*1/Theta */
-    out[10] = t54;
-    const double t55 = p[25]*t53; /* (-I3*M)*S*gamma3*1/Theta */
-    out[14] = t55;
-    const double t56 = p[22]*t5; /* (G*J3 - I3*G*J3/I1)*1/Theta */
-    const double t57 = JLT_FMA(p[23], t47, t56); /* (4*m*R^3*I3 - 4*m*R^3*I1)*s*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R) + (G*J3 - I3*G*J3/I1)*1/Theta */
-    const double t58 = JLT_FMA(t16, t57, t48); /* s*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*t57 + t48 */
-    out[11] = t58;
-    const double t59 = p[14]*t5; /* G*J3/R*1/Theta */
-    const double t60 = JLT_FNMA(p[26], t47, t59); /* G*J3/R*1/Theta - 2*m*R^2*I1*s*1/Theta*1/Theta*(C*gamma3*I3*M + s*G*J3/R) */
-    out[15] = t60;
+    const double t9 = JLT_FNMA(p[13], x[0], t8); /* C*s*I1*M - G*J1/R*gamma3 */
+    const double t10 = x[3]*p[14]; /* s*G*J3/R */
+    const double t11 = p[15]*t6; /* I3*M*C */
+    const double t12 = JLT_FMA(x[0], t11, t10); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t13 = t5*t12; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    out[2] = t13;
+    const double t14 = x[3]*t5; /* s*1/Theta */
+    const double t15 = t5*t9; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t16 = p[8]*t9; /* (R - R*I3/I1)*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t17 = sin(x[2]); /* S = sin(psi) */
+    const double t18 = t14*t15; /* s*1/Theta*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t19 = t13*t14; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    const double t20 = t16*t19; /* (R - R*I3/I1)*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    out[1] = t20;
+    const double t21 = JLT_FNMA(p[7], t17, x[1]); /* v_slip - M/(m*R)*S */
+    const double t22 = p[18]*t18; /* (R*I3*M - R*I3^2*M/I1)*s*1/Theta*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t23 = x[3]*p[22]; /* s*(4*m*R^3*I3 - 4*m*R^3*I1) */
+    const double t24 = t19*t23; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta*s*(4*m*R^3*I3 - 4*m*R^3*I1) */
+    const double t25 = JLT_FMA(p[8], t13, t24); /* (R - R*I3/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R) + t24 */
+    const double t26 = x[0]*t13; /* gamma3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t27 = JLT_FNMA(p[24], t26, t11); /* I3*M*C - 2*m*R^2*I3*gamma3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t28 = t5*t27; /* 1/Theta*t27 */
+    out[12] = t28;
+    const double t29 = p[6]*t21; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t30 = x[3]*t21; /* s*(v_slip - M/(m*R)*S) */
+    const double t31 = t0*t29; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[0] = t31;
+    const double t32 = p[17]*t30; /* 2*m*R/J1*s*(v_slip - M/(m*R)*S) */
+    out[7] = t32;
+    const double t33 = p[27]*t30; /* (-m*R/J1)*s*(v_slip - M/(m*R)*S) */
+    out[16] = t33;
+    const double t34 = x[3]*x[0]; /* s*gamma3 */
+    const double t35 = p[27]*t34; /* (-m*R/J1)*s*gamma3 */
+    out[17] = t35;
+    const double t36 = p[16]*t6; /* M/J1*C */
+    const double t37 = t0*t36; /* s*s*M/J1*C */
+    const double t38 = -t37; /* -s*s*M/J1*C */
+    out[6] = t38;
+    const double t39 = t34*t36; /* s*gamma3*M/J1*C */
+    out[18] = t39;
+    const double t40 = t29*t34; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    const double t41 = -t40; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    out[3] = t41;
+    const double t42 = x[0]*t29; /* gamma3*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t43 = -t42; /* -gamma3*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[19] = t43;
+    const double t44 = t6*t22; /* C*t22 */
+    const double t45 = p[20]*t18; /* (4*m*R^3*I3 - 4*m*R^3*I3^2/I1)*s*1/Theta*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t46 = JLT_FNMA(t26, t45, t44); /* C*t22 - gamma3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*t45 */
+    const double t47 = JLT_FNMA(p[19], t19, t46); /* C*t22 - gamma3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*t45 - (G*J1 - I3*G*J1/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    out[8] = t47;
+    const double t48 = p[23]*t18; /* (G*J3 - I3*G*J3/I1)*s*1/Theta*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t49 = p[21]*t19; /* (R*I3*M - R*I1*M)*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    const double t50 = JLT_FNMA(t6, t49, t48); /* t48 - C*t49 */
+    const double t51 = JLT_FMA(t15, t25, t50); /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*((R - R*I3/I1)*1/Theta*(gamma3*I3*M*C + s*G*J3/R) + t24) + t48 - C*t49 */
+    out[11] = t51;
+    const double t52 = x[3]*t17; /* s*S */
+    const double t53 = t49*t52; /* t49*s*S */
+    const double t54 = x[0]*t17; /* gamma3*S */
+    const double t55 = JLT_FNMA(t22, t54, t53); /* t49*s*S - t22*gamma3*S */
+    out[10] = t55;
+    const double t56 = p[25]*t5; /* (-I3*M)*1/Theta */
+    const double t57 = t54*t56; /* gamma3*S*(-I3*M)*1/Theta */
+    out[14] = t57;
+    const double t58 = p[14]*t5; /* G*J3/R*1/Theta */
+    const double t59 = JLT_FNMA(p[26], t19, t58); /* G*J3/R*1/Theta - 2*m*R^2*I1*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*s*1/Theta */
+    out[15] = t59;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -544,9 +542,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 1, 15, 5, 1, 0, 2, 7, 6 }, { 13, 57, 0, 10, 0, 2, 10, 11 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
-    .jacobian = { jacobian, 16, { 1, 38, 13, 1, 0, 2, 11, 14 }, { 56, 318, 0, 56, 0, 2, 16, 11 },
+    .jacobian = { jacobian, 16, { 1, 37, 13, 1, 0, 2, 10, 13 }, { 56, 318, 0, 56, 0, 2, 16, 11 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 3, 42, 13, 1, 0, 2, 10, 14 }, { 65, 363, 0, 66, 0, 2, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 3, 41, 13, 1, 0, 2, 10, 14 }, { 65, 363, 0, 66, 0, 2, 16, 11 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
     .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 7, 3 }, { 6, 17, 0, 2, 0, 1, 8, 7 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },

@@ -7,8 +7,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   24    7    1    1    0     15    7   (94)
- *  jacobian            9   47   21    1    1    0     16   20   (464)
- *  rhs_jacobian        9   48   26    1    1    0     16   23   (541)
+ *  jacobian            8   43   22    1    1    0     17   17   (464)
+ *  rhs_jacobian        11   49   24    1    1    0     17   21   (541)
  *  divergence          3   13    5    1    1    0     12    6   (46)
  *  integral_values     3   12    7    1    1    0      8    6   (50)
  *  integral_gradients  2   25    9    1    1    0     13    8   (123)
@@ -77,17 +77,17 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t15 = params[1]*2.0; /* R*2 */
     const double t16 = params[4]*t15; /* I3*R*2 */
     out[15] = t16;
-    const double t17 = params[4]*params[4]; /* I3*I3 */
-    const double t18 = t0*t17; /* R*R*I3*I3 */
-    out[16] = t18;
-    const double t19 = params[1]*params[3]; /* R*I1 */
-    const double t20 = params[4]*t19; /* I3*R*I1 */
-    const double t21 = t20/params[0]; /* I3*R*I1/m */
+    const double t17 = params[1]*params[3]; /* R*I1 */
+    const double t18 = params[4]*t17; /* I3*R*I1 */
+    const double t19 = t18/params[0]; /* I3*R*I1/m */
+    out[16] = t19;
+    const double t20 = params[4]*params[4]; /* I3*I3 */
+    const double t21 = t0*t20; /* R*R*I3*I3 */
     out[17] = t21;
     const double t22 = params[1]*t0; /* R*R*R */
     const double t23 = params[0]*t22; /* m*R*R*R */
     const double t24 = params[3]*t23; /* I1*m*R*R*R */
-    const double t25 = t17/t24; /* I3*I3/(I1*m*R*R*R) */
+    const double t25 = t20/t24; /* I3*I3/(I1*m*R*R*R) */
     out[18] = t25;
     const double t26 = params[4]/params[3]; /* I3/I1 */
     out[19] = t26;
@@ -98,7 +98,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t30 = params[4]*t9; /* I3*(I1 - I3) */
     const double t31 = t30/t29; /* I3*(I1 - I3)/(I1*R*R*m) */
     out[21] = t31;
-    const double t32 = params[4]/t19; /* I3/(R*I1) */
+    const double t32 = params[4]/t17; /* I3/(R*I1) */
     out[22] = t32;
     const double t33 = params[0]/2.0; /* m/2 */
     out[23] = t33;
@@ -116,22 +116,27 @@ static void prepare(const double *restrict params, double *restrict out)
     out[27] = t40;
     const double t41 = t2 - t1; /* R*R*I3 - R*R*I1 */
     out[28] = t41;
-    const double t42 = t0*4.0; /* R*R*4 */
-    const double t43 = t37*t42; /* I1*I1*R*R*4 */
-    const double t44 = t9*t43; /* (I1 - I3)*I1*I1*R*R*4 */
-    const double t45 = t1 - t2; /* R*R*I1 - R*R*I3 */
-    const double t46 = t44*t45; /* (I1 - I3)*I1*I1*R*R*4*(R*R*I1 - R*R*I3) */
-    out[31] = t46;
-    const double t47 = t0*2.0; /* R*R*2 */
-    const double t48 = t37*t47; /* I1*I1*R*R*2 */
-    const double t49 = t9*t48; /* (I1 - I3)*I1*I1*R*R*2 */
+    const double t42 = t0*2.0; /* R*R*2 */
+    const double t43 = t37*t42; /* I1*I1*R*R*2 */
+    const double t44 = t9*t43; /* (I1 - I3)*I1*I1*R*R*2 */
+    out[31] = t44;
+    const double t45 = t0*4.0; /* R*R*4 */
+    const double t46 = t37*t45; /* I1*I1*R*R*4 */
+    const double t47 = t9*t46; /* (I1 - I3)*I1*I1*R*R*4 */
+    const double t48 = t1 - t2; /* R*R*I1 - R*R*I3 */
+    const double t49 = t47*t48; /* (I1 - I3)*I1*I1*R*R*4*(R*R*I1 - R*R*I3) */
     out[32] = t49;
     const double t50 = params[0]*2.0; /* m*2 */
-    const double t51 = t37*t50; /* I1*I1*m*2 */
-    out[33] = t51;
-    const double t52 = params[1]*t50; /* R*m*2 */
-    const double t53 = t37*t52; /* I1*I1*R*m*2 */
-    out[34] = t53;
+    const double t51 = t0*t50; /* R*R*m*2 */
+    const double t52 = t37*t51; /* I1*I1*R*R*m*2 */
+    const double t53 = t9*t52; /* (I1 - I3)*I1*I1*R*R*m*2 */
+    const double t54 = t48*t53; /* (R*R*I1 - R*R*I3)*(I1 - I3)*I1*I1*R*R*m*2 */
+    out[33] = t54;
+    const double t55 = t37*t50; /* I1*I1*m*2 */
+    out[34] = t55;
+    const double t56 = params[1]*t50; /* R*m*2 */
+    const double t57 = t37*t56; /* I1*I1*R*m*2 */
+    out[35] = t57;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -203,80 +208,76 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t11 = t7*t10; /* 1/(s*K) = Theta/m*1/(Theta/m*s*K) */
     const double t12 = t8*t10; /* 1/(Theta/m) = s*K*1/(Theta/m*s*K) */
     const double t13 = t6*t11; /* 1/s = K*1/(s*K) */
-    const double t14 = t4*t11; /* 1/K = s*1/(s*K) */
-    const double t15 = p[9]*t4; /* R*G*s */
-    const double t16 = p[10]*x[3]; /* R*I3*v_tau */
-    const double t17 = JLT_FMA(x[0], t16, t15); /* gamma3*R*I3*v_tau + R*G*s */
-    const double t18 = t14*t17; /* 1/K*(gamma3*R*I3*v_tau + R*G*s) */
+    const double t14 = x[3]*p[10]; /* v_tau*R*I3 */
+    const double t15 = x[0]*t14; /* gamma3*v_tau*R*I3 */
+    const double t16 = JLT_FMA(p[9], t4, t15); /* R*G*s + gamma3*v_tau*R*I3 */
+    const double t17 = t4*t11; /* 1/K = s*1/(s*K) */
+    const double t18 = t16*t17; /* (R*G*s + gamma3*v_tau*R*I3)*1/K */
     const double t19 = x[0]*t13; /* gamma3*1/s */
-    const double t20 = JLT_FMS(p[9], t19, t16); /* R*G*gamma3*1/s - R*I3*v_tau */
+    const double t20 = JLT_FMS(p[9], t19, t14); /* R*G*gamma3*1/s - v_tau*R*I3 */
     const double t21 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t22 = x[3]*t4; /* v_tau*s */
-    const double t23 = JLT_FNMA(x[0], p[12], t22); /* v_tau*s - gamma3*G/I1 */
-    const double t24 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t25 = t12*t24; /* 1/(Theta/m)*V */
-    const double t26 = t13*t18; /* 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
-    const double t27 = t18*t21; /* 1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t28 = x[0]*t14; /* gamma3*1/K */
-    const double t29 = p[13]*t12; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t30 = t19*t26; /* gamma3*1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
-    const double t31 = t20 - t27; /* R*G*gamma3*1/s - R*I3*v_tau - 1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t32 = JLT_FNMA(2.0, t27, t20); /* R*G*gamma3*1/s - R*I3*v_tau - 2*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t33 = JLT_FNMA(t14, t31, t30); /* gamma3*1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) - 1/K*t31 */
-    const double t34 = t14*t23; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t35 = t23*t29; /* (v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t36 = t28*t35; /* gamma3*1/K*(v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t37 = x[2]*t29; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t38 = p[16]*t28; /* R^2*I3^2*gamma3*1/K */
-    const double t39 = t34*t38; /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
-    const double t40 = JLT_FNMA(p[11], t25, x[1]); /* v_nu - I1*I3/m*1/(Theta/m)*V */
-    const double t41 = t13*t40; /* 1/s*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t42 = t12 + t14; /* 1/(Theta/m) + 1/K */
-    const double t43 = p[10]*t14; /* R*I3*1/K */
-    const double t44 = x[2]*t42; /* omega_tau*(1/(Theta/m) + 1/K) */
-    const double t45 = t12*t26; /* 1/(Theta/m)*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
-    const double t46 = t36*t44; /* t36*omega_tau*(1/(Theta/m) + 1/K) */
-    const double t47 = JLT_FMS(p[17], t45, t36); /* R*I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) - t36 */
-    out[14] = t47;
-    const double t48 = p[11]*t45; /* I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
-    const double t49 = JLT_FNMA(t25, t48, t46); /* t36*omega_tau*(1/(Theta/m) + 1/K) - 1/(Theta/m)*V*I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
-    const double t50 = t48 - t26; /* I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) - 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
-    out[13] = t50;
-    const double t51 = p[10]*t28; /* R*I3*gamma3*1/K */
-    const double t52 = t13*t26; /* 1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
-    const double t53 = t26*t52; /* 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
-    const double t54 = x[3]*t13; /* v_tau*1/s */
-    const double t55 = t33*t54; /* (gamma3*1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) - 1/K*t31)*v_tau*1/s */
-    out[4] = t55;
-    const double t56 = JLT_FMA(t51, t54, t26); /* R*I3*gamma3*1/K*v_tau*1/s + 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
-    out[7] = t56;
-    const double t57 = t26*t28; /* 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*1/K */
-    const double t58 = t33*t41; /* (gamma3*1/s*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s) - 1/K*t31)*1/s*(v_nu - I1*I3/m*1/(Theta/m)*V) */
-    const double t59 = t41*t51; /* 1/s*(v_nu - I1*I3/m*1/(Theta/m)*V)*R*I3*gamma3*1/K */
-    const double t60 = JLT_FMA(x[3], t19, p[12]); /* v_tau*gamma3*1/s + G/I1 */
-    const double t61 = x[2]*t19; /* omega_tau*gamma3*1/s */
-    const double t62 = -t61; /* -omega_tau*gamma3*1/s */
-    out[0] = t62;
-    const double t63 = t4*t18; /* s*1/K*(gamma3*R*I3*v_tau + R*G*s) */
-    const double t64 = JLT_FMA(t43, t63, t39); /* R*I3*1/K*s*1/K*(gamma3*R*I3*v_tau + R*G*s) + 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
-    const double t65 = t18*t60; /* 1/K*(gamma3*R*I3*v_tau + R*G*s)*(v_tau*gamma3*1/s + G/I1) */
-    const double t66 = JLT_FMA(t32, t34, t65); /* t32*1/K*(v_tau*s - gamma3*G/I1) + 1/K*(gamma3*R*I3*v_tau + R*G*s)*(v_tau*gamma3*1/s + G/I1) */
-    const double t67 = JLT_FMS(t28, t60, t34); /* gamma3*1/K*(v_tau*gamma3*1/s + G/I1) - 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t68 = t4*t28; /* s*gamma3*1/K */
-    const double t69 = JLT_FMS(t37, t67, t58); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t67 - t58 */
-    const double t70 = JLT_FNMA(t21, t49, t69); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t67 - t58 - gamma3*(2*R^2*I1 - 2*R^2*I3)*t49 */
-    out[12] = t70;
-    const double t71 = JLT_FMA(t37, t68, t59); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*s*gamma3*1/K + 1/s*(v_nu - I1*I3/m*1/(Theta/m)*V)*R*I3*gamma3*1/K */
+    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t23 = p[11]*t22; /* I1*I3/m*V */
+    const double t24 = t12*t23; /* 1/(Theta/m)*I1*I3/m*V */
+    const double t25 = t18*t21; /* (R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t26 = x[3]*t4; /* v_tau*s */
+    const double t27 = JLT_FNMA(x[0], p[12], t26); /* v_tau*s - gamma3*G/I1 */
+    const double t28 = t25 - t20; /* (R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) - (R*G*gamma3*1/s - v_tau*R*I3) */
+    const double t29 = JLT_FNMA(2.0, t25, t20); /* R*G*gamma3*1/s - v_tau*R*I3 - 2*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t30 = t13*t18; /* 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
+    const double t31 = JLT_FMA(t11, t15, t30); /* 1/(s*K)*gamma3*v_tau*R*I3 + 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
+    out[7] = t31;
+    const double t32 = t11*t28; /* 1/(s*K)*t28 */
+    const double t33 = t13*t30; /* 1/s*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
+    const double t34 = JLT_FMA(t19, t33, t32); /* gamma3*1/s*1/s*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K + 1/(s*K)*t28 */
+    const double t35 = t30*t33; /* 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*1/s*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
+    const double t36 = x[3]*t34; /* v_tau*t34 */
+    out[4] = t36;
+    const double t37 = x[0]*t17; /* gamma3*1/K */
+    const double t38 = p[10]*t17; /* R*I3*1/K */
+    const double t39 = t17*t27; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t40 = JLT_FMA(t12, t27, t39); /* 1/(Theta/m)*(v_tau*s - gamma3*G/I1) + 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t41 = JLT_FMA(x[3], t19, p[12]); /* v_tau*gamma3*1/s + G/I1 */
+    const double t42 = JLT_FMS(t21, t40, t41); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t40 - (v_tau*gamma3*1/s + G/I1) */
+    const double t43 = t18*t41; /* (R*G*s + gamma3*v_tau*R*I3)*1/K*(v_tau*gamma3*1/s + G/I1) */
+    const double t44 = JLT_FMA(t29, t39, t43); /* t29*1/K*(v_tau*s - gamma3*G/I1) + (R*G*s + gamma3*v_tau*R*I3)*1/K*(v_tau*gamma3*1/s + G/I1) */
+    const double t45 = JLT_FMS(t38, t44, t35); /* R*I3*1/K*t44 - t35 */
+    const double t46 = t4*t18; /* s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
+    const double t47 = t21*t24; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V */
+    const double t48 = x[1] - t24; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t49 = t34*t48; /* t34*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t50 = t38*t48; /* R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t51 = t19*t50; /* gamma3*1/s*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t52 = x[2]*t19; /* omega_tau*gamma3*1/s */
+    const double t53 = -t52; /* -omega_tau*gamma3*1/s */
+    out[0] = t53;
+    const double t54 = JLT_FMA(t37, t42, t39); /* gamma3*1/K*(gamma3*(2*R^2*I1 - 2*R^2*I3)*t40 - (v_tau*gamma3*1/s + G/I1)) + 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t55 = x[0]*t39; /* gamma3*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t56 = JLT_FMA(p[10], t55, t46); /* R*I3*gamma3*1/K*(v_tau*s - gamma3*G/I1) + s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
+    const double t57 = p[13]*t12; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t58 = t12*t30; /* 1/(Theta/m)*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
+    const double t59 = JLT_FMS(t47, t58, t49); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V*1/(Theta/m)*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K - t34*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t60 = JLT_FMS(p[11], t58, t30); /* I1*I3/m*1/(Theta/m)*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K - 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
+    out[13] = t60;
+    const double t61 = t30*t37; /* 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*1/K */
+    const double t62 = p[16]*t58; /* R*I1*I3/m*1/(Theta/m)*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
+    const double t63 = JLT_FNMA(t55, t57, t62); /* R*I1*I3/m*1/(Theta/m)*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K - gamma3*1/K*(v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    out[14] = t63;
+    const double t64 = x[2]*t57; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t65 = JLT_FNMA(t54, t64, t59); /* t59 - t54*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    out[12] = t65;
+    const double t66 = t4*t64; /* s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t67 = JLT_FMA(t37, t66, t51); /* gamma3*1/K*s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + gamma3*1/s*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t68 = -t67; /* -t67 */
+    out[15] = t68;
+    const double t69 = x[0]*p[15]; /* gamma3*2*R*I3 */
+    const double t70 = t61*t69; /* 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*1/K*gamma3*2*R*I3 */
+    const double t71 = JLT_FMA(t38, t56, t70); /* R*I3*1/K*t56 + 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*1/K*gamma3*2*R*I3 */
     const double t72 = -t71; /* -t71 */
-    out[15] = t72;
-    const double t73 = 2.0*t57; /* 2*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*1/K */
-    const double t74 = JLT_FMS(t31, t73, t53); /* t31*2*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*1/K - t53 */
-    const double t75 = JLT_FMA(t43, t66, t74); /* R*I3*1/K*t66 + t31*2*1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*1/K - t53 */
-    out[8] = t75;
-    const double t76 = x[0]*p[15]; /* gamma3*2*R*I3 */
-    const double t77 = JLT_FMA(t57, t76, t64); /* 1/s*1/K*(gamma3*R*I3*v_tau + R*G*s)*gamma3*1/K*gamma3*2*R*I3 + t64 */
-    const double t78 = -t77; /* -t77 */
-    out[11] = t78;
+    out[11] = t72;
+    const double t73 = 2.0*t61; /* 2*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*1/K */
+    const double t74 = JLT_FNMA(t28, t73, t45); /* R*I3*1/K*t44 - t35 - t28*2*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*1/K */
+    out[8] = t74;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -293,99 +294,100 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t3 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
     const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     out[6] = t4;
-    const double t5 = x[2]*t4; /* omega_tau*s */
-    out[0] = t5;
-    const double t6 = x[0]*p[8]; /* gamma3*R^2*I3 */
-    const double t7 = JLT_FMA(x[0], t6, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t8 = p[11] + t7; /* Theta/m = I1*I3/m + K */
-    const double t9 = t4*t7; /* s*K */
-    const double t10 = t8*t9; /* Theta/m*s*K */
-    const double t11 = 1.0/t10; /* 1/(Theta/m*s*K) */
-    const double t12 = t8*t11; /* 1/(s*K) = Theta/m*1/(Theta/m*s*K) */
-    const double t13 = t9*t11; /* 1/(Theta/m) = s*K*1/(Theta/m*s*K) */
-    const double t14 = t7*t12; /* 1/s = K*1/(s*K) */
-    const double t15 = t4*t12; /* 1/K = s*1/(s*K) */
-    const double t16 = p[9]*t4; /* R*G*s */
-    const double t17 = x[3]*p[10]; /* v_tau*R*I3 */
-    const double t18 = JLT_FMA(x[0], t17, t16); /* gamma3*v_tau*R*I3 + R*G*s */
-    const double t19 = t15*t18; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t20 = x[3]*t4; /* v_tau*s */
-    const double t21 = JLT_FNMA(x[0], p[12], t20); /* v_tau*s - gamma3*G/I1 */
-    const double t22 = p[13]*t13; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t23 = x[2]*t22; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t24 = x[0]*t22; /* gamma3*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t25 = x[0]*t15; /* gamma3*1/K */
-    const double t26 = t15*t21; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t27 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t28 = p[11]*t27; /* I1*I3/m*V */
-    const double t29 = t23*t25; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t30 = t21*t29; /* (v_tau*s - gamma3*G/I1)*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t31 = x[0]*t14; /* gamma3*1/s */
-    const double t32 = JLT_FMS(p[9], t31, t17); /* R*G*gamma3*1/s - v_tau*R*I3 */
-    const double t33 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t34 = JLT_FMA(t29, t33, t23); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) + omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t35 = t26*t34; /* 1/K*(v_tau*s - gamma3*G/I1)*t34 */
-    const double t36 = t14*t19; /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t37 = x[3]*t36; /* v_tau*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    out[1] = t37;
-    const double t38 = p[10]*t15; /* R*I3*1/K */
-    const double t39 = t19*t33; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t40 = p[16]*t26; /* R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t41 = t25*t40; /* gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t42 = x[0]*t36; /* gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t43 = JLT_FNMA(t13, t28, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t44 = t14*t36; /* 1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t45 = t14*t32; /* 1/s*(R*G*gamma3*1/s - v_tau*R*I3) */
-    const double t46 = JLT_FNMA(t33, t36, t45); /* 1/s*(R*G*gamma3*1/s - v_tau*R*I3) - gamma3*(2*R^2*I1 - 2*R^2*I3)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t47 = t13*t33; /* 1/(Theta/m)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t48 = t13*t36; /* 1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t49 = JLT_FMS(t28, t48, t30); /* I1*I3/m*V*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t30 */
-    const double t50 = JLT_FMA(t36, t43, t30); /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*(v_nu - 1/(Theta/m)*I1*I3/m*V) + t30 */
-    const double t51 = -t50; /* -t50 */
-    out[3] = t51;
-    const double t52 = JLT_FMS(p[11], t48, t36); /* I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    out[17] = t52;
-    const double t53 = p[17]*t48; /* R*I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t54 = JLT_FNMA(t24, t26, t53); /* R*I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - gamma3*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*1/K*(v_tau*s - gamma3*G/I1) */
-    out[18] = t54;
-    const double t55 = t31*t38; /* gamma3*1/s*R*I3*1/K */
-    const double t56 = JLT_FMA(x[3], t55, t36); /* v_tau*gamma3*1/s*R*I3*1/K + 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    out[11] = t56;
-    const double t57 = t43*t55; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*gamma3*1/s*R*I3*1/K */
-    const double t58 = JLT_FMA(t4, t29, t57); /* s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K + (v_nu - 1/(Theta/m)*I1*I3/m*V)*gamma3*1/s*R*I3*1/K */
-    const double t59 = -t58; /* -t58 */
-    out[19] = t59;
-    const double t60 = t4*t19; /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t61 = JLT_FMA(t38, t60, t41); /* R*I3*1/K*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) + gamma3*1/K*R^2*I3^2*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t62 = t32 - t39; /* R*G*gamma3*1/s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t63 = JLT_FNMA(2.0, t39, t32); /* R*G*gamma3*1/s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t64 = 2.0*t25; /* 2*gamma3*1/K */
-    const double t65 = JLT_FNMA(t62, t64, t44); /* 1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t62*2*gamma3*1/K */
-    const double t66 = t36*t65; /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*(1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t62*2*gamma3*1/K) */
-    const double t67 = t31*t44; /* gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t68 = JLT_FNMA(t15, t46, t67); /* gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t46 */
-    const double t69 = p[15]*t25; /* 2*R*I3*gamma3*1/K */
-    const double t70 = JLT_FMA(t42, t69, t61); /* gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*2*R*I3*gamma3*1/K + t61 */
-    const double t71 = -t70; /* -t70 */
-    out[15] = t71;
-    const double t72 = JLT_FMA(p[10], t26, t42); /* R*I3*1/K*(v_tau*s - gamma3*G/I1) + gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t73 = t19*t72; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*t72 */
-    const double t74 = -t73; /* -1/K*(gamma3*v_tau*R*I3 + R*G*s)*t72 */
-    out[2] = t74;
-    const double t75 = x[3]*t68; /* v_tau*(gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t46) */
-    out[8] = t75;
-    const double t76 = JLT_FMA(x[3], t31, p[12]); /* v_tau*gamma3*1/s + G/I1 */
-    const double t77 = JLT_FMS(t29, t76, t35); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*(v_tau*gamma3*1/s + G/I1) - 1/K*(v_tau*s - gamma3*G/I1)*t34 */
-    const double t78 = JLT_FMA(t47, t49, t77); /* 1/(Theta/m)*gamma3*(2*R^2*I1 - 2*R^2*I3)*t49 + t77 */
-    const double t79 = JLT_FNMA(t43, t68, t78); /* 1/(Theta/m)*gamma3*(2*R^2*I1 - 2*R^2*I3)*t49 + t77 - (v_nu - 1/(Theta/m)*I1*I3/m*V)*(gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t46) */
-    out[16] = t79;
-    const double t80 = t19*t76; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*(v_tau*gamma3*1/s + G/I1) */
-    const double t81 = JLT_FMA(t26, t63, t80); /* 1/K*(v_tau*s - gamma3*G/I1)*t63 + 1/K*(gamma3*v_tau*R*I3 + R*G*s)*(v_tau*gamma3*1/s + G/I1) */
-    const double t82 = JLT_FMS(t38, t81, t66); /* R*I3*1/K*t81 - t66 */
+    const double t5 = x[0]*p[8]; /* gamma3*R^2*I3 */
+    const double t6 = JLT_FMA(x[0], t5, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*(1 - gamma3)*(1 + gamma3) */
+    const double t7 = p[11] + t6; /* Theta/m = I1*I3/m + K */
+    const double t8 = t4*t6; /* s*K */
+    const double t9 = t7*t8; /* Theta/m*s*K */
+    const double t10 = 1.0/t9; /* 1/(Theta/m*s*K) */
+    const double t11 = t7*t10; /* 1/(s*K) = Theta/m*1/(Theta/m*s*K) */
+    const double t12 = t8*t10; /* 1/(Theta/m) = s*K*1/(Theta/m*s*K) */
+    const double t13 = t6*t11; /* 1/s = K*1/(s*K) */
+    const double t14 = t4*t11; /* 1/K = s*1/(s*K) */
+    const double t15 = p[9]*t4; /* R*G*s */
+    const double t16 = x[3]*p[10]; /* v_tau*R*I3 */
+    const double t17 = JLT_FMA(x[0], t16, t15); /* gamma3*v_tau*R*I3 + R*G*s */
+    const double t18 = t14*t17; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t19 = x[3]*t4; /* v_tau*s */
+    const double t20 = JLT_FNMA(x[0], p[12], t19); /* v_tau*s - gamma3*G/I1 */
+    const double t21 = p[13]*t12; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t22 = x[0]*t14; /* gamma3*1/K */
+    const double t23 = t13*t18; /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t24 = x[3]*t23; /* v_tau*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    out[1] = t24;
+    const double t25 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t26 = p[11]*t12; /* I1*I3/m*1/(Theta/m) */
+    const double t27 = t25*t26; /* V*I1*I3/m*1/(Theta/m) */
+    const double t28 = JLT_FMS(t23, t26, t23); /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*I1*I3/m*1/(Theta/m) - 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    out[17] = t28;
+    const double t29 = t21*t22; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
+    const double t30 = x[2]*t21; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t31 = t20*t29; /* (v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
+    const double t32 = x[0]*t13; /* gamma3*1/s */
+    const double t33 = t12*t23; /* 1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t34 = t12 + t14; /* 1/(Theta/m) + 1/K */
+    const double t35 = JLT_FMS(p[16], t33, t31); /* R*I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t31 */
+    out[18] = t35;
+    const double t36 = x[2]*t31; /* omega_tau*t31 */
+    const double t37 = t27*t33; /* V*I1*I3/m*1/(Theta/m)*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t38 = JLT_FNMA(t34, t36, t37); /* t37 - (1/(Theta/m) + 1/K)*omega_tau*t31 */
+    const double t39 = x[1] - t27; /* v_nu - V*I1*I3/m*1/(Theta/m) */
+    const double t40 = JLT_FMA(t23, t39, t36); /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*(v_nu - V*I1*I3/m*1/(Theta/m)) + omega_tau*t31 */
+    const double t41 = -t40; /* -t40 */
+    out[3] = t41;
+    const double t42 = p[10]*t14; /* R*I3*1/K */
+    const double t43 = JLT_FMS(p[9], t32, t16); /* R*G*gamma3*1/s - v_tau*R*I3 */
+    const double t44 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t45 = t38*t44; /* (t37 - (1/(Theta/m) + 1/K)*omega_tau*t31)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t46 = t14*t20; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t47 = p[17]*t22; /* R^2*I3^2*gamma3*1/K */
+    const double t48 = t46*t47; /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
+    const double t49 = x[2]*t4; /* omega_tau*s */
+    out[0] = t49;
+    const double t50 = t29*t49; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*omega_tau*s */
+    const double t51 = t18*t42; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t52 = JLT_FMA(t4, t51, t48); /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
+    const double t53 = t20*t51; /* (v_tau*s - gamma3*G/I1)*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t54 = t42*t46; /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t55 = t13*t23; /* 1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t56 = t13*t43; /* 1/s*(R*G*gamma3*1/s - v_tau*R*I3) */
+    const double t57 = JLT_FNMA(t23, t44, t56); /* 1/s*(R*G*gamma3*1/s - v_tau*R*I3) - 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t58 = t18*t44; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t59 = t13*t22; /* 1/s*gamma3*1/K */
+    const double t60 = JLT_FMA(t16, t59, t23); /* v_tau*R*I3*1/s*gamma3*1/K + 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    out[11] = t60;
+    const double t61 = JLT_FMA(x[3], t32, p[12]); /* v_tau*gamma3*1/s + G/I1 */
+    const double t62 = t51*t61; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*1/s + G/I1) */
+    const double t63 = JLT_FNMA(t22, t61, t46); /* 1/K*(v_tau*s - gamma3*G/I1) - gamma3*1/K*(v_tau*gamma3*1/s + G/I1) */
+    const double t64 = JLT_FNMA(t30, t63, t45); /* t45 - omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t63 */
+    const double t65 = x[0]*t23; /* gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t66 = JLT_FMA(t18, t65, t53); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) + t53 */
+    const double t67 = -t66; /* -t66 */
+    out[2] = t67;
+    const double t68 = t32*t55; /* gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t69 = JLT_FNMA(t14, t57, t68); /* gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t57 */
+    const double t70 = JLT_FNMA(t39, t69, t64); /* t45 - omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t63 - (v_nu - V*I1*I3/m*1/(Theta/m))*(gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t57) */
+    out[16] = t70;
+    const double t71 = x[3]*t69; /* v_tau*(gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t57) */
+    out[8] = t71;
+    const double t72 = p[10]*t39; /* R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t73 = JLT_FMA(t59, t72, t50); /* 1/s*gamma3*1/K*R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) + R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*omega_tau*s */
+    const double t74 = -t73; /* -t73 */
+    out[19] = t74;
+    const double t75 = x[2]*t32; /* omega_tau*gamma3*1/s */
+    const double t76 = -t75; /* -omega_tau*gamma3*1/s */
+    out[4] = t76;
+    const double t77 = t43 - t58; /* R*G*gamma3*1/s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t78 = JLT_FNMA(2.0, t58, t43); /* R*G*gamma3*1/s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t79 = JLT_FMA(t54, t78, t62); /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1)*t78 + t62 */
+    const double t80 = 2.0*t22; /* 2*gamma3*1/K */
+    const double t81 = JLT_FNMA(t77, t80, t55); /* 1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t77*2*gamma3*1/K */
+    const double t82 = JLT_FNMA(t23, t81, t79); /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1)*t78 + t62 - 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*(1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t77*2*gamma3*1/K) */
     out[12] = t82;
-    const double t83 = x[2]*t31; /* omega_tau*gamma3*1/s */
-    const double t84 = -t83; /* -omega_tau*gamma3*1/s */
-    out[4] = t84;
+    const double t83 = p[15]*t22; /* 2*R*I3*gamma3*1/K */
+    const double t84 = JLT_FMA(t65, t83, t52); /* gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*2*R*I3*gamma3*1/K + t52 */
+    const double t85 = -t84; /* -t84 */
+    out[15] = t85;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -473,26 +475,26 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[1] = t19;
     const double t20 = p[3]*x[2]; /* I1*omega_tau */
     out[2] = t20;
-    const double t21 = x[3]*t7; /* v_tau*s */
-    const double t22 = JLT_FNMA(x[0], p[12], t21); /* v_tau*s - gamma3*G/I1 */
-    const double t23 = t10*t22; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t24 = t11*t23; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t25 = JLT_FNMA(t23, p[23], t24); /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) - 1/K*(v_tau*s - gamma3*G/I1)*1/2*m */
-    const double t26 = x[0]*p[31]; /* gamma3*4*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
-    const double t27 = t23*t26; /* 1/K*(v_tau*s - gamma3*G/I1)*gamma3*4*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
-    const double t28 = t25*t27; /* t25*t27 */
-    const double t29 = x[0]*x[3]; /* gamma3*v_tau */
-    const double t30 = t5*t29; /* K*gamma3*v_tau */
-    const double t31 = JLT_FMA(t9, t30, p[12]); /* 1/(K*s)*K*gamma3*v_tau + G/I1 */
-    const double t32 = t24*p[32]; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
-    const double t33 = JLT_FNMA(t31, t32, t28); /* t25*t27 - (1/(K*s)*K*gamma3*v_tau + G/I1)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
+    const double t21 = x[0]*x[3]; /* gamma3*v_tau */
+    const double t22 = t5*t21; /* K*gamma3*v_tau */
+    const double t23 = JLT_FMA(t9, t22, p[12]); /* 1/(K*s)*K*gamma3*v_tau + G/I1 */
+    const double t24 = x[3]*t7; /* v_tau*s */
+    const double t25 = JLT_FNMA(x[0], p[12], t24); /* v_tau*s - gamma3*G/I1 */
+    const double t26 = t10*t25; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t27 = t11*t26; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t28 = p[31]*t27; /* 2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t29 = t23*t28; /* (1/(K*s)*K*gamma3*v_tau + G/I1)*2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t30 = t27*p[32]; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1)*4*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
+    const double t31 = JLT_FNMA(t26, p[33], t30); /* t30 - 1/K*(v_tau*s - gamma3*G/I1)*2*m*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
+    const double t32 = x[0]*t26; /* gamma3*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t33 = JLT_FMS(t31, t32, t29); /* t31*gamma3*1/K*(v_tau*s - gamma3*G/I1) - t29 */
     out[4] = t33;
     const double t34 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t35 = p[33]*t34; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t35 = p[34]*t34; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[5] = t35;
-    const double t36 = t34*p[34]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t36 = t34*p[35]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[6] = t36;
-    const double t37 = t7*t32; /* s*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
+    const double t37 = t7*t28; /* s*2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
     out[7] = t37;
 }
 
@@ -829,16 +831,16 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .sha256 = "0e21006c5ed6b2b43f047938803c9f453803feabeb018bd596d20a035cf11dee",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_level,
-    .state_count = 4, .param_count = 7, .block_count = 35,
+    .state_count = 4, .param_count = 7, .block_count = 36,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 5, 24, 7, 1, 1, 0, 15, 7 }, { 16, 71, 0, 6, 1, 0, 12, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 9, 47, 21, 1, 1, 0, 16, 20 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
+    .jacobian = { jacobian, 16, { 8, 43, 22, 1, 1, 0, 17, 17 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 9, 48, 26, 1, 1, 0, 16, 23 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 11, 49, 24, 1, 1, 0, 17, 21 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 3, 13, 5, 1, 1, 0, 12, 6 }, { 9, 32, 0, 4, 1, 0, 12, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

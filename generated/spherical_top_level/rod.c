@@ -7,13 +7,13 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3   14    3    1    1    0     11    6   (42)
- *  jacobian            5   23    7    1    1    0     13   11   (126)
- *  rhs_jacobian        6   26    7    1    1    0     13    9   (160)
+ *  jacobian            6   22    6    1    1    0     13    9   (126)
+ *  rhs_jacobian        6   25    7    1    1    0     13    9   (160)
  *  divergence          2    4    2    1    1    0      6    4   (18)
- *  integral_values     2    6    5    1    1    0      6    5   (38)
- *  integral_gradients  2    8    3    1    1    0      8    4   (30)
+ *  integral_values     3    5    4    1    0    0      6    5   (38)
+ *  integral_gradients  2    6    3    1    0    0      6    3   (30)
  *  measure_values      2    1    1    1    1    0      4    3   (9)
- *  measure_divergences 2    8    4    1    1    0     11    7   (43)
+ *  measure_divergences 2    8    4    1    1    0     10    6   (43)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
  *  One division serves all denominators: their product may leave the range of double precision where none of them
@@ -69,11 +69,11 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t10 = params[6]*2.0; /* G*2 */
     const double t11 = t10/t0; /* G*2/(R*I1) */
     out[11] = t11;
-    const double t12 = t6*3.0; /* G*G*3 */
-    const double t13 = t12/t5; /* G*G*3/(I1*R*R) */
+    const double t12 = params[0]*2.0; /* m*2 */
+    const double t13 = t2*t12; /* a3*a3*m*2 */
     out[12] = t13;
-    const double t14 = params[0]*2.0; /* m*2 */
-    const double t15 = t2*t14; /* a3*a3*m*2 */
+    const double t14 = t6*3.0; /* G*G*3 */
+    const double t15 = t14/t5; /* G*G*3/(I1*R*R) */
     out[13] = t15;
     const double t16 = params[0]/2.0; /* m/2 */
     out[14] = t16;
@@ -133,41 +133,40 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t6 = 1.0/t5; /* 1/(D*s) */
     const double t7 = t3*t6; /* 1/s = D*1/(D*s) */
     const double t8 = t4*t6; /* 1/D = s*1/(D*s) */
-    const double t9 = t7*t7; /* 1/s*1/s */
-    const double t10 = x[0]*x[2]; /* gamma3*omega_tau */
-    const double t11 = x[0]*t9; /* gamma3*1/s*1/s */
-    const double t12 = x[2]*t4; /* omega_tau*s */
-    const double t13 = x[2]*p[8]; /* omega_tau*m*a3^2 */
-    const double t14 = t9*t11; /* 1/s*1/s*gamma3*1/s*1/s */
-    const double t15 = t12*t13; /* omega_tau*s*omega_tau*m*a3^2 */
-    const double t16 = JLT_FNMA(t10, t13, p[10]); /* m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2 */
-    const double t17 = t4*t16; /* s*(m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
-    const double t18 = JLT_FMS(p[12], t14, t16); /* 3*G^2/(R^2*I1)*1/s*1/s*gamma3*1/s*1/s - (m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
-    const double t19 = p[11]*t14; /* 2*G/(R*I1)*1/s*1/s*gamma3*1/s*1/s */
-    const double t20 = t7*t10; /* 1/s*gamma3*omega_tau */
-    const double t21 = -t20; /* -1/s*gamma3*omega_tau */
-    out[0] = t21;
-    const double t22 = x[3]*t19; /* v_tau*2*G/(R*I1)*1/s*1/s*gamma3*1/s*1/s */
-    out[4] = t22;
-    const double t23 = x[1]*t19; /* v_nu*2*G/(R*I1)*1/s*1/s*gamma3*1/s*1/s */
-    const double t24 = -t23; /* -v_nu*2*G/(R*I1)*1/s*1/s*gamma3*1/s*1/s */
-    out[12] = t24;
-    const double t25 = p[9]*t7; /* G^2/(R^2*I1)*1/s */
-    const double t26 = JLT_FMA(t11, t25, t17); /* gamma3*1/s*1/s*G^2/(R^2*I1)*1/s + s*(m*g*a3 - gamma3*omega_tau*omega_tau*m*a3^2) */
-    const double t27 = JLT_FNMA(t9, t25, t15); /* omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s */
-    const double t28 = x[0]*t7; /* gamma3*1/s */
-    const double t29 = JLT_FNMA(t18, t28, t27); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s - t18*gamma3*1/s */
-    const double t30 = p[7]*t9; /* G/(R*I1)*1/s*1/s */
-    out[7] = t30;
-    const double t31 = -t30; /* -G/(R*I1)*1/s*1/s */
-    out[13] = t31;
-    const double t32 = x[0]*p[13]; /* gamma3*2*m*a3^2 */
-    const double t33 = t8*t32; /* 1/D*gamma3*2*m*a3^2 */
-    const double t34 = JLT_FNMA(t26, t33, t29); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) - t26*1/D*gamma3*2*m*a3^2 */
-    const double t35 = t8*t34; /* 1/D*t34 */
-    out[8] = t35;
-    const double t36 = t12*t33; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
-    out[10] = t36;
+    const double t9 = x[0]*p[12]; /* gamma3*2*m*a3^2 */
+    const double t10 = t8*t9; /* 1/D*gamma3*2*m*a3^2 */
+    const double t11 = x[0]*t7; /* gamma3*1/s */
+    const double t12 = t4*t10; /* s*1/D*gamma3*2*m*a3^2 */
+    const double t13 = x[2]*t12; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
+    out[10] = t13;
+    const double t14 = t11 - t12; /* gamma3*1/s - s*1/D*gamma3*2*m*a3^2 */
+    const double t15 = JLT_FMS(x[0], t14, t4); /* gamma3*(gamma3*1/s - s*1/D*gamma3*2*m*a3^2) - s */
+    const double t16 = p[10]*t14; /* m*g*a3*(gamma3*1/s - s*1/D*gamma3*2*m*a3^2) */
+    const double t17 = t7*t7; /* 1/s*1/s */
+    const double t18 = t7*t11; /* 1/s*gamma3*1/s */
+    const double t19 = JLT_FMA(3.0, t18, t10); /* 3*1/s*gamma3*1/s + 1/D*gamma3*2*m*a3^2 */
+    const double t20 = JLT_FMA(t11, t19, t7); /* gamma3*1/s*(3*1/s*gamma3*1/s + 1/D*gamma3*2*m*a3^2) + 1/s */
+    const double t21 = x[2]*t11; /* omega_tau*gamma3*1/s */
+    const double t22 = -t21; /* -omega_tau*gamma3*1/s */
+    out[0] = t22;
+    const double t23 = x[2]*p[8]; /* omega_tau*m*a3^2 */
+    const double t24 = x[2]*t23; /* omega_tau*omega_tau*m*a3^2 */
+    const double t25 = JLT_FNMA(t15, t24, t16); /* m*g*a3*(gamma3*1/s - s*1/D*gamma3*2*m*a3^2) - (gamma3*(gamma3*1/s - s*1/D*gamma3*2*m*a3^2) - s)*omega_tau*omega_tau*m*a3^2 */
+    const double t26 = p[11]*t17; /* 2*G/(R*I1)*1/s*1/s */
+    const double t27 = t18*t26; /* 1/s*gamma3*1/s*2*G/(R*I1)*1/s*1/s */
+    const double t28 = x[3]*t27; /* v_tau*1/s*gamma3*1/s*2*G/(R*I1)*1/s*1/s */
+    out[4] = t28;
+    const double t29 = x[1]*t27; /* v_nu*1/s*gamma3*1/s*2*G/(R*I1)*1/s*1/s */
+    const double t30 = -t29; /* -v_nu*1/s*gamma3*1/s*2*G/(R*I1)*1/s*1/s */
+    out[12] = t30;
+    const double t31 = p[9]*t17; /* G^2/(R^2*I1)*1/s*1/s */
+    const double t32 = JLT_FNMA(t20, t31, t25); /* t25 - (gamma3*1/s*(3*1/s*gamma3*1/s + 1/D*gamma3*2*m*a3^2) + 1/s)*G^2/(R^2*I1)*1/s*1/s */
+    const double t33 = t8*t32; /* 1/D*t32 */
+    out[8] = t33;
+    const double t34 = p[7]*t17; /* G/(R*I1)*1/s*1/s */
+    out[7] = t34;
+    const double t35 = -t34; /* -G/(R*I1)*1/s*1/s */
+    out[13] = t35;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -195,44 +194,43 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t10 = t7*t7; /* 1/s*1/s */
     const double t11 = x[2]*p[8]; /* omega_tau*m*a3^2 */
     const double t12 = t9*t11; /* omega_tau*s*omega_tau*m*a3^2 */
-    const double t13 = x[2]*t11; /* omega_tau*omega_tau*m*a3^2 */
-    const double t14 = p[9]*t7; /* G^2/(R^2*I1)*1/s */
-    const double t15 = JLT_FNMA(t10, t14, t12); /* omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s */
-    const double t16 = x[0]*t7; /* gamma3*1/s */
-    const double t17 = t10*t10; /* 1/s*1/s*1/s*1/s */
-    const double t18 = JLT_FMA(p[12], t17, t13); /* 3*G^2/(R^2*I1)*1/s*1/s*1/s*1/s + omega_tau*omega_tau*m*a3^2 */
-    const double t19 = JLT_FNMA(x[0], t18, p[10]); /* m*g*a3 - gamma3*(3*G^2/(R^2*I1)*1/s*1/s*1/s*1/s + omega_tau*omega_tau*m*a3^2) */
-    const double t20 = p[7]*t10; /* G/(R*I1)*1/s*1/s */
-    out[11] = t20;
-    const double t21 = JLT_FMA(t16, t19, t15); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = gamma3*1/s*t19 + omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s */
-    const double t22 = x[0]*t15; /* gamma3*(omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s) */
-    const double t23 = JLT_FNMA(p[10], t3, t22); /* numerator of d(omega_tau)/dt over D = t22 - m*g*a3*s */
-    const double t24 = x[2]*t16; /* omega_tau*gamma3*1/s */
-    const double t25 = -t24; /* -omega_tau*gamma3*1/s */
+    const double t13 = x[0]*t11; /* gamma3*omega_tau*m*a3^2 */
+    const double t14 = t7*t10; /* 1/s*1/s*1/s */
+    const double t15 = x[0]*t7; /* gamma3*1/s */
+    const double t16 = JLT_FNMA(p[9], t14, t12); /* omega_tau*s*omega_tau*m*a3^2 - G^2/(R^2*I1)*1/s*1/s*1/s */
+    const double t17 = t14*t15; /* 1/s*1/s*1/s*gamma3*1/s */
+    const double t18 = p[7]*t10; /* G/(R*I1)*1/s*1/s */
+    out[11] = t18;
+    const double t19 = x[3]*t18; /* v_tau*G/(R*I1)*1/s*1/s */
+    out[1] = t19;
+    const double t20 = -t18; /* -G/(R*I1)*1/s*1/s */
+    out[17] = t20;
+    const double t21 = x[1]*t18; /* v_nu*G/(R*I1)*1/s*1/s */
+    const double t22 = -t21; /* -v_nu*G/(R*I1)*1/s*1/s */
+    out[3] = t22;
+    const double t23 = x[2]*t15; /* omega_tau*gamma3*1/s */
+    const double t24 = JLT_FNMA(t13, t23, t16); /* omega_tau*s*omega_tau*m*a3^2 - G^2/(R^2*I1)*1/s*1/s*1/s - gamma3*omega_tau*m*a3^2*omega_tau*gamma3*1/s */
+    const double t25 = -t23; /* -omega_tau*gamma3*1/s */
     out[4] = t25;
-    const double t26 = x[3]*t20; /* v_tau*G/(R*I1)*1/s*1/s */
-    out[1] = t26;
-    const double t27 = t8*t23; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t27;
-    const double t28 = -t20; /* -G/(R*I1)*1/s*1/s */
-    out[17] = t28;
-    const double t29 = x[1]*t20; /* v_nu*G/(R*I1)*1/s*1/s */
-    const double t30 = -t29; /* -v_nu*G/(R*I1)*1/s*1/s */
-    out[3] = t30;
-    const double t31 = x[0]*p[11]; /* gamma3*2*G/(R*I1) */
-    const double t32 = t17*t31; /* 1/s*1/s*1/s*1/s*gamma3*2*G/(R*I1) */
-    const double t33 = x[3]*t32; /* v_tau*1/s*1/s*1/s*1/s*gamma3*2*G/(R*I1) */
-    out[8] = t33;
-    const double t34 = x[1]*t32; /* v_nu*1/s*1/s*1/s*1/s*gamma3*2*G/(R*I1) */
-    const double t35 = -t34; /* -v_nu*1/s*1/s*1/s*1/s*gamma3*2*G/(R*I1) */
-    out[16] = t35;
-    const double t36 = x[0]*p[13]; /* gamma3*2*m*a3^2 */
-    const double t37 = t8*t36; /* 1/D*gamma3*2*m*a3^2 */
-    const double t38 = JLT_FMA(t23, t37, t21); /* numerator of d(omega_tau)/dt over D*1/D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    const double t39 = t8*t38; /* 1/D*t38 */
-    out[12] = t39;
-    const double t40 = t9*t37; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
-    out[14] = t40;
+    const double t26 = x[0]*t16; /* gamma3*(omega_tau*s*omega_tau*m*a3^2 - G^2/(R^2*I1)*1/s*1/s*1/s) */
+    const double t27 = JLT_FNMA(p[10], t3, t26); /* numerator of d(omega_tau)/dt over D = t26 - m*g*a3*s */
+    const double t28 = t8*t27; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t28;
+    const double t29 = x[0]*p[12]; /* gamma3*2*m*a3^2 */
+    const double t30 = t8*t29; /* 1/D*gamma3*2*m*a3^2 */
+    const double t31 = t9*t30; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
+    out[14] = t31;
+    const double t32 = JLT_FNMA(p[13], t17, p[10]); /* m*g*a3 - 3*G^2/(R^2*I1)*1/s*1/s*1/s*gamma3*1/s */
+    const double t33 = JLT_FMA(t15, t32, t24); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = gamma3*1/s*(m*g*a3 - 3*G^2/(R^2*I1)*1/s*1/s*1/s*gamma3*1/s) + t24 */
+    const double t34 = JLT_FMA(t27, t30, t33); /* numerator of d(omega_tau)/dt over D*1/D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t35 = t8*t34; /* 1/D*t34 */
+    out[12] = t35;
+    const double t36 = p[11]*t17; /* 2*G/(R*I1)*1/s*1/s*1/s*gamma3*1/s */
+    const double t37 = x[3]*t36; /* v_tau*2*G/(R*I1)*1/s*1/s*1/s*gamma3*1/s */
+    out[8] = t37;
+    const double t38 = x[1]*t36; /* v_nu*2*G/(R*I1)*1/s*1/s*1/s*gamma3*1/s */
+    const double t39 = -t38; /* -v_nu*2*G/(R*I1)*1/s*1/s*1/s*gamma3*1/s */
+    out[16] = t39;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -243,7 +241,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = JLT_FMA(t2, p[8], p[3]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
     const double t5 = t3*t4; /* s*D */
-    const double t6 = JLT_FMS(t2, p[13], t4); /* (1 - gamma3)*(gamma3 + 1)*2*m*a3^2 - D */
+    const double t6 = JLT_FMS(t2, p[12], t4); /* (1 - gamma3)*(gamma3 + 1)*2*m*a3^2 - D */
     const double t7 = x[0]*x[2]; /* gamma3*omega_tau */
     const double t8 = t6*t7; /* ((1 - gamma3)*(gamma3 + 1)*2*m*a3^2 - D)*gamma3*omega_tau */
     const double t9 = t8/t5; /* ((1 - gamma3)*(gamma3 + 1)*2*m*a3^2 - D)*gamma3*omega_tau/(s*D) */
@@ -252,23 +250,21 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t5 = 1.0/t3; /* 1/s */
-    const double t6 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t7 = JLT_FMA(x[3], x[3], t6); /* v_tau*v_tau + v_nu*v_nu */
-    const double t8 = p[14]*t7; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
-    out[1] = t8;
-    const double t9 = JLT_FMA(p[10], x[0], t8); /* m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
-    const double t10 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
-    const double t11 = x[2]*t10; /* omega_tau*1/2*omega_tau */
-    const double t12 = JLT_FMA(t4, t11, t9); /* D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
-    const double t13 = p[15]*t5; /* 1/2*G^2/(R^2*I1)*1/s */
-    const double t14 = JLT_FMA(t5, t13, t12); /* 1/s*1/2*G^2/(R^2*I1)*1/s + t12 */
-    out[0] = t14;
+    const double t0 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t1 = JLT_FMA(x[3], x[3], t0); /* v_tau*v_tau + v_nu*v_nu */
+    const double t2 = p[14]*t1; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    out[1] = t2;
+    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t4 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t6 = JLT_FMA(p[8], t5, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t7 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
+    const double t8 = x[2]*t7; /* omega_tau*1/2*omega_tau */
+    const double t9 = p[15]/t5; /* 1/2*G^2/(R^2*I1)/((1 - gamma3)*(gamma3 + 1)) */
+    const double t10 = JLT_FMA(p[10], x[0], t2); /* m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t11 = JLT_FMA(t6, t8, t10); /* D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t12 = t9 + t11; /* 1/2*G^2/(R^2*I1)/((1 - gamma3)*(gamma3 + 1)) + t11 */
+    out[0] = t12;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
@@ -284,18 +280,15 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t3 = x[0] + 1.0; /* gamma3 + 1 */
     const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t6 = 1.0/t5; /* 1/s */
-    const double t7 = t6*t6; /* 1/s*1/s */
-    const double t8 = JLT_FMA(p[8], t4, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t9 = x[2]*t8; /* omega_tau*D */
-    out[2] = t9;
-    const double t10 = p[8]*x[2]; /* m*a3^2*omega_tau */
-    const double t11 = x[2]*t10; /* omega_tau*m*a3^2*omega_tau */
-    const double t12 = p[9]*t7; /* G^2/(R^2*I1)*1/s*1/s */
-    const double t13 = JLT_FNMA(t7, t12, t11); /* omega_tau*m*a3^2*omega_tau - 1/s*1/s*G^2/(R^2*I1)*1/s*1/s */
-    const double t14 = JLT_FNMA(x[0], t13, p[10]); /* m*g*a3 - gamma3*(omega_tau*m*a3^2*omega_tau - 1/s*1/s*G^2/(R^2*I1)*1/s*1/s) */
-    out[0] = t14;
+    const double t5 = t4*t4; /* (1 - gamma3)*(gamma3 + 1)*(1 - gamma3)*(gamma3 + 1) */
+    const double t6 = p[9]/t5; /* G^2/(R^2*I1)/((1 - gamma3)*(gamma3 + 1)*(1 - gamma3)*(gamma3 + 1)) */
+    const double t7 = JLT_FMA(p[8], t4, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t8 = x[2]*t7; /* omega_tau*D */
+    out[2] = t8;
+    const double t9 = p[8]*x[2]; /* m*a3^2*omega_tau */
+    const double t10 = JLT_FMS(x[2], t9, t6); /* omega_tau*m*a3^2*omega_tau - t6 */
+    const double t11 = JLT_FNMA(x[0], t10, p[10]); /* m*g*a3 - gamma3*(omega_tau*m*a3^2*omega_tau - t6) */
+    out[0] = t11;
 }
 
 static void measure_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -316,17 +309,17 @@ static void measure_divergences(const double *restrict x, const double *restrict
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = t3*t4; /* D*s */
-    const double t6 = 1.0/t5; /* 1/(D*s) */
-    const double t7 = t3*t6; /* 1/s = D*1/(D*s) */
-    const double t8 = t7*t7; /* 1/s*1/s */
-    const double t9 = t4*p[13]; /* s*2*m*a3^2 */
-    const double t10 = JLT_FMA(t6, t9, t8); /* 1/(D*s)*s*2*m*a3^2 + 1/s*1/s */
-    const double t11 = JLT_FMS(t4, t10, t7); /* s*(1/(D*s)*s*2*m*a3^2 + 1/s*1/s) - 1/s */
-    const double t12 = JLT_FMS(t3, t11, t9); /* D*(s*(1/(D*s)*s*2*m*a3^2 + 1/s*1/s) - 1/s) - s*2*m*a3^2 */
+    const double t5 = t4*p[12]; /* s*2*m*a3^2 */
+    const double t6 = t3*t4; /* D*s */
+    const double t7 = 1.0/t6; /* 1/(D*s) */
+    const double t8 = t5*t7; /* s*2*m*a3^2*1/(D*s) */
+    const double t9 = t3*t7; /* 1/s = D*1/(D*s) */
+    const double t10 = JLT_FMA(t9, t9, t8); /* 1/s*1/s + s*2*m*a3^2*1/(D*s) */
+    const double t11 = JLT_FMS(t4, t10, t9); /* s*(1/s*1/s + s*2*m*a3^2*1/(D*s)) - 1/s */
+    const double t12 = JLT_FMS(t3, t11, t5); /* D*(s*(1/s*1/s + s*2*m*a3^2*1/(D*s)) - 1/s) - s*2*m*a3^2 */
     const double t13 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t14 = t7*t13; /* 1/s*omega_tau*gamma3 */
-    const double t15 = t12*t14; /* (D*(s*(1/(D*s)*s*2*m*a3^2 + 1/s*1/s) - 1/s) - s*2*m*a3^2)*1/s*omega_tau*gamma3 */
+    const double t14 = t9*t13; /* 1/s*omega_tau*gamma3 */
+    const double t15 = t12*t14; /* (D*(s*(1/s*1/s + s*2*m*a3^2*1/(D*s)) - 1/s) - s*2*m*a3^2)*1/s*omega_tau*gamma3 */
     out[0] = t15;
 }
 
@@ -471,19 +464,19 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 3, 14, 3, 1, 1, 0, 11, 6 }, { 5, 31, 0, 5, 1, 0, 9, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 5, 23, 7, 1, 1, 0, 13, 11 }, { 11, 100, 0, 14, 1, 0, 15, 7 },
+    .jacobian = { jacobian, 16, { 6, 22, 6, 1, 1, 0, 13, 9 }, { 11, 100, 0, 14, 1, 0, 15, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 6, 26, 7, 1, 1, 0, 13, 9 }, { 14, 126, 0, 19, 1, 0, 15, 7 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 6, 25, 7, 1, 1, 0, 13, 9 }, { 14, 126, 0, 19, 1, 0, 15, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_values = { integral_values, 2, { 2, 6, 5, 1, 1, 0, 6, 5 }, { 7, 29, 0, 1, 1, 0, 11, 6 },
+    .integral_values = { integral_values, 2, { 3, 5, 4, 1, 0, 0, 6, 5 }, { 7, 29, 0, 1, 1, 0, 11, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 8, { 2, 8, 3, 1, 1, 0, 8, 4 }, { 4, 24, 0, 1, 1, 0, 8, 6 },
+    .integral_gradients = { integral_gradients, 8, { 2, 6, 3, 1, 0, 0, 6, 3 }, { 4, 24, 0, 1, 1, 0, 8, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { measure_values, 1, { 2, 1, 1, 1, 1, 0, 4, 3 }, { 2, 5, 0, 1, 1, 0, 7, 4 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .measure_divergences = { measure_divergences, 1, { 2, 8, 4, 1, 1, 0, 11, 7 }, { 7, 30, 0, 5, 1, 0, 12, 8 },
+    .measure_divergences = { measure_divergences, 1, { 2, 8, 4, 1, 1, 0, 10, 6 }, { 7, 30, 0, 5, 1, 0, 12, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },

@@ -8,8 +8,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1    7    4    1    0    2      5    5   (45)
- *  jacobian            0   20    6    1    0    2      8    7   (95)
- *  rhs_jacobian        3   21    6    1    0    2      8    8   (118)
+ *  jacobian            0   20    6    1    0    2      8    8   (95)
+ *  rhs_jacobian        2   22    6    1    0    2      8    8   (118)
  *  divergence          1    3    4    1    0    1      8    3   (30)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
@@ -76,16 +76,16 @@ static void prepare(const double *restrict params, double *restrict out)
     out[13] = t15;
     const double t16 = 2.0/t2; /* 2/J1 */
     out[14] = t16;
-    const double t17 = t5/t1; /* I3*I3/(m*R*R) */
+    const double t17 = t13/t1; /* I3*M/(m*R*R) */
     out[15] = t17;
-    const double t18 = t13/t1; /* I3*M/(m*R*R) */
+    const double t18 = t5/t1; /* I3*I3/(m*R*R) */
     out[16] = t18;
     const double t19 = params[3]*2.0; /* I3*2 */
     const double t20 = t19/t1; /* I3*2/(m*R*R) */
     out[17] = t20;
     const double t21 = -t13; /* -I3*M */
     out[23] = t21;
-    const double t22 = -t18; /* -I3*M/(m*R*R) */
+    const double t22 = -t17; /* -I3*M/(m*R*R) */
     out[18] = t22;
     const double t23 = params[1]*t0; /* R*R*R */
     const double t24 = params[0]*t23; /* m*R*R*R */
@@ -126,7 +126,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[0] = 0.0;
     const double t0 = x[2]*x[2]; /* s*s */
     const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t2 = JLT_FMA(p[3], t1, p[15]); /* Theta/(m*R^2) = I3*(gamma3*gamma3 + s*s) + I3^2/(m*R^2) */
+    const double t2 = JLT_FMA(p[3], t1, p[16]); /* Theta/(m*R^2) = I3*(gamma3*gamma3 + s*s) + I3^2/(m*R^2) */
     const double t3 = 1.0/t2; /* 1/(Theta/(m*R^2)) */
     const double t4 = p[13]*t0; /* (-M/J1)*s*s */
     const double t5 = cos(x[1]); /* C = cos(psi) */
@@ -135,22 +135,22 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t7 = x[2]*p[11]; /* s*G*J3/R */
     const double t8 = x[0]*t5; /* gamma3*C */
     const double t9 = JLT_FMA(p[12], t8, t7); /* I3*M*gamma3*C + s*G*J3/R */
-    const double t10 = p[16]*t5; /* I3*M/(m*R^2)*C */
-    const double t11 = sin(x[1]); /* S = sin(psi) */
-    const double t12 = p[17]*t3; /* 2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t13 = t9*t12; /* (I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t14 = JLT_FNMA(x[0], t13, t10); /* I3*M/(m*R^2)*C - gamma3*(I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t15 = t3*t14; /* 1/(Theta/(m*R^2))*t14 */
-    out[3] = t15;
-    const double t16 = JLT_FNMA(x[2], t13, p[19]); /* G*J3/(m*R^3) - s*(I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t17 = t3*t16; /* 1/(Theta/(m*R^2))*t16 */
-    out[5] = t17;
-    const double t18 = JLT_FNMA(p[5], t11, p[8]); /* m*R*v_slip - M*S */
-    const double t19 = x[0]*p[18]; /* gamma3*(-I3*M/(m*R^2)) */
-    const double t20 = t3*t19; /* 1/(Theta/(m*R^2))*gamma3*(-I3*M/(m*R^2)) */
-    const double t21 = t11*t20; /* S*1/(Theta/(m*R^2))*gamma3*(-I3*M/(m*R^2)) */
-    out[4] = t21;
-    const double t22 = x[2]*t18; /* s*(m*R*v_slip - M*S) */
+    const double t10 = sin(x[1]); /* S = sin(psi) */
+    const double t11 = p[17]*t3; /* 2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t12 = t9*t11; /* (I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t13 = JLT_FNMA(p[5], t10, p[8]); /* m*R*v_slip - M*S */
+    const double t14 = p[15]*t3; /* I3*M/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t15 = t5*t14; /* C*I3*M/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t16 = x[0]*t3; /* gamma3*1/(Theta/(m*R^2)) */
+    const double t17 = JLT_FNMA(t12, t16, t15); /* C*I3*M/(m*R^2)*1/(Theta/(m*R^2)) - (I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2))*gamma3*1/(Theta/(m*R^2)) */
+    out[3] = t17;
+    const double t18 = p[18]*t16; /* (-I3*M/(m*R^2))*gamma3*1/(Theta/(m*R^2)) */
+    const double t19 = t10*t18; /* S*(-I3*M/(m*R^2))*gamma3*1/(Theta/(m*R^2)) */
+    out[4] = t19;
+    const double t20 = JLT_FNMA(x[2], t12, p[19]); /* G*J3/(m*R^3) - s*(I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t21 = t3*t20; /* 1/(Theta/(m*R^2))*t20 */
+    out[5] = t21;
+    const double t22 = x[2]*t13; /* s*(m*R*v_slip - M*S) */
     const double t23 = p[14]*t22; /* 2/J1*s*(m*R*v_slip - M*S) */
     out[2] = t23;
     const double t24 = p[20]*t22; /* (-1/J1)*s*(m*R*v_slip - M*S) */
@@ -159,7 +159,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t26 = t8*t25; /* gamma3*C*s*M/J1 */
     out[7] = t26;
     const double t27 = x[0]*p[20]; /* gamma3*(-1/J1) */
-    const double t28 = t18*t27; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
+    const double t28 = t13*t27; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[8] = t28;
 }
 
@@ -170,45 +170,45 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
     const double t2 = JLT_FMA(p[10], t1, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
     const double t3 = 1.0/t2; /* 1/Theta */
-    const double t4 = cos(x[1]); /* C = cos(psi) */
-    const double t5 = sin(x[1]); /* S = sin(psi) */
-    const double t6 = x[2]*p[11]; /* s*G*J3/R */
-    const double t7 = p[12]*t4; /* I3*M*C */
-    const double t8 = JLT_FMA(x[0], t7, t6); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t9 = t3*t8; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    out[1] = t9;
-    const double t10 = p[21]*t4; /* M/J1*C */
-    const double t11 = p[22]*t9; /* 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t12 = t0*t10; /* s*s*M/J1*C */
-    const double t13 = -t12; /* -s*s*M/J1*C */
-    out[4] = t13;
-    const double t14 = t3*t7; /* 1/Theta*I3*M*C */
-    const double t15 = JLT_FNMA(p[5], t5, p[8]); /* m*R*v_slip - M*S */
-    const double t16 = x[2]*t15; /* s*(m*R*v_slip - M*S) */
-    const double t17 = p[14]*t16; /* 2/J1*s*(m*R*v_slip - M*S) */
-    out[5] = t17;
-    const double t18 = p[7]*t16; /* 1/J1*s*(m*R*v_slip - M*S) */
-    const double t19 = x[2]*t18; /* s*1/J1*s*(m*R*v_slip - M*S) */
-    out[0] = t19;
-    const double t20 = -t18; /* -1/J1*s*(m*R*v_slip - M*S) */
-    out[9] = t20;
-    const double t21 = x[0]*t18; /* gamma3*1/J1*s*(m*R*v_slip - M*S) */
-    const double t22 = -t21; /* -gamma3*1/J1*s*(m*R*v_slip - M*S) */
-    out[2] = t22;
+    const double t4 = p[13]*t0; /* (-M/J1)*s*s */
+    const double t5 = cos(x[1]); /* C = cos(psi) */
+    const double t6 = t4*t5; /* (-M/J1)*s*s*C */
+    out[4] = t6;
+    const double t7 = sin(x[1]); /* S = sin(psi) */
+    const double t8 = x[2]*p[11]; /* s*G*J3/R */
+    const double t9 = x[0]*t5; /* gamma3*C */
+    const double t10 = JLT_FMA(p[12], t9, t8); /* I3*M*gamma3*C + s*G*J3/R */
+    const double t11 = t3*t10; /* 1/Theta*(I3*M*gamma3*C + s*G*J3/R) */
+    out[1] = t11;
+    const double t12 = p[22]*t11; /* 2*m*R^2*I3*1/Theta*(I3*M*gamma3*C + s*G*J3/R) */
+    const double t13 = JLT_FNMA(p[5], t7, p[8]); /* m*R*v_slip - M*S */
+    const double t14 = x[2]*t13; /* s*(m*R*v_slip - M*S) */
+    const double t15 = p[14]*t14; /* 2/J1*s*(m*R*v_slip - M*S) */
+    out[5] = t15;
+    const double t16 = p[7]*t14; /* 1/J1*s*(m*R*v_slip - M*S) */
+    const double t17 = x[2]*t16; /* s*1/J1*s*(m*R*v_slip - M*S) */
+    out[0] = t17;
+    const double t18 = -t16; /* -1/J1*s*(m*R*v_slip - M*S) */
+    out[9] = t18;
+    const double t19 = x[0]*t16; /* gamma3*1/J1*s*(m*R*v_slip - M*S) */
+    const double t20 = -t19; /* -gamma3*1/J1*s*(m*R*v_slip - M*S) */
+    out[2] = t20;
+    const double t21 = p[12]*t3; /* I3*M*1/Theta */
+    const double t22 = t5*t21; /* C*I3*M*1/Theta */
     const double t23 = x[0]*t3; /* gamma3*1/Theta */
-    const double t24 = JLT_FNMA(t11, t23, t14); /* 1/Theta*I3*M*C - 2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)*gamma3*1/Theta */
+    const double t24 = JLT_FNMA(t12, t23, t22); /* C*I3*M*1/Theta - 2*m*R^2*I3*1/Theta*(I3*M*gamma3*C + s*G*J3/R)*gamma3*1/Theta */
     out[6] = t24;
     const double t25 = p[23]*t23; /* (-I3*M)*gamma3*1/Theta */
-    const double t26 = t5*t25; /* S*(-I3*M)*gamma3*1/Theta */
+    const double t26 = t7*t25; /* S*(-I3*M)*gamma3*1/Theta */
     out[7] = t26;
-    const double t27 = JLT_FNMA(x[2], t11, p[11]); /* G*J3/R - s*2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t28 = t3*t27; /* 1/Theta*(G*J3/R - s*2*m*R^2*I3*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
+    const double t27 = JLT_FNMA(x[2], t12, p[11]); /* G*J3/R - s*2*m*R^2*I3*1/Theta*(I3*M*gamma3*C + s*G*J3/R) */
+    const double t28 = t3*t27; /* 1/Theta*(G*J3/R - s*2*m*R^2*I3*1/Theta*(I3*M*gamma3*C + s*G*J3/R)) */
     out[8] = t28;
-    const double t29 = x[2]*x[0]; /* s*gamma3 */
-    const double t30 = t10*t29; /* M/J1*C*s*gamma3 */
+    const double t29 = x[2]*p[21]; /* s*M/J1 */
+    const double t30 = t9*t29; /* gamma3*C*s*M/J1 */
     out[10] = t30;
     const double t31 = x[0]*p[20]; /* gamma3*(-1/J1) */
-    const double t32 = t15*t31; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
+    const double t32 = t13*t31; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[11] = t32;
 }
 
@@ -217,8 +217,8 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = sin(x[1]); /* S = sin(psi) */
     const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t2 = JLT_FMA(x[2], x[2], t1); /* s*s + gamma3*gamma3 */
-    const double t3 = JLT_FMA(p[3], t2, p[15]); /* Theta/(m*R^2) = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
-    const double t4 = p[16]/t3; /* I3*M/(m*R^2)/(Theta/(m*R^2)) */
+    const double t3 = JLT_FMA(p[3], t2, p[16]); /* Theta/(m*R^2) = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
+    const double t4 = p[15]/t3; /* I3*M/(m*R^2)/(Theta/(m*R^2)) */
     const double t5 = t0*t4; /* S*I3*M/(m*R^2)/(Theta/(m*R^2)) */
     const double t6 = JLT_FNMA(t0, p[5], p[8]); /* m*R*v_slip - S*M */
     const double t7 = JLT_FMA(p[7], t6, t5); /* 1/J1*(m*R*v_slip - S*M) + S*I3*M/(m*R^2)/(Theta/(m*R^2)) */
@@ -344,9 +344,9 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = 
     .prepare = prepare,
     .rhs = { rhs, 3, { 1, 7, 4, 1, 0, 2, 5, 5 }, { 8, 29, 0, 5, 1, 2, 9, 8 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .jacobian = { jacobian, 9, { 0, 20, 6, 1, 0, 2, 8, 7 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
+    .jacobian = { jacobian, 9, { 0, 20, 6, 1, 0, 2, 8, 8 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 3, 21, 6, 1, 0, 2, 8, 8 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 2, 22, 6, 1, 0, 2, 8, 8 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
     .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 8, 3 }, { 6, 19, 0, 3, 1, 1, 9, 7 },
         "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },

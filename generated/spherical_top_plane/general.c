@@ -6,8 +6,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   16    6    1    2    2     14    6   (52)
- *  jacobian            2   31   13    2    2    2     15   13   (157)
- *  rhs_jacobian        2   31   13    2    2    2     15   14   (172)
+ *  jacobian            2   28   13    2    2    2     15   12   (157)
+ *  rhs_jacobian        2   30   13    2    2    2     18   12   (172)
  *  divergence          2   17    9    2    2    2     17    8   (93)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes.
@@ -66,56 +66,54 @@ static void prepare(const double *restrict params, double *restrict out)
     out[16] = t18;
     const double t19 = params[3]*params[5]; /* I3*M */
     out[17] = t19;
-    const double t20 = params[1]*params[5]; /* R*M */
-    const double t21 = params[2]*t3; /* I1*J1 */
-    const double t22 = t20/t21; /* R*M/(I1*J1) */
+    const double t20 = t3*t5; /* J1*I1*I1 */
+    const double t21 = params[1]*t8; /* R*(I1 - I3) */
+    const double t22 = t21/t20; /* R*(I1 - I3)/(J1*I1*I1) */
     out[18] = t22;
-    const double t23 = params[4]/t5; /* G/(I1*I1) */
+    const double t23 = t2*t8; /* m*R*R*(I1 - I3) */
     out[19] = t23;
-    const double t24 = params[1]*t1; /* R*R*R */
-    const double t25 = params[0]*t24; /* m*R*R*R */
-    const double t26 = t3*t5; /* J1*I1*I1 */
-    const double t27 = t25/t26; /* m*R*R*R/(J1*I1*I1) */
-    out[20] = t27;
-    const double t28 = 1.0/t3; /* 1/J1 */
-    out[21] = t28;
-    const double t29 = t8*t20; /* (I1 - I3)*R*M */
-    const double t30 = t29/params[2]; /* (I1 - I3)*R*M/I1 */
+    const double t24 = 1.0/t3; /* 1/J1 */
+    out[20] = t24;
+    const double t25 = params[1]*params[5]; /* R*M */
+    const double t26 = t8*t25; /* (I1 - I3)*R*M */
+    const double t27 = t26/params[2]; /* (I1 - I3)*R*M/I1 */
+    out[21] = t27;
+    const double t28 = params[0]*2.0; /* m*2 */
+    const double t29 = t1*t28; /* R*R*m*2 */
+    const double t30 = t8*t29; /* (I1 - I3)*R*R*m*2 */
     out[22] = t30;
-    const double t31 = params[0]*2.0; /* m*2 */
-    const double t32 = t1*t31; /* R*R*m*2 */
-    out[23] = t32;
-    const double t33 = -t19; /* -I3*M */
+    const double t31 = -t19; /* -I3*M */
+    out[23] = t31;
+    const double t32 = params[2]*t3; /* I1*J1 */
+    const double t33 = t26/t32; /* (I1 - I3)*R*M/(I1*J1) */
     out[24] = t33;
-    const double t34 = t8*params[4]; /* (I1 - I3)*G */
-    const double t35 = t34/t5; /* (I1 - I3)*G/(I1*I1) */
-    out[25] = t35;
-    const double t36 = t29/t21; /* (I1 - I3)*R*M/(I1*J1) */
-    out[26] = t36;
-    const double t37 = t8*t8; /* (I1 - I3)*(I1 - I3) */
-    const double t38 = t25*t37; /* m*R*R*R*(I1 - I3)*(I1 - I3) */
-    const double t39 = t38/t26; /* m*R*R*R*(I1 - I3)*(I1 - I3)/(J1*I1*I1) */
-    out[27] = t39;
-    const double t40 = t8*t32; /* (I1 - I3)*R*R*m*2 */
-    out[28] = t40;
+    const double t34 = params[1]*t1; /* R*R*R */
+    const double t35 = params[0]*t34; /* m*R*R*R */
+    const double t36 = t8*t8; /* (I1 - I3)*(I1 - I3) */
+    const double t37 = t35*t36; /* m*R*R*R*(I1 - I3)*(I1 - I3) */
+    const double t38 = t37/t20; /* m*R*R*R*(I1 - I3)*(I1 - I3)/(J1*I1*I1) */
+    out[25] = t38;
+    const double t39 = t8*params[4]; /* (I1 - I3)*G */
+    const double t40 = t39/t5; /* (I1 - I3)*G/(I1*I1) */
+    out[26] = t40;
     const double t41 = t12/t2; /* I1*I3/(m*R*R) */
-    out[29] = t41;
+    out[27] = t41;
     const double t42 = t19/t2; /* I3*M/(m*R*R) */
-    out[30] = t42;
+    out[28] = t42;
     const double t43 = t8/t2; /* (I1 - I3)/(m*R*R) */
-    out[31] = t43;
+    out[29] = t43;
     const double t44 = t0*params[2]; /* m*R*I1 */
     const double t45 = t3*t44; /* J1*m*R*I1 */
     const double t46 = t8*params[5]; /* (I1 - I3)*M */
     const double t47 = t46/t45; /* (I1 - I3)*M/(J1*m*R*I1) */
-    out[32] = t47;
+    out[30] = t47;
     const double t48 = t0*t5; /* m*R*I1*I1 */
     const double t49 = t3*t48; /* J1*m*R*I1*I1 */
-    const double t50 = t37/t49; /* (I1 - I3)*(I1 - I3)/(J1*m*R*I1*I1) */
-    out[33] = t50;
+    const double t50 = t36/t49; /* (I1 - I3)*(I1 - I3)/(J1*m*R*I1*I1) */
+    out[31] = t50;
     const double t51 = t2*t5; /* m*R*R*I1*I1 */
-    const double t52 = t34/t51; /* (I1 - I3)*G/(m*R*R*I1*I1) */
-    out[34] = t52;
+    const double t52 = t39/t51; /* (I1 - I3)*G/(m*R*R*I1*I1) */
+    out[32] = t52;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -156,61 +154,58 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = cos(x[1]); /* C = cos(psi) */
-    const double t5 = p[10]*t3; /* I1*M*s */
-    const double t6 = t4*t5; /* C*I1*M*s */
-    const double t7 = JLT_FNMA(x[0], p[11], t6); /* C*I1*M*s - gamma3*G*J1/R */
+    const double t5 = p[10]*t4; /* I1*M*C */
+    const double t6 = t3*t5; /* s*I1*M*C */
+    const double t7 = JLT_FNMA(x[0], p[11], t6); /* s*I1*M*C - gamma3*G*J1/R */
     const double t8 = x[0]*p[14]; /* gamma3*I3/I1 */
-    const double t9 = JLT_FMA(x[0], t8, t2); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) */
-    const double t10 = JLT_FMA(p[13], t9, p[12]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3)) + I1*I3 */
+    const double t9 = JLT_FMA(x[0], t8, t2); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) */
+    const double t10 = JLT_FMA(p[13], t9, p[12]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1)) + I1*I3 */
     const double t11 = t3*t10; /* s*Theta */
     const double t12 = 1.0/t11; /* 1/(s*Theta) */
     const double t13 = t3*t12; /* 1/Theta = s*1/(s*Theta) */
-    const double t14 = t7*t13; /* (C*I1*M*s - gamma3*G*J1/R)*1/Theta */
-    const double t15 = p[9]*t7; /* (I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t16 = JLT_FNMA(t14, t15, p[6]); /* F0 - (C*I1*M*s - gamma3*G*J1/R)*1/Theta*(I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t14 = t7*t13; /* (s*I1*M*C - gamma3*G*J1/R)*1/Theta */
+    const double t15 = p[9]*t7; /* (I1 - I3)*(s*I1*M*C - gamma3*G*J1/R) */
+    const double t16 = JLT_FNMA(t14, t15, p[6]); /* F0 - (s*I1*M*C - gamma3*G*J1/R)*1/Theta*(I1 - I3)*(s*I1*M*C - gamma3*G*J1/R) */
     const double t17 = p[8]*t16; /* 1/(m*I1^2)*t16 */
     const double t18 = sqrt(t17); /* v_slip = sqrt(1/(m*I1^2)*t16) */
     const double t19 = sin(x[1]); /* S = sin(psi) */
     const double t20 = JLT_FNMA(p[15], t19, t18); /* v_slip - M/(m*R)*S */
     const double t21 = t10*t12; /* 1/s = Theta*1/(s*Theta) */
-    const double t22 = x[0]*t21; /* gamma3*1/s */
-    const double t23 = p[7]*t22; /* m*R/J1*gamma3*1/s */
-    const double t24 = t20*t23; /* (v_slip - M/(m*R)*S)*m*R/J1*gamma3*1/s */
-    const double t25 = t22*p[18]; /* gamma3*1/s*R*M/(I1*J1) */
-    const double t26 = p[9]*x[0]; /* (I1 - I3)*gamma3 */
-    const double t27 = p[20]*t26; /* m*R^3/(I1^2*J1)*(I1 - I3)*gamma3 */
-    const double t28 = JLT_FMA(t4, t25, p[19]); /* C*gamma3*1/s*R*M/(I1*J1) + G/I1^2 */
-    const double t29 = JLT_FNMA(t14, t27, t28); /* C*gamma3*1/s*R*M/(I1*J1) + G/I1^2 - (C*I1*M*s - gamma3*G*J1/R)*1/Theta*m*R^3/(I1^2*J1)*(I1 - I3)*gamma3 */
-    const double t30 = t3*t14; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta */
-    const double t31 = t30/t18; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip */
-    const double t32 = p[9]*t29; /* (I1 - I3)*t29 */
-    const double t33 = JLT_FMS(t31, t32, t24); /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*(I1 - I3)*t29 - (v_slip - M/(m*R)*S)*m*R/J1*gamma3*1/s */
-    out[0] = t33;
-    const double t34 = t19*p[22]; /* S*R*M*(I1 - I3)/I1 */
-    const double t35 = t31*t34; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*S*R*M*(I1 - I3)/I1 */
-    const double t36 = JLT_FNMA(t4, p[5], t35); /* t35 - C*M */
-    const double t37 = t3*p[21]; /* s*1/J1 */
-    const double t38 = t36*t37; /* (t35 - C*M)*s*1/J1 */
-    out[1] = t38;
-    const double t39 = t3*p[16]; /* s*G*J3/R */
-    const double t40 = t4*p[17]; /* C*I3*M */
-    const double t41 = JLT_FMA(x[0], t40, t39); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t42 = t21*t22; /* 1/s*gamma3*1/s */
-    const double t43 = t26*p[23]; /* (I1 - I3)*gamma3*2*m*R^2 */
-    const double t44 = JLT_FMA(t13, t43, t42); /* 1/Theta*(I1 - I3)*gamma3*2*m*R^2 + 1/s*gamma3*1/s */
-    const double t45 = JLT_FNMA(t22, p[16], t40); /* C*I3*M - gamma3*1/s*G*J3/R */
-    const double t46 = JLT_FMA(t41, t44, t45); /* (gamma3*C*I3*M + s*G*J3/R)*(1/Theta*(I1 - I3)*gamma3*2*m*R^2 + 1/s*gamma3*1/s) + C*I3*M - gamma3*1/s*G*J3/R */
-    const double t47 = t13*t21; /* 1/Theta*1/s */
-    const double t48 = t46*t47; /* t46*1/Theta*1/s */
-    out[2] = t48;
-    const double t49 = t13*p[24]; /* 1/Theta*(-I3*M) */
-    const double t50 = t22*t49; /* gamma3*1/s*1/Theta*(-I3*M) */
-    const double t51 = t19*t50; /* S*gamma3*1/s*1/Theta*(-I3*M) */
-    out[3] = t51;
+    const double t22 = p[7]*x[0]; /* m*R/J1*gamma3 */
+    const double t23 = t21*t22; /* 1/s*m*R/J1*gamma3 */
+    const double t24 = t20*t23; /* (v_slip - M/(m*R)*S)*1/s*m*R/J1*gamma3 */
+    const double t25 = t5*t21; /* I1*M*C*1/s */
+    const double t26 = JLT_FNMA(t14, p[19], t25); /* I1*M*C*1/s - (s*I1*M*C - gamma3*G*J1/R)*1/Theta*m*R^2*(I1 - I3) */
+    const double t27 = JLT_FMA(x[0], t26, p[11]); /* gamma3*t26 + G*J1/R */
+    const double t28 = t3*t14; /* s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta */
+    const double t29 = t28/t18; /* s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta/v_slip */
+    const double t30 = p[18]*t27; /* R*(I1 - I3)/(I1^2*J1)*(gamma3*t26 + G*J1/R) */
+    const double t31 = JLT_FMS(t29, t30, t24); /* s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta/v_slip*R*(I1 - I3)/(I1^2*J1)*(gamma3*t26 + G*J1/R) - (v_slip - M/(m*R)*S)*1/s*m*R/J1*gamma3 */
+    out[0] = t31;
+    const double t32 = t19*p[21]; /* S*R*M*(I1 - I3)/I1 */
+    const double t33 = t29*t32; /* s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta/v_slip*S*R*M*(I1 - I3)/I1 */
+    const double t34 = JLT_FNMA(t4, p[5], t33); /* t33 - C*M */
+    const double t35 = t3*p[20]; /* s*1/J1 */
+    const double t36 = t34*t35; /* (t33 - C*M)*s*1/J1 */
+    out[1] = t36;
+    const double t37 = t21*p[16]; /* 1/s*G*J3/R */
+    const double t38 = t3*p[16]; /* s*G*J3/R */
+    const double t39 = t4*p[17]; /* C*I3*M */
+    const double t40 = JLT_FMA(x[0], t39, t38); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t41 = t21*t21; /* 1/s*1/s */
+    const double t42 = JLT_FMA(t13, p[22], t41); /* 1/Theta*2*m*R^2*(I1 - I3) + 1/s*1/s */
+    const double t43 = JLT_FNMA(t40, t42, t37); /* 1/s*G*J3/R - (gamma3*C*I3*M + s*G*J3/R)*(1/Theta*2*m*R^2*(I1 - I3) + 1/s*1/s) */
+    const double t44 = x[0]*t12; /* gamma3*1/(s*Theta) */
+    const double t45 = t43*t44; /* t43*gamma3*1/(s*Theta) */
+    const double t46 = JLT_FMS(t12, t39, t45); /* 1/(s*Theta)*C*I3*M - t43*gamma3*1/(s*Theta) */
+    out[2] = t46;
+    const double t47 = t44*p[23]; /* gamma3*1/(s*Theta)*(-I3*M) */
+    const double t48 = t19*t47; /* S*gamma3*1/(s*Theta)*(-I3*M) */
+    out[3] = t48;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -235,44 +230,43 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t17 = JLT_FNMA(t15, t16, p[6]); /* F0 - (C*I1*M*s - gamma3*G*J1/R)*1/Theta*(I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
     const double t18 = p[8]*t17; /* 1/(m*I1^2)*t17 */
     const double t19 = sqrt(t18); /* v_slip = sqrt(1/(m*I1^2)*t17) */
-    const double t20 = t5*t15; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta */
-    const double t21 = t20/t19; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip */
-    const double t22 = sin(x[1]); /* S = sin(psi) */
-    const double t23 = JLT_FNMA(p[15], t22, t19); /* v_slip - M/(m*R)*S */
-    const double t24 = p[7]*t23; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t25 = t5*t24; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[0] = t25;
-    const double t26 = x[0]*p[28]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t27 = t14*t26; /* 1/Theta*gamma3*2*m*R^2*(I1 - I3) */
-    const double t28 = p[24]*t14; /* (-I3*M)*1/Theta */
-    const double t29 = p[16]*t5; /* G*J3/R*s */
-    const double t30 = p[21]*t5; /* 1/J1*s */
-    const double t31 = p[17]*t10; /* I3*M*C */
-    const double t32 = JLT_FMA(x[0], t31, t29); /* gamma3*I3*M*C + G*J3/R*s */
-    const double t33 = t8*t32; /* 1/(s*Theta)*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t20 = p[22]*t14; /* 2*m*R^2*(I1 - I3)*1/Theta */
+    const double t21 = t5*t15; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta */
+    const double t22 = t21/t19; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip */
+    const double t23 = p[25]*t15; /* m*R^3*(I1 - I3)^2/(I1^2*J1)*(C*I1*M*s - gamma3*G*J1/R)*1/Theta */
+    const double t24 = sin(x[1]); /* S = sin(psi) */
+    const double t25 = JLT_FNMA(p[15], t24, t19); /* v_slip - M/(m*R)*S */
+    const double t26 = p[7]*t25; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t27 = t5*t26; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[0] = t27;
+    const double t28 = p[16]*t5; /* G*J3/R*s */
+    const double t29 = p[20]*t5; /* 1/J1*s */
+    const double t30 = p[17]*t10; /* I3*M*C */
+    const double t31 = JLT_FMA(x[0], t30, t28); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t32 = t20*t31; /* 2*m*R^2*(I1 - I3)*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t33 = t8*t31; /* 1/(s*Theta)*(gamma3*I3*M*C + G*J3/R*s) */
     out[1] = t33;
-    const double t34 = x[0]*t9; /* gamma3*1/s */
-    const double t35 = JLT_FMA(t9, t34, t27); /* 1/s*gamma3*1/s + 1/Theta*gamma3*2*m*R^2*(I1 - I3) */
-    const double t36 = JLT_FNMA(p[16], t34, t31); /* I3*M*C - G*J3/R*gamma3*1/s */
-    const double t37 = JLT_FMA(t32, t35, t36); /* (gamma3*I3*M*C + G*J3/R*s)*(1/s*gamma3*1/s + 1/Theta*gamma3*2*m*R^2*(I1 - I3)) + I3*M*C - G*J3/R*gamma3*1/s */
-    const double t38 = t8*t37; /* 1/(s*Theta)*t37 */
-    out[4] = t38;
-    const double t39 = t28*t34; /* (-I3*M)*1/Theta*gamma3*1/s */
-    const double t40 = t22*t39; /* S*(-I3*M)*1/Theta*gamma3*1/s */
-    out[5] = t40;
-    const double t41 = p[22]*t22; /* R*M*(I1 - I3)/I1*S */
-    const double t42 = t21*t41; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*R*M*(I1 - I3)/I1*S */
-    const double t43 = JLT_FNMA(p[5], t10, t42); /* t42 - M*C */
-    const double t44 = t30*t43; /* 1/J1*s*(t42 - M*C) */
-    out[3] = t44;
-    const double t45 = p[26]*t10; /* R*M*(I1 - I3)/(I1*J1)*C */
-    const double t46 = JLT_FMS(t21, t45, t24); /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*R*M*(I1 - I3)/(I1*J1)*C - m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t47 = x[0]*p[27]; /* gamma3*m*R^3*(I1 - I3)^2/(I1^2*J1) */
-    const double t48 = t15*t47; /* (C*I1*M*s - gamma3*G*J1/R)*1/Theta*gamma3*m*R^3*(I1 - I3)^2/(I1^2*J1) */
-    const double t49 = p[25]*t21; /* G*(I1 - I3)/I1^2*s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip */
-    const double t50 = JLT_FNMA(t21, t48, t49); /* G*(I1 - I3)/I1^2*s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip - s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*t48 */
-    const double t51 = JLT_FMA(t34, t46, t50); /* gamma3*1/s*t46 + t50 */
-    out[2] = t51;
+    const double t34 = JLT_FNMA(t9, t31, p[16]); /* G*J3/R - 1/s*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t35 = JLT_FNMA(t9, t34, t32); /* 2*m*R^2*(I1 - I3)*1/Theta*(gamma3*I3*M*C + G*J3/R*s) - 1/s*(G*J3/R - 1/s*(gamma3*I3*M*C + G*J3/R*s)) */
+    const double t36 = JLT_FMA(x[0], t35, t30); /* gamma3*t35 + I3*M*C */
+    const double t37 = t8*t36; /* 1/(s*Theta)*(gamma3*t35 + I3*M*C) */
+    out[4] = t37;
+    const double t38 = p[24]*t10; /* R*M*(I1 - I3)/(I1*J1)*C */
+    const double t39 = JLT_FMS(t22, t38, t26); /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*R*M*(I1 - I3)/(I1*J1)*C - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t40 = t9*t39; /* 1/s*t39 */
+    const double t41 = JLT_FNMA(t22, t23, t40); /* 1/s*t39 - s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*t23 */
+    const double t42 = x[0]*t41; /* gamma3*(1/s*t39 - s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*t23) */
+    const double t43 = JLT_FMA(p[26], t22, t42); /* G*(I1 - I3)/I1^2*s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip + t42 */
+    out[2] = t43;
+    const double t44 = p[21]*t24; /* R*M*(I1 - I3)/I1*S */
+    const double t45 = t22*t44; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*R*M*(I1 - I3)/I1*S */
+    const double t46 = JLT_FNMA(p[5], t10, t45); /* t45 - M*C */
+    const double t47 = t29*t46; /* 1/J1*s*(t45 - M*C) */
+    out[3] = t47;
+    const double t48 = x[0]*p[23]; /* gamma3*(-I3*M) */
+    const double t49 = t8*t48; /* 1/(s*Theta)*gamma3*(-I3*M) */
+    const double t50 = t24*t49; /* S*1/(s*Theta)*gamma3*(-I3*M) */
+    out[5] = t50;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -281,7 +275,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0]*p[3]; /* gamma3*I3 */
-    const double t4 = JLT_FMA(x[0], t3, p[29]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t4 = JLT_FMA(x[0], t3, p[27]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
     const double t5 = JLT_FMA(p[2], t2, t4); /* Theta/(m*R^2) = I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
     const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t7 = t5*t6; /* Theta/(m*R^2)*s */
@@ -292,16 +286,16 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t12 = p[10]*t6; /* I1*M*s */
     const double t13 = t11*t12; /* C*I1*M*s */
     const double t14 = JLT_FNMA(x[0], p[11], t13); /* C*I1*M*s - gamma3*G*J1/R */
-    const double t15 = p[32]*t11; /* M*(I1 - I3)/(m*R*I1*J1)*C */
+    const double t15 = p[30]*t11; /* M*(I1 - I3)/(m*R*I1*J1)*C */
     const double t16 = t10*t14; /* 1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t17 = p[31]*t14; /* (I1 - I3)/(m*R^2)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t17 = p[29]*t14; /* (I1 - I3)/(m*R^2)*(C*I1*M*s - gamma3*G*J1/R) */
     const double t18 = JLT_FNMA(t16, t17, p[6]); /* F0 - 1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)/(m*R^2)*(C*I1*M*s - gamma3*G*J1/R) */
     const double t19 = p[8]*t18; /* 1/(m*I1^2)*t18 */
     const double t20 = sqrt(t19); /* v_slip = sqrt(1/(m*I1^2)*t18) */
     const double t21 = t6*t16; /* s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t22 = p[30]*t10; /* I3*M/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t22 = p[28]*t10; /* I3*M/(m*R^2)*1/(Theta/(m*R^2)) */
     const double t23 = t21/t20; /* s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)/v_slip */
-    const double t24 = p[33]*t16; /* (I1 - I3)^2/(m*R*I1^2*J1)*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t24 = p[31]*t16; /* (I1 - I3)^2/(m*R*I1^2*J1)*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
     const double t25 = sin(x[1]); /* S = sin(psi) */
     const double t26 = t22*t25; /* I3*M/(m*R^2)*1/(Theta/(m*R^2))*S */
     const double t27 = JLT_FNMA(p[15], t25, t20); /* v_slip - M/(m*R)*S */
@@ -310,7 +304,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t30 = t9*t29; /* Theta/(m*R^2)*1/(Theta/(m*R^2)*s)*t29 */
     const double t31 = JLT_FMA(t23, t24, t30); /* s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)/v_slip*t24 + Theta/(m*R^2)*1/(Theta/(m*R^2)*s)*t29 */
     const double t32 = x[0]*t31; /* gamma3*t31 */
-    const double t33 = JLT_FMS(p[34], t23, t32); /* G*(I1 - I3)/(m*R^2*I1^2)*s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)/v_slip - gamma3*t31 */
+    const double t33 = JLT_FMS(p[32], t23, t32); /* G*(I1 - I3)/(m*R^2*I1^2)*s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)/v_slip - gamma3*t31 */
     out[0] = t33;
 }
 
@@ -439,15 +433,15 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .sha256 = "a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top_plane,
-    .state_count = 2, .param_count = 7, .block_count = 35,
+    .state_count = 2, .param_count = 7, .block_count = 33,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 2, { 2, 16, 6, 1, 2, 2, 14, 6 }, { 10, 32, 0, 6, 2, 2, 16, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 4, { 2, 31, 13, 2, 2, 2, 15, 13 }, { 28, 104, 0, 21, 2, 2, 18, 14 },
+    .jacobian = { jacobian, 4, { 2, 28, 13, 2, 2, 2, 15, 12 }, { 28, 104, 0, 21, 2, 2, 18, 14 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 6, { 2, 31, 13, 2, 2, 2, 15, 14 }, { 30, 114, 0, 24, 2, 2, 18, 15 },
+    .rhs_jacobian = { rhs_jacobian, 6, { 2, 30, 13, 2, 2, 2, 18, 12 }, { 30, 114, 0, 24, 2, 2, 18, 15 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 17, 9, 2, 2, 2, 17, 8 }, { 18, 59, 0, 12, 2, 2, 19, 13 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },

@@ -8,7 +8,7 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   14    6    1    1    2     13    5   (57)
  *  jacobian            3   38   13    2    1    2     14   11   (295)
- *  rhs_jacobian        4   40   13    2    1    2     14   13   (318)
+ *  rhs_jacobian        4   40   13    2    1    2     14   12   (318)
  *  divergence          0   18   10    2    1    2     13    7   (120)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
@@ -256,10 +256,10 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t25 = JLT_FNMA(p[5], t5, t23); /* t23 - M*C */
     const double t26 = t20*t24; /* t20*R/(I1^2*J1)*s/v_slip */
     const double t27 = p[21]*t25; /* 1/J1*(t23 - M*C) */
-    const double t28 = x[2]*t26; /* s*t20*R/(I1^2*J1)*s/v_slip */
-    out[3] = t28;
-    const double t29 = t0*t27; /* s*s*1/J1*(t23 - M*C) */
-    out[4] = t29;
+    const double t28 = t0*t27; /* s*s*1/J1*(t23 - M*C) */
+    out[4] = t28;
+    const double t29 = x[2]*t26; /* s*t20*R/(I1^2*J1)*s/v_slip */
+    out[3] = t29;
     const double t30 = p[24]*t5; /* I1*M*(I1 - I3)*C */
     const double t31 = t9*t30; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C */
     const double t32 = p[17]*t5; /* I3*M*C */
@@ -272,35 +272,35 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t38 = JLT_FNMA(t17, t37, t31); /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C - t17*s*m*R^2*I1*(I1 - I3) */
     const double t39 = t24*t38; /* R/(I1^2*J1)*s/v_slip*t38 */
     const double t40 = p[7]*t22; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t41 = t0*t40; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[0] = t41;
-    const double t42 = JLT_FMS(p[23], t22, t39); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t38 */
-    const double t43 = x[2]*t42; /* s*(2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t38) */
-    out[5] = t43;
-    const double t44 = t39 - t40; /* R/(I1^2*J1)*s/v_slip*t38 - m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t45 = x[0]*t44; /* gamma3*(R/(I1^2*J1)*s/v_slip*t38 - m*R/J1*(v_slip - M/(m*R)*S)) */
-    out[11] = t45;
-    const double t46 = x[2]*x[0]; /* s*gamma3 */
-    const double t47 = t27*t46; /* 1/J1*(t23 - M*C)*s*gamma3 */
-    const double t48 = -t47; /* -1/J1*(t23 - M*C)*s*gamma3 */
-    out[10] = t48;
-    const double t49 = t40*t46; /* m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
-    const double t50 = -t49; /* -m*R/J1*(v_slip - M/(m*R)*S)*s*gamma3 */
+    const double t41 = JLT_FMS(p[23], t22, t39); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t38 */
+    const double t42 = x[2]*t41; /* s*(2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t38) */
+    out[5] = t42;
+    const double t43 = t39 - t40; /* R/(I1^2*J1)*s/v_slip*t38 - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t44 = x[0]*t43; /* gamma3*(R/(I1^2*J1)*s/v_slip*t38 - m*R/J1*(v_slip - M/(m*R)*S)) */
+    out[11] = t44;
+    const double t45 = x[2]*t40; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t46 = JLT_FMA(x[0], t26, t45); /* gamma3*t20*R/(I1^2*J1)*s/v_slip + s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t47 = -t46; /* -t46 */
+    out[9] = t47;
+    const double t48 = x[2]*t45; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[0] = t48;
+    const double t49 = x[0]*t45; /* gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t50 = -t49; /* -gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
     out[2] = t50;
-    const double t51 = x[2]*t40; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t52 = JLT_FMA(x[0], t26, t51); /* gamma3*t20*R/(I1^2*J1)*s/v_slip + s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t53 = -t52; /* -t52 */
-    out[9] = t53;
-    const double t54 = x[0]*t4; /* gamma3*1/Theta */
-    const double t55 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
-    const double t56 = p[26]*t54; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t51 = x[0]*t4; /* gamma3*1/Theta */
+    const double t52 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
+    const double t53 = x[2]*x[0]; /* s*gamma3 */
+    const double t54 = t27*t53; /* 1/J1*(t23 - M*C)*s*gamma3 */
+    const double t55 = -t54; /* -1/J1*(t23 - M*C)*s*gamma3 */
+    out[10] = t55;
+    const double t56 = p[26]*t51; /* 2*m*R^2*I3*gamma3*1/Theta */
     const double t57 = JLT_FNMA(t35, t56, t36); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
     out[6] = t57;
-    const double t58 = p[27]*t54; /* (-I3*M)*gamma3*1/Theta */
+    const double t58 = p[27]*t51; /* (-I3*M)*gamma3*1/Theta */
     const double t59 = t14*t58; /* S*(-I3*M)*gamma3*1/Theta */
     out[7] = t59;
     const double t60 = JLT_FNMA(x[2], t35, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t61 = t55*t60; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
+    const double t61 = t52*t60; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
     out[8] = t61;
 }
 
@@ -480,7 +480,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
     .jacobian = { jacobian, 9, { 3, 38, 13, 2, 1, 2, 14, 11 }, { 46, 207, 0, 39, 1, 2, 18, 14 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 4, 40, 13, 2, 1, 2, 14, 13 }, { 50, 222, 0, 43, 1, 2, 18, 15 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 4, 40, 13, 2, 1, 2, 14, 12 }, { 50, 222, 0, 43, 1, 2, 18, 15 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 0, 18, 10, 2, 1, 2, 13, 7 }, { 20, 82, 0, 15, 1, 2, 17, 12 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: grows without bound, and so do rounding errors, where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): a rounding error of the states counts without bound where that vanishes" },

@@ -7,12 +7,12 @@
  *  Command:    ttc generate --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   21    9    1    0    2      7    8   (96)
- *  jacobian            12   59   22    1    0    2      9   18   (375)
- *  rhs_jacobian        15   69   21    1    0    2      7   19   (449)
+ *  rhs                 4   19    9    1    0    2      7    8   (96)
+ *  jacobian            13   59   21    1    0    2      9   18   (375)
+ *  rhs_jacobian        15   69   21    1    0    2      7   21   (449)
  *  divergence          1    5    3    1    0    0      5    4   (30)
  *  integral_values     1   14   10    0    0    2      6    8   (51)
- *  integral_gradients  0   30    8    0    0    2      7    7   (89)
+ *  integral_gradients  0   31    7    0    0    2      5    8   (89)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy: divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are.
@@ -55,18 +55,18 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t1 = params[1]*params[1]; /* R*R */
     const double t2 = params[0]*t1; /* m*R*R */
     out[40] = t2;
-    const double t3 = params[5]/t2; /* I3/(m*R*R) */
-    out[7] = t3;
-    const double t4 = 1.0/params[1]; /* 1/R */
-    out[8] = t4;
-    const double t5 = params[4]*t2; /* I1*m*R*R */
-    out[22] = t5;
-    const double t6 = params[5]*params[5]; /* I3*I3 */
-    const double t7 = params[5]*t2; /* I3*m*R*R */
-    out[23] = t7;
-    const double t8 = t6 + t7; /* I3*I3 + I3*m*R*R */
-    out[24] = t8;
-    const double t9 = t8/t5; /* (I3*I3 + I3*m*R*R)/(I1*m*R*R) */
+    const double t3 = params[4]*t2; /* I1*m*R*R */
+    out[22] = t3;
+    const double t4 = params[5]*params[5]; /* I3*I3 */
+    const double t5 = params[5]*t2; /* I3*m*R*R */
+    out[23] = t5;
+    const double t6 = t4 + t5; /* I3*I3 + I3*m*R*R */
+    out[24] = t6;
+    const double t7 = t6/t3; /* (I3*I3 + I3*m*R*R)/(I1*m*R*R) */
+    out[7] = t7;
+    const double t8 = params[5]/t2; /* I3/(m*R*R) */
+    out[8] = t8;
+    const double t9 = 1.0/params[1]; /* 1/R */
     out[9] = t9;
     const double t10 = params[4] - params[5]; /* I1 - I3 */
     const double t11 = t10/params[4]; /* (I1 - I3)/I1 */
@@ -76,16 +76,16 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t13 = -t0; /* -I3/I1 */
     out[12] = t13;
     const double t14 = params[4]*params[4]; /* I1*I1 */
-    const double t15 = t6*2.0; /* I3*I3*2 */
+    const double t15 = t4*2.0; /* I3*I3*2 */
     const double t16 = t15/t14; /* I3*I3*2/(I1*I1) */
     out[13] = t16;
     const double t17 = params[0]*params[0]; /* m*m */
     const double t18 = t1*t1; /* R*R*R*R */
     const double t19 = t17*t18; /* m*m*R*R*R*R */
     const double t20 = t14*t19; /* I1*I1*m*m*R*R*R*R */
-    const double t21 = params[5]*t6; /* I3*I3*I3 */
+    const double t21 = params[5]*t4; /* I3*I3*I3 */
     const double t22 = t2*t21; /* m*R*R*I3*I3*I3 */
-    const double t23 = t6*t19; /* I3*I3*m*m*R*R*R*R */
+    const double t23 = t4*t19; /* I3*I3*m*m*R*R*R*R */
     const double t24 = t22 + t23; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
     const double t25 = 2.0*t24; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
     const double t26 = t25/t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
@@ -96,17 +96,17 @@ static void prepare(const double *restrict params, double *restrict out)
     out[33] = t28;
     const double t29 = -t28; /* -I3/(I1*R) */
     out[15] = t29;
-    const double t30 = params[5]*2.0; /* I3*2 */
-    const double t31 = t30/params[4]; /* I3*2/I1 */
-    out[16] = t31;
-    const double t32 = t5*t6; /* I1*m*R*R*I3*I3 */
-    const double t33 = params[4]*t19; /* I1*m*m*R*R*R*R */
-    const double t34 = params[5]*t33; /* I3*I1*m*m*R*R*R*R */
-    const double t35 = t32 + t34; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
-    const double t36 = 2.0*t35; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
-    const double t37 = t36/t20; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
+    const double t30 = t3*t4; /* I1*m*R*R*I3*I3 */
+    const double t31 = params[4]*t19; /* I1*m*m*R*R*R*R */
+    const double t32 = params[5]*t31; /* I3*I1*m*m*R*R*R*R */
+    const double t33 = t30 + t32; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
+    const double t34 = 2.0*t33; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
+    const double t35 = t34/t20; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
+    out[16] = t35;
+    const double t36 = params[5]*2.0; /* I3*2 */
+    const double t37 = t36/params[4]; /* I3*2/I1 */
     out[17] = t37;
-    const double t38 = t10*t30; /* (I1 - I3)*I3*2 */
+    const double t38 = t10*t36; /* (I1 - I3)*I3*2 */
     const double t39 = t38/t14; /* (I1 - I3)*I3*2/(I1*I1) */
     out[18] = t39;
     const double t40 = (-1.0)/params[1]; /* (-1)/R */
@@ -163,50 +163,48 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t0 = x[9]*x[2]; /* s*omega_tau */
     const double t1 = x[9]*t0; /* s*s*omega_tau */
     out[0] = t1;
-    const double t2 = x[9]*x[4]; /* s*omega3 */
-    const double t3 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t4 = t2 + t3; /* s*omega3 + omega_n*gamma3 */
+    const double t2 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t3 = x[9]*x[4]; /* s*omega3 */
+    const double t4 = t2 + t3; /* omega_n*gamma3 + s*omega3 */
     out[6] = t4;
-    const double t5 = p[1]*t4; /* R*(s*omega3 + omega_n*gamma3) */
-    const double t6 = x[3]*t5; /* omega_n*R*(s*omega3 + omega_n*gamma3) */
+    const double t5 = p[1]*t4; /* R*(omega_n*gamma3 + s*omega3) */
+    const double t6 = x[3]*t5; /* omega_n*R*(omega_n*gamma3 + s*omega3) */
     out[1] = t6;
-    const double t7 = JLT_FMA(t2, p[6], t3); /* s*omega3*I3/I1 + omega_n*gamma3 */
+    const double t7 = JLT_FMA(t3, p[6], t2); /* s*omega3*I3/I1 + omega_n*gamma3 */
     const double t8 = x[3]*t7; /* omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
     const double t9 = -t8; /* -omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
     out[2] = t9;
     const double t10 = x[0]*p[6]; /* gamma3*I3/I1 */
-    const double t11 = JLT_FMA(x[9], x[9], p[7]); /* s*s + I3/(m*R^2) */
+    const double t11 = JLT_FMA(x[9], x[9], p[8]); /* s*s + I3/(m*R^2) */
     const double t12 = JLT_FMA(x[0], t10, t11); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
     const double t13 = 1.0/t12; /* 1/(Theta/(m*R^2*I1)) */
-    const double t14 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t15 = t13*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t16 = JLT_FNMA(p[6], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t17 = t3*t16; /* omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t18 = x[4]*p[9]; /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t19 = t0*t18; /* s*omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t20 = JLT_FMA(t13, t19, t17); /* 1/(Theta/(m*R^2*I1))*s*omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t14 = t3*t13; /* s*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t15 = JLT_FMA(p[7], t14, t2); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 */
+    const double t16 = x[2]*t15; /* omega_tau*t15 */
+    const double t17 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t18 = x[3]*t17; /* omega_n*V/R */
+    const double t19 = t13*t18; /* 1/(Theta/(m*R^2*I1))*omega_n*V/R */
+    const double t20 = JLT_FNMA(t10, t19, t16); /* omega_tau*t15 - gamma3*I3/I1*1/(Theta/(m*R^2*I1))*omega_n*V/R */
     out[3] = t20;
-    const double t21 = x[9]*x[3]; /* s*omega_n */
-    const double t22 = t15*t21; /* 1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
-    const double t23 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t24 = t2*p[10]; /* s*omega3*(I1 - I3)/I1 */
-    const double t25 = t23*t24; /* s*omega_tau*gamma3*s*omega3*(I1 - I3)/I1 */
-    const double t26 = JLT_FMS(t13, t25, t22); /* 1/(Theta/(m*R^2*I1))*s*omega_tau*gamma3*s*omega3*(I1 - I3)/I1 - 1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
-    out[4] = t26;
-    const double t27 = -x[3]; /* -omega_n */
-    out[5] = t27;
-    const double t28 = cos(x[5]); /* C = cos(chi) */
-    const double t29 = x[9]*x[1]; /* s*v_nu */
-    const double t30 = t28*t29; /* C*s*v_nu */
-    const double t31 = sin(x[5]); /* S = sin(chi) */
-    const double t32 = x[9]*t5; /* s*R*(s*omega3 + omega_n*gamma3) */
-    const double t33 = JLT_FMA(t31, t32, t30); /* S*s*R*(s*omega3 + omega_n*gamma3) + C*s*v_nu */
-    out[7] = t33;
-    const double t34 = t29*t31; /* s*v_nu*S */
-    const double t35 = JLT_FNMA(t28, t32, t34); /* s*v_nu*S - C*s*R*(s*omega3 + omega_n*gamma3) */
-    out[8] = t35;
-    const double t36 = -t23; /* -s*omega_tau*gamma3 */
-    out[9] = t36;
+    const double t21 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t22 = p[10]*t21; /* (I1 - I3)/I1*s*omega_tau*gamma3 */
+    const double t23 = t14*t22; /* s*omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*omega_tau*gamma3 */
+    const double t24 = JLT_FNMA(x[9], t19, t23); /* t23 - s*1/(Theta/(m*R^2*I1))*omega_n*V/R */
+    out[4] = t24;
+    const double t25 = -x[3]; /* -omega_n */
+    out[5] = t25;
+    const double t26 = cos(x[5]); /* C = cos(chi) */
+    const double t27 = x[1]*t26; /* v_nu*C */
+    const double t28 = sin(x[5]); /* S = sin(chi) */
+    const double t29 = JLT_FMA(t5, t28, t27); /* R*(omega_n*gamma3 + s*omega3)*S + v_nu*C */
+    const double t30 = x[9]*t29; /* s*(R*(omega_n*gamma3 + s*omega3)*S + v_nu*C) */
+    out[7] = t30;
+    const double t31 = x[1]*t28; /* v_nu*S */
+    const double t32 = JLT_FNMA(t5, t26, t31); /* v_nu*S - R*(omega_n*gamma3 + s*omega3)*C */
+    const double t33 = x[9]*t32; /* s*(v_nu*S - R*(omega_n*gamma3 + s*omega3)*C) */
+    out[8] = t33;
+    const double t34 = -t21; /* -s*omega_tau*gamma3 */
+    out[9] = t34;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -304,64 +302,64 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t19 = t10*p[12]; /* omega_n*omega3*(-I3/I1) */
     out[29] = t19;
     const double t20 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t21 = t0 + p[7]; /* s*s + I3/(m*R^2) */
+    const double t21 = t0 + p[8]; /* s*s + I3/(m*R^2) */
     const double t22 = JLT_FMA(p[6], t20, t21); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
     const double t23 = 1.0/t22; /* 1/(Theta/(m*R^2*I1)) */
-    const double t24 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t24 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
     const double t25 = t23*t24; /* 1/(Theta/(m*R^2*I1))*V/R */
     const double t26 = JLT_FNMA(p[6], t25, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
     const double t27 = x[3]*t26; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
     const double t28 = t7*t25; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
     const double t29 = p[13]*t28; /* 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
     const double t30 = x[9]*t23; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t31 = x[4]*t30; /* omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t32 = x[2]*t31; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t33 = JLT_FNMA(p[14], t32, t29); /* 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t31 = x[2]*t30; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t32 = x[4]*t31; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t33 = JLT_FNMA(p[14], t32, t29); /* 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
     const double t34 = x[0]*t23; /* gamma3*1/(Theta/(m*R^2*I1)) */
     const double t35 = JLT_FMA(t33, t34, t27); /* t33*gamma3*1/(Theta/(m*R^2*I1)) + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
     out[30] = t35;
     const double t36 = t7*t23; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
     const double t37 = p[15]*t36; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
     out[31] = t37;
-    const double t38 = JLT_FNMA(p[6], t36, t7); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t39 = JLT_FMA(t31, p[9], t38); /* omega3*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[32] = t39;
-    const double t40 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[33] = t40;
-    const double t41 = x[2]*t30; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t42 = p[9]*t41; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t38 = x[4]*p[7]; /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t39 = JLT_FMA(t30, t38, t7); /* s*1/(Theta/(m*R^2*I1))*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 */
+    const double t40 = JLT_FNMA(p[6], t36, t39); /* t39 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[32] = t40;
+    const double t41 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[33] = t41;
+    const double t42 = t31*p[7]; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
     out[34] = t42;
-    const double t43 = x[2]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t44 = x[4]*t43; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t45 = t23*t44; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t46 = t28*p[16]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t47 = JLT_FNMA(t32, p[17], t46); /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 - omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) */
-    const double t48 = JLT_FMA(t30, t47, t45); /* s*1/(Theta/(m*R^2*I1))*t47 + t45 */
+    const double t43 = x[2]*t38; /* omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t44 = t30*t32; /* s*1/(Theta/(m*R^2*I1))*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t45 = t30*p[17]; /* s*1/(Theta/(m*R^2*I1))*2*I3/I1 */
+    const double t46 = t28*t45; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*s*1/(Theta/(m*R^2*I1))*2*I3/I1 */
+    const double t47 = JLT_FMA(t23, t43, t46); /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) + t46 */
+    const double t48 = JLT_FNMA(p[16], t44, t47); /* t47 - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*t44 */
     out[39] = t48;
     const double t49 = x[9]*p[10]; /* s*(I1 - I3)/I1 */
-    const double t50 = t32*t49; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
-    const double t51 = t20*p[18]; /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
-    const double t52 = JLT_FNMA(t32, t51, t46); /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 - omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
-    const double t53 = JLT_FMA(t30, t52, t50); /* s*1/(Theta/(m*R^2*I1))*t52 + omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
-    out[40] = t53;
-    const double t54 = x[3]*t30; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t55 = p[19]*t54; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[41] = t55;
-    const double t56 = x[9]*x[0]; /* s*gamma3 */
-    const double t57 = p[10]*t56; /* (I1 - I3)/I1*s*gamma3 */
-    const double t58 = JLT_FMS(t31, t57, t54); /* omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 - omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t50 = t20*p[18]; /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t51 = JLT_FMA(t32, t49, t46); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 + t46 */
+    const double t52 = JLT_FNMA(t44, t50, t51); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 + t46 - t44*gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
+    out[40] = t52;
+    const double t53 = x[3]*t30; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t54 = p[19]*t53; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[41] = t54;
+    const double t55 = x[9]*x[0]; /* s*gamma3 */
+    const double t56 = t30*t55; /* s*1/(Theta/(m*R^2*I1))*s*gamma3 */
+    const double t57 = p[10]*t56; /* (I1 - I3)/I1*s*1/(Theta/(m*R^2*I1))*s*gamma3 */
+    const double t58 = JLT_FMS(x[4], t57, t53); /* omega3*(I1 - I3)/I1*s*1/(Theta/(m*R^2*I1))*s*gamma3 - omega_n*s*1/(Theta/(m*R^2*I1)) */
     out[42] = t58;
     const double t59 = t24*t30; /* V/R*s*1/(Theta/(m*R^2*I1)) */
     const double t60 = -t59; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
     out[43] = t60;
-    const double t61 = t41*t57; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
+    const double t61 = x[2]*t57; /* omega_tau*(I1 - I3)/I1*s*1/(Theta/(m*R^2*I1))*s*gamma3 */
     out[44] = t61;
     const double t62 = x[3]*t25; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t63 = 2.0*t59; /* 2*V/R*s*1/(Theta/(m*R^2*I1)) */
-    const double t64 = JLT_FNMA(t30, t56, x[0]); /* gamma3 - s*1/(Theta/(m*R^2*I1))*s*gamma3 */
+    const double t63 = 2.0*t53; /* 2*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t64 = x[0] - t56; /* gamma3 - s*1/(Theta/(m*R^2*I1))*s*gamma3 */
     const double t65 = p[20]*t64; /* 2*(I1 - I3)/I1*(gamma3 - s*1/(Theta/(m*R^2*I1))*s*gamma3) */
-    const double t66 = JLT_FMS(t54, t63, t62); /* omega_n*s*1/(Theta/(m*R^2*I1))*2*V/R*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t67 = JLT_FMA(t32, t65, t66); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(I1 - I3)/I1*(gamma3 - s*1/(Theta/(m*R^2*I1))*s*gamma3) + t66 */
+    const double t66 = JLT_FMS(t59, t63, t62); /* V/R*s*1/(Theta/(m*R^2*I1))*2*omega_n*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t67 = JLT_FMA(t32, t65, t66); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*2*(I1 - I3)/I1*(gamma3 - s*1/(Theta/(m*R^2*I1))*s*gamma3) + t66 */
     out[49] = t67;
     out[53] = (-1.0);
     const double t68 = sin(x[5]); /* S = sin(chi) */
@@ -402,7 +400,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[89] = t91;
     const double t92 = -t1; /* -s*omega_tau */
     out[90] = t92;
-    const double t93 = -t56; /* -s*gamma3 */
+    const double t93 = -t55; /* -s*gamma3 */
     out[92] = t93;
     const double t94 = x[2]*x[0]; /* omega_tau*gamma3 */
     const double t95 = -t94; /* -omega_tau*gamma3 */
@@ -504,138 +502,138 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t20 = sin(x[5]); /* S = sin(chi) */
     const double t21 = x[9]*t20; /* s*S */
     out[91] = t21;
-    const double t22 = t8 + t9; /* s*omega3 + omega_n*gamma3 */
-    out[6] = t22;
-    const double t23 = p[6]*t8; /* I3/I1*s*omega3 */
-    const double t24 = t8*t10; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t25 = JLT_FNMA(t9, t15, t24); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
-    const double t26 = JLT_FNMA(t6, t15, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t27 = x[4]*t10; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t28 = t6*t25; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t29 = t6*t27; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t30 = JLT_FMA(x[2], t9, t28); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t30;
-    const double t31 = x[0]*t26; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[43] = t31;
-    const double t32 = x[3]*t26; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t33 = t11*t14; /* s*omega_n*m*R*I1*V */
-    const double t34 = x[2]*t16; /* omega_tau*s*gamma3 */
-    const double t35 = -t34; /* -omega_tau*s*gamma3 */
-    out[9] = t35;
-    const double t36 = p[27]*t8; /* m*R^2*(I1 - I3)*s*omega3 */
-    const double t37 = JLT_FMS(t34, t36, t33); /* numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*m*R^2*(I1 - I3)*s*omega3 - s*omega_n*m*R*I1*V */
+    const double t22 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t23 = -t22; /* -omega_tau*gamma3 */
+    out[109] = t23;
+    const double t24 = p[32]*t22; /* 2*m*R^2*(I1 - I3)*omega_tau*gamma3 */
+    const double t25 = t8 + t9; /* s*omega3 + omega_n*gamma3 */
+    out[6] = t25;
+    const double t26 = p[6]*t8; /* I3/I1*s*omega3 */
+    const double t27 = t8*t10; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t28 = JLT_FNMA(t9, t15, t27); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
+    const double t29 = JLT_FNMA(t6, t15, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t30 = t6*t28; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t31 = JLT_FMA(x[2], t9, t30); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t31;
+    const double t32 = x[0]*t29; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[43] = t32;
+    const double t33 = x[3]*t29; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t34 = t11*t14; /* s*omega_n*m*R*I1*V */
+    const double t35 = p[27]*t8; /* m*R^2*(I1 - I3)*s*omega3 */
+    const double t36 = x[2]*t16; /* omega_tau*s*gamma3 */
+    const double t37 = JLT_FMS(t35, t36, t34); /* numerator of d(omega3)/dt over Theta = m*R^2*(I1 - I3)*s*omega3*omega_tau*s*gamma3 - s*omega_n*m*R*I1*V */
     const double t38 = t6*t37; /* 1/Theta*numerator of d(omega3)/dt over Theta */
     out[4] = t38;
-    const double t39 = x[1]*t20; /* v_nu*S */
-    const double t40 = p[1]*t20; /* R*S */
-    const double t41 = t11*t40; /* s*omega_n*R*S */
-    out[80] = t41;
-    const double t42 = t16*t40; /* s*gamma3*R*S */
-    out[83] = t42;
-    const double t43 = t1*t40; /* s*s*R*S */
-    out[84] = t43;
-    const double t44 = p[1]*t18; /* R*C */
-    const double t45 = x[1]*t18; /* v_nu*C */
-    const double t46 = JLT_FNMA(t22, t44, t39); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
-    const double t47 = JLT_FMA(t22, t40, t45); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
-    const double t48 = JLT_FMA(t8, t40, t47); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
-    out[89] = t48;
-    const double t49 = x[9]*t47; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
-    out[7] = t49;
-    out[95] = t49;
-    const double t50 = t1*t44; /* s*s*R*C */
-    const double t51 = -t50; /* -s*s*R*C */
-    out[94] = t51;
-    const double t52 = JLT_FNMA(t8, t44, t46); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
-    out[99] = t52;
-    const double t53 = x[9]*t46; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
-    out[8] = t53;
-    const double t54 = -t53; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
-    out[85] = t54;
-    const double t55 = x[2]*x[9]; /* omega_tau*s */
-    const double t56 = 2.0*t55; /* 2*omega_tau*s */
-    out[19] = t56;
-    const double t57 = -t55; /* -omega_tau*s */
-    out[100] = t57;
-    const double t58 = t6*t55; /* 1/Theta*omega_tau*s */
-    const double t59 = p[24]*t58; /* (I3^2 + m*R^2*I3)*1/Theta*omega_tau*s */
-    out[44] = t59;
-    const double t60 = x[3]*t14; /* omega_n*m*R*I1*V */
-    const double t61 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t62 = -t61; /* -omega_tau*gamma3 */
-    out[109] = t62;
-    const double t63 = p[32]*t8; /* 2*m*R^2*(I1 - I3)*s*omega3 */
-    const double t64 = JLT_FMS(t61, t63, t60); /* d(numerator of d(omega3)/dt over Theta)/d(s) = omega_tau*gamma3*2*m*R^2*(I1 - I3)*s*omega3 - omega_n*m*R*I1*V */
-    const double t65 = t6*t64; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t66 = t9 + t23; /* omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t67 = x[3]*t66; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    const double t68 = -t67; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    out[2] = t68;
-    const double t69 = JLT_FMA(2.0, t9, t23); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t70 = -t69; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
-    out[33] = t70;
-    const double t71 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
-    const double t72 = t6*t71; /* 1/Theta*gamma3*2*m*R^2*I3 */
-    const double t73 = JLT_FNMA(t28, t72, t32); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[40] = t73;
-    const double t74 = p[24]*t8; /* (I3^2 + m*R^2*I3)*s*omega3 */
-    const double t75 = p[1]*t8; /* R*s*omega3 */
-    const double t76 = JLT_FMA(p[11], t9, t75); /* 2*R*omega_n*gamma3 + R*s*omega3 */
-    out[23] = t76;
-    const double t77 = JLT_FNMA(p[23], t9, t74); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
-    const double t78 = JLT_FMA(t6, t77, t9); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[42] = t78;
-    const double t79 = p[29]*t9; /* (-m*R*I3)*omega_n*gamma3 */
-    const double t80 = t6*t79; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
-    out[41] = t80;
-    const double t81 = x[9]*t6; /* s*1/Theta */
-    const double t82 = t14*t81; /* m*R*I1*V*s*1/Theta */
-    const double t83 = -t82; /* -m*R*I1*V*s*1/Theta */
-    out[53] = t83;
-    const double t84 = p[30]*t81; /* 2*m*R^2*I1*s*1/Theta */
-    const double t85 = JLT_FNMA(t28, t84, t29); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[49] = t85;
-    const double t86 = JLT_FNMA(t38, t84, t65); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[59] = t86;
-    const double t87 = t16*t36; /* s*gamma3*m*R^2*(I1 - I3)*s*omega3 */
-    const double t88 = t36*t58; /* m*R^2*(I1 - I3)*s*omega3*1/Theta*omega_tau*s */
-    const double t89 = JLT_FNMA(t38, t72, t88); /* m*R^2*(I1 - I3)*s*omega3*1/Theta*omega_tau*s - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[50] = t89;
-    const double t90 = JLT_FNMA(p[22], t11, t87); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R^2*I1*s*omega_n */
-    const double t91 = t6*t90; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
-    out[52] = t91;
-    const double t92 = p[1]*x[3]; /* R*omega_n */
-    const double t93 = t22*t92; /* (s*omega3 + omega_n*gamma3)*R*omega_n */
-    out[1] = t93;
-    const double t94 = x[3]*t92; /* omega_n*R*omega_n */
-    out[20] = t94;
-    const double t95 = x[4]*t92; /* omega3*R*omega_n */
-    out[29] = t95;
-    const double t96 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t97 = -t96; /* -omega_n*omega_n */
-    out[30] = t97;
-    const double t98 = x[3]*p[12]; /* omega_n*(-I3/I1) */
-    const double t99 = x[4]*t98; /* omega3*omega_n*(-I3/I1) */
-    out[39] = t99;
-    const double t100 = p[31]*t11; /* (-m*R*I1)*s*omega_n */
-    const double t101 = t6*t100; /* 1/Theta*(-m*R*I1)*s*omega_n */
-    out[51] = t101;
-    const double t102 = t11*t44; /* s*omega_n*R*C */
-    const double t103 = -t102; /* -s*omega_n*R*C */
-    out[90] = t103;
-    const double t104 = t16*t44; /* s*gamma3*R*C */
-    const double t105 = -t104; /* -s*gamma3*R*C */
-    out[93] = t105;
-    const double t106 = p[27]*t16; /* m*R^2*(I1 - I3)*s*gamma3 */
-    const double t107 = t58*t106; /* 1/Theta*omega_tau*s*m*R^2*(I1 - I3)*s*gamma3 */
-    out[54] = t107;
+    const double t39 = -t36; /* -omega_tau*s*gamma3 */
+    out[9] = t39;
+    const double t40 = p[27]*t36; /* m*R^2*(I1 - I3)*omega_tau*s*gamma3 */
+    const double t41 = x[1]*t20; /* v_nu*S */
+    const double t42 = p[1]*t20; /* R*S */
+    const double t43 = t11*t42; /* s*omega_n*R*S */
+    out[80] = t43;
+    const double t44 = t16*t42; /* s*gamma3*R*S */
+    out[83] = t44;
+    const double t45 = t1*t42; /* s*s*R*S */
+    out[84] = t45;
+    const double t46 = p[1]*t18; /* R*C */
+    const double t47 = x[1]*t18; /* v_nu*C */
+    const double t48 = JLT_FNMA(t25, t46, t41); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
+    const double t49 = JLT_FMA(t25, t42, t47); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    const double t50 = JLT_FMA(t8, t42, t49); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    out[89] = t50;
+    const double t51 = x[9]*t49; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
+    out[7] = t51;
+    out[95] = t51;
+    const double t52 = t1*t46; /* s*s*R*C */
+    const double t53 = -t52; /* -s*s*R*C */
+    out[94] = t53;
+    const double t54 = JLT_FNMA(t8, t46, t48); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
+    out[99] = t54;
+    const double t55 = x[9]*t48; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    out[8] = t55;
+    const double t56 = -t55; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    out[85] = t56;
+    const double t57 = x[3]*t14; /* omega_n*m*R*I1*V */
+    const double t58 = JLT_FMS(t8, t24, t57); /* d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*2*m*R^2*(I1 - I3)*omega_tau*gamma3 - omega_n*m*R*I1*V */
+    const double t59 = t6*t58; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t60 = t9 + t26; /* omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t61 = x[3]*t60; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    const double t62 = -t61; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    out[2] = t62;
+    const double t63 = JLT_FMA(2.0, t9, t26); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t64 = -t63; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
+    out[33] = t64;
+    const double t65 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
+    const double t66 = t6*t65; /* 1/Theta*gamma3*2*m*R^2*I3 */
+    const double t67 = JLT_FNMA(t30, t66, t33); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[40] = t67;
+    const double t68 = p[24]*t8; /* (I3^2 + m*R^2*I3)*s*omega3 */
+    const double t69 = p[1]*t8; /* R*s*omega3 */
+    const double t70 = JLT_FMA(p[11], t9, t69); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    out[23] = t70;
+    const double t71 = JLT_FNMA(p[23], t9, t68); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
+    const double t72 = JLT_FMA(t6, t71, t9); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[42] = t72;
+    const double t73 = p[29]*t9; /* (-m*R*I3)*omega_n*gamma3 */
+    const double t74 = t6*t73; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
+    out[41] = t74;
+    const double t75 = x[9]*t6; /* s*1/Theta */
+    const double t76 = t40*t75; /* m*R^2*(I1 - I3)*omega_tau*s*gamma3*s*1/Theta */
+    out[54] = t76;
+    const double t77 = t14*t75; /* m*R*I1*V*s*1/Theta */
+    const double t78 = -t77; /* -m*R*I1*V*s*1/Theta */
+    out[53] = t78;
+    const double t79 = t10*t75; /* omega_tau*(I3^2 + m*R^2*I3)*s*1/Theta */
+    out[44] = t79;
+    const double t80 = x[4]*t10; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t81 = t6*t80; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t82 = x[2]*t35; /* omega_tau*m*R^2*(I1 - I3)*s*omega3 */
+    const double t83 = t16*t35; /* s*gamma3*m*R^2*(I1 - I3)*s*omega3 */
+    const double t84 = t75*t82; /* s*1/Theta*omega_tau*m*R^2*(I1 - I3)*s*omega3 */
+    const double t85 = JLT_FNMA(t38, t66, t84); /* s*1/Theta*omega_tau*m*R^2*(I1 - I3)*s*omega3 - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[50] = t85;
+    const double t86 = p[30]*t75; /* 2*m*R^2*I1*s*1/Theta */
+    const double t87 = JLT_FNMA(t30, t86, t81); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[49] = t87;
+    const double t88 = JLT_FNMA(t38, t86, t59); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[59] = t88;
+    const double t89 = JLT_FNMA(p[22], t11, t83); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R^2*I1*s*omega_n */
+    const double t90 = t6*t89; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
+    out[52] = t90;
+    const double t91 = t16*t46; /* s*gamma3*R*C */
+    const double t92 = -t91; /* -s*gamma3*R*C */
+    out[93] = t92;
+    const double t93 = t11*t46; /* s*omega_n*R*C */
+    const double t94 = -t93; /* -s*omega_n*R*C */
+    out[90] = t94;
+    const double t95 = p[31]*t11; /* (-m*R*I1)*s*omega_n */
+    const double t96 = t6*t95; /* 1/Theta*(-m*R*I1)*s*omega_n */
+    out[51] = t96;
+    const double t97 = p[1]*x[3]; /* R*omega_n */
+    const double t98 = t25*t97; /* (s*omega3 + omega_n*gamma3)*R*omega_n */
+    out[1] = t98;
+    const double t99 = x[3]*t97; /* omega_n*R*omega_n */
+    out[20] = t99;
+    const double t100 = x[4]*t97; /* omega3*R*omega_n */
+    out[29] = t100;
+    const double t101 = x[2]*x[9]; /* omega_tau*s */
+    const double t102 = 2.0*t101; /* 2*omega_tau*s */
+    out[19] = t102;
+    const double t103 = -t101; /* -omega_tau*s */
+    out[100] = t103;
+    const double t104 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t105 = -t104; /* -omega_n*omega_n */
+    out[30] = t105;
+    const double t106 = x[3]*p[12]; /* omega_n*(-I3/I1) */
+    const double t107 = x[4]*t106; /* omega3*omega_n*(-I3/I1) */
+    out[39] = t107;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[9]*x[9]; /* s*s */
     const double t1 = x[0]*p[6]; /* gamma3*I3/I1 */
-    const double t2 = p[7] + t0; /* I3/(m*R^2) + s*s */
+    const double t2 = p[8] + t0; /* I3/(m*R^2) + s*s */
     const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
     const double t4 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
     const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
@@ -709,60 +707,60 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[14] = t3;
     const double t4 = x[3]*p[38]; /* omega_n*R*I1 */
     out[19] = t4;
-    const double t5 = x[4]*x[9]; /* omega3*s */
-    const double t6 = JLT_FMA(x[3], x[0], t5); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t7 = p[40]*t6; /* m*R^2*v_tau/R */
-    const double t8 = x[3]*t7; /* omega_n*m*R^2*v_tau/R */
-    out[0] = t8;
-    const double t9 = x[4]*t7; /* omega3*m*R^2*v_tau/R */
-    out[9] = t9;
-    const double t10 = x[3]*p[4]; /* omega_n*I1 */
-    const double t11 = JLT_FMA(x[0], t7, t10); /* gamma3*m*R^2*v_tau/R + omega_n*I1 */
-    out[3] = t11;
-    const double t12 = JLT_FMA(x[0], t10, t7); /* gamma3*omega_n*I1 + m*R^2*v_tau/R */
-    const double t13 = JLT_FMA(p[5], t5, t12); /* M_nu = I3*omega3*s + gamma3*omega_n*I1 + m*R^2*v_tau/R */
+    const double t5 = x[0]*p[43]; /* gamma3*(I1 + m*R^2) */
+    const double t6 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t7 = JLT_FMA(x[4], x[9], t6); /* omega3*s + omega_n*gamma3 */
+    const double t8 = p[40]*t7; /* m*R^2*(omega3*s + omega_n*gamma3) */
+    const double t9 = x[3]*t8; /* omega_n*m*R^2*(omega3*s + omega_n*gamma3) */
+    out[0] = t9;
+    const double t10 = x[4]*t8; /* omega3*m*R^2*(omega3*s + omega_n*gamma3) */
+    out[9] = t10;
+    const double t11 = x[3]*t5; /* omega_n*gamma3*(I1 + m*R^2) */
+    const double t12 = x[4]*p[45]; /* omega3*(I3 + m*R^2) */
+    const double t13 = JLT_FMA(x[9], t12, t11); /* M_nu = s*omega3*(I3 + m*R^2) + omega_n*gamma3*(I1 + m*R^2) */
     const double t14 = p[4]*x[2]; /* I1*omega_tau */
     out[2] = t14;
     const double t15 = JLT_FNMA(x[1], p[41], t14); /* M_tau = I1*omega_tau - v_nu*m*R */
     const double t16 = cos(x[5]); /* C = cos(chi) */
-    const double t17 = p[41]*t16; /* m*R*C */
-    out[31] = t17;
-    const double t18 = p[46]*t16; /* (-I1)*C */
-    out[32] = t18;
-    const double t19 = sin(x[5]); /* S = sin(chi) */
-    const double t20 = p[44]*t19; /* (-m*R)*S */
-    out[21] = t20;
-    const double t21 = p[4]*t19; /* I1*S */
-    out[22] = t21;
-    const double t22 = x[4]*p[5]; /* omega3*I3 */
-    const double t23 = JLT_FMA(x[9], t7, t22); /* s*m*R^2*v_tau/R + omega3*I3 */
-    out[4] = t23;
-    const double t24 = x[3]*p[43]; /* d(M_nu)/d(gamma3) = omega_n*(I1 + m*R^2) */
-    const double t25 = t16*t24; /* C*d(M_nu)/d(gamma3) */
-    out[20] = t25;
-    const double t26 = t19*t24; /* S*d(M_nu)/d(gamma3) */
-    out[30] = t26;
-    const double t27 = x[0]*p[43]; /* d(M_nu)/d(omega_n) = gamma3*(I1 + m*R^2) */
-    const double t28 = t16*t27; /* C*d(M_nu)/d(omega_n) */
-    out[23] = t28;
-    const double t29 = t19*t27; /* S*d(M_nu)/d(omega_n) */
-    out[33] = t29;
-    const double t30 = x[9]*p[45]; /* d(M_nu)/d(omega3) = s*(I3 + m*R^2) */
-    const double t31 = t16*t30; /* C*d(M_nu)/d(omega3) */
-    out[24] = t31;
-    const double t32 = t19*t30; /* S*d(M_nu)/d(omega3) */
-    out[34] = t32;
-    const double t33 = t13*t19; /* M_nu*S */
-    const double t34 = JLT_FMS(t15, t16, t33); /* M_tau*C - M_nu*S */
-    out[25] = t34;
-    const double t35 = t13*t16; /* M_nu*C */
-    const double t36 = JLT_FMA(t15, t19, t35); /* M_tau*S + M_nu*C */
-    out[35] = t36;
-    const double t37 = x[4]*p[45]; /* d(M_nu)/d(s) = omega3*(I3 + m*R^2) */
-    const double t38 = t16*t37; /* C*d(M_nu)/d(s) */
-    out[29] = t38;
-    const double t39 = t19*t37; /* S*d(M_nu)/d(s) */
-    out[39] = t39;
+    const double t17 = t5*t16; /* gamma3*(I1 + m*R^2)*C */
+    out[23] = t17;
+    const double t18 = t12*t16; /* omega3*(I3 + m*R^2)*C */
+    out[29] = t18;
+    const double t19 = p[41]*t16; /* m*R*C */
+    out[31] = t19;
+    const double t20 = p[46]*t16; /* (-I1)*C */
+    out[32] = t20;
+    const double t21 = sin(x[5]); /* S = sin(chi) */
+    const double t22 = t5*t21; /* gamma3*(I1 + m*R^2)*S */
+    out[33] = t22;
+    const double t23 = t12*t21; /* omega3*(I3 + m*R^2)*S */
+    out[39] = t23;
+    const double t24 = p[44]*t21; /* (-m*R)*S */
+    out[21] = t24;
+    const double t25 = p[4]*t21; /* I1*S */
+    out[22] = t25;
+    const double t26 = x[3]*p[4]; /* omega_n*I1 */
+    const double t27 = JLT_FMA(x[0], t8, t26); /* gamma3*m*R^2*(omega3*s + omega_n*gamma3) + omega_n*I1 */
+    out[3] = t27;
+    const double t28 = x[4]*p[5]; /* omega3*I3 */
+    const double t29 = JLT_FMA(x[9], t8, t28); /* s*m*R^2*(omega3*s + omega_n*gamma3) + omega3*I3 */
+    out[4] = t29;
+    const double t30 = x[3]*p[43]; /* d(M_nu)/d(gamma3) = omega_n*(I1 + m*R^2) */
+    const double t31 = t16*t30; /* C*d(M_nu)/d(gamma3) */
+    out[20] = t31;
+    const double t32 = t21*t30; /* S*d(M_nu)/d(gamma3) */
+    out[30] = t32;
+    const double t33 = x[9]*p[45]; /* s*(I3 + m*R^2) */
+    const double t34 = t16*t33; /* C*s*(I3 + m*R^2) */
+    out[24] = t34;
+    const double t35 = t21*t33; /* S*s*(I3 + m*R^2) */
+    out[34] = t35;
+    const double t36 = t13*t21; /* M_nu*S */
+    const double t37 = JLT_FMS(t15, t16, t36); /* M_tau*C - M_nu*S */
+    out[25] = t37;
+    const double t38 = t13*t16; /* M_nu*C */
+    const double t39 = JLT_FMA(t15, t21, t38); /* M_tau*S + M_nu*C */
+    out[35] = t39;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -794,14 +792,14 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    double t21[JLT_JET_ORDER_MAX + 1];
-    double t23[JLT_JET_ORDER_MAX + 1];
-    double t24[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
@@ -815,8 +813,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double u41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
-    double u43[JLT_JET_ORDER_MAX + 1];
     double t44[JLT_JET_ORDER_MAX + 1];
+    double u44[JLT_JET_ORDER_MAX + 1];
     double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
@@ -836,39 +834,39 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x9, x2, k);
         t3[k] = jlt_jet_product(x9, t2, k);
-        t7[k] = jlt_jet_product(x9, x4, k);
-        t9[k] = jlt_jet_product(x3, x0, k);
+        t7[k] = jlt_jet_product(x3, x0, k);
+        t9[k] = jlt_jet_product(x9, x4, k);
         t10[k] = t7[k] + t9[k];
         t11[k] = p[1]*t10[k];
         t12[k] = jlt_jet_product(x3, t11, k);
-        t14[k] = t7[k]*p[6] + t9[k];
+        t14[k] = t9[k]*p[6] + t7[k];
         t15[k] = jlt_jet_product(x3, t14, k);
         t16[k] = -t15[k];
-        t19[k] = x0[k]*p[6];
-        t20[k] = jlt_jet_product(x9, x9, k) + (k == 0 ? p[7] : 0);
-        t21[k] = jlt_jet_product(x0, t19, k) + t20[k];
-        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t21, t23, k);
-        t24[k] = jlt_jet_product(t7, t23, k);
-        t25[k] = p[9]*t24[k] + t9[k];
-        t26[k] = jlt_jet_product(x2, t25, k);
-        t29[k] = p[8]*x1[k] + x2[k];
-        t30[k] = jlt_jet_product(t23, t29, k);
-        t31[k] = t9[k]*p[6];
-        t32[k] = t26[k] - jlt_jet_product(t30, t31, k);
+        t18[k] = x0[k]*p[6];
+        t19[k] = jlt_jet_product(x9, x9, k) + (k == 0 ? p[8] : 0);
+        t20[k] = jlt_jet_product(x0, t18, k) + t19[k];
+        t22[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t20, t22, k);
+        t25[k] = p[9]*x1[k] + x2[k];
+        t26[k] = jlt_jet_product(t22, t25, k);
+        t27[k] = x2[k] - p[6]*t26[k];
+        t28[k] = jlt_jet_product(t7, t27, k);
+        t30[k] = jlt_jet_product(t9, t22, k);
+        t31[k] = x2[k]*p[7];
+        t32[k] = jlt_jet_product(t30, t31, k) + t28[k];
         t33[k] = jlt_jet_product(x9, x3, k);
-        t34[k] = jlt_jet_product(t30, t33, k);
+        t34[k] = jlt_jet_product(t26, t33, k);
         t36[k] = jlt_jet_product(t2, x0, k);
         t37[k] = p[10]*t36[k];
-        t38[k] = jlt_jet_product(t24, t37, k) - t34[k];
+        t38[k] = jlt_jet_product(t30, t37, k) - t34[k];
         t39[k] = -x3[k];
         t41[k] = jlt_jet_cosine(x5, t41, u41, k);
-        t42[k] = jlt_jet_product(x1, t41, k);
-        t43[k] = jlt_jet_sine(x5, t43, u43, k);
-        t44[k] = jlt_jet_product(t11, t43, k) + t42[k];
+        t42[k] = jlt_jet_product(x9, t41, k);
+        t43[k] = jlt_jet_product(x1, t42, k);
+        t44[k] = jlt_jet_sine(x5, t44, u44, k);
         t45[k] = jlt_jet_product(x9, t44, k);
-        t46[k] = jlt_jet_product(x1, t43, k);
-        t47[k] = t46[k] - jlt_jet_product(t11, t41, k);
-        t48[k] = jlt_jet_product(x9, t47, k);
+        t46[k] = jlt_jet_product(t11, t45, k) + t43[k];
+        t47[k] = jlt_jet_product(x1, t45, k);
+        t48[k] = t47[k] - jlt_jet_product(t11, t42, k);
         t49[k] = -t36[k];
         double *restrict next = coefficients + (k + 1)*11;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
@@ -878,7 +876,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         next[4] = x4[k + 1] = t38[k]/(k + 1);
         next[5] = x5[k + 1] = t39[k]/(k + 1);
         next[6] = x6[k + 1] = t10[k]/(k + 1);
-        next[7] = x7[k + 1] = t45[k]/(k + 1);
+        next[7] = x7[k + 1] = t46[k]/(k + 1);
         next[8] = x8[k + 1] = t48[k]/(k + 1);
         next[9] = x9[k + 1] = t49[k]/(k + 1);
         next[10] = x9[k]/(k + 1);
@@ -977,17 +975,17 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 10, { 4, 21, 9, 1, 0, 2, 7, 8 }, { 17, 71, 0, 6, 0, 2, 10, 7 },
+    .rhs = { rhs, 10, { 4, 19, 9, 1, 0, 2, 7, 8 }, { 17, 71, 0, 6, 0, 2, 10, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 100, { 12, 59, 22, 1, 0, 2, 9, 18 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
+    .jacobian = { jacobian, 100, { 13, 59, 21, 1, 0, 2, 9, 18 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 7, 19 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
+    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 7, 21 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .divergence = { divergence, 1, { 1, 5, 3, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .integral_values = { integral_values, 4, { 1, 14, 10, 0, 0, 2, 6, 8 }, { 11, 38, 0, 0, 0, 2, 8, 7 },
         "" },
-    .integral_gradients = { integral_gradients, 40, { 0, 30, 8, 0, 0, 2, 7, 7 }, { 16, 71, 0, 0, 0, 2, 7, 10 },
+    .integral_gradients = { integral_gradients, 40, { 0, 31, 7, 0, 0, 2, 5, 8 }, { 16, 71, 0, 0, 0, 2, 7, 10 },
         "" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

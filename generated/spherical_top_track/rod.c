@@ -7,8 +7,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   20   11    1    1    2     10    9   (67)
- *  jacobian            9   48   18    1    1    2     12   17   (212)
- *  rhs_jacobian        14   54   19    1    1    2     12   21   (259)
+ *  jacobian            10   47   17    1    1    2     14   14   (212)
+ *  rhs_jacobian        15   52   18    1    1    2     12   20   (259)
  *  divergence          2    4    2    1    1    0      6    4   (18)
  *  integral_values     2   12    9    0    1    2      6    7   (44)
  *  integral_gradients  5   23    9    1    1    2      8    9   (65)
@@ -50,27 +50,27 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[3]*params[3]; /* a3*a3 */
     const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[9] = t1;
+    out[13] = t1;
     const double t2 = t1/params[4]; /* m*a3*a3/I1 */
     out[6] = t2;
     const double t3 = params[0]*params[2]; /* m*g */
     const double t4 = params[3]*t3; /* a3*m*g */
-    out[10] = t4;
+    out[15] = t4;
     const double t5 = t4/params[4]; /* a3*m*g/I1 */
     out[7] = t5;
     const double t6 = 1.0/params[1]; /* 1/R */
     out[8] = t6;
     const double t7 = params[0]*2.0; /* m*2 */
     const double t8 = t0*t7; /* a3*a3*m*2 */
-    out[11] = t8;
-    const double t9 = params[4]*(-2.0); /* I1*(-2) */
-    out[12] = t9;
+    out[14] = t8;
+    const double t9 = t8/params[4]; /* a3*a3*m*2/I1 */
+    out[9] = t9;
     const double t10 = params[3]/params[1]; /* a3/R */
-    out[13] = t10;
+    out[10] = t10;
     const double t11 = 2.0/params[1]; /* 2/R */
-    out[14] = t11;
+    out[11] = t11;
     const double t12 = (-1.0)/params[1]; /* (-1)/R */
-    out[15] = t12;
+    out[12] = t12;
     const double t13 = params[0]/2.0; /* m/2 */
     out[16] = t13;
     const double t14 = params[4]/2.0; /* I1/2 */
@@ -100,38 +100,38 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t11 = p[6]*t9; /* m*a3^2/I1*omega_tau*gamma3 */
     const double t12 = t10*t11; /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 */
     const double t13 = JLT_FNMA(p[7], t3, t12); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s */
-    const double t14 = x[4]*t9; /* omega3*omega_tau*gamma3 */
-    const double t15 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t16 = JLT_FMA(x[2], t15, x[1]); /* V = omega_tau*e + v_nu */
-    const double t17 = p[8]*t16; /* 1/R*V */
-    const double t18 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t19 = x[3]*t7; /* omega_n*1/s */
-    const double t20 = JLT_FNMA(t17, t19, t14); /* omega3*omega_tau*gamma3 - 1/R*V*omega_n*1/s */
-    const double t21 = t7*t20; /* 1/s*(omega3*omega_tau*gamma3 - 1/R*V*omega_n*1/s) */
-    out[4] = t21;
-    const double t22 = -t19; /* -omega_n*1/s */
-    out[5] = t22;
-    const double t23 = p[1]*x[4]; /* R*omega3 */
-    const double t24 = x[0]*t19; /* gamma3*omega_n*1/s */
-    const double t25 = JLT_FMA(t18, t19, t23); /* b*omega_n*1/s + R*omega3 */
-    const double t26 = x[3]*t25; /* omega_n*(b*omega_n*1/s + R*omega3) */
-    out[1] = t26;
-    const double t27 = x[3]*t18; /* omega_n*b */
-    const double t28 = JLT_FMA(t3, t23, t27); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t29 = JLT_FNMA(x[3], t24, t13); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s - omega_n*gamma3*omega_n*1/s */
-    const double t30 = t8*t29; /* s*1/(s*D/I1)*t29 */
-    out[2] = t30;
-    const double t31 = x[2]*t24; /* omega_tau*gamma3*omega_n*1/s */
-    out[3] = t31;
-    const double t32 = x[4] + t24; /* omega3 + gamma3*omega_n*1/s */
+    const double t14 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t15 = JLT_FMA(x[2], t14, x[1]); /* V = omega_tau*e + v_nu */
+    const double t16 = p[8]*t15; /* 1/R*V */
+    const double t17 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t18 = x[3]*t7; /* omega_n*1/s */
+    const double t19 = t9*t18; /* omega_tau*gamma3*omega_n*1/s */
+    out[3] = t19;
+    const double t20 = x[4]*t9; /* omega3*omega_tau*gamma3 */
+    const double t21 = JLT_FNMA(t16, t18, t20); /* omega3*omega_tau*gamma3 - 1/R*V*omega_n*1/s */
+    const double t22 = t7*t21; /* 1/s*(omega3*omega_tau*gamma3 - 1/R*V*omega_n*1/s) */
+    out[4] = t22;
+    const double t23 = -t18; /* -omega_n*1/s */
+    out[5] = t23;
+    const double t24 = p[1]*x[4]; /* R*omega3 */
+    const double t25 = x[0]*t18; /* gamma3*omega_n*1/s */
+    const double t26 = JLT_FMA(t17, t18, t24); /* b*omega_n*1/s + R*omega3 */
+    const double t27 = x[3]*t26; /* omega_n*(b*omega_n*1/s + R*omega3) */
+    out[1] = t27;
+    const double t28 = x[3]*t17; /* omega_n*b */
+    const double t29 = JLT_FMA(t3, t24, t28); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t30 = JLT_FNMA(x[3], t25, t13); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s - omega_n*gamma3*omega_n*1/s */
+    const double t31 = t8*t30; /* s*1/(s*D/I1)*t30 */
+    out[2] = t31;
+    const double t32 = x[4] + t25; /* omega3 + gamma3*omega_n*1/s */
     out[6] = t32;
     const double t33 = cos(x[5]); /* C = cos(chi) */
     const double t34 = sin(x[5]); /* S = sin(chi) */
     const double t35 = x[1]*t33; /* v_nu*C */
-    const double t36 = JLT_FMA(t28, t34, t35); /* v_tau*S + v_nu*C */
+    const double t36 = JLT_FMA(t29, t34, t35); /* v_tau*S + v_nu*C */
     out[7] = t36;
     const double t37 = x[1]*t34; /* v_nu*S */
-    const double t38 = JLT_FNMA(t28, t33, t37); /* v_nu*S - v_tau*C */
+    const double t38 = JLT_FNMA(t29, t33, t37); /* v_nu*S - v_tau*C */
     out[8] = t38;
 }
 
@@ -141,12 +141,12 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[9], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
     const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     out[2] = t4;
-    const double t5 = t3*t4; /* D*s */
-    const double t6 = 1.0/t5; /* 1/(D*s) */
-    const double t7 = t3*t6; /* 1/s = D*1/(D*s) */
+    const double t5 = t3*t4; /* D/I1*s */
+    const double t6 = 1.0/t5; /* 1/(D/I1*s) */
+    const double t7 = t3*t6; /* 1/s = D/I1*1/(D/I1*s) */
     const double t8 = x[0]*t7; /* gamma3*1/s */
     out[57] = t8;
     const double t9 = x[2]*t8; /* omega_tau*gamma3*1/s */
@@ -204,99 +204,98 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[78] = 0.0;
     out[79] = 0.0;
     out[80] = 0.0;
-    const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t12 = t7*x[3]; /* 1/s*omega_n */
-    const double t13 = t11*t12; /* b*1/s*omega_n */
-    const double t14 = p[1]*x[3]; /* R*omega_n */
-    out[13] = t14;
-    const double t15 = JLT_FMA(t8, t13, t14); /* gamma3*1/s*b*1/s*omega_n + R*omega_n */
-    const double t16 = t12*t15; /* 1/s*omega_n*(gamma3*1/s*b*1/s*omega_n + R*omega_n) */
+    const double t11 = t7*x[3]; /* 1/s*omega_n */
+    const double t12 = x[3]*p[1]; /* omega_n*R */
+    out[13] = t12;
+    const double t13 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t14 = t11*t13; /* 1/s*omega_n*b */
+    const double t15 = JLT_FMA(t8, t14, t12); /* gamma3*1/s*1/s*omega_n*b + omega_n*R */
+    const double t16 = t11*t15; /* 1/s*omega_n*(gamma3*1/s*1/s*omega_n*b + omega_n*R) */
     out[9] = t16;
-    const double t17 = p[1]*x[4]; /* R*omega3 */
-    const double t18 = JLT_FMA(t13, 2.0, t17); /* b*1/s*omega_n*2 + R*omega3 */
+    const double t17 = t14*2.0; /* 1/s*omega_n*b*2 */
+    const double t18 = JLT_FMA(p[1], x[4], t17); /* R*omega3 + 1/s*omega_n*b*2 */
     out[12] = t18;
-    const double t19 = x[2]*t4; /* omega_tau*s */
-    const double t20 = x[2]*p[9]; /* omega_tau*m*a3^2 */
-    const double t21 = t19*t20; /* omega_tau*s*omega_tau*m*a3^2 */
-    const double t22 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t23 = JLT_FNMA(t20, t22, p[10]); /* m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3 */
-    const double t24 = p[4]*x[3]; /* I1*omega_n */
-    const double t25 = t7*t7; /* 1/s*1/s */
-    const double t26 = x[3]*t25; /* omega_n*1/s*1/s */
-    const double t27 = t7*t26; /* 1/s*omega_n*1/s*1/s */
-    out[54] = t27;
-    const double t28 = JLT_FMA(t8, t23, t21); /* gamma3*1/s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) + omega_tau*s*omega_tau*m*a3^2 */
-    const double t29 = JLT_FNMA(t24, t27, t28); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = t28 - I1*omega_n*1/s*omega_n*1/s*1/s */
-    const double t30 = t4*t23; /* s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
-    const double t31 = t8*x[3]; /* gamma3*1/s*omega_n */
-    out[29] = t31;
-    const double t32 = JLT_FMA(t24, t31, t30); /* I1*omega_n*gamma3*1/s*omega_n + s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
-    const double t33 = t4*t6; /* 1/D = s*1/(D*s) */
-    const double t34 = x[0]*p[11]; /* gamma3*2*m*a3^2 */
-    const double t35 = t33*t34; /* 1/D*gamma3*2*m*a3^2 */
-    const double t36 = JLT_FNMA(t32, t35, t29); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) - t32*1/D*gamma3*2*m*a3^2 */
-    const double t37 = t33*t36; /* 1/D*t36 */
-    out[18] = t37;
-    const double t38 = t19*t35; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
-    out[20] = t38;
-    const double t39 = t33*p[12]; /* 1/D*(-2*I1) */
-    const double t40 = t31*t39; /* gamma3*1/s*omega_n*1/D*(-2*I1) */
-    out[21] = t40;
-    const double t41 = x[2]*t27; /* omega_tau*1/s*omega_n*1/s*1/s */
-    out[27] = t41;
-    const double t42 = x[4]*t25; /* omega3*1/s*1/s */
-    const double t43 = JLT_FNMA(t12, p[13], t42); /* omega3*1/s*1/s - 1/s*omega_n*a3/R */
-    const double t44 = x[2]*t7; /* omega_tau*1/s */
-    const double t45 = t43*t44; /* (omega3*1/s*1/s - 1/s*omega_n*a3/R)*omega_tau*1/s */
-    const double t46 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t47 = JLT_FMA(x[2], t46, x[1]); /* V = omega_tau*e + v_nu */
-    const double t48 = p[14]*t47; /* 2/R*V */
-    const double t49 = t8*t48; /* gamma3*1/s*2/R*V */
-    const double t50 = JLT_FNMA(t27, t49, t45); /* (omega3*1/s*1/s - 1/s*omega_n*a3/R)*omega_tau*1/s - 1/s*omega_n*1/s*1/s*gamma3*1/s*2/R*V */
-    out[36] = t50;
-    const double t51 = t26*p[8]; /* omega_n*1/s*1/s*1/R */
-    const double t52 = -t51; /* -omega_n*1/s*1/s*1/R */
-    out[37] = t52;
-    const double t53 = t46*t51; /* e*omega_n*1/s*1/s*1/R */
-    const double t54 = JLT_FMS(t8, x[4], t53); /* gamma3*1/s*omega3 - e*omega_n*1/s*1/s*1/R */
-    out[38] = t54;
-    const double t55 = t47*p[15]; /* V*(-1/R) */
-    const double t56 = t25*t55; /* 1/s*1/s*V*(-1/R) */
-    out[39] = t56;
-    const double t57 = t8*t26; /* gamma3*1/s*omega_n*1/s*1/s */
-    const double t58 = -t57; /* -gamma3*1/s*omega_n*1/s*1/s */
-    out[45] = t58;
-    const double t59 = -t7; /* -1/s */
-    out[48] = t59;
-    const double t60 = sin(x[5]); /* S = sin(chi) */
-    out[73] = t60;
-    const double t61 = JLT_FNMA(t8, t17, t14); /* d(v_tau)/d(gamma3) = R*omega_n - gamma3*1/s*R*omega3 */
-    const double t62 = t60*t61; /* S*d(v_tau)/d(gamma3) */
-    out[63] = t62;
-    const double t63 = cos(x[5]); /* C = cos(chi) */
-    out[64] = t63;
-    const double t64 = t11*t60; /* b*S */
-    out[66] = t64;
-    const double t65 = t4*p[1]; /* s*R */
-    const double t66 = t60*t65; /* S*s*R */
-    out[67] = t66;
-    const double t67 = x[1]*t60; /* v_nu*S */
-    const double t68 = t11*x[3]; /* b*omega_n */
-    const double t69 = JLT_FMA(x[4], t65, t68); /* v_tau = omega3*s*R + b*omega_n */
-    const double t70 = JLT_FMS(t63, t69, t67); /* C*v_tau - v_nu*S */
-    out[68] = t70;
-    const double t71 = t61*t63; /* d(v_tau)/d(gamma3)*C */
-    const double t72 = -t71; /* -d(v_tau)/d(gamma3)*C */
-    out[72] = t72;
-    const double t73 = t11*t63; /* b*C */
-    const double t74 = -t73; /* -b*C */
-    out[75] = t74;
-    const double t75 = t63*t65; /* C*s*R */
-    const double t76 = -t75; /* -C*s*R */
-    out[76] = t76;
-    const double t77 = x[1]*t63; /* v_nu*C */
-    const double t78 = JLT_FMA(t60, t69, t77); /* S*v_tau + v_nu*C */
-    out[77] = t78;
+    const double t19 = t4*t6; /* 1/(D/I1) = s*1/(D/I1*s) */
+    const double t20 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
+    const double t21 = t19*t20; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t22 = t4*t21; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t23 = t8 - t22; /* gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t24 = p[7]*t23; /* m*g*a3/I1*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) */
+    const double t25 = JLT_FMS(x[0], t23, t4); /* gamma3*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s */
+    const double t26 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t27 = x[2]*t26; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t28 = t7*t11; /* 1/s*1/s*omega_n */
+    const double t29 = JLT_FNMA(t11, t28, t24); /* m*g*a3/I1*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - 1/s*omega_n*1/s*1/s*omega_n */
+    const double t30 = JLT_FNMA(t25, t27, t29); /* t29 - (gamma3*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t31 = t19*t30; /* 1/(D/I1)*t30 */
+    const double t32 = t8*x[3]; /* gamma3*1/s*omega_n */
+    out[29] = t32;
+    const double t33 = t19*t32; /* 1/(D/I1)*gamma3*1/s*omega_n */
+    const double t34 = x[3]*t21; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t35 = JLT_FNMA(t33, t34, t31); /* 1/(D/I1)*t30 - 1/(D/I1)*gamma3*1/s*omega_n*omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[18] = t35;
+    const double t36 = x[2]*t22; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[20] = t36;
+    const double t37 = t33*(-2.0); /* 1/(D/I1)*gamma3*1/s*omega_n*(-2) */
+    out[21] = t37;
+    const double t38 = t7*t28; /* 1/s*1/s*1/s*omega_n */
+    out[54] = t38;
+    const double t39 = x[2]*t38; /* omega_tau*1/s*1/s*1/s*omega_n */
+    out[27] = t39;
+    const double t40 = t7*t7; /* 1/s*1/s */
+    const double t41 = t7*x[4]; /* 1/s*omega3 */
+    const double t42 = t40*t41; /* 1/s*1/s*1/s*omega3 */
+    const double t43 = JLT_FNMA(t28, p[10], t42); /* 1/s*1/s*1/s*omega3 - 1/s*1/s*omega_n*a3/R */
+    const double t44 = x[2]*t43; /* omega_tau*(1/s*1/s*1/s*omega3 - 1/s*1/s*omega_n*a3/R) */
+    const double t45 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t46 = JLT_FMA(x[2], t45, x[1]); /* V = omega_tau*e + v_nu */
+    const double t47 = p[11]*t46; /* 2/R*V */
+    const double t48 = t8*t47; /* gamma3*1/s*2/R*V */
+    const double t49 = JLT_FNMA(t38, t48, t44); /* omega_tau*(1/s*1/s*1/s*omega3 - 1/s*1/s*omega_n*a3/R) - 1/s*1/s*1/s*omega_n*gamma3*1/s*2/R*V */
+    out[36] = t49;
+    const double t50 = t28*p[8]; /* 1/s*1/s*omega_n*1/R */
+    const double t51 = -t50; /* -1/s*1/s*omega_n*1/R */
+    out[37] = t51;
+    const double t52 = t8*x[4]; /* gamma3*1/s*omega3 */
+    const double t53 = JLT_FNMA(t45, t50, t52); /* gamma3*1/s*omega3 - e*1/s*1/s*omega_n*1/R */
+    out[38] = t53;
+    const double t54 = t46*p[12]; /* V*(-1/R) */
+    const double t55 = t40*t54; /* 1/s*1/s*V*(-1/R) */
+    out[39] = t55;
+    const double t56 = t8*t28; /* gamma3*1/s*1/s*1/s*omega_n */
+    const double t57 = -t56; /* -gamma3*1/s*1/s*1/s*omega_n */
+    out[45] = t57;
+    const double t58 = -t7; /* -1/s */
+    out[48] = t58;
+    const double t59 = sin(x[5]); /* S = sin(chi) */
+    out[73] = t59;
+    const double t60 = JLT_FNMA(p[1], t52, t12); /* d(v_tau)/d(gamma3) = omega_n*R - R*gamma3*1/s*omega3 */
+    const double t61 = t59*t60; /* S*d(v_tau)/d(gamma3) */
+    out[63] = t61;
+    const double t62 = cos(x[5]); /* C = cos(chi) */
+    out[64] = t62;
+    const double t63 = t13*t59; /* b*S */
+    out[66] = t63;
+    const double t64 = t4*p[1]; /* s*R */
+    const double t65 = t59*t64; /* S*s*R */
+    out[67] = t65;
+    const double t66 = x[1]*t59; /* v_nu*S */
+    const double t67 = x[3]*t13; /* omega_n*b */
+    const double t68 = JLT_FMA(x[4], t64, t67); /* v_tau = omega3*s*R + omega_n*b */
+    const double t69 = JLT_FMS(t62, t68, t66); /* C*v_tau - v_nu*S */
+    out[68] = t69;
+    const double t70 = t60*t62; /* d(v_tau)/d(gamma3)*C */
+    const double t71 = -t70; /* -d(v_tau)/d(gamma3)*C */
+    out[72] = t71;
+    const double t72 = t13*t62; /* b*C */
+    const double t73 = -t72; /* -b*C */
+    out[75] = t73;
+    const double t74 = t62*t64; /* C*s*R */
+    const double t75 = -t74; /* -C*s*R */
+    out[76] = t75;
+    const double t76 = x[1]*t62; /* v_nu*C */
+    const double t77 = JLT_FMA(t59, t68, t76); /* S*v_tau + v_nu*C */
+    out[77] = t77;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -357,131 +356,129 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     out[11] = t3;
-    const double t4 = JLT_FMA(p[9], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t5 = t3*t4; /* s*D */
-    const double t6 = 1.0/t5; /* 1/(s*D) */
-    const double t7 = t4*t6; /* 1/s = D*1/(s*D) */
-    const double t8 = t3*t6; /* 1/D = s*1/(s*D) */
+    const double t4 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
+    const double t5 = t3*t4; /* s*D/I1 */
+    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
+    const double t7 = t4*t6; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t8 = t3*t6; /* 1/(D/I1) = s*1/(s*D/I1) */
     const double t9 = -t7; /* -1/s */
     out[57] = t9;
-    const double t10 = x[2]*p[9]; /* omega_tau*m*a3^2 */
+    const double t10 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
     const double t11 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t12 = JLT_FNMA(t10, t11, p[10]); /* m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3 */
+    const double t12 = JLT_FNMA(t10, t11, p[7]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
     const double t13 = x[0]*t7; /* gamma3*1/s */
     out[66] = t13;
-    const double t14 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t15 = x[3]*t7; /* omega_n*1/s */
-    const double t16 = -t15; /* -omega_n*1/s */
-    out[5] = t16;
-    const double t17 = t3*t12; /* s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
-    const double t18 = t12*t13; /* (m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3)*gamma3*1/s */
-    const double t19 = x[3]*t13; /* omega_n*gamma3*1/s */
-    out[38] = t19;
-    const double t20 = x[2]*t19; /* omega_tau*omega_n*gamma3*1/s */
-    out[3] = t20;
-    const double t21 = x[4] + t19; /* omega3 + omega_n*gamma3*1/s */
-    out[6] = t21;
-    const double t22 = x[3]*p[4]; /* omega_n*I1 */
-    const double t23 = JLT_FMA(t19, t22, t17); /* omega_n*gamma3*1/s*omega_n*I1 + s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
-    const double t24 = t8*t23; /* 1/D*t23 */
-    const double t25 = -t24; /* -1/D*t23 */
-    out[2] = t25;
-    const double t26 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t27 = t7*t7; /* 1/s*1/s */
-    const double t28 = x[4]*t7; /* omega3*1/s */
-    const double t29 = t27*t28; /* 1/s*1/s*omega3*1/s */
-    const double t30 = x[2]*t3; /* omega_tau*s */
-    out[0] = t30;
-    const double t31 = JLT_FMA(t10, t30, t18); /* omega_tau*m*a3^2*omega_tau*s + (m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3)*gamma3*1/s */
-    const double t32 = p[1]*t3; /* R*s */
-    const double t33 = x[3]*p[1]; /* omega_n*R */
-    out[22] = t33;
-    const double t34 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
-    const double t35 = t7*t15; /* 1/s*omega_n*1/s */
-    const double t36 = JLT_FNMA(p[13], t35, t29); /* 1/s*1/s*omega3*1/s - a3/R*1/s*omega_n*1/s */
-    const double t37 = t7*t35; /* 1/s*1/s*omega_n*1/s */
-    out[63] = t37;
-    const double t38 = x[2]*t36; /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*1/s*omega_n*1/s) */
-    const double t39 = x[2]*t37; /* omega_tau*1/s*1/s*omega_n*1/s */
-    out[36] = t39;
-    const double t40 = x[3]*t14; /* omega_n*b */
-    const double t41 = JLT_FMA(x[4], t32, t40); /* v_tau = omega3*R*s + omega_n*b */
-    const double t42 = x[0]*p[11]; /* gamma3*2*m*a3^2 */
-    const double t43 = t8*t42; /* 1/D*gamma3*2*m*a3^2 */
-    const double t44 = t30*t43; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
-    out[29] = t44;
-    const double t45 = t24*t43; /* 1/D*t23*1/D*gamma3*2*m*a3^2 */
-    const double t46 = x[4]*t13; /* omega3*gamma3*1/s */
-    const double t47 = t14*t15; /* b*omega_n*1/s */
-    const double t48 = p[8]*t35; /* 1/R*1/s*omega_n*1/s */
-    const double t49 = JLT_FNMA(t26, t48, t46); /* omega3*gamma3*1/s - e*1/R*1/s*omega_n*1/s */
-    out[47] = t49;
-    const double t50 = JLT_FNMA(p[1], t46, t33); /* d(v_tau)/d(gamma3) = omega_n*R - R*omega3*gamma3*1/s */
-    const double t51 = -t48; /* -1/R*1/s*omega_n*1/s */
-    out[46] = t51;
-    const double t52 = t34*t48; /* V*1/R*1/s*omega_n*1/s */
-    const double t53 = cos(x[5]); /* C = cos(chi) */
-    out[73] = t53;
-    const double t54 = sin(x[5]); /* S = sin(chi) */
-    out[82] = t54;
-    const double t55 = t50*t54; /* d(v_tau)/d(gamma3)*S */
-    out[72] = t55;
-    const double t56 = t50*t53; /* d(v_tau)/d(gamma3)*C */
-    const double t57 = -t56; /* -d(v_tau)/d(gamma3)*C */
-    out[81] = t57;
-    const double t58 = t14*t54; /* b*S */
-    out[75] = t58;
-    const double t59 = t14*t53; /* b*C */
-    const double t60 = -t59; /* -b*C */
-    out[84] = t60;
-    const double t61 = t32*t54; /* R*s*S */
-    out[76] = t61;
-    const double t62 = t32*t53; /* R*s*C */
-    const double t63 = -t62; /* -R*s*C */
-    out[85] = t63;
-    const double t64 = p[4]*t15; /* I1*omega_n*1/s */
-    const double t65 = JLT_FNMA(t35, t64, t31); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = t31 - 1/s*omega_n*1/s*I1*omega_n*1/s */
-    const double t66 = JLT_FMS(t8, t65, t45); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(gamma3) - 1/D*t23*1/D*gamma3*2*m*a3^2 */
-    out[27] = t66;
-    const double t67 = p[12]*t8; /* (-2*I1)*1/D */
-    const double t68 = t19*t67; /* omega_n*gamma3*1/s*(-2*I1)*1/D */
-    out[30] = t68;
-    const double t69 = t13*t35; /* gamma3*1/s*1/s*omega_n*1/s */
-    const double t70 = -t69; /* -gamma3*1/s*1/s*omega_n*1/s */
-    out[54] = t70;
-    const double t71 = p[14]*t34; /* 2/R*V */
-    const double t72 = t13*t71; /* gamma3*1/s*2/R*V */
-    const double t73 = JLT_FNMA(t37, t72, t38); /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*1/s*omega_n*1/s) - 1/s*1/s*omega_n*1/s*gamma3*1/s*2/R*V */
-    out[45] = t73;
-    const double t74 = p[15]*t34; /* (-1/R)*V */
-    const double t75 = t27*t74; /* 1/s*1/s*(-1/R)*V */
-    out[48] = t75;
-    const double t76 = x[3]*t47; /* omega_n*b*omega_n*1/s */
-    const double t77 = JLT_FMA(x[4], t33, t76); /* omega3*omega_n*R + omega_n*b*omega_n*1/s */
-    out[1] = t77;
-    const double t78 = JLT_FMA(t13, t47, t33); /* gamma3*1/s*b*omega_n*1/s + omega_n*R */
-    const double t79 = t15*t78; /* omega_n*1/s*(gamma3*1/s*b*omega_n*1/s + omega_n*R) */
-    out[18] = t79;
-    const double t80 = x[2]*t13; /* omega_tau*gamma3*1/s */
-    out[39] = t80;
-    out[49] = t80;
-    const double t81 = JLT_FMS(x[4], t80, t52); /* omega3*omega_tau*gamma3*1/s - V*1/R*1/s*omega_n*1/s */
-    out[4] = t81;
-    const double t82 = -t80; /* -omega_tau*gamma3*1/s */
-    out[9] = t82;
-    const double t83 = 2.0*t47; /* 2*b*omega_n*1/s */
-    const double t84 = JLT_FMA(p[1], x[4], t83); /* R*omega3 + 2*b*omega_n*1/s */
-    out[21] = t84;
-    const double t85 = x[1]*t53; /* v_nu*C */
-    const double t86 = JLT_FMA(t41, t54, t85); /* v_tau*S + v_nu*C */
-    out[7] = t86;
-    out[86] = t86;
-    const double t87 = t41*t53; /* v_tau*C */
-    const double t88 = x[1]*t54; /* v_nu*S */
-    const double t89 = t88 - t87; /* v_nu*S - v_tau*C */
-    out[8] = t89;
-    const double t90 = t87 - t88; /* v_tau*C - v_nu*S */
-    out[77] = t90;
+    const double t14 = x[2]*t3; /* omega_tau*s */
+    out[0] = t14;
+    const double t15 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t16 = x[3]*t7; /* omega_n*1/s */
+    const double t17 = -t16; /* -omega_n*1/s */
+    out[5] = t17;
+    const double t18 = x[3]*t13; /* omega_n*gamma3*1/s */
+    out[38] = t18;
+    const double t19 = x[4] + t18; /* omega3 + omega_n*gamma3*1/s */
+    out[6] = t19;
+    const double t20 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t21 = t12*t13; /* (m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3)*gamma3*1/s */
+    const double t22 = JLT_FMA(t10, t14, t21); /* omega_tau*m*a3^2/I1*omega_tau*s + t21 */
+    const double t23 = t7*t7; /* 1/s*1/s */
+    const double t24 = x[4]*t7; /* omega3*1/s */
+    const double t25 = t23*t24; /* 1/s*1/s*omega3*1/s */
+    const double t26 = p[1]*x[4]; /* R*omega3 */
+    const double t27 = x[3]*t18; /* omega_n*omega_n*gamma3*1/s */
+    const double t28 = JLT_FMA(t3, t12, t27); /* s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) + omega_n*omega_n*gamma3*1/s */
+    const double t29 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
+    const double t30 = t7*t16; /* 1/s*omega_n*1/s */
+    const double t31 = JLT_FNMA(t16, t30, t22); /* omega_tau*m*a3^2/I1*omega_tau*s + t21 - omega_n*1/s*1/s*omega_n*1/s */
+    const double t32 = JLT_FNMA(p[10], t30, t25); /* 1/s*1/s*omega3*1/s - a3/R*1/s*omega_n*1/s */
+    const double t33 = t7*t30; /* 1/s*1/s*omega_n*1/s */
+    out[63] = t33;
+    const double t34 = x[2]*t32; /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*1/s*omega_n*1/s) */
+    const double t35 = x[2]*t33; /* omega_tau*1/s*1/s*omega_n*1/s */
+    out[36] = t35;
+    const double t36 = x[3]*t15; /* omega_n*b */
+    const double t37 = JLT_FMA(t3, t26, t36); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t38 = p[1]*t3; /* R*s */
+    const double t39 = x[3]*p[1]; /* omega_n*R */
+    out[22] = t39;
+    const double t40 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
+    const double t41 = t8*t40; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t42 = t14*t41; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[29] = t42;
+    const double t43 = JLT_FNMA(t28, t41, t31); /* t31 - t28*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t44 = t8*t43; /* 1/(D/I1)*(t31 - t28*1/(D/I1)*gamma3*2*m*a3^2/I1) */
+    out[27] = t44;
+    const double t45 = t8*t28; /* 1/(D/I1)*t28 */
+    const double t46 = -t45; /* -1/(D/I1)*t28 */
+    out[2] = t46;
+    const double t47 = (-2.0)*t8; /* (-2)*1/(D/I1) */
+    const double t48 = t18*t47; /* omega_n*gamma3*1/s*(-2)*1/(D/I1) */
+    out[30] = t48;
+    const double t49 = t15*t16; /* b*omega_n*1/s */
+    const double t50 = JLT_FMA(2.0, t49, t26); /* 2*b*omega_n*1/s + R*omega3 */
+    out[21] = t50;
+    const double t51 = p[8]*t30; /* 1/R*1/s*omega_n*1/s */
+    const double t52 = t20*t51; /* e*1/R*1/s*omega_n*1/s */
+    const double t53 = JLT_FMS(x[4], t13, t52); /* omega3*gamma3*1/s - e*1/R*1/s*omega_n*1/s */
+    out[47] = t53;
+    const double t54 = t13*t30; /* gamma3*1/s*1/s*omega_n*1/s */
+    const double t55 = -t54; /* -gamma3*1/s*1/s*omega_n*1/s */
+    out[54] = t55;
+    const double t56 = -t51; /* -1/R*1/s*omega_n*1/s */
+    out[46] = t56;
+    const double t57 = t29*t51; /* V*1/R*1/s*omega_n*1/s */
+    const double t58 = cos(x[5]); /* C = cos(chi) */
+    out[73] = t58;
+    const double t59 = sin(x[5]); /* S = sin(chi) */
+    out[82] = t59;
+    const double t60 = t15*t59; /* b*S */
+    out[75] = t60;
+    const double t61 = t15*t58; /* b*C */
+    const double t62 = -t61; /* -b*C */
+    out[84] = t62;
+    const double t63 = t38*t59; /* R*s*S */
+    out[76] = t63;
+    const double t64 = t38*t58; /* R*s*C */
+    const double t65 = -t64; /* -R*s*C */
+    out[85] = t65;
+    const double t66 = p[11]*t29; /* 2/R*V */
+    const double t67 = t13*t66; /* gamma3*1/s*2/R*V */
+    const double t68 = JLT_FNMA(t33, t67, t34); /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*1/s*omega_n*1/s) - 1/s*1/s*omega_n*1/s*gamma3*1/s*2/R*V */
+    out[45] = t68;
+    const double t69 = p[12]*t29; /* (-1/R)*V */
+    const double t70 = t23*t69; /* 1/s*1/s*(-1/R)*V */
+    out[48] = t70;
+    const double t71 = JLT_FNMA(t13, t26, t39); /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s*R*omega3 */
+    const double t72 = t26 + t49; /* R*omega3 + b*omega_n*1/s */
+    const double t73 = JLT_FMA(t13, t49, t39); /* gamma3*1/s*b*omega_n*1/s + omega_n*R */
+    const double t74 = t16*t73; /* omega_n*1/s*(gamma3*1/s*b*omega_n*1/s + omega_n*R) */
+    out[18] = t74;
+    const double t75 = x[3]*t72; /* omega_n*(R*omega3 + b*omega_n*1/s) */
+    out[1] = t75;
+    const double t76 = x[2]*t13; /* omega_tau*gamma3*1/s */
+    out[39] = t76;
+    out[49] = t76;
+    const double t77 = JLT_FMS(x[4], t76, t57); /* omega3*omega_tau*gamma3*1/s - V*1/R*1/s*omega_n*1/s */
+    out[4] = t77;
+    const double t78 = x[3]*t76; /* omega_n*omega_tau*gamma3*1/s */
+    out[3] = t78;
+    const double t79 = -t76; /* -omega_tau*gamma3*1/s */
+    out[9] = t79;
+    const double t80 = t59*t71; /* S*d(v_tau)/d(gamma3) */
+    out[72] = t80;
+    const double t81 = t58*t71; /* C*d(v_tau)/d(gamma3) */
+    const double t82 = -t81; /* -C*d(v_tau)/d(gamma3) */
+    out[81] = t82;
+    const double t83 = x[1]*t58; /* v_nu*C */
+    const double t84 = JLT_FMA(t37, t59, t83); /* v_tau*S + v_nu*C */
+    out[7] = t84;
+    out[86] = t84;
+    const double t85 = t37*t58; /* v_tau*C */
+    const double t86 = x[1]*t59; /* v_nu*S */
+    const double t87 = t86 - t85; /* v_nu*S - v_tau*C */
+    out[8] = t87;
+    const double t88 = t85 - t86; /* v_tau*C - v_nu*S */
+    out[77] = t88;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -490,9 +487,9 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(t2, p[9], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
+    const double t4 = JLT_FMA(t2, p[13], p[4]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
     const double t5 = t3*t4; /* s*D */
-    const double t6 = JLT_FMA(t2, p[11], t4); /* (1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D */
+    const double t6 = JLT_FMA(t2, p[14], t4); /* (1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D */
     const double t7 = x[0]*x[2]; /* gamma3*omega_tau */
     const double t8 = t6*t7; /* ((1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D)*gamma3*omega_tau */
     const double t9 = t8/t5; /* ((1 - gamma3)*(gamma3 + 1)*2*m*a3^2 + D)*gamma3*omega_tau/(s*D) */
@@ -506,9 +503,9 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t4 = x[3]*t3; /* omega_n*b */
-    const double t5 = p[10]*x[0]; /* m*g*a3*gamma3 */
+    const double t5 = p[15]*x[0]; /* m*g*a3*gamma3 */
     const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t7 = JLT_FMA(p[9], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t7 = JLT_FMA(p[13], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t8 = p[1]*x[4]; /* R*omega3 */
     const double t9 = JLT_FMA(t6, t8, t4); /* v_tau = s*R*omega3 + omega_n*b */
     const double t10 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
@@ -560,7 +557,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
     const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
     const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = JLT_FMA(p[9], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t5 = JLT_FMA(p[13], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t6 = x[2]*t5; /* omega_tau*D */
     out[2] = t6;
     const double t7 = p[18]*t4; /* R*I1*s */
@@ -575,9 +572,9 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t15 = p[19]*t4; /* m*R*s */
     const double t16 = t14*t15; /* v_tau*m*R*s */
     out[4] = t16;
-    const double t17 = p[9]*x[0]; /* m*a3^2*gamma3 */
+    const double t17 = p[13]*x[0]; /* m*a3^2*gamma3 */
     const double t18 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t19 = JLT_FNMA(t17, t18, p[10]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t19 = JLT_FNMA(t17, t18, p[15]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t20 = sin(x[5]); /* S = sin(chi) */
     out[28] = t20;
     const double t21 = t9*t20; /* b*S */
@@ -691,38 +688,38 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t23[k] = p[6]*t21[k];
         t24[k] = jlt_jet_product(t22, t23, k);
         t25[k] = t24[k] - p[7]*t15[k];
-        t26[k] = jlt_jet_product(x4, t21, k);
-        t27[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t28[k] = jlt_jet_product(x2, t27, k) + x1[k];
-        t29[k] = p[8]*t28[k];
-        t30[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
-        t31[k] = jlt_jet_product(x3, t19, k);
-        t32[k] = t26[k] - jlt_jet_product(t29, t31, k);
-        t33[k] = jlt_jet_product(t19, t32, k);
-        t34[k] = -t31[k];
-        t35[k] = p[1]*x4[k];
-        t36[k] = jlt_jet_product(x0, t31, k);
-        t37[k] = jlt_jet_product(t30, t31, k) + t35[k];
-        t38[k] = jlt_jet_product(x3, t37, k);
-        t39[k] = jlt_jet_product(x3, t30, k);
-        t40[k] = jlt_jet_product(t15, t35, k) + t39[k];
-        t41[k] = t25[k] - jlt_jet_product(x3, t36, k);
-        t42[k] = jlt_jet_product(t20, t41, k);
-        t43[k] = jlt_jet_product(x2, t36, k);
-        t44[k] = x4[k] + t36[k];
+        t26[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t27[k] = jlt_jet_product(x2, t26, k) + x1[k];
+        t28[k] = p[8]*t27[k];
+        t29[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
+        t30[k] = jlt_jet_product(x3, t19, k);
+        t31[k] = jlt_jet_product(t21, t30, k);
+        t32[k] = jlt_jet_product(x4, t21, k);
+        t33[k] = t32[k] - jlt_jet_product(t28, t30, k);
+        t34[k] = jlt_jet_product(t19, t33, k);
+        t35[k] = -t30[k];
+        t36[k] = p[1]*x4[k];
+        t37[k] = jlt_jet_product(x0, t30, k);
+        t38[k] = jlt_jet_product(t29, t30, k) + t36[k];
+        t39[k] = jlt_jet_product(x3, t38, k);
+        t40[k] = jlt_jet_product(x3, t29, k);
+        t41[k] = jlt_jet_product(t15, t36, k) + t40[k];
+        t42[k] = t25[k] - jlt_jet_product(x3, t37, k);
+        t43[k] = jlt_jet_product(t20, t42, k);
+        t44[k] = x4[k] + t37[k];
         t45[k] = jlt_jet_cosine(x5, t45, u45, k);
         t46[k] = jlt_jet_sine(x5, t46, u46, k);
         t47[k] = jlt_jet_product(x1, t45, k);
-        t48[k] = jlt_jet_product(t40, t46, k) + t47[k];
+        t48[k] = jlt_jet_product(t41, t46, k) + t47[k];
         t49[k] = jlt_jet_product(x1, t46, k);
-        t50[k] = t49[k] - jlt_jet_product(t40, t45, k);
+        t50[k] = t49[k] - jlt_jet_product(t41, t45, k);
         double *restrict next = coefficients + (k + 1)*9;
         next[0] = x0[k + 1] = t22[k]/(k + 1);
-        next[1] = x1[k + 1] = t38[k]/(k + 1);
-        next[2] = x2[k + 1] = t42[k]/(k + 1);
-        next[3] = x3[k + 1] = t43[k]/(k + 1);
-        next[4] = x4[k + 1] = t33[k]/(k + 1);
-        next[5] = x5[k + 1] = t34[k]/(k + 1);
+        next[1] = x1[k + 1] = t39[k]/(k + 1);
+        next[2] = x2[k + 1] = t43[k]/(k + 1);
+        next[3] = x3[k + 1] = t31[k]/(k + 1);
+        next[4] = x4[k + 1] = t34[k]/(k + 1);
+        next[5] = x5[k + 1] = t35[k]/(k + 1);
         next[6] = x6[k + 1] = t44[k]/(k + 1);
         next[7] = x7[k + 1] = t48[k]/(k + 1);
         next[8] = x8[k + 1] = t50[k]/(k + 1);
@@ -821,9 +818,9 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod = {
     .prepare = prepare,
     .rhs = { rhs, 9, { 4, 20, 11, 1, 1, 2, 10, 9 }, { 14, 41, 0, 9, 1, 2, 9, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 81, { 9, 48, 18, 1, 1, 2, 12, 17 }, { 32, 144, 0, 33, 1, 2, 15, 9 },
+    .jacobian = { jacobian, 81, { 10, 47, 17, 1, 1, 2, 14, 14 }, { 32, 144, 0, 33, 1, 2, 15, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 90, { 14, 54, 19, 1, 1, 2, 12, 21 }, { 40, 174, 0, 42, 1, 2, 15, 12 },
+    .rhs_jacobian = { rhs_jacobian, 90, { 15, 52, 18, 1, 1, 2, 12, 20 }, { 40, 174, 0, 42, 1, 2, 15, 12 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
