@@ -2,6 +2,7 @@
 
 #include "analysis/charpoly.h"
 #include "analysis/quadratic.h"
+#include "core/guard.h"
 #include "ext/arpack.h"
 #include "ext/eigen.h"
 
@@ -15,12 +16,16 @@ enum { SIZE = JLT_DEFLATION_SIZE_MAX, CHOICES_MAX = 20000 };
 
 static const double roundoff = DBL_EPSILON / 2;
 
+/* A block B that elimination has spoilt by more than this, relative to its largest entry, is not used. */
+static const double merit_limit = 1e-12;
+
 /* The problem, scaled by a power of two so that the largest entry of a is near one. */
 typedef struct {
     size_t n, rank;
     double a[SIZE * SIZE], error[SIZE * SIZE];
     double w[SIZE * SIZE]; /* independent gradients, rows scaled near one, shape (rank, n) */
     double w_error[SIZE * SIZE];
+    double columns[SIZE];  /* sizes of the gradients' columns */
     int row[SIZE];         /* which gradient each is */
     int exponent;
 } problem;
@@ -28,13 +33,12 @@ typedef struct {
 typedef struct {
     size_t pivots[SIZE], others[SIZE];
     double follow[SIZE * SIZE], follow_error[SIZE * SIZE]; /* W_p^(-1) W_f, shape (rank, n - rank) */
-    double inverse[SIZE * SIZE];                           /* |W_p^(-1)|, shape (rank, rank) */
+    double inverse[SIZE * SIZE];                           /* W_p^(-1), shape (rank, rank) */
     double block[SIZE * SIZE], error[SIZE * SIZE];
     double merit;               /* largest error that the elimination adds to B, relative to its largest entry */
 } choice;
 
-/* [W_p W_f E] by elimination with row pivoting to [E X W_p^(-1)]; false when W_p is singular. The error of X is bounded by
- * |W_p^(-1)| (|error of W_f| + |error of W_p| |X|), roundings of the elimination counted with those of W. */
+/* [W_p W_f E] by elimination with row pivoting to [E X W_p^(-1)]; false when W_p is singular. */
 static bool eliminate(choice *c, const problem *p)
 {
     const size_t k = p->rank, rest = p->n - k, width = p->n + k;
@@ -63,35 +67,71 @@ static bool eliminate(choice *c, const problem *p)
     }
     for (size_t i = 0; i < k; i++) {
         for (size_t j = 0; j < rest; j++) c->follow[i * rest + j] = m[i * width + k + j] / m[i * width + i];
-        for (size_t j = 0; j < k; j++) c->inverse[i * k + j] = fabs(m[i * width + p->n + j] / m[i * width + i]);
+        for (size_t j = 0; j < k; j++) c->inverse[i * k + j] = m[i * width + p->n + j] / m[i * width + i];
     }
     for (size_t i = 0; i < k * rest; i++)
         if (!isfinite(c->follow[i])) return false;
     return true;
 }
 
+/* Through a pointer that the compiler cannot see behind, so that the guard sees all of the elimination. */
+static bool (*volatile eliminate_guarded)(choice *, const problem *) = eliminate;
+
+/* The computed C is an inverse of every W_p within its errors: |E - C W_p| + |C| |error of W_p| < 1/10 in coordinates
+ * scaled by the columns. */
+static bool inverts(const choice *c, const problem *p)
+{
+    const size_t n = p->n, k = p->rank;
+
+    for (size_t i = 0; i < k; i++) {
+        double distance = 0.0;
+        for (size_t j = 0; j < k; j++) {
+            double entry = i == j ? 1.0 : 0.0, uncertain = 0.0;
+            for (size_t q = 0; q < k; q++) {
+                const size_t at = q * n + c->pivots[j];
+                entry -= c->inverse[i * k + q] * p->w[at];
+                uncertain += fabs(c->inverse[i * k + q]) * p->w_error[at];
+            }
+            distance += (fabs(entry) + uncertain) * p->columns[c->pivots[i]] / p->columns[c->pivots[j]];
+        }
+        if (!(distance < 0.1)) return false;
+    }
+    return true;
+}
+
+/* The error of X by its residual: |W_p^(-1)| (|W_f - W_p X| + |error of W_f| + |error of W_p| |X|), roundings counted. */
 static void bound_follow(choice *c, const problem *p)
 {
     const size_t n = p->n, k = p->rank, rest = n - k;
-    const double elimination = (double)(k + 2) * roundoff;
+    const double rounding = (double)(k + 2) * roundoff;
 
     for (size_t j = 0; j < rest; j++) {
         double side[SIZE];
         for (size_t q = 0; q < k; q++) {
             const size_t f = q * n + c->others[j];
-            side[q] = p->w_error[f] + elimination * fabs(p->w[f]);
+            double residual = p->w[f], size = fabs(p->w[f]), uncertain = p->w_error[f];
             for (size_t l = 0; l < k; l++) {
                 const size_t at = q * n + c->pivots[l];
-                side[q] += (p->w_error[at] + elimination * fabs(p->w[at])) * fabs(c->follow[l * rest + j]);
+                const double x = c->follow[l * rest + j];
+                residual -= p->w[at] * x;
+                size += fabs(p->w[at] * x);
+                uncertain += p->w_error[at] * fabs(x);
             }
+            side[q] = fabs(residual) + rounding * size + uncertain;
         }
         for (size_t i = 0; i < k; i++) {
             double sum = 0.0;
             for (size_t q = 0; q < k; q++)
-                if (side[q] != 0.0) sum += c->inverse[i * k + q] * side[q];
+                if (side[q] != 0.0) sum += 1.2 * fabs(c->inverse[i * k + q]) * side[q];
             c->follow_error[i * rest + j] = sum;
         }
     }
+}
+
+/* A product of nonzero factors that underflows. */
+static bool faint(double x, double y)
+{
+    return x != 0.0 && y != 0.0 && fabs(x * y) < DBL_MIN;
 }
 
 /* B and its error bound for one choice of pivots. */
@@ -99,8 +139,13 @@ static bool reduce(choice *c, const problem *p)
 {
     const size_t n = p->n, k = p->rank, rest = n - k;
     double largest = 0.0, worst = 0.0;
+    jlt_guard guard;
+    bool regular, safe;
 
-    if (!eliminate(c, p)) return false;
+    jlt_guard_enter(&guard);
+    regular = eliminate_guarded(c, p);
+    safe = jlt_guard_leave(&guard) == JLT_OK;
+    if (!regular || !inverts(c, p)) return false;
     bound_follow(c, p);
     for (size_t i = 0; i < rest; i++)
         for (size_t j = 0; j < rest; j++) {
@@ -110,6 +155,10 @@ static bool reduce(choice *c, const problem *p)
                 const double x = c->follow[l * rest + j], before = p->a[row + c->pivots[l]];
                 const double x_error = c->follow_error[l * rest + j], before_error = p->error[row + c->pivots[l]];
                 if (before == 0.0 && before_error == 0.0) continue; /* whatever x is */
+                /* What underflowed may not be small beside the entry of B it belongs to. */
+                if (!safe || faint(before, x) || faint(before, x_error) || faint(before_error, x) ||
+                    faint(before_error, x_error))
+                    return false;
                 sum += before * x;
                 added += before_error * (fabs(x) + x_error) +
                          fabs(before) * (x_error + (double)(k + 1) * roundoff * fabs(x));
@@ -183,7 +232,7 @@ static bool annihilates(const double *row, const double *columns, const problem 
 static void independent(problem *p, const double *gradients, const double *errors, size_t count)
 {
     const size_t n = p->n;
-    double m[SIZE * SIZE], e[SIZE * SIZE], columns[SIZE] = { 0 };
+    double m[SIZE * SIZE], e[SIZE * SIZE], *columns = p->columns;
     size_t lead[SIZE];
 
     p->rank = 0;
@@ -485,6 +534,36 @@ static jlt_status set_up(problem *p, const double *a, const double *error, size_
     return JLT_OK;
 }
 
+/* Eigenvalues of B, or of A itself when no choice of pivots gives a usable B: those that the integrals make zero must then
+ * show on the diagonal of A's triangular part, as exact zeros. Out: the others, ascending; *zeros attributed. */
+static jlt_status solve_problem(double *re, double *im, double *errors, size_t *attributed, problem *p, choice *best)
+{
+    const size_t n = p->n, rank = p->rank;
+    size_t kept = 0, exact = 0;
+    jlt_status st;
+
+    *attributed = rank;
+    if (choose(best, p) && best->merit <= merit_limit) {
+        st = solve_block(re, im, errors, p, best);
+        if (st == JLT_OK) sort_ascending(re, im, errors, n - rank);
+        return st;
+    }
+    p->rank = 0;
+    if (!choose(best, p)) return JLT_ERR_NONFINITE;
+    st = solve_block(re, im, errors, p, best);
+    if (st != JLT_OK) return st;
+    for (size_t i = 0; i < n; i++) {
+        if (re[i] == 0.0 && im[i] == 0.0 && errors[i] == 0.0 && exact < rank) {
+            exact++;
+            continue;
+        }
+        re[kept] = re[i], im[kept] = im[i], errors[kept++] = errors[i];
+    }
+    sort_ascending(re, im, errors, kept);
+    *attributed = exact;
+    return exact == rank ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
+}
+
 jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
                                  const double *gradients, const double *gradient_error, size_t count)
 {
@@ -492,26 +571,22 @@ jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const d
     choice best = { 0 };
     jlt_deflation r = { 0 };
     double re[SIZE], im[SIZE], errors[SIZE];
-    size_t rest, zeros;
+    size_t attributed, zeros;
     jlt_status st;
 
     if (n == 0 || n > SIZE || count > SIZE) return JLT_ERR_ARG;
     JLT_TRY(set_up(&p, a, error, n, gradients, gradient_error, count));
-    if (!choose(&best, &p)) return JLT_ERR_NONFINITE;
-    rest = n - p.rank;
-    JLT_TRY(solve_block(re, im, errors, &p, &best));
-    sort_ascending(re, im, errors, rest);
-    r.n = n;
-    r.kept = rest;
-    zeros = p.rank;
-    for (size_t i = 0; i < p.rank; i++) r.values[i] = (jlt_eigenvalue){ 0.0, 0.0, NAN, 0.0, p.row[i] };
-    for (size_t i = 0; i < rest; i++) {
-        r.values[p.rank + i] = (jlt_eigenvalue){ re[i], im[i], condition(&p, &best, re[i], im[i]), errors[i], -1 };
-        zeros += hypot(re[i], im[i]) <= errors[i];
-        r.coordinates[i] = best.others[i];
-    }
-    r.defective_zero = zeros > p.rank && n - rank_of(p.a, n) < zeros;
     r.defect = defect(&p);
+    JLT_TRY(solve_problem(re, im, errors, &attributed, &p, &best));
+    r.n = n;
+    r.kept = n - attributed;
+    zeros = attributed;
+    for (size_t i = 0; i < attributed; i++) r.values[i] = (jlt_eigenvalue){ 0.0, 0.0, NAN, 0.0, p.row[i] };
+    for (size_t i = 0; i < r.kept; i++) {
+        r.values[attributed + i] = (jlt_eigenvalue){ re[i], im[i], condition(&p, &best, re[i], im[i]), errors[i], -1 };
+        zeros += hypot(re[i], im[i]) <= errors[i];
+    }
+    r.defective_zero = zeros > attributed && n - rank_of(p.a, n) < zeros;
     JLT_TRY(cross_check(&r, &p, &best));
     for (size_t i = 0; i < n; i++) {
         jlt_eigenvalue *value = &r.values[i];
@@ -522,10 +597,6 @@ jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const d
         if (!isfinite(value->re) || !isfinite(value->im) || (!small && !isnormal(hypot(value->re, value->im))))
             st = JLT_ERR_NONFINITE;
         if (small && value->source < 0 && r.defective_zero) value->condition = INFINITY;
-    }
-    for (size_t i = 0; i < rest * rest; i++) {
-        r.block[i] = ldexp(best.block[i], p.exponent);
-        r.block_error[i] = ldexp(best.error[i], p.exponent);
     }
     if (st == JLT_OK) *result = r;
 done:
