@@ -90,7 +90,7 @@ static jlt_status deliver(const search *self, double u, size_t period, jlt_symme
     st = chart->lift(chart, x, NULL, q);
     if (st != JLT_OK) return st;
     flow->field->call(x, flow->field->p, f);
-    if (flow->direction != JLT_BOTH && flow->direction * f[chart->column] < 0) {
+    if (flow->direction != JLT_BOTH && (int)flow->direction * f[chart->column] < 0) {
         st = jlt_map_point(self->map, &image, q, 1, 1);
         if (st != JLT_OK) return JLT_OK;
         memcpy(q, image.q, sizeof q);
