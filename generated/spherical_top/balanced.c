@@ -617,10 +617,10 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[5]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
-    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t6 = t4*t5; /* (1 - gamma3)*(1 + gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t8 = params[5]*params[4]; /* I3*I1 */
     const double t9 = params[1]*params[1]; /* R*R */
     const double t10 = params[0]*t9; /* m*R*R */
@@ -640,10 +640,10 @@ static void family0_trace(const double *restrict x, const double *restrict param
 
 static void family0_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (1 + gamma3)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = params[4]*t3; /* I1*s */
     out[3] = 0.0;
     out[4] = 0.0;
@@ -696,10 +696,10 @@ static void family0_matrix(const double *restrict x, const double *restrict para
     out[20] = 0.0;
     out[21] = 0.0;
     out[24] = 0.0;
-    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     out[2] = t3;
     const double t4 = params[1]*x[4]; /* R*omega3 */
     out[8] = t4;
@@ -751,10 +751,10 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     out[7] = 0.0;
     out[13] = 0.0;
     const double t0 = params[1]*x[4]; /* R*omega3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = t1*t2; /* (1 + gamma3)*(1 - gamma3) */
-    const double t4 = sqrt(t3); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(1 + gamma3) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t5 = t0*t4; /* v_tau = R*omega3*s */
     const double t6 = params[1]*x[0]; /* R*gamma3 */
     const double t7 = params[0]*t5; /* m*v_tau */

@@ -752,10 +752,10 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[5]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
-    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t6 = t4*t5; /* (1 - gamma3)*(1 + gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t8 = params[5]*params[4]; /* I3*I1 */
     const double t9 = params[1]*params[1]; /* R*R */
     const double t10 = params[0]*t9; /* m*R*R */
@@ -777,10 +777,10 @@ static void family0_trace(const double *restrict x, const double *restrict param
 
 static void family0_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (1 + gamma3)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = params[4]*t3; /* I1*s */
     out[3] = 0.0;
     out[4] = 0.0;
@@ -835,10 +835,10 @@ static void family0_matrix(const double *restrict x, const double *restrict para
     out[20] = 0.0;
     out[21] = 0.0;
     out[24] = 0.0;
-    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     out[2] = t3;
     const double t4 = params[1]*x[4]; /* R*omega3 */
     out[8] = t4;
@@ -896,10 +896,10 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t2 = x[0]*params[1]; /* gamma3*R */
     const double t3 = params[3] + t2; /* b = a3 + gamma3*R */
     const double t4 = params[1]*x[4]; /* R*omega3 */
-    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t7 = t5*t6; /* (1 + gamma3)*(1 - gamma3) */
-    const double t8 = sqrt(t7); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t7 = t5*t6; /* (1 - gamma3)*(1 + gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t9 = t4*t8; /* v_tau = R*omega3*s */
     const double t10 = params[0]*t9; /* m*v_tau */
     const double t11 = t2*x[4]; /* gamma3*R*omega3 */
@@ -998,10 +998,10 @@ static void family1_trace(const double *restrict x, const double *restrict param
 {
     const double t0 = params[0]*params[5]; /* m*I3 */
     const double t1 = t0*x[1]; /* m*I3*v_nu */
-    const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t4 = t2*t3; /* (1 + gamma3)*(1 - gamma3) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t6 = x[0]*params[1]; /* gamma3*R */
     const double t7 = params[3] + t6; /* b = a3 + gamma3*R */
     const double t8 = t1*t7; /* m*I3*v_nu*b */
@@ -1031,10 +1031,10 @@ static void family1_left_null_gradients(const double *restrict x, const double *
     const double t2 = x[0]*params[1]; /* gamma3*R */
     const double t3 = params[3] + t2; /* b = a3 + gamma3*R */
     const double t4 = params[1]*x[4]; /* R*omega3 */
-    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t7 = t5*t6; /* (1 + gamma3)*(1 - gamma3) */
-    const double t8 = sqrt(t7); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t7 = t5*t6; /* (1 - gamma3)*(1 + gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t9 = t4*t8; /* v_tau = R*omega3*s */
     const double t10 = params[0]*t9; /* m*v_tau */
     const double t11 = t2*x[4]; /* gamma3*R*omega3 */
@@ -1080,10 +1080,10 @@ static void family2_impose(const double *restrict x, const double *restrict para
     out[3] = params[3];
     const double t1 = t0*params[3]; /* m*R*a3 */
     const double t2 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t5 = t3*t4; /* (1 + gamma3)*(1 - gamma3) */
-    const double t6 = sqrt(t5); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t5 = t3*t4; /* (1 - gamma3)*(1 + gamma3) */
+    const double t6 = sqrt(t5); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t7 = t6*t6; /* s*s */
     const double t8 = t1*t7; /* m*R*a3*s*s */
     out[5] = params[5];
@@ -1105,10 +1105,10 @@ static void family2_point(const double *restrict x, const double *restrict param
     out[1] = 0.0;
     out[2] = 0.0;
     out[3] = x[3];
-    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = params[1]*t3; /* R*s */
     const double t5 = x[0]*params[1]; /* gamma3*R */
     const double t6 = params[3] + t5; /* b = a3 + gamma3*R */
@@ -1136,10 +1136,10 @@ static void family2_left_null_gradients(const double *restrict x, const double *
     const double t2 = x[0]*params[1]; /* gamma3*R */
     const double t3 = params[3] + t2; /* b = a3 + gamma3*R */
     const double t4 = x[3]*t3; /* omega_n*b */
-    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t7 = t5*t6; /* (1 + gamma3)*(1 - gamma3) */
-    const double t8 = sqrt(t7); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t7 = t5*t6; /* (1 - gamma3)*(1 + gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t9 = params[1]*t8; /* R*s */
     const double t10 = t4/t9; /* omega_n*b/(R*s) */
     const double t11 = params[1]*t10; /* R*omega_n*b/(R*s) */
