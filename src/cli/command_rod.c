@@ -46,7 +46,7 @@ static const struct argp parser = {
     "The limiting case I3 = 0 of the spherical top by quadratures: turning points and period of gamma3, and the rotation "
     "number, the turns of (v_nu, v_tau) a period. On E1 = 0 every orbit is periodic with that period."
     "\vColumns: the quantities swept, E1, E2, G, gamma3_low, gamma3_high, period, rotation; with --check the distance from the "
-    "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians), and defect_state, all five states, "
+    "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians; empty on E1 = 0), and defect_state, all five states, "
     "which vanishes on E1 = 0 alone.\n\n"
     "  jellett rod --set I1=0.7,a3=0.3 --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 --check\n"
     "  jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:181 --plot rod.svg",
@@ -89,7 +89,7 @@ static jlt_status integrate(double defects[3], const request *r, const jlt_rod *
     JLT_TRY(jlt_course_to(course, rod->period, &row));
     turn = atan2(jlt_top_v_tau(&rod->top, row.x), row.x[JLT_TOP_V_NU]) - atan2(jlt_top_v_tau(&rod->top, x), x[JLT_TOP_V_NU]);
     defects[0] = fabs(row.x[JLT_TOP_GAMMA3] - x[JLT_TOP_GAMMA3]);
-    defects[1] = rod->speed > 0 ? fabs(remainder(turn - rod->turn, 2 * pi)) : NAN;
+    defects[1] = rod->E1 > 1e-24 * fabs(rod->E2) ? fabs(remainder(turn - rod->turn, 2 * pi)) : NAN;
     defects[2] = 0;
     for (int i = 0; i < JLT_TOP_STATES; i++) defects[2] = fmax(defects[2], fabs(row.x[i] - x[i]));
 done:
