@@ -79,10 +79,10 @@ for scene in tools/scenes/*.scene; do
     jellett plan "$scene" > "$scratch/plan" || fail "jellett plan $scene"
     jellett run --dry-run "$scene" > /dev/null || fail "jellett run --dry-run $scene"
 done
-jellett plan tools/scenes/rod.scene | grep -q '^  \* quadrature .*the smallest' || fail "rod: not by quadratures"
-jellett plan tools/scenes/balanced.scene | grep -q '^  \* plane .*the smallest' || fail "balanced: not on M^2"
-jellett plan tools/scenes/fig3a.scene | grep -q '^  \* level .*the smallest' || fail "fig3a: not on a level of G"
-jellett plan tools/scenes/full.scene | grep -q '^  \* track .*the smallest' || fail "full: not by quadratures for attitude and track"
+jellett plan tools/scenes/rod.scene > "$scratch/plan"; grep -q '^  \* quadrature .*the smallest' "$scratch/plan" || fail "rod: not by quadratures"
+jellett plan tools/scenes/balanced.scene > "$scratch/plan"; grep -q '^  \* plane .*the smallest' "$scratch/plan" || fail "balanced: not on M^2"
+jellett plan tools/scenes/fig3a.scene > "$scratch/plan"; grep -q '^  \* level .*the smallest' "$scratch/plan" || fail "fig3a: not on a level of G"
+jellett plan tools/scenes/full.scene > "$scratch/plan"; grep -q '^  \* track .*the smallest' "$scratch/plan" || fail "full: not by quadratures for attitude and track"
 for scene in rod full; do
     jellett run "tools/scenes/$scene.scene" --into "$scratch" > /dev/null 2> "$scratch/err" || fail "jellett run $scene: $(cat "$scratch/err")"
 done
