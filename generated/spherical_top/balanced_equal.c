@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I1 = I3
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   14    3    1    1    0      9    5   (61)
  *  jacobian            8   24    5    1    1    0     10    7   (143)
- *  rhs_jacobian        13   30    5    1    1    0     11    9   (186)
+ *  rhs_jacobian        14   29    5    1    1    0     11    9   (186)
  *  divergence          2    7    1    1    1    0      7    5   (25)
  *  integral_values     2   10    7    0    1    0      8    5   (42)
  *  integral_gradients  2   13    6    1    1    0      7    5   (53)
@@ -229,9 +229,8 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t22 = x[3]*t14; /* omega_n*V*m*R*I3*1/Theta */
     const double t23 = -t22; /* -omega_n*V*m*R*I3*1/Theta */
     out[4] = t23;
-    const double t24 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t25 = t9*t24; /* 1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
-    out[24] = t25;
+    const double t24 = p[6]*t9; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t25 = p[8]*t9; /* m*R^2*I3*1/Theta */
     const double t26 = x[0]*t10; /* gamma3*1/s */
     const double t27 = t21*t26; /* (omega_tau - V*m*R*I3*1/Theta)*gamma3*1/s */
     out[23] = t27;
@@ -244,30 +243,31 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t33 = t21*t32; /* (omega_tau - V*m*R*I3*1/Theta)*1/s*1/s*omega_n*1/s */
     out[20] = t33;
     const double t34 = t16*t21; /* gamma3*omega_n*1/s*(omega_tau - V*m*R*I3*1/Theta) */
-    const double t35 = JLT_FMA(x[4], t25, t34); /* omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) + gamma3*omega_n*1/s*(omega_tau - V*m*R*I3*1/Theta) */
-    out[3] = t35;
-    const double t36 = p[1]*t31; /* R*omega_n*1/s*1/s*omega_n*1/s */
-    out[10] = t36;
-    const double t37 = -t31; /* -omega_n*1/s*1/s*omega_n*1/s */
-    out[15] = t37;
-    const double t38 = x[4]*p[6]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t39 = JLT_FNMA(p[8], t16, t38); /* omega3*(I3^2 + m*R^2*I3) - m*R^2*I3*gamma3*omega_n*1/s */
-    const double t40 = JLT_FMA(t9, t39, t16); /* 1/Theta*(omega3*(I3^2 + m*R^2*I3) - m*R^2*I3*gamma3*omega_n*1/s) + gamma3*omega_n*1/s */
+    const double t35 = p[1]*t31; /* R*omega_n*1/s*1/s*omega_n*1/s */
+    out[10] = t35;
+    const double t36 = -t31; /* -omega_n*1/s*1/s*omega_n*1/s */
+    out[15] = t36;
+    const double t37 = x[2]*t24; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[24] = t37;
+    const double t38 = JLT_FMA(x[4], t37, t34); /* omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/s*(omega_tau - V*m*R*I3*1/Theta) */
+    out[3] = t38;
+    const double t39 = JLT_FMA(x[4], t24, t16); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/s */
+    const double t40 = JLT_FNMA(t16, t25, t39); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/s - gamma3*omega_n*1/s*m*R^2*I3*1/Theta */
     out[22] = t40;
-    const double t41 = JLT_FMA(2.0, t16, x[4]); /* 2*gamma3*omega_n*1/s + omega3 */
-    const double t42 = t13*t16; /* m*R*I3*1/Theta*gamma3*omega_n*1/s */
-    const double t43 = -t42; /* -m*R*I3*1/Theta*gamma3*omega_n*1/s */
-    out[21] = t43;
-    const double t44 = x[3]*t13; /* omega_n*m*R*I3*1/Theta */
-    const double t45 = -t44; /* -omega_n*m*R*I3*1/Theta */
-    out[26] = t45;
-    const double t46 = p[1]*t41; /* R*(2*gamma3*omega_n*1/s + omega3) */
-    out[13] = t46;
-    const double t47 = -t41; /* -(2*gamma3*omega_n*1/s + omega3) */
-    out[18] = t47;
-    const double t48 = x[3]*p[10]; /* omega_n*(-m*R^2*I3) */
-    const double t49 = t9*t48; /* 1/Theta*omega_n*(-m*R^2*I3) */
-    out[27] = t49;
+    const double t41 = x[3]*t25; /* omega_n*m*R^2*I3*1/Theta */
+    const double t42 = -t41; /* -omega_n*m*R^2*I3*1/Theta */
+    out[27] = t42;
+    const double t43 = JLT_FMA(2.0, t16, x[4]); /* 2*gamma3*omega_n*1/s + omega3 */
+    const double t44 = t13*t16; /* m*R*I3*1/Theta*gamma3*omega_n*1/s */
+    const double t45 = -t44; /* -m*R*I3*1/Theta*gamma3*omega_n*1/s */
+    out[21] = t45;
+    const double t46 = x[3]*t13; /* omega_n*m*R*I3*1/Theta */
+    const double t47 = -t46; /* -omega_n*m*R*I3*1/Theta */
+    out[26] = t47;
+    const double t48 = p[1]*t43; /* R*(2*gamma3*omega_n*1/s + omega3) */
+    out[13] = t48;
+    const double t49 = -t43; /* -(2*gamma3*omega_n*1/s + omega3) */
+    out[18] = t49;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -714,7 +714,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 5, .param_count = 6, .block_count = 21,
@@ -726,7 +726,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .jacobian = { jacobian, 25, { 8, 24, 5, 1, 1, 0, 10, 7 }, { 24, 95, 0, 23, 1, 0, 10, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 13, 30, 5, 1, 1, 0, 11, 9 }, { 31, 124, 0, 30, 1, 0, 10, 7 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 14, 29, 5, 1, 1, 0, 11, 9 }, { 31, 124, 0, 30, 1, 0, 10, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 7, 1, 1, 1, 0, 7, 5 }, { 5, 18, 0, 1, 1, 0, 9, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I1 = I3
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   14    5    1    0    0      7    6   (63)
- *  jacobian            9   37   10    1    0    0      8   11   (242)
- *  rhs_jacobian        13   44   11    1    0    0      9   14   (290)
+ *  jacobian            8   38   10    1    0    0      9   11   (242)
+ *  rhs_jacobian        13   44   11    1    0    0      8   14   (290)
  *  divergence          0    3    3    1    0    0      4    4   (21)
  *  integral_values     0    9    7    0    0    0      6    4   (39)
  *  integral_gradients  0   14    4    0    0    0      4    3   (46)
@@ -154,60 +154,60 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t2 = JLT_FMA(p[8], t1, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
     const double t3 = 1.0/t2; /* 1/Theta */
     const double t4 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t5 = x[5]*x[2]; /* s*omega_tau */
-    const double t6 = 2.0*t5; /* 2*s*omega_tau */
-    out[5] = t6;
-    const double t7 = -t5; /* -s*omega_tau */
-    out[30] = t7;
-    const double t8 = p[10]*t5; /* (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*s*omega_tau */
-    const double t9 = p[9]*t4; /* m*R*I3*V */
-    const double t10 = p[11]*t4; /* 2*m^2*R^3*I3^2*V */
-    const double t11 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t12 = t3*t9; /* 1/Theta*m*R*I3*V */
-    const double t13 = x[4]*t3; /* omega3*1/Theta */
-    const double t14 = t8*t13; /* (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*s*omega_tau*omega3*1/Theta */
-    const double t15 = x[5]*x[4]; /* s*omega3 */
-    const double t16 = JLT_FMA(2.0, t11, t15); /* 2*omega_n*gamma3 + s*omega3 */
-    const double t17 = p[1]*t16; /* R*(2*omega_n*gamma3 + s*omega3) */
-    out[9] = t17;
-    const double t18 = -t16; /* -(2*omega_n*gamma3 + s*omega3) */
-    out[15] = t18;
-    const double t19 = x[2] - t12; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t20 = x[3]*t12; /* omega_n*1/Theta*m*R*I3*V */
-    const double t21 = x[0]*t19; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[21] = t21;
-    const double t22 = x[3]*t19; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t23 = t3*t11; /* 1/Theta*omega_n*gamma3 */
-    const double t24 = JLT_FNMA(t10, t23, t14); /* (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*s*omega_tau*omega3*1/Theta - 2*m^2*R^3*I3^2*V*1/Theta*omega_n*gamma3 */
-    const double t25 = p[12]*t23; /* (-m*R*I3)*1/Theta*omega_n*gamma3 */
-    out[19] = t25;
-    const double t26 = x[5]*t3; /* s*1/Theta */
-    const double t27 = x[0]*t3; /* gamma3*1/Theta */
-    const double t28 = JLT_FNMA(t24, t27, t22); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - t24*gamma3*1/Theta */
-    out[18] = t28;
-    const double t29 = t10*t26; /* 2*m^2*R^3*I3^2*V*s*1/Theta */
-    const double t30 = t9*t26; /* m*R*I3*V*s*1/Theta */
-    const double t31 = -t30; /* -m*R*I3*V*s*1/Theta */
-    out[27] = t31;
-    const double t32 = t23*t29; /* 1/Theta*omega_n*gamma3*2*m^2*R^3*I3^2*V*s*1/Theta */
-    out[24] = t32;
-    const double t33 = x[4]*p[6]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t34 = JLT_FMA(t26, t33, t11); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 */
-    const double t35 = JLT_FNMA(p[8], t23, t34); /* s*1/Theta*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
-    out[20] = t35;
-    const double t36 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t37 = t13*t36; /* omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t38 = JLT_FNMA(t24, t26, t37); /* omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) - t24*s*1/Theta */
-    out[23] = t38;
-    const double t39 = t26*t36; /* s*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
-    out[22] = t39;
-    const double t40 = x[3]*t26; /* omega_n*s*1/Theta */
-    const double t41 = JLT_FMS(t29, t40, t20); /* 2*m^2*R^3*I3^2*V*s*1/Theta*omega_n*s*1/Theta - omega_n*1/Theta*m*R*I3*V */
-    out[29] = t41;
-    const double t42 = p[12]*t40; /* (-m*R*I3)*omega_n*s*1/Theta */
-    out[25] = t42;
-    const double t43 = p[13]*t40; /* (-m*R^2*I3)*omega_n*s*1/Theta */
-    out[26] = t43;
+    const double t5 = p[9]*t4; /* m*R*I3*V */
+    const double t6 = t3*t5; /* 1/Theta*m*R*I3*V */
+    const double t7 = x[5]*t3; /* s*1/Theta */
+    const double t8 = x[4]*t7; /* omega3*s*1/Theta */
+    const double t9 = x[2]*p[10]; /* omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
+    const double t10 = t8*t9; /* omega3*s*1/Theta*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
+    const double t11 = x[0]*t3; /* gamma3*1/Theta */
+    const double t12 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t13 = t7*t12; /* s*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
+    out[22] = t13;
+    const double t14 = x[4]*t12; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t15 = t3*t14; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t16 = t4*t7; /* V*s*1/Theta */
+    const double t17 = p[11]*t4; /* 2*m^2*R^3*I3^2*V */
+    const double t18 = p[12]*t16; /* (-m*R*I3)*V*s*1/Theta */
+    out[27] = t18;
+    const double t19 = p[11]*t16; /* 2*m^2*R^3*I3^2*V*s*1/Theta */
+    const double t20 = x[5]*x[4]; /* s*omega3 */
+    const double t21 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t22 = JLT_FMA(2.0, t21, t20); /* 2*omega_n*gamma3 + s*omega3 */
+    const double t23 = JLT_FMA(p[6], t8, t21); /* (I3^2 + m*R^2*I3)*omega3*s*1/Theta + omega_n*gamma3 */
+    const double t24 = p[1]*t22; /* R*(2*omega_n*gamma3 + s*omega3) */
+    out[9] = t24;
+    const double t25 = -t22; /* -(2*omega_n*gamma3 + s*omega3) */
+    out[15] = t25;
+    const double t26 = x[2] - t6; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t27 = x[0]*t26; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[21] = t27;
+    const double t28 = x[3]*t26; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t29 = x[3]*t11; /* omega_n*gamma3*1/Theta */
+    const double t30 = JLT_FNMA(t17, t29, t10); /* omega3*s*1/Theta*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) - 2*m^2*R^3*I3^2*V*omega_n*gamma3*1/Theta */
+    const double t31 = JLT_FNMA(t11, t30, t28); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - gamma3*1/Theta*t30 */
+    out[18] = t31;
+    const double t32 = JLT_FNMA(t7, t30, t15); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - s*1/Theta*t30 */
+    out[23] = t32;
+    const double t33 = JLT_FNMA(p[8], t29, t23); /* (I3^2 + m*R^2*I3)*omega3*s*1/Theta + omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
+    out[20] = t33;
+    const double t34 = x[3]*t7; /* omega_n*s*1/Theta */
+    const double t35 = p[12]*t29; /* (-m*R*I3)*omega_n*gamma3*1/Theta */
+    out[19] = t35;
+    const double t36 = t19*t29; /* 2*m^2*R^3*I3^2*V*s*1/Theta*omega_n*gamma3*1/Theta */
+    out[24] = t36;
+    const double t37 = t19*t34; /* 2*m^2*R^3*I3^2*V*s*1/Theta*omega_n*s*1/Theta */
+    const double t38 = JLT_FNMA(x[3], t6, t37); /* 2*m^2*R^3*I3^2*V*s*1/Theta*omega_n*s*1/Theta - omega_n*1/Theta*m*R*I3*V */
+    out[29] = t38;
+    const double t39 = p[12]*t34; /* (-m*R*I3)*omega_n*s*1/Theta */
+    out[25] = t39;
+    const double t40 = p[13]*t34; /* (-m*R^2*I3)*omega_n*s*1/Theta */
+    out[26] = t40;
+    const double t41 = x[5]*x[2]; /* s*omega_tau */
+    const double t42 = 2.0*t41; /* 2*s*omega_tau */
+    out[5] = t42;
+    const double t43 = -t41; /* -s*omega_tau */
+    out[30] = t43;
     const double t44 = x[3]*x[3]; /* omega_n*omega_n */
     const double t45 = p[1]*t44; /* R*omega_n*omega_n */
     out[6] = t45;
@@ -251,77 +251,77 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t2 = JLT_FMA(p[8], t1, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
     const double t3 = 1.0/t2; /* 1/Theta */
     const double t4 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t5 = p[9]*t4; /* m*R*I3*V */
-    const double t6 = p[11]*t4; /* 2*m^2*R^3*I3^2*V */
-    const double t7 = x[5]*t3; /* s*1/Theta */
-    const double t8 = x[5]*x[4]; /* s*omega3 */
-    const double t9 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t10 = t3*t5; /* 1/Theta*m*R*I3*V */
-    const double t11 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t12 = t7*t11; /* s*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
-    out[28] = t12;
-    const double t13 = x[4]*t11; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t14 = x[4]*t7; /* omega3*s*1/Theta */
-    const double t15 = x[2]*p[10]; /* omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t16 = t14*t15; /* omega3*s*1/Theta*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) */
-    const double t17 = x[5]*x[2]; /* s*omega_tau */
-    const double t18 = x[5]*t17; /* s*s*omega_tau */
-    out[0] = t18;
-    const double t19 = 2.0*t17; /* 2*s*omega_tau */
-    out[11] = t19;
-    const double t20 = -t17; /* -s*omega_tau */
-    out[36] = t20;
-    const double t21 = x[0]*t17; /* gamma3*s*omega_tau */
-    const double t22 = -t21; /* -gamma3*s*omega_tau */
-    out[5] = t22;
-    const double t23 = t8 + t9; /* s*omega3 + omega_n*gamma3 */
-    const double t24 = JLT_FMA(2.0, t9, t8); /* 2*omega_n*gamma3 + s*omega3 */
-    const double t25 = p[1]*t24; /* R*(2*omega_n*gamma3 + s*omega3) */
-    out[15] = t25;
-    const double t26 = -t24; /* -(2*omega_n*gamma3 + s*omega3) */
-    out[21] = t26;
-    const double t27 = x[2] - t10; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t28 = x[3]*t10; /* omega_n*1/Theta*m*R*I3*V */
-    const double t29 = x[0]*t27; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[27] = t29;
-    const double t30 = x[3]*t7; /* omega_n*s*1/Theta */
-    const double t31 = p[12]*t30; /* (-m*R*I3)*omega_n*s*1/Theta */
-    out[31] = t31;
-    const double t32 = p[13]*t30; /* (-m*R^2*I3)*omega_n*s*1/Theta */
-    out[32] = t32;
-    const double t33 = t3*t9; /* 1/Theta*omega_n*gamma3 */
-    const double t34 = JLT_FNMA(t6, t33, t16); /* omega3*s*1/Theta*omega_tau*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2) - 2*m^2*R^3*I3^2*V*1/Theta*omega_n*gamma3 */
-    const double t35 = t6*t7; /* 2*m^2*R^3*I3^2*V*s*1/Theta */
-    const double t36 = JLT_FMS(t30, t35, t28); /* omega_n*s*1/Theta*2*m^2*R^3*I3^2*V*s*1/Theta - omega_n*1/Theta*m*R*I3*V */
+    const double t5 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t6 = p[9]*t4; /* m*R*I3*V */
+    const double t7 = p[11]*t4; /* 2*m^2*R^3*I3^2*V */
+    const double t8 = x[5]*x[2]; /* s*omega_tau */
+    const double t9 = x[5]*t8; /* s*s*omega_tau */
+    out[0] = t9;
+    const double t10 = 2.0*t8; /* 2*s*omega_tau */
+    out[11] = t10;
+    const double t11 = -t8; /* -s*omega_tau */
+    out[36] = t11;
+    const double t12 = x[5]*x[4]; /* s*omega3 */
+    const double t13 = t3*t6; /* 1/Theta*m*R*I3*V */
+    const double t14 = x[5]*t3; /* s*1/Theta */
+    const double t15 = t3*t5; /* 1/Theta*omega_n*gamma3 */
+    const double t16 = p[12]*t15; /* (-m*R*I3)*1/Theta*omega_n*gamma3 */
+    out[25] = t16;
+    const double t17 = t5 + t12; /* omega_n*gamma3 + s*omega3 */
+    const double t18 = JLT_FMA(2.0, t5, t12); /* 2*omega_n*gamma3 + s*omega3 */
+    const double t19 = p[1]*t18; /* R*(2*omega_n*gamma3 + s*omega3) */
+    out[15] = t19;
+    const double t20 = -t18; /* -(2*omega_n*gamma3 + s*omega3) */
+    out[21] = t20;
+    const double t21 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t22 = x[3]*t13; /* omega_n*1/Theta*m*R*I3*V */
+    const double t23 = x[0]*t21; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[27] = t23;
+    const double t24 = p[6]*t14; /* (I3^2 + m*R^2*I3)*s*1/Theta */
+    const double t25 = x[3]*t14; /* omega_n*s*1/Theta */
+    const double t26 = p[12]*t25; /* (-m*R*I3)*omega_n*s*1/Theta */
+    out[31] = t26;
+    const double t27 = p[13]*t25; /* (-m*R^2*I3)*omega_n*s*1/Theta */
+    out[32] = t27;
+    const double t28 = t7*t15; /* 2*m^2*R^3*I3^2*V*1/Theta*omega_n*gamma3 */
+    const double t29 = JLT_FNMA(p[8], t15, t5); /* omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
+    const double t30 = JLT_FMA(x[4], t24, t29); /* omega3*(I3^2 + m*R^2*I3)*s*1/Theta + omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
+    out[26] = t30;
+    const double t31 = t5*t21; /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t32 = x[2]*t24; /* omega_tau*(I3^2 + m*R^2*I3)*s*1/Theta */
+    out[28] = t32;
+    const double t33 = JLT_FMA(x[4], t32, t31); /* omega3*omega_tau*(I3^2 + m*R^2*I3)*s*1/Theta + omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[3] = t33;
+    const double t34 = x[3]*t21; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t35 = t7*t14; /* 2*m^2*R^3*I3^2*V*s*1/Theta */
+    const double t36 = JLT_FMS(t25, t35, t22); /* omega_n*s*1/Theta*2*m^2*R^3*I3^2*V*s*1/Theta - omega_n*1/Theta*m*R*I3*V */
     out[35] = t36;
-    const double t37 = t33*t35; /* 1/Theta*omega_n*gamma3*2*m^2*R^3*I3^2*V*s*1/Theta */
-    out[30] = t37;
-    const double t38 = t5*t30; /* m*R*I3*V*omega_n*s*1/Theta */
-    const double t39 = -t38; /* -m*R*I3*V*omega_n*s*1/Theta */
-    out[4] = t39;
-    const double t40 = t5*t7; /* m*R*I3*V*s*1/Theta */
-    const double t41 = -t40; /* -m*R*I3*V*s*1/Theta */
-    out[33] = t41;
-    const double t42 = p[12]*t33; /* (-m*R*I3)*1/Theta*omega_n*gamma3 */
-    out[25] = t42;
-    const double t43 = JLT_FNMA(p[8], t33, t9); /* omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
-    const double t44 = JLT_FMA(p[6], t14, t43); /* (I3^2 + m*R^2*I3)*omega3*s*1/Theta + omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
-    out[26] = t44;
-    const double t45 = t9*t27; /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t46 = JLT_FMA(t7, t13, t45); /* s*1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) + omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[3] = t46;
-    const double t47 = x[3]*t27; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t48 = t3*t13; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t49 = JLT_FNMA(t7, t34, t48); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - s*1/Theta*t34 */
-    out[29] = t49;
-    const double t50 = x[0]*t3; /* gamma3*1/Theta */
-    const double t51 = JLT_FNMA(t34, t50, t47); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - t34*gamma3*1/Theta */
-    out[24] = t51;
+    const double t37 = t6*t25; /* m*R*I3*V*omega_n*s*1/Theta */
+    const double t38 = -t37; /* -m*R*I3*V*omega_n*s*1/Theta */
+    out[4] = t38;
+    const double t39 = t6*t14; /* m*R*I3*V*s*1/Theta */
+    const double t40 = -t39; /* -m*R*I3*V*s*1/Theta */
+    out[33] = t40;
+    const double t41 = t14*t28; /* s*1/Theta*2*m^2*R^3*I3^2*V*1/Theta*omega_n*gamma3 */
+    out[30] = t41;
+    const double t42 = x[4]*t3; /* omega3*1/Theta */
+    const double t43 = x[0]*t3; /* gamma3*1/Theta */
+    const double t44 = p[10]*t8; /* (2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*s*omega_tau */
+    const double t45 = JLT_FNMA(t42, t44, t28); /* 2*m^2*R^3*I3^2*V*1/Theta*omega_n*gamma3 - omega3*1/Theta*(2*m*R^2*I3^3 + 2*m^2*R^4*I3^2)*s*omega_tau */
+    const double t46 = JLT_FMA(t43, t45, t34); /* gamma3*1/Theta*t45 + omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[24] = t46;
+    const double t47 = x[0]*t8; /* gamma3*s*omega_tau */
+    const double t48 = -t47; /* -gamma3*s*omega_tau */
+    out[5] = t48;
+    const double t49 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t50 = t42*t49; /* omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t51 = JLT_FMA(t14, t45, t50); /* s*1/Theta*t45 + omega3*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
+    out[29] = t51;
     const double t52 = p[1]*x[3]; /* R*omega_n */
-    const double t53 = t23*t52; /* (s*omega3 + omega_n*gamma3)*R*omega_n */
+    const double t53 = t17*t52; /* (omega_n*gamma3 + s*omega3)*R*omega_n */
     out[1] = t53;
-    const double t54 = x[3]*t23; /* omega_n*(s*omega3 + omega_n*gamma3) */
-    const double t55 = -t54; /* -omega_n*(s*omega3 + omega_n*gamma3) */
+    const double t54 = x[3]*t17; /* omega_n*(omega_n*gamma3 + s*omega3) */
+    const double t55 = -t54; /* -omega_n*(omega_n*gamma3 + s*omega3) */
     out[2] = t55;
     const double t56 = x[3]*t52; /* omega_n*R*omega_n */
     out[12] = t56;
@@ -445,21 +445,21 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x5[JLT_JET_ORDER_MAX + 1];
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
     double t8[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
-    double t19[JLT_JET_ORDER_MAX + 1];
-    double t21[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
@@ -477,33 +477,33 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x5, x2, k);
         t3[k] = jlt_jet_product(x5, t2, k);
-        t7[k] = jlt_jet_product(x3, x0, k);
-        t8[k] = jlt_jet_product(x3, t7, k);
-        t10[k] = jlt_jet_product(x5, x3, k);
-        t11[k] = jlt_jet_product(x4, t10, k) + t8[k];
-        t12[k] = p[1]*t11[k];
-        t13[k] = -t11[k];
-        t17[k] = jlt_jet_product(x5, x5, k);
-        t18[k] = jlt_jet_product(x0, x0, k) + t17[k];
-        t19[k] = p[8]*t18[k] + (k == 0 ? p[7] : 0);
-        t21[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t19, t21, k);
-        t23[k] = x2[k]*p[1] + x1[k];
-        t24[k] = p[9]*t23[k];
-        t25[k] = jlt_jet_product(t21, t24, k);
-        t26[k] = x2[k] - t25[k];
-        t27[k] = jlt_jet_product(t7, t26, k);
-        t29[k] = x4[k]*p[6];
-        t30[k] = jlt_jet_product(t2, t29, k);
-        t31[k] = jlt_jet_product(t21, t30, k) + t27[k];
-        t32[k] = jlt_jet_product(t10, t25, k);
+        t8[k] = jlt_jet_product(x3, x0, k);
+        t9[k] = jlt_jet_product(x5, x4, k) + t8[k];
+        t10[k] = jlt_jet_product(x3, t9, k);
+        t11[k] = p[1]*t10[k];
+        t12[k] = -t10[k];
+        t16[k] = jlt_jet_product(x5, x5, k);
+        t17[k] = jlt_jet_product(x0, x0, k) + t16[k];
+        t18[k] = p[8]*t17[k] + (k == 0 ? p[7] : 0);
+        t20[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t18, t20, k);
+        t22[k] = x2[k]*p[1] + x1[k];
+        t23[k] = p[9]*t22[k];
+        t24[k] = jlt_jet_product(t20, t23, k);
+        t25[k] = x2[k] - t24[k];
+        t26[k] = jlt_jet_product(t8, t25, k);
+        t28[k] = x4[k]*p[6];
+        t29[k] = jlt_jet_product(t2, t28, k);
+        t30[k] = jlt_jet_product(t20, t29, k) + t26[k];
+        t31[k] = jlt_jet_product(x5, x3, k);
+        t32[k] = jlt_jet_product(t24, t31, k);
         t33[k] = -t32[k];
         t34[k] = jlt_jet_product(t2, x0, k);
         t35[k] = -t34[k];
         double *restrict next = coefficients + (k + 1)*7;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t12[k]/(k + 1);
-        next[2] = x2[k + 1] = t13[k]/(k + 1);
-        next[3] = x3[k + 1] = t31[k]/(k + 1);
+        next[1] = x1[k + 1] = t11[k]/(k + 1);
+        next[2] = x2[k + 1] = t12[k]/(k + 1);
+        next[3] = x3[k + 1] = t30[k]/(k + 1);
         next[4] = x4[k + 1] = t33[k]/(k + 1);
         next[5] = x5[k + 1] = t35[k]/(k + 1);
         next[6] = x5[k]/(k + 1);
@@ -579,7 +579,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 23,
@@ -589,9 +589,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .prepare = prepare,
     .rhs = { rhs, 6, { 4, 14, 5, 1, 0, 0, 7, 6 }, { 11, 48, 0, 4, 0, 0, 10, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .jacobian = { jacobian, 36, { 9, 37, 10, 1, 0, 0, 8, 11 }, { 30, 190, 0, 22, 0, 0, 12, 6 },
+    .jacobian = { jacobian, 36, { 8, 38, 10, 1, 0, 0, 9, 11 }, { 30, 190, 0, 22, 0, 0, 12, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 13, 44, 11, 1, 0, 0, 9, 14 }, { 38, 226, 0, 26, 0, 0, 12, 6 },
+    .rhs_jacobian = { rhs_jacobian, 42, { 13, 44, 11, 1, 0, 0, 8, 14 }, { 38, 226, 0, 26, 0, 0, 12, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .divergence = { divergence, 1, { 0, 3, 3, 1, 0, 0, 4, 4 }, { 4, 16, 0, 1, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },

@@ -4,13 +4,13 @@
  *  Variant:    balanced_equal: a3 = 0, I1 = I3
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   15    6    1    0    0     10    6   (47)
  *  jacobian            6   30    8    1    0    0     12    6   (180)
- *  rhs_jacobian        8   37    9    1    0    0     13    9   (205)
+ *  rhs_jacobian        7   38   10    1    0    0     12   10   (205)
  *  divergence          2    3    3    1    0    0      7    3   (23)
  *  integral_values     0    9    7    1    0    0      8    4   (39)
  *  integral_gradients  1   16    9    1    0    0      8    8   (72)
@@ -231,80 +231,81 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[28] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[7] = t0;
-    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t2 = JLT_FMA(p[11], t1, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t3 = x[4]*t2; /* s*Theta */
-    const double t4 = 1.0/t3; /* 1/(s*Theta) */
-    const double t5 = t2*t4; /* 1/s = Theta*1/(s*Theta) */
-    const double t6 = x[4]*t4; /* 1/Theta = s*1/(s*Theta) */
-    const double t7 = p[8]*x[0]; /* R*I3*gamma3 */
-    const double t8 = JLT_FMA(x[3], t7, p[6]); /* omega3*R*I3*gamma3 + G_level */
-    const double t9 = t5*t8; /* 1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t10 = x[0]*t9; /* gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t11 = t5*t10; /* 1/s*gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t12 = x[4]*t9; /* s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t13 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t14 = t6*t13; /* 1/Theta*V */
-    const double t15 = t6*t12; /* 1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t16 = p[14]*t15; /* (-m)*1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    out[21] = t16;
-    const double t17 = p[22]*t15; /* (-m*R)*1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    out[22] = t17;
-    const double t18 = p[17]*t12; /* 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t19 = JLT_FMA(p[15], t11, x[3]); /* 2/(R*I3)*1/s*gamma3*1/s*(omega3*R*I3*gamma3 + G_level) + omega3 */
-    const double t20 = t9*t11; /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/s*gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t21 = p[18]*t20; /* (-2/(R*I3^2))*t20 */
+    const double t1 = x[2]*t0; /* omega_tau*s*s */
+    out[0] = t1;
+    const double t2 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t3 = JLT_FMA(p[11], t2, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t4 = x[4]*t3; /* s*Theta */
+    const double t5 = 1.0/t4; /* 1/(s*Theta) */
+    const double t6 = t3*t5; /* 1/s = Theta*1/(s*Theta) */
+    const double t7 = x[4]*t5; /* 1/Theta = s*1/(s*Theta) */
+    const double t8 = p[8]*x[0]; /* R*I3*gamma3 */
+    const double t9 = JLT_FMA(x[3], t8, p[6]); /* omega3*R*I3*gamma3 + G_level */
+    const double t10 = t6*t9; /* 1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t12 = t7*t11; /* 1/Theta*V */
+    const double t13 = t7*t9; /* 1/Theta*(omega3*R*I3*gamma3 + G_level) */
+    const double t14 = p[14]*t13; /* (-m)*1/Theta*(omega3*R*I3*gamma3 + G_level) */
+    out[21] = t14;
+    const double t15 = p[22]*t13; /* (-m*R)*1/Theta*(omega3*R*I3*gamma3 + G_level) */
+    out[22] = t15;
+    const double t16 = x[0]*t10; /* gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t17 = p[15]*t6; /* 2/(R*I3)*1/s */
+    const double t18 = JLT_FMA(t16, t17, x[3]); /* gamma3*1/s*(omega3*R*I3*gamma3 + G_level)*2/(R*I3)*1/s + omega3 */
+    const double t19 = t10*t16; /* 1/s*(omega3*R*I3*gamma3 + G_level)*gamma3*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t20 = t6*t19; /* 1/s*t19 */
+    const double t21 = p[18]*t20; /* (-2/(R*I3^2))*1/s*t19 */
     out[14] = t21;
-    const double t22 = p[19]*t20; /* 2/(R^2*I3^2)*t20 */
+    const double t22 = p[19]*t20; /* 2/(R^2*I3^2)*1/s*t19 */
     out[19] = t22;
-    const double t23 = x[4]*x[2]; /* s*omega_tau */
-    const double t24 = x[4]*t23; /* s*s*omega_tau */
-    out[0] = t24;
-    const double t25 = 2.0*t23; /* 2*s*omega_tau */
-    out[9] = t25;
-    const double t26 = -t23; /* -s*omega_tau */
-    out[25] = t26;
-    const double t27 = x[0]*t23; /* gamma3*s*omega_tau */
-    const double t28 = -t27; /* -gamma3*s*omega_tau */
-    out[4] = t28;
-    const double t29 = x[3]*t18; /* omega3*1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t30 = JLT_FMA(x[0], t19, t18); /* gamma3*t19 + 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t31 = x[3]*t19; /* omega3*t19 */
-    const double t32 = p[1]*t30; /* R*(gamma3*t19 + 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level)) */
-    out[13] = t32;
-    const double t33 = -t30; /* -(gamma3*t19 + 1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level)) */
-    out[18] = t33;
-    const double t34 = p[16]*t9; /* 1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t35 = JLT_FMA(t10, t34, t29); /* gamma3*1/s*(omega3*R*I3*gamma3 + G_level)*1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*1/(R*I3)*s*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t36 = JLT_FMA(t9, t34, t31); /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*t19 */
-    const double t37 = p[1]*t35; /* R*t35 */
-    out[1] = t37;
-    const double t38 = -t35; /* -t35 */
-    out[2] = t38;
-    const double t39 = p[1]*t36; /* R*t36 */
-    out[10] = t39;
-    const double t40 = -t36; /* -t36 */
-    out[15] = t40;
-    const double t41 = p[20]*t14; /* m*R*I3*1/Theta*V */
-    const double t42 = p[21]*t14; /* 2*m^2*R^2*I3*1/Theta*V */
-    const double t43 = t15*t42; /* 1/Theta*s*1/s*(omega3*R*I3*gamma3 + G_level)*2*m^2*R^2*I3*1/Theta*V */
-    const double t44 = p[14]*t14; /* (-m)*1/Theta*V */
-    const double t45 = t12*t44; /* s*1/s*(omega3*R*I3*gamma3 + G_level)*(-m)*1/Theta*V */
-    out[3] = t45;
-    const double t46 = x[4]*t43; /* s*t43 */
-    out[24] = t46;
-    const double t47 = x[3]*t41; /* omega3*m*R*I3*1/Theta*V */
-    const double t48 = JLT_FMS(x[0], t43, t47); /* gamma3*t43 - omega3*m*R*I3*1/Theta*V */
-    out[20] = t48;
-    const double t49 = x[0]*t41; /* gamma3*m*R*I3*1/Theta*V */
-    const double t50 = -t49; /* -gamma3*m*R*I3*1/Theta*V */
-    out[23] = t50;
-    const double t51 = x[4]*x[0]; /* s*gamma3 */
-    const double t52 = -t51; /* -s*gamma3 */
-    out[27] = t52;
-    const double t53 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t54 = -t53; /* -omega_tau*gamma3 */
-    out[29] = t54;
+    const double t23 = p[21]*t12; /* 2*m^2*R^2*I3*1/Theta*V */
+    const double t24 = t13*t23; /* 1/Theta*(omega3*R*I3*gamma3 + G_level)*2*m^2*R^2*I3*1/Theta*V */
+    const double t25 = x[4]*t24; /* s*t24 */
+    out[24] = t25;
+    const double t26 = x[0]*t24; /* gamma3*t24 */
+    const double t27 = x[3]*t9; /* omega3*(omega3*R*I3*gamma3 + G_level) */
+    const double t28 = x[2]*x[4]; /* omega_tau*s */
+    const double t29 = 2.0*t28; /* 2*omega_tau*s */
+    out[9] = t29;
+    const double t30 = -t28; /* -omega_tau*s */
+    out[25] = t30;
+    const double t31 = x[0]*t28; /* gamma3*omega_tau*s */
+    const double t32 = -t31; /* -gamma3*omega_tau*s */
+    out[4] = t32;
+    const double t33 = x[3]*t18; /* omega3*t18 */
+    const double t34 = p[16]*t10; /* 1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) */
+    const double t35 = JLT_FMA(t10, t34, t33); /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*t18 */
+    const double t36 = p[1]*t35; /* R*t35 */
+    out[10] = t36;
+    const double t37 = -t35; /* -t35 */
+    out[15] = t37;
+    const double t38 = p[17]*t9; /* 1/(R*I3)*(omega3*R*I3*gamma3 + G_level) */
+    const double t39 = JLT_FMA(x[0], t18, t38); /* gamma3*t18 + 1/(R*I3)*(omega3*R*I3*gamma3 + G_level) */
+    const double t40 = p[14]*t9; /* (-m)*(omega3*R*I3*gamma3 + G_level) */
+    const double t41 = t12*t40; /* 1/Theta*V*(-m)*(omega3*R*I3*gamma3 + G_level) */
+    out[3] = t41;
+    const double t42 = p[20]*t12; /* m*R*I3*1/Theta*V */
+    const double t43 = JLT_FNMA(x[3], t42, t26); /* gamma3*t24 - omega3*m*R*I3*1/Theta*V */
+    out[20] = t43;
+    const double t44 = x[0]*t42; /* gamma3*m*R*I3*1/Theta*V */
+    const double t45 = -t44; /* -gamma3*m*R*I3*1/Theta*V */
+    out[23] = t45;
+    const double t46 = p[1]*t39; /* R*(gamma3*t18 + 1/(R*I3)*(omega3*R*I3*gamma3 + G_level)) */
+    out[13] = t46;
+    const double t47 = -t39; /* -(gamma3*t18 + 1/(R*I3)*(omega3*R*I3*gamma3 + G_level)) */
+    out[18] = t47;
+    const double t48 = p[7]*t27; /* 1/I3*omega3*(omega3*R*I3*gamma3 + G_level) */
+    const double t49 = JLT_FMA(p[9], t19, t48); /* 1/(R*I3^2)*t19 + 1/I3*omega3*(omega3*R*I3*gamma3 + G_level) */
+    out[1] = t49;
+    const double t50 = p[12]*t19; /* (-1/(R^2*I3^2))*t19 */
+    const double t51 = JLT_FMA(p[13], t27, t50); /* (-1/(R*I3))*omega3*(omega3*R*I3*gamma3 + G_level) + (-1/(R^2*I3^2))*t19 */
+    out[2] = t51;
+    const double t52 = x[4]*x[0]; /* s*gamma3 */
+    const double t53 = -t52; /* -s*gamma3 */
+    out[27] = t53;
+    const double t54 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t55 = -t54; /* -omega_tau*gamma3 */
+    out[29] = t55;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -542,7 +543,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 5, .param_count = 7, .block_count = 31,
@@ -554,7 +555,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .jacobian = { jacobian, 25, { 6, 30, 8, 1, 0, 0, 12, 6 }, { 32, 131, 0, 17, 0, 0, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 8, 37, 9, 1, 0, 0, 13, 9 }, { 37, 150, 0, 18, 0, 0, 11, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 7, 38, 10, 1, 0, 0, 12, 10 }, { 37, 150, 0, 18, 0, 0, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .divergence = { divergence, 1, { 2, 3, 3, 1, 0, 0, 7, 3 }, { 5, 17, 0, 1, 0, 0, 8, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },

@@ -4,13 +4,13 @@
  *  Variant:    balanced_equal: a3 = 0, I1 = I3
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   17    7    1    0    0      9    6   (63)
- *  jacobian            5   35   14    1    0    0     12   13   (278)
- *  rhs_jacobian        8   39   16    1    0    0     12   12   (319)
+ *  jacobian            5   36   14    1    0    0     13   13   (278)
+ *  rhs_jacobian        6   39   17    1    0    0     16   13   (319)
  *  divergence          0    9    4    1    0    0      7    5   (36)
  *  integral_values     0    9    7    1    0    0      9    4   (39)
  *  integral_gradients  0   15   10    1    0    0      9    7   (72)
@@ -63,9 +63,9 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t3 = params[5]*params[5]; /* I3*I3 */
     out[10] = t3;
     const double t4 = params[1]*params[1]; /* R*R */
-    out[21] = t4;
+    out[22] = t4;
     const double t5 = params[0]*t4; /* m*R*R */
-    out[23] = t5;
+    out[24] = t5;
     const double t6 = params[5]*t5; /* I3*m*R*R */
     out[11] = t6;
     const double t7 = params[1]*params[0]; /* R*m */
@@ -73,20 +73,20 @@ static void prepare(const double *restrict params, double *restrict out)
     out[12] = t8;
     const double t9 = t3 + t6; /* I3*I3 + I3*m*R*R */
     out[13] = t9;
-    const double t10 = params[0]*params[0]; /* m*m */
-    const double t11 = 2.0*t10; /* 2*m*m */
-    const double t12 = params[1]*t4; /* R*R*R */
-    const double t13 = t11*t12; /* 2*m*m*R*R*R */
-    const double t14 = t3*t13; /* I3*I3*2*m*m*R*R*R */
-    out[14] = t14;
-    const double t15 = params[5]*t3; /* I3*I3*I3 */
-    const double t16 = t5*t15; /* m*R*R*I3*I3*I3 */
-    const double t17 = t4*t4; /* R*R*R*R */
-    const double t18 = t10*t17; /* m*m*R*R*R*R */
-    const double t19 = t3*t18; /* I3*I3*m*m*R*R*R*R */
-    const double t20 = t16 + t19; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
-    const double t21 = 2.0*t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
-    const double t22 = t21/t1; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(R*I3) */
+    const double t10 = params[5]*t3; /* I3*I3*I3 */
+    const double t11 = t5*t10; /* m*R*R*I3*I3*I3 */
+    const double t12 = params[0]*params[0]; /* m*m */
+    const double t13 = t4*t4; /* R*R*R*R */
+    const double t14 = t12*t13; /* m*m*R*R*R*R */
+    const double t15 = t3*t14; /* I3*I3*m*m*R*R*R*R */
+    const double t16 = t11 + t15; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t17 = 2.0*t16; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t18 = t17/t1; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(R*I3) */
+    out[14] = t18;
+    const double t19 = 2.0*t12; /* 2*m*m */
+    const double t20 = params[1]*t4; /* R*R*R */
+    const double t21 = t19*t20; /* 2*m*m*R*R*R */
+    const double t22 = t3*t21; /* I3*I3*2*m*m*R*R*R */
     out[15] = t22;
     const double t23 = params[5]/params[1]; /* I3/R */
     const double t24 = t7 + t23; /* R*m + I3/R */
@@ -95,22 +95,25 @@ static void prepare(const double *restrict params, double *restrict out)
     out[17] = t25;
     const double t26 = t9/t1; /* (I3*I3 + I3*m*R*R)/(R*I3) */
     out[18] = t26;
-    const double t27 = params[0]/2.0; /* m/2 */
-    out[19] = t27;
-    const double t28 = params[5]/params[0]; /* I3/m */
-    out[20] = t28;
-    const double t29 = t3*params[0]; /* I3*I3*m */
-    out[22] = t29;
-    const double t30 = 1.0/params[1]; /* 1/R */
-    out[24] = t30;
-    const double t31 = params[0]*2.0; /* m*2 */
-    const double t32 = t3*t31; /* I3*I3*m*2 */
-    out[25] = t32;
-    const double t33 = params[1]*t31; /* R*m*2 */
-    const double t34 = t3*t33; /* I3*I3*R*m*2 */
+    const double t27 = params[0]*2.0; /* m*2 */
+    const double t28 = t4*t27; /* R*R*m*2 */
+    const double t29 = params[5]*t28; /* I3*R*R*m*2 */
+    out[19] = t29;
+    const double t30 = params[0]/2.0; /* m/2 */
+    out[20] = t30;
+    const double t31 = params[5]/params[0]; /* I3/m */
+    out[21] = t31;
+    const double t32 = t3*params[0]; /* I3*I3*m */
+    out[23] = t32;
+    const double t33 = 1.0/params[1]; /* 1/R */
+    out[25] = t33;
+    const double t34 = t3*t27; /* I3*I3*m*2 */
     out[26] = t34;
-    const double t35 = (-1.0)/t1; /* (-1)/(R*I3) */
-    out[27] = t35;
+    const double t35 = params[1]*t27; /* R*m*2 */
+    const double t36 = t3*t35; /* I3*I3*R*m*2 */
+    out[27] = t36;
+    const double t37 = (-1.0)/t1; /* (-1)/(R*I3) */
+    out[28] = t37;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -161,75 +164,76 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[2] = t0;
-    const double t1 = x[4]*x[2]; /* s*omega_tau */
-    const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    out[4] = t2;
-    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t4 = x[4]*x[3]; /* s*omega_n */
-    const double t5 = JLT_FNMA(p[9], t4, p[6]); /* G_level - R*I3*s*omega_n */
-    const double t6 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t7 = JLT_FMA(p[11], t6, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t8 = x[0]*t7; /* gamma3*Theta */
-    const double t9 = 1.0/t8; /* 1/(gamma3*Theta) */
-    const double t10 = t7*t9; /* 1/gamma3 = Theta*1/(gamma3*Theta) */
-    const double t11 = t5*t10; /* (G_level - R*I3*s*omega_n)*1/gamma3 */
-    const double t12 = p[8]*t11; /* 1/(R*I3)*(G_level - R*I3*s*omega_n)*1/gamma3 */
-    const double t13 = t4*t10; /* s*omega_n*1/gamma3 */
-    const double t14 = JLT_FMA(t12, t13, t3); /* 1/(R*I3)*(G_level - R*I3*s*omega_n)*1/gamma3*s*omega_n*1/gamma3 + omega_n*omega_n */
-    const double t15 = p[1]*t14; /* R*t14 */
-    out[5] = t15;
-    const double t16 = t12 - t13; /* 1/(R*I3)*(G_level - R*I3*s*omega_n)*1/gamma3 - s*omega_n*1/gamma3 */
-    const double t17 = x[4]*t16; /* s*t16 */
-    const double t18 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t19 = JLT_FNMA(2.0, t18, t17); /* s*t16 - 2*omega_n*gamma3 */
-    out[13] = t19;
-    const double t20 = p[7]*t19; /* (-R)*(s*t16 - 2*omega_n*gamma3) */
-    out[8] = t20;
-    const double t21 = x[3]*t16; /* omega_n*t16 */
-    out[14] = t21;
-    const double t22 = p[7]*t21; /* (-R)*omega_n*t16 */
-    out[9] = t22;
-    const double t23 = -t14; /* -t14 */
-    out[10] = t23;
-    const double t24 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t25 = x[0]*t9; /* 1/Theta = gamma3*1/(gamma3*Theta) */
-    const double t26 = p[12]*t24; /* m*R*I3*V */
-    const double t27 = JLT_FNMA(t25, t26, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t28 = x[3]*t27; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t29 = t18*t25; /* omega_n*gamma3*1/Theta */
-    const double t30 = t24*p[14]; /* V*2*m^2*R^3*I3^2 */
-    const double t31 = t29*t30; /* omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2 */
-    const double t32 = t1*t25; /* s*omega_tau*1/Theta */
-    const double t33 = t11*t32; /* (G_level - R*I3*s*omega_n)*1/gamma3*s*omega_tau*1/Theta */
-    const double t34 = JLT_FMA(p[15], t33, t31); /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(R*I3)*(G_level - R*I3*s*omega_n)*1/gamma3*s*omega_tau*1/Theta + omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2 */
-    const double t35 = t25*t34; /* 1/Theta*t34 */
-    const double t36 = t10*p[16]; /* 1/gamma3*(m*R + I3/R) */
-    const double t37 = JLT_FMA(t33, t36, t28); /* (G_level - R*I3*s*omega_n)*1/gamma3*s*omega_tau*1/Theta*1/gamma3*(m*R + I3/R) + omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t38 = JLT_FMA(x[0], t35, t37); /* gamma3*1/Theta*t34 + t37 */
-    out[15] = t38;
-    const double t39 = t29*p[17]; /* omega_n*gamma3*1/Theta*(-m*R*I3) */
-    out[16] = t39;
-    const double t40 = t25*p[13]; /* 1/Theta*(I3^2 + m*R^2*I3) */
-    const double t41 = x[4]*t40; /* s*1/Theta*(I3^2 + m*R^2*I3) */
-    const double t42 = JLT_FNMA(p[11], t29, t18); /* omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
-    const double t43 = JLT_FNMA(t12, t41, t42); /* omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta - 1/(R*I3)*(G_level - R*I3*s*omega_n)*1/gamma3*s*1/Theta*(I3^2 + m*R^2*I3) */
-    out[17] = t43;
-    const double t44 = x[0]*t27; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t45 = t1*t10; /* s*omega_tau*1/gamma3 */
-    const double t46 = JLT_FMA(t41, t45, t44); /* s*1/Theta*(I3^2 + m*R^2*I3)*s*omega_tau*1/gamma3 + gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[18] = t46;
-    const double t47 = x[2]*t40; /* omega_tau*1/Theta*(I3^2 + m*R^2*I3) */
-    const double t48 = t16*t47; /* t16*omega_tau*1/Theta*(I3^2 + m*R^2*I3) */
-    const double t49 = JLT_FMS(x[4], t35, t48); /* s*1/Theta*t34 - t16*omega_tau*1/Theta*(I3^2 + m*R^2*I3) */
-    out[19] = t49;
-    const double t50 = -t1; /* -s*omega_tau */
-    out[20] = t50;
-    const double t51 = x[4]*x[0]; /* s*gamma3 */
-    const double t52 = -t51; /* -s*gamma3 */
-    out[22] = t52;
-    const double t53 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t54 = -t53; /* -omega_tau*gamma3 */
-    out[24] = t54;
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[11], t1, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t3 = x[0]*t2; /* gamma3*Theta */
+    const double t4 = 1.0/t3; /* 1/(gamma3*Theta) */
+    const double t5 = t2*t4; /* 1/gamma3 = Theta*1/(gamma3*Theta) */
+    const double t6 = x[0]*t4; /* 1/Theta = gamma3*1/(gamma3*Theta) */
+    const double t7 = x[4]*x[3]; /* s*omega_n */
+    const double t8 = JLT_FNMA(p[9], t7, p[6]); /* G_level - R*I3*s*omega_n */
+    const double t9 = t5*t8; /* 1/gamma3*(G_level - R*I3*s*omega_n) */
+    const double t10 = t5*t7; /* 1/gamma3*s*omega_n */
+    const double t11 = x[4]*x[2]; /* s*omega_tau */
+    const double t12 = 2.0*t11; /* 2*s*omega_tau */
+    out[4] = t12;
+    const double t13 = -t11; /* -s*omega_tau */
+    out[20] = t13;
+    const double t14 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t16 = t9*t11; /* 1/gamma3*(G_level - R*I3*s*omega_n)*s*omega_tau */
+    const double t17 = p[8]*t9; /* 1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) */
+    const double t18 = t5*t11; /* 1/gamma3*s*omega_tau */
+    const double t19 = p[16]*t5; /* (m*R + I3/R)*1/gamma3 */
+    const double t20 = p[14]*t6; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(R*I3)*1/Theta */
+    const double t21 = t16*t20; /* 1/gamma3*(G_level - R*I3*s*omega_n)*s*omega_tau*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(R*I3)*1/Theta */
+    const double t22 = t6*t14; /* 1/Theta*omega_n*gamma3 */
+    const double t23 = p[17]*t22; /* (-m*R*I3)*1/Theta*omega_n*gamma3 */
+    out[16] = t23;
+    const double t24 = p[15]*t15; /* 2*m^2*R^3*I3^2*V */
+    const double t25 = JLT_FMA(t22, t24, t21); /* 1/Theta*omega_n*gamma3*2*m^2*R^3*I3^2*V + t21 */
+    const double t26 = p[12]*t15; /* m*R*I3*V */
+    const double t27 = JLT_FNMA(t6, t26, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t28 = JLT_FNMA(p[11], t22, t14); /* omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
+    const double t29 = t17 - t10; /* 1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) - 1/gamma3*s*omega_n */
+    const double t30 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t31 = JLT_FMA(t10, t17, t30); /* 1/gamma3*s*omega_n*1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) + omega_n*omega_n */
+    const double t32 = p[1]*t31; /* R*t31 */
+    out[5] = t32;
+    const double t33 = -t31; /* -t31 */
+    out[10] = t33;
+    const double t34 = x[4]*t29; /* s*t29 */
+    const double t35 = JLT_FNMA(2.0, t14, t34); /* s*t29 - 2*omega_n*gamma3 */
+    out[13] = t35;
+    const double t36 = p[7]*t35; /* (-R)*(s*t29 - 2*omega_n*gamma3) */
+    out[8] = t36;
+    const double t37 = x[0]*t25; /* gamma3*(1/Theta*omega_n*gamma3*2*m^2*R^3*I3^2*V + t21) */
+    const double t38 = JLT_FMA(t16, t19, t37); /* 1/gamma3*(G_level - R*I3*s*omega_n)*s*omega_tau*(m*R + I3/R)*1/gamma3 + gamma3*(1/Theta*omega_n*gamma3*2*m^2*R^3*I3^2*V + t21) */
+    const double t39 = x[4]*t25; /* s*(1/Theta*omega_n*gamma3*2*m^2*R^3*I3^2*V + t21) */
+    const double t40 = x[4]*p[13]; /* s*(I3^2 + m*R^2*I3) */
+    const double t41 = t6*t40; /* 1/Theta*s*(I3^2 + m*R^2*I3) */
+    const double t42 = JLT_FNMA(t17, t41, t28); /* omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 - 1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n)*1/Theta*s*(I3^2 + m*R^2*I3) */
+    out[17] = t42;
+    const double t43 = x[2]*p[13]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t44 = JLT_FNMA(t29, t43, t39); /* s*(1/Theta*omega_n*gamma3*2*m^2*R^3*I3^2*V + t21) - t29*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t45 = t6*t44; /* 1/Theta*t44 */
+    out[19] = t45;
+    const double t46 = x[3]*t29; /* omega_n*t29 */
+    out[14] = t46;
+    const double t47 = p[7]*t46; /* (-R)*omega_n*t29 */
+    out[9] = t47;
+    const double t48 = x[3]*t27; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t49 = JLT_FMA(t6, t38, t48); /* 1/Theta*t38 + omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[15] = t49;
+    const double t50 = x[0]*t27; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t51 = JLT_FMA(t18, t41, t50); /* 1/gamma3*s*omega_tau*1/Theta*s*(I3^2 + m*R^2*I3) + gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[18] = t51;
+    const double t52 = x[4]*x[0]; /* s*gamma3 */
+    const double t53 = -t52; /* -s*gamma3 */
+    out[22] = t53;
+    const double t54 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t55 = -t54; /* -omega_tau*gamma3 */
+    out[24] = t55;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -245,89 +249,88 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[28] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[7] = t0;
-    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t2 = JLT_FMA(p[11], t1, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t3 = x[0]*t2; /* gamma3*Theta */
-    const double t4 = 1.0/t3; /* 1/(gamma3*Theta) */
-    const double t5 = t2*t4; /* 1/gamma3 = Theta*1/(gamma3*Theta) */
-    const double t6 = x[0]*t4; /* 1/Theta = gamma3*1/(gamma3*Theta) */
-    const double t7 = x[4]*x[3]; /* s*omega_n */
-    const double t8 = JLT_FNMA(p[9], t7, p[6]); /* G_level - R*I3*s*omega_n */
-    const double t9 = t5*t8; /* 1/gamma3*(G_level - R*I3*s*omega_n) */
-    const double t10 = x[4]*x[2]; /* s*omega_tau */
-    const double t11 = 2.0*t10; /* 2*s*omega_tau */
-    out[9] = t11;
-    const double t12 = -t10; /* -s*omega_tau */
-    out[25] = t12;
-    const double t13 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t14 = t6*t13; /* 1/Theta*V */
-    const double t15 = p[8]*t9; /* 1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) */
-    const double t16 = JLT_FMS(t5, t7, t15); /* 1/gamma3*s*omega_n - 1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) */
-    const double t17 = x[4]*t15; /* s*1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) */
-    const double t18 = t6*t10; /* 1/Theta*s*omega_tau */
-    const double t19 = t9*t18; /* 1/gamma3*(G_level - R*I3*s*omega_n)*1/Theta*s*omega_tau */
-    const double t20 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t21 = JLT_FNMA(p[12], t14, x[2]); /* omega_tau - m*R*I3*1/Theta*V */
-    const double t22 = p[14]*t14; /* 2*m^2*R^3*I3^2*1/Theta*V */
-    const double t23 = p[15]*t6; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(R*I3)*1/Theta */
-    const double t24 = t19*t23; /* 1/gamma3*(G_level - R*I3*s*omega_n)*1/Theta*s*omega_tau*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(R*I3)*1/Theta */
-    const double t25 = p[13]*t6; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t26 = t6*t20; /* 1/Theta*omega_n*gamma3 */
-    const double t27 = JLT_FMA(t22, t26, t24); /* 2*m^2*R^3*I3^2*1/Theta*V*1/Theta*omega_n*gamma3 + t24 */
-    const double t28 = p[17]*t26; /* (-m*R*I3)*1/Theta*omega_n*gamma3 */
-    out[21] = t28;
-    const double t29 = JLT_FNMA(p[11], t26, t20); /* omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
-    const double t30 = JLT_FNMA(t17, t25, t29); /* omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 - s*1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n)*(I3^2 + m*R^2*I3)*1/Theta */
-    out[22] = t30;
-    const double t31 = x[4]*t10; /* s*s*omega_tau */
-    out[0] = t31;
-    const double t32 = x[0]*t10; /* gamma3*s*omega_tau */
-    const double t33 = -t32; /* -gamma3*s*omega_tau */
-    out[4] = t33;
-    const double t34 = t5*t31; /* 1/gamma3*s*s*omega_tau */
-    const double t35 = t17 - t20; /* s*1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) - omega_n*gamma3 */
-    const double t36 = JLT_FMA(t5, t17, x[3]); /* 1/gamma3*s*1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) + omega_n */
-    const double t37 = p[16]*t5; /* (m*R + I3/R)*1/gamma3 */
-    const double t38 = x[3]*t35; /* omega_n*t35 */
-    out[2] = t38;
-    const double t39 = p[7]*t38; /* (-R)*omega_n*t35 */
-    out[1] = t39;
-    const double t40 = x[3]*t36; /* omega_n*t36 */
-    const double t41 = p[1]*t40; /* R*omega_n*t36 */
-    out[10] = t41;
-    const double t42 = -t40; /* -omega_n*t36 */
-    out[15] = t42;
-    const double t43 = x[4]*t16; /* s*t16 */
-    const double t44 = JLT_FMA(2.0, t20, t43); /* 2*omega_n*gamma3 + s*t16 */
-    const double t45 = t20*t21; /* omega_n*gamma3*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t46 = JLT_FNMA(p[18], t19, t45); /* omega_n*gamma3*(omega_tau - m*R*I3*1/Theta*V) - (I3^2 + m*R^2*I3)/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n)*1/Theta*s*omega_tau */
-    out[3] = t46;
-    const double t47 = p[1]*t44; /* R*(2*omega_n*gamma3 + s*t16) */
-    out[13] = t47;
-    const double t48 = -t44; /* -(2*omega_n*gamma3 + s*t16) */
-    out[18] = t48;
-    const double t49 = x[3]*t21; /* omega_n*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t50 = JLT_FMA(t19, t37, t49); /* 1/gamma3*(G_level - R*I3*s*omega_n)*1/Theta*s*omega_tau*(m*R + I3/R)*1/gamma3 + omega_n*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t51 = JLT_FMA(x[0], t27, t50); /* gamma3*(2*m^2*R^3*I3^2*1/Theta*V*1/Theta*omega_n*gamma3 + t24) + t50 */
-    out[20] = t51;
-    const double t52 = x[0]*t21; /* gamma3*(omega_tau - m*R*I3*1/Theta*V) */
-    const double t53 = JLT_FMA(t25, t34, t52); /* (I3^2 + m*R^2*I3)*1/Theta*1/gamma3*s*s*omega_tau + gamma3*(omega_tau - m*R*I3*1/Theta*V) */
-    out[23] = t53;
-    const double t54 = x[2]*t25; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t55 = t16*t54; /* t16*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t56 = JLT_FMA(x[4], t27, t55); /* s*(2*m^2*R^3*I3^2*1/Theta*V*1/Theta*omega_n*gamma3 + t24) + t16*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[24] = t56;
-    const double t57 = x[3]*t16; /* omega_n*t16 */
-    const double t58 = p[1]*t57; /* R*omega_n*t16 */
-    out[14] = t58;
-    const double t59 = -t57; /* -omega_n*t16 */
-    out[19] = t59;
-    const double t60 = x[4]*x[0]; /* s*gamma3 */
-    const double t61 = -t60; /* -s*gamma3 */
-    out[27] = t61;
-    const double t62 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t63 = -t62; /* -omega_tau*gamma3 */
-    out[29] = t63;
+    const double t1 = x[2]*t0; /* omega_tau*s*s */
+    out[0] = t1;
+    const double t2 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t3 = JLT_FMA(p[11], t2, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t4 = x[0]*t3; /* gamma3*Theta */
+    const double t5 = 1.0/t4; /* 1/(gamma3*Theta) */
+    const double t6 = t3*t5; /* 1/gamma3 = Theta*1/(gamma3*Theta) */
+    const double t7 = x[0]*t5; /* 1/Theta = gamma3*1/(gamma3*Theta) */
+    const double t8 = x[4]*x[3]; /* s*omega_n */
+    const double t9 = JLT_FNMA(p[9], t8, p[6]); /* G_level - R*I3*s*omega_n */
+    const double t10 = JLT_FMS(p[8], t9, t8); /* 1/(R*I3)*(G_level - R*I3*s*omega_n) - s*omega_n */
+    const double t11 = x[4]*t6; /* s*1/gamma3 */
+    const double t12 = t9*t11; /* (G_level - R*I3*s*omega_n)*s*1/gamma3 */
+    const double t13 = t10*t11; /* (1/(R*I3)*(G_level - R*I3*s*omega_n) - s*omega_n)*s*1/gamma3 */
+    const double t14 = p[18]*t12; /* (I3^2 + m*R^2*I3)/(R*I3)*(G_level - R*I3*s*omega_n)*s*1/gamma3 */
+    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t16 = p[12]*t15; /* m*R*I3*V */
+    const double t17 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t18 = JLT_FNMA(2.0, t17, t13); /* (1/(R*I3)*(G_level - R*I3*s*omega_n) - s*omega_n)*s*1/gamma3 - 2*omega_n*gamma3 */
+    out[18] = t18;
+    const double t19 = p[7]*t18; /* (-R)*t18 */
+    out[13] = t19;
+    const double t20 = x[2]*t14; /* omega_tau*t14 */
+    const double t21 = JLT_FMA(t16, t17, t20); /* m*R*I3*V*omega_n*gamma3 + omega_tau*t14 */
+    const double t22 = t7*t21; /* 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
+    const double t23 = JLT_FMA(p[11], t17, t14); /* m*R^2*I3*omega_n*gamma3 + t14 */
+    const double t24 = JLT_FNMA(t7, t23, t17); /* omega_n*gamma3 - 1/Theta*(m*R^2*I3*omega_n*gamma3 + t14) */
+    out[22] = t24;
+    const double t25 = JLT_FMS(x[2], t17, t22); /* omega_tau*omega_n*gamma3 - 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
+    out[3] = t25;
+    const double t26 = p[19]*t22; /* 2*m*R^2*I3*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
+    const double t27 = x[2]*t6; /* omega_tau*1/gamma3 */
+    const double t28 = x[3]*t6; /* omega_n*1/gamma3 */
+    const double t29 = p[8]*t12; /* 1/(R*I3)*(G_level - R*I3*s*omega_n)*s*1/gamma3 */
+    const double t30 = x[3]*t16; /* omega_n*m*R*I3*V */
+    const double t31 = x[0]*t16; /* gamma3*m*R*I3*V */
+    const double t32 = p[16]*t27; /* (m*R + I3/R)*omega_tau*1/gamma3 */
+    const double t33 = JLT_FMS(t12, t32, t30); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = (G_level - R*I3*s*omega_n)*s*1/gamma3*(m*R + I3/R)*omega_tau*1/gamma3 - omega_n*m*R*I3*V */
+    const double t34 = p[13]*t27; /* (I3^2 + m*R^2*I3)*omega_tau*1/gamma3 */
+    const double t35 = JLT_FMS(t0, t34, t31); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = s*s*(I3^2 + m*R^2*I3)*omega_tau*1/gamma3 - gamma3*m*R*I3*V */
+    const double t36 = JLT_FMA(x[0], t26, t33); /* gamma3*2*m*R^2*I3*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) + d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
+    const double t37 = x[4]*t26; /* s*2*m*R^2*I3*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
+    const double t38 = JLT_FNMA(t10, t34, t37); /* t37 - (1/(R*I3)*(G_level - R*I3*s*omega_n) - s*omega_n)*(I3^2 + m*R^2*I3)*omega_tau*1/gamma3 */
+    const double t39 = t7*t38; /* 1/Theta*t38 */
+    out[24] = t39;
+    const double t40 = t10*t28; /* (1/(R*I3)*(G_level - R*I3*s*omega_n) - s*omega_n)*omega_n*1/gamma3 */
+    out[19] = t40;
+    const double t41 = p[7]*t40; /* (-R)*t40 */
+    out[14] = t41;
+    const double t42 = t29 - t17; /* 1/(R*I3)*(G_level - R*I3*s*omega_n)*s*1/gamma3 - omega_n*gamma3 */
+    const double t43 = x[3]*t42; /* omega_n*t42 */
+    out[2] = t43;
+    const double t44 = p[7]*t43; /* (-R)*omega_n*t42 */
+    out[1] = t44;
+    const double t45 = p[17]*t17; /* (-m*R*I3)*omega_n*gamma3 */
+    const double t46 = t7*t45; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
+    out[21] = t46;
+    const double t47 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t48 = JLT_FMA(t7, t35, t47); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + omega_tau*gamma3 */
+    out[23] = t48;
+    const double t49 = -t47; /* -omega_tau*gamma3 */
+    out[29] = t49;
+    const double t50 = x[4]*t47; /* s*omega_tau*gamma3 */
+    const double t51 = -t50; /* -s*omega_tau*gamma3 */
+    out[4] = t51;
+    const double t52 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t53 = JLT_FMA(t28, t29, t52); /* omega_n*1/gamma3*1/(R*I3)*(G_level - R*I3*s*omega_n)*s*1/gamma3 + omega_n*omega_n */
+    const double t54 = p[1]*t53; /* R*t53 */
+    out[10] = t54;
+    const double t55 = -t53; /* -t53 */
+    out[15] = t55;
+    const double t56 = x[2]*x[4]; /* omega_tau*s */
+    const double t57 = 2.0*t56; /* 2*omega_tau*s */
+    out[9] = t57;
+    const double t58 = -t56; /* -omega_tau*s */
+    out[25] = t58;
+    const double t59 = x[2]*x[3]; /* omega_tau*omega_n */
+    const double t60 = JLT_FMA(t7, t36, t59); /* 1/Theta*t36 + omega_tau*omega_n */
+    out[20] = t60;
+    const double t61 = x[4]*x[0]; /* s*gamma3 */
+    const double t62 = -t61; /* -s*gamma3 */
+    out[27] = t62;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -361,14 +364,14 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t7 = x[4]*t3; /* s*1/(R*I3)*(G_level - s*R*I3*omega_n)/gamma3 */
     const double t8 = JLT_FMS(x[0], x[3], t7); /* v_tau/R = gamma3*omega_n - s*1/(R*I3)*(G_level - s*R*I3*omega_n)/gamma3 */
     const double t9 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t10 = JLT_FMA(p[20], t6, t9); /* I3/m*t6 + v_nu*v_nu */
-    const double t11 = p[21]*t8; /* R^2*v_tau/R */
+    const double t10 = JLT_FMA(p[21], t6, t9); /* I3/m*t6 + v_nu*v_nu */
+    const double t11 = p[22]*t8; /* R^2*v_tau/R */
     const double t12 = JLT_FMA(t8, t11, t10); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + I3/m*t6 + v_nu*v_nu */
-    const double t13 = p[19]*t12; /* 1/2*m*energy/(1/2*m) */
+    const double t13 = p[20]*t12; /* 1/2*m*energy/(1/2*m) */
     out[0] = t13;
     const double t14 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     out[2] = t14;
-    const double t15 = p[22]*t14; /* m*I3^2*(omega_tau*R + v_nu) */
+    const double t15 = p[23]*t14; /* m*I3^2*(omega_tau*R + v_nu) */
     const double t16 = t14*t15; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
     out[1] = t16;
 }
@@ -392,10 +395,10 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t4 = 1.0/x[0]; /* 1/gamma3 */
     const double t5 = t3*t4; /* (G_level - s*omega_n*R*I3)*1/gamma3 */
     const double t6 = p[8]*t5; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
-    const double t7 = p[24]*t5; /* 1/R*(G_level - s*omega_n*R*I3)*1/gamma3 */
+    const double t7 = p[25]*t5; /* 1/R*(G_level - s*omega_n*R*I3)*1/gamma3 */
     const double t8 = x[4]*t6; /* s*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
     const double t9 = JLT_FMS(x[3], x[0], t8); /* v_tau/R = omega_n*gamma3 - s*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
-    const double t10 = p[23]*t9; /* m*R^2*v_tau/R */
+    const double t10 = p[24]*t9; /* m*R^2*v_tau/R */
     const double t11 = x[4]*t4; /* s*1/gamma3 */
     const double t12 = t4*t6; /* 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
     const double t13 = JLT_FMA(t6, t11, x[3]); /* d(v_tau)/d(gamma3)/R = 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*s*1/gamma3 + omega_n */
@@ -412,9 +415,9 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t22 = JLT_FMA(t10, t21, t20); /* d(energy)/d(omega_n) = m*R^2*v_tau/R*d(v_tau)/d(omega_n)/R + t20 */
     out[3] = t22;
     const double t23 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t24 = p[25]*t23; /* 2*m*I3^2*(omega_tau*R + v_nu) */
+    const double t24 = p[26]*t23; /* 2*m*I3^2*(omega_tau*R + v_nu) */
     out[6] = t24;
-    const double t25 = p[26]*t23; /* 2*m*R*I3^2*(omega_tau*R + v_nu) */
+    const double t25 = p[27]*t23; /* 2*m*R*I3^2*(omega_tau*R + v_nu) */
     out[7] = t25;
 }
 
@@ -428,7 +431,7 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
 {
     const double t0 = p[9]*x[3]; /* R*I3*omega_n */
     const double t1 = JLT_FNMA(x[4], t0, p[6]); /* G_level - s*R*I3*omega_n */
-    const double t2 = p[27]*t1; /* (-1/(R*I3))*(G_level - s*R*I3*omega_n) */
+    const double t2 = p[28]*t1; /* (-1/(R*I3))*(G_level - s*R*I3*omega_n) */
     const double t3 = t2/x[0]; /* (-1/(R*I3))*(G_level - s*R*I3*omega_n)/gamma3 */
     out[0] = t3;
 }
@@ -476,8 +479,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x4, x2, k);
         t3[k] = jlt_jet_product(x4, t2, k);
-        t9[k] = jlt_jet_product(x4, x3, k);
-        t10[k] = (k == 0 ? p[6] : 0) - p[9]*t9[k];
+        t9[k] = x4[k]*p[9];
+        t10[k] = (k == 0 ? p[6] : 0) - jlt_jet_product(x3, t9, k);
         t13[k] = jlt_jet_product(x4, x4, k);
         t15[k] = jlt_jet_product(x0, x0, k) + t13[k];
         t16[k] = p[11]*t15[k] + (k == 0 ? p[10] : 0);
@@ -486,15 +489,15 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t20[k] = p[8]*t10[k];
         t21[k] = jlt_jet_product(t16, t20, k);
         t22[k] = jlt_jet_product(t19, t21, k);
-        t23[k] = jlt_jet_product(t9, t22, k);
-        t24[k] = jlt_jet_product(x3, x0, k);
-        t25[k] = t23[k] - jlt_jet_product(x3, t24, k);
+        t23[k] = jlt_jet_product(x3, x0, k);
+        t24[k] = jlt_jet_product(x4, t22, k) - t23[k];
+        t25[k] = jlt_jet_product(x3, t24, k);
         t26[k] = p[7]*t25[k];
         t30[k] = x2[k]*p[1] + x1[k];
         t31[k] = jlt_jet_product(x0, t19, k);
         t32[k] = p[12]*t30[k];
         t33[k] = x2[k] - jlt_jet_product(t31, t32, k);
-        t34[k] = jlt_jet_product(t24, t33, k);
+        t34[k] = jlt_jet_product(t23, t33, k);
         t36[k] = t2[k]*p[13];
         t37[k] = jlt_jet_product(t22, t36, k);
         t38[k] = t34[k] - jlt_jet_product(t31, t37, k);
@@ -576,19 +579,19 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 28,
+    .state_count = 5, .param_count = 7, .block_count = 29,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 17, 7, 1, 0, 0, 9, 6 }, { 11, 48, 0, 4, 0, 0, 11, 7 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .jacobian = { jacobian, 25, { 5, 35, 14, 1, 0, 0, 12, 13 }, { 41, 210, 0, 27, 0, 0, 14, 8 },
+    .jacobian = { jacobian, 25, { 5, 36, 14, 1, 0, 0, 13, 13 }, { 41, 210, 0, 27, 0, 0, 14, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 8, 39, 16, 1, 0, 0, 12, 12 }, { 48, 241, 0, 30, 0, 0, 14, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 6, 39, 17, 1, 0, 0, 16, 13 }, { 48, 241, 0, 30, 0, 0, 14, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .divergence = { divergence, 1, { 0, 9, 4, 1, 0, 0, 7, 5 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I1 = I3
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -67,14 +67,14 @@ static void prepare(const double *restrict params, double *restrict out)
     out[14] = t6;
     const double t7 = t3 + t6; /* I3*I3 + I3*m*R*R */
     out[10] = t7;
-    const double t8 = t7/t1; /* (I3*I3 + I3*m*R*R)/(R*I3) */
-    out[11] = t8;
-    const double t9 = params[1]*params[0]; /* R*m */
-    const double t10 = params[5]*t9; /* I3*R*m */
+    const double t8 = params[1]*params[0]; /* R*m */
+    const double t9 = params[5]*t8; /* I3*R*m */
+    out[11] = t9;
+    const double t10 = t7/t1; /* (I3*I3 + I3*m*R*R)/(R*I3) */
     out[12] = t10;
-    const double t11 = -t10; /* -I3*R*m */
+    const double t11 = -t9; /* -I3*R*m */
     out[13] = t11;
-    const double t12 = t7*t10; /* (I3*I3 + I3*m*R*R)*I3*R*m */
+    const double t12 = t7*t9; /* (I3*I3 + I3*m*R*R)*I3*R*m */
     out[15] = t12;
     const double t13 = t7*t7; /* (I3*I3 + I3*m*R*R)*(I3*I3 + I3*m*R*R) */
     out[16] = t13;
@@ -107,7 +107,7 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t5 = x[0]*t3; /* gamma3*s */
     const double t6 = p[10]*t5; /* (I3^2 + m*R^2*I3)*gamma3*s */
     const double t7 = 1.0/t6; /* 1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t8 = t5*t7; /* gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
+    const double t8 = t5*t7; /* 1/Theta = gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
     const double t9 = p[10]*t7; /* 1/(gamma3*s) = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
     const double t10 = x[3]*p[9]; /* omega_n*R*I3 */
     const double t11 = JLT_FNMA(t3, t10, p[6]); /* G_level - s*omega_n*R*I3 */
@@ -116,18 +116,18 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t14 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t15 = x[3]*t14; /* omega_n*gamma3*gamma3 */
     const double t16 = t9*t15; /* 1/(gamma3*s)*omega_n*gamma3*gamma3 */
-    const double t17 = x[2]*p[11]; /* omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
-    const double t18 = t13*t17; /* 1/(gamma3*s)*s*(G_level - s*omega_n*R*I3)*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
-    const double t19 = JLT_FMS(p[8], t13, t16); /* 1/(R*I3)*1/(gamma3*s)*s*(G_level - s*omega_n*R*I3) - 1/(gamma3*s)*omega_n*gamma3*gamma3 */
-    const double t20 = x[3]*t19; /* omega_n*t19 */
-    out[2] = t20;
-    const double t21 = p[7]*t20; /* (-R)*omega_n*t19 */
-    out[1] = t21;
-    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t23 = p[12]*t22; /* m*R*I3*V */
-    const double t24 = JLT_FMA(t16, t23, t18); /* 1/(gamma3*s)*omega_n*gamma3*gamma3*m*R*I3*V + t18 */
-    const double t25 = x[2]*t16; /* omega_tau*1/(gamma3*s)*omega_n*gamma3*gamma3 */
-    const double t26 = JLT_FNMA(t8, t24, t25); /* omega_tau*1/(gamma3*s)*omega_n*gamma3*gamma3 - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*(1/(gamma3*s)*omega_n*gamma3*gamma3*m*R*I3*V + t18) */
+    const double t17 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t18 = p[11]*t17; /* m*R*I3*V */
+    const double t19 = JLT_FNMA(t8, t18, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t20 = t16*t19; /* 1/(gamma3*s)*omega_n*gamma3*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t21 = JLT_FMS(p[8], t13, t16); /* 1/(R*I3)*1/(gamma3*s)*s*(G_level - s*omega_n*R*I3) - 1/(gamma3*s)*omega_n*gamma3*gamma3 */
+    const double t22 = x[3]*t21; /* omega_n*t21 */
+    out[2] = t22;
+    const double t23 = p[7]*t22; /* (-R)*omega_n*t21 */
+    out[1] = t23;
+    const double t24 = x[2]*p[12]; /* omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
+    const double t25 = t8*t24; /* 1/Theta*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
+    const double t26 = JLT_FNMA(t13, t25, t20); /* t20 - 1/(gamma3*s)*s*(G_level - s*omega_n*R*I3)*1/Theta*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
     out[3] = t26;
 }
 
@@ -168,7 +168,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t24 = p[7]*t23; /* (-R)*(t15 - 2*gamma3*omega_n*1/s) */
     out[7] = t24;
     const double t25 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t26 = p[12]*t25; /* m*R*I3*V */
+    const double t26 = p[11]*t25; /* m*R*I3*V */
     const double t27 = JLT_FNMA(t7, t26, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
     const double t28 = t18 + t20; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
     const double t29 = x[3]*t28; /* omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
@@ -222,49 +222,49 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t14 = x[0]*t9; /* 1/s = gamma3*1/(gamma3*s) */
     const double t15 = t12*t13; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
     const double t16 = t3*t13; /* s*1/gamma3 */
-    const double t17 = x[0]*t14; /* gamma3*1/s */
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t19 = p[12]*t18; /* m*R*I3*V */
-    const double t20 = JLT_FNMA(t8, t19, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t21 = x[3]*t14; /* omega_n*1/s */
+    const double t17 = x[3]*t14; /* omega_n*1/s */
+    const double t18 = JLT_FMS(t13, t15, t17); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s */
+    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t20 = p[11]*t19; /* m*R*I3*V */
+    const double t21 = JLT_FNMA(t8, t20, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
     const double t22 = t14*t14; /* 1/s*1/s */
-    const double t23 = JLT_FMS(t13, t15, t21); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s */
-    const double t24 = t21*t22; /* omega_n*1/s*1/s*1/s */
-    const double t25 = x[3]*t17; /* omega_n*gamma3*1/s */
-    const double t26 = t15 - t25; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*gamma3*1/s */
+    const double t23 = t17*t22; /* omega_n*1/s*1/s*1/s */
+    const double t24 = x[0]*t17; /* gamma3*omega_n*1/s */
+    const double t25 = x[0]*t14; /* gamma3*1/s */
+    const double t26 = t15 - t24; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - gamma3*omega_n*1/s */
     const double t27 = x[3]*t26; /* omega_n*t26 */
     out[2] = t27;
     const double t28 = p[7]*t27; /* (-R)*omega_n*t26 */
     out[1] = t28;
     const double t29 = p[10]*t8; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t30 = t8*t25; /* 1/Theta*omega_n*gamma3*1/s */
-    const double t31 = p[13]*t30; /* (-m*R*I3)*1/Theta*omega_n*gamma3*1/s */
+    const double t30 = t8*t24; /* 1/Theta*gamma3*omega_n*1/s */
+    const double t31 = p[13]*t30; /* (-m*R*I3)*1/Theta*gamma3*omega_n*1/s */
     out[17] = t31;
-    const double t32 = t23 + t24; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
+    const double t32 = t18 + t23; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
     const double t33 = x[3]*t32; /* omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
-    const double t34 = t20*t24; /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
+    const double t34 = t21*t23; /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
     const double t35 = p[1]*t33; /* R*omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
     out[8] = t35;
     const double t36 = -t33; /* -omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
     out[12] = t36;
     const double t37 = JLT_FNMA(x[3], t16, t15); /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*s*1/gamma3 */
-    const double t38 = JLT_FNMA(2.0, t25, t37); /* t37 - 2*omega_n*gamma3*1/s */
+    const double t38 = JLT_FNMA(2.0, t24, t37); /* t37 - 2*gamma3*omega_n*1/s */
     out[15] = t38;
-    const double t39 = p[7]*t38; /* (-R)*(t37 - 2*omega_n*gamma3*1/s) */
+    const double t39 = p[7]*t38; /* (-R)*(t37 - 2*gamma3*omega_n*1/s) */
     out[11] = t39;
-    const double t40 = t20*t25; /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*gamma3*1/s */
-    const double t41 = JLT_FNMA(t15, t29, t25); /* omega_n*gamma3*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t42 = JLT_FNMA(p[14], t30, t41); /* t41 - m*R^2*I3*1/Theta*omega_n*gamma3*1/s */
+    const double t40 = t21*t24; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*omega_n*1/s */
+    const double t41 = JLT_FNMA(t15, t29, t24); /* gamma3*omega_n*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t42 = JLT_FNMA(p[14], t30, t41); /* t41 - m*R^2*I3*1/Theta*gamma3*omega_n*1/s */
     out[18] = t42;
     const double t43 = x[2]*t29; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t44 = JLT_FNMA(t15, t43, t40); /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*gamma3*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t44 = JLT_FNMA(t15, t43, t40); /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*omega_n*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
     out[3] = t44;
-    const double t45 = JLT_FMA(t23, t43, t34); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
+    const double t45 = JLT_FMA(t18, t43, t34); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
     out[16] = t45;
-    const double t46 = t17*t20; /* gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t47 = JLT_FMA(t16, t43, t46); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t46 = t21*t25; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s */
+    const double t47 = JLT_FMA(t16, t43, t46); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s */
     out[19] = t47;
-    const double t48 = x[2]*t17; /* omega_tau*gamma3*1/s */
+    const double t48 = x[2]*t25; /* omega_tau*gamma3*1/s */
     const double t49 = -t48; /* -omega_tau*gamma3*1/s */
     out[4] = t49;
 }
@@ -435,20 +435,20 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t27[k] = jlt_jet_product(x0, x0, k);
         t28[k] = jlt_jet_product(x3, t27, k);
         t29[k] = jlt_jet_product(t22, t28, k);
-        t30[k] = x2[k]*p[11];
-        t31[k] = jlt_jet_product(t26, t30, k);
-        t32[k] = p[8]*t26[k] - t29[k];
-        t33[k] = jlt_jet_product(x3, t32, k);
-        t34[k] = p[7]*t33[k];
-        t35[k] = x2[k]*p[1] + x1[k];
-        t36[k] = p[12]*t35[k];
-        t37[k] = jlt_jet_product(t29, t36, k) + t31[k];
-        t38[k] = jlt_jet_product(x2, t29, k);
-        t39[k] = t38[k] - jlt_jet_product(t21, t37, k);
+        t30[k] = x2[k]*p[1] + x1[k];
+        t31[k] = p[11]*t30[k];
+        t32[k] = x2[k] - jlt_jet_product(t21, t31, k);
+        t33[k] = jlt_jet_product(t29, t32, k);
+        t34[k] = p[8]*t26[k] - t29[k];
+        t35[k] = jlt_jet_product(x3, t34, k);
+        t36[k] = p[7]*t35[k];
+        t37[k] = x2[k]*p[12];
+        t38[k] = jlt_jet_product(t21, t37, k);
+        t39[k] = t33[k] - jlt_jet_product(t26, t38, k);
         double *restrict next = coefficients + (k + 1)*4;
         next[0] = x0[k + 1] = t17[k]/(k + 1);
-        next[1] = x1[k + 1] = t34[k]/(k + 1);
-        next[2] = x2[k + 1] = t33[k]/(k + 1);
+        next[1] = x1[k + 1] = t36[k]/(k + 1);
+        next[2] = x2[k + 1] = t35[k]/(k + 1);
         next[3] = x3[k + 1] = t39[k]/(k + 1);
     }
 }
@@ -517,7 +517,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3 
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 4, .param_count = 7, .block_count = 26,

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   16    7    1    0    0      8    6   (75)
- *  jacobian            9   46   16    1    0    0     10   14   (321)
- *  rhs_jacobian        10   55   17    1    0    0      7   15   (381)
+ *  rhs                 3   16    7    1    0    0      7    7   (75)
+ *  jacobian            8   44   18    1    0    0     11   16   (321)
+ *  rhs_jacobian        11   51   19    1    0    0     10   19   (381)
  *  divergence          1    5    3    1    0    0      5    4   (30)
  *  integral_values     0   13   10    0    0    0      6    6   (55)
  *  integral_gradients  0   21    6    0    0    0      4    4   (81)
@@ -54,18 +54,15 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = t0;
     const double t1 = params[1]*params[1]; /* R*R */
     const double t2 = params[0]*t1; /* m*R*R */
-    out[41] = t2;
+    out[29] = t2;
     const double t3 = params[5]/t2; /* I3/(m*R*R) */
     out[7] = t3;
     const double t4 = 1.0/params[1]; /* 1/R */
     out[8] = t4;
     const double t5 = params[4]*t2; /* I1*m*R*R */
-    out[22] = t5;
     const double t6 = params[5]*params[5]; /* I3*I3 */
     const double t7 = params[5]*t2; /* I3*m*R*R */
-    out[23] = t7;
     const double t8 = t6 + t7; /* I3*I3 + I3*m*R*R */
-    out[24] = t8;
     const double t9 = t8/t5; /* (I3*I3 + I3*m*R*R)/(I1*m*R*R) */
     out[9] = t9;
     const double t10 = params[4] - params[5]; /* I1 - I3 */
@@ -91,9 +88,9 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t26 = t25/t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
     out[14] = t26;
     const double t27 = params[4]*params[1]; /* I1*R */
-    out[37] = t27;
+    out[25] = t27;
     const double t28 = params[5]/t27; /* I3/(I1*R) */
-    out[33] = t28;
+    out[21] = t28;
     const double t29 = -t28; /* -I3/(I1*R) */
     out[15] = t29;
     const double t30 = t5*t6; /* I1*m*R*R*I3*I3 */
@@ -114,50 +111,33 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t41 = t10*2.0; /* (I1 - I3)*2 */
     const double t42 = t41/params[4]; /* (I1 - I3)*2/I1 */
     out[20] = t42;
-    const double t43 = params[4]*params[5]; /* I1*I3 */
-    out[21] = t43;
-    const double t44 = params[0]*params[1]; /* m*R */
-    const double t45 = params[5]*t44; /* I3*m*R */
-    out[25] = t45;
-    const double t46 = params[4]*t44; /* I1*m*R */
+    const double t43 = params[4]/2.0; /* I1/2 */
+    out[22] = t43;
+    const double t44 = params[0]/params[4]; /* m/I1 */
+    out[23] = t44;
+    const double t45 = t2/params[4]; /* m*R*R/I1 */
+    out[24] = t45;
+    const double t46 = params[5]*params[1]; /* I3*R */
     out[26] = t46;
-    const double t47 = t2*t10; /* m*R*R*(I1 - I3) */
+    const double t47 = params[0]*t14; /* m*I1*I1 */
     out[27] = t47;
-    const double t48 = params[0]*2.0; /* m*2 */
-    const double t49 = t1*t48; /* R*R*m*2 */
-    const double t50 = params[5]*t49; /* I3*R*R*m*2 */
-    out[28] = t50;
-    const double t51 = -t45; /* -I3*m*R */
-    out[29] = t51;
-    const double t52 = params[4]*t49; /* I1*R*R*m*2 */
-    out[30] = t52;
-    const double t53 = -t46; /* -I1*m*R */
+    const double t48 = t5*t10; /* I1*m*R*R*(I1 - I3) */
+    out[28] = t48;
+    const double t49 = -t46; /* -I3*R */
+    out[30] = t49;
+    const double t50 = params[0]*2.0; /* m*2 */
+    const double t51 = t1*t50; /* R*R*m*2 */
+    const double t52 = params[5]*t51; /* I3*R*R*m*2 */
+    const double t53 = t10*t52; /* (I1 - I3)*I3*R*R*m*2 */
     out[31] = t53;
-    const double t54 = t10*t49; /* (I1 - I3)*R*R*m*2 */
+    const double t54 = t14*t50; /* I1*I1*m*2 */
     out[32] = t54;
-    const double t55 = params[4]/2.0; /* I1/2 */
-    out[34] = t55;
-    const double t56 = params[0]/params[4]; /* m/I1 */
-    out[35] = t56;
-    const double t57 = t2/params[4]; /* m*R*R/I1 */
-    out[36] = t57;
-    const double t58 = params[5]*params[1]; /* I3*R */
-    out[38] = t58;
-    const double t59 = params[0]*t14; /* m*I1*I1 */
-    out[39] = t59;
-    const double t60 = t5*t10; /* I1*m*R*R*(I1 - I3) */
-    out[40] = t60;
-    const double t61 = -t58; /* -I3*R */
-    out[42] = t61;
-    const double t62 = t10*t50; /* (I1 - I3)*I3*R*R*m*2 */
-    out[43] = t62;
-    const double t63 = t14*t48; /* I1*I1*m*2 */
-    out[44] = t63;
-    const double t64 = params[1]*t48; /* R*m*2 */
-    const double t65 = t14*t64; /* I1*I1*R*m*2 */
-    out[45] = t65;
-    const double t66 = t10*t52; /* (I1 - I3)*I1*R*R*m*2 */
-    out[46] = t66;
+    const double t55 = params[1]*t50; /* R*m*2 */
+    const double t56 = t14*t55; /* I1*I1*R*m*2 */
+    out[33] = t56;
+    const double t57 = params[4]*t51; /* I1*R*R*m*2 */
+    const double t58 = t10*t57; /* (I1 - I3)*I1*R*R*m*2 */
+    out[34] = t58;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -166,14 +146,14 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t1 = x[5]*t0; /* s*s*omega_tau */
     out[0] = t1;
     const double t2 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t3 = x[5]*x[4]; /* s*omega3 */
-    const double t4 = t2 + t3; /* omega_n*gamma3 + s*omega3 */
-    const double t5 = p[1]*x[3]; /* R*omega_n */
-    const double t6 = t4*t5; /* (omega_n*gamma3 + s*omega3)*R*omega_n */
-    out[1] = t6;
-    const double t7 = JLT_FMA(t3, p[6], t2); /* s*omega3*I3/I1 + omega_n*gamma3 */
-    const double t8 = x[3]*t7; /* omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
-    const double t9 = -t8; /* -omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
+    const double t3 = x[3]*t2; /* omega_n*omega_n*gamma3 */
+    const double t4 = x[5]*x[3]; /* s*omega_n */
+    const double t5 = x[4]*t4; /* omega3*s*omega_n */
+    const double t6 = t3 + t5; /* omega_n*omega_n*gamma3 + omega3*s*omega_n */
+    const double t7 = p[1]*t6; /* R*(omega_n*omega_n*gamma3 + omega3*s*omega_n) */
+    out[1] = t7;
+    const double t8 = JLT_FMA(t5, p[6], t3); /* omega3*s*omega_n*I3/I1 + omega_n*omega_n*gamma3 */
+    const double t9 = -t8; /* -(omega3*s*omega_n*I3/I1 + omega_n*omega_n*gamma3) */
     out[2] = t9;
     const double t10 = x[0]*p[6]; /* gamma3*I3/I1 */
     const double t11 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
@@ -183,19 +163,18 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t15 = t13*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
     const double t16 = JLT_FNMA(p[6], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
     const double t17 = t2*t16; /* omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t18 = t0*x[4]; /* s*omega_tau*omega3 */
-    const double t19 = t13*t18; /* 1/(Theta/(m*R^2*I1))*s*omega_tau*omega3 */
-    const double t20 = JLT_FMA(p[9], t19, t17); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*s*omega_tau*omega3 + omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t18 = x[4]*t13; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t19 = t0*p[9]; /* s*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t20 = JLT_FMA(t18, t19, t17); /* omega3*1/(Theta/(m*R^2*I1))*s*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
     out[3] = t20;
-    const double t21 = x[3]*t15; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t22 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
-    const double t23 = JLT_FNMA(t19, t22, t21); /* omega_n*1/(Theta/(m*R^2*I1))*V/R - 1/(Theta/(m*R^2*I1))*s*omega_tau*omega3*gamma3*(I1 - I3)/I1 */
-    const double t24 = x[5]*t23; /* s*t23 */
-    const double t25 = -t24; /* -s*t23 */
+    const double t21 = t4*t15; /* s*omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t22 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t23 = x[5]*p[10]; /* s*(I1 - I3)/I1 */
+    const double t24 = t22*t23; /* s*omega_tau*gamma3*s*(I1 - I3)/I1 */
+    const double t25 = JLT_FMS(t18, t24, t21); /* omega3*1/(Theta/(m*R^2*I1))*s*omega_tau*gamma3*s*(I1 - I3)/I1 - s*omega_n*1/(Theta/(m*R^2*I1))*V/R */
     out[4] = t25;
-    const double t26 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t27 = -t26; /* -s*omega_tau*gamma3 */
-    out[5] = t27;
+    const double t26 = -t22; /* -s*omega_tau*gamma3 */
+    out[5] = t26;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -216,20 +195,20 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
     out[5] = t2;
-    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
+    const double t3 = x[3]*p[1]; /* omega_n*R */
+    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
     out[6] = t4;
     const double t5 = x[5]*x[4]; /* s*omega3 */
     const double t6 = p[1]*t5; /* R*s*omega3 */
     const double t7 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t8 = JLT_FMA(p[11], t7, t6); /* 2*R*omega_n*gamma3 + R*s*omega3 */
     out[9] = t8;
-    const double t9 = p[1]*x[3]; /* R*omega_n */
-    const double t10 = x[5]*t9; /* s*R*omega_n */
-    out[10] = t10;
-    const double t11 = x[4]*t9; /* omega3*R*omega_n */
-    out[11] = t11;
-    const double t12 = -t3; /* -omega_n*omega_n */
+    const double t9 = x[5]*t3; /* s*omega_n*R */
+    out[10] = t9;
+    const double t10 = t3*x[4]; /* omega_n*R*omega3 */
+    out[11] = t10;
+    const double t11 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t12 = -t11; /* -omega_n*omega_n */
     out[12] = t12;
     const double t13 = t7*(-2.0); /* omega_n*gamma3*(-2) */
     const double t14 = JLT_FMA(t5, p[12], t13); /* s*omega3*(-I3/I1) + omega_n*gamma3*(-2) */
@@ -241,77 +220,113 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t18 = x[4]*t15; /* omega3*omega_n*I3/I1 */
     const double t19 = -t18; /* -omega3*omega_n*I3/I1 */
     out[17] = t19;
-    const double t20 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t21 = t0 + p[7]; /* s*s + I3/(m*R^2) */
-    const double t22 = JLT_FMA(p[6], t20, t21); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
-    const double t23 = 1.0/t22; /* 1/(Theta/(m*R^2*I1)) */
-    const double t24 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t25 = t23*t24; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t26 = JLT_FNMA(p[6], t25, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t27 = x[3]*t26; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t28 = x[3]*t25; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t29 = t20*p[13]; /* gamma3*gamma3*2*I3^2/I1^2 */
-    const double t30 = t28*t29; /* omega_n*1/(Theta/(m*R^2*I1))*V/R*gamma3*gamma3*2*I3^2/I1^2 */
-    const double t31 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t32 = x[5]*t23; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t33 = x[0]*t32; /* gamma3*s*1/(Theta/(m*R^2*I1)) */
-    const double t34 = t31*t33; /* omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1)) */
-    const double t35 = JLT_FNMA(p[14], t34, t30); /* omega_n*1/(Theta/(m*R^2*I1))*V/R*gamma3*gamma3*2*I3^2/I1^2 - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1)) */
-    const double t36 = JLT_FMA(t23, t35, t27); /* 1/(Theta/(m*R^2*I1))*t35 + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t20 = x[2]*x[3]; /* omega_tau*omega_n */
+    const double t21 = x[0]*p[6]; /* gamma3*I3/I1 */
+    const double t22 = t0 + p[7]; /* s*s + I3/(m*R^2) */
+    const double t23 = JLT_FMA(x[0], t21, t22); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t24 = 1.0/t23; /* 1/(Theta/(m*R^2*I1)) */
+    const double t25 = t7*t24; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t26 = x[0]*p[13]; /* gamma3*2*I3^2/I1^2 */
+    const double t27 = JLT_FMS(t25, t26, t15); /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*gamma3*2*I3^2/I1^2 - omega_n*I3/I1 */
+    const double t28 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t29 = t24*t28; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t30 = x[5]*t24; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t31 = x[0]*t30; /* gamma3*s*1/(Theta/(m*R^2*I1)) */
+    const double t32 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t33 = t31*t32; /* gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t34 = t24*p[14]; /* 1/(Theta/(m*R^2*I1))*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2) */
+    const double t35 = JLT_FMA(t27, t29, t20); /* t27*1/(Theta/(m*R^2*I1))*V/R + omega_tau*omega_n */
+    const double t36 = JLT_FNMA(t33, t34, t35); /* t27*1/(Theta/(m*R^2*I1))*V/R + omega_tau*omega_n - gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*t34 */
     out[18] = t36;
-    const double t37 = t7*t23; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t38 = p[15]*t37; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[19] = t38;
-    const double t39 = t32*p[9]; /* s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t40 = JLT_FNMA(p[6], t37, t7); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t41 = JLT_FMA(x[4], t39, t40); /* omega3*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[20] = t41;
-    const double t42 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t37 = t25*p[15]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*(-I3/(R*I1)) */
+    out[19] = t37;
+    const double t38 = t30*p[9]; /* s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t39 = JLT_FNMA(p[6], t25, t7); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t40 = JLT_FMA(x[4], t38, t39); /* omega3*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[20] = t40;
+    const double t41 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t42 = JLT_FNMA(t21, t29, t41); /* omega_tau*gamma3 - gamma3*I3/I1*1/(Theta/(m*R^2*I1))*V/R */
     out[21] = t42;
-    const double t43 = x[2]*t39; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t43 = x[2]*t38; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
     out[22] = t43;
-    const double t44 = t23*p[9]; /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t45 = t32*p[16]; /* s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) */
-    const double t46 = JLT_FNMA(t32, t45, t44); /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) - s*1/(Theta/(m*R^2*I1))*t45 */
-    const double t47 = t28*p[17]; /* omega_n*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t48 = t33*t47; /* gamma3*s*1/(Theta/(m*R^2*I1))*omega_n*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t49 = JLT_FMA(t31, t46, t48); /* omega_tau*omega3*t46 + t48 */
-    out[23] = t49;
-    const double t50 = x[5]*t32; /* s*s*1/(Theta/(m*R^2*I1)) */
-    const double t51 = t31*p[10]; /* omega_tau*omega3*(I1 - I3)/I1 */
-    const double t52 = t33*p[18]; /* gamma3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
-    const double t53 = JLT_FMA(t50, t51, t48); /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 + t48 */
-    const double t54 = JLT_FNMA(t34, t52, t53); /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 + t48 - omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*gamma3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
-    out[24] = t54;
-    const double t55 = x[3]*t32; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t56 = p[19]*t55; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[25] = t56;
-    const double t57 = t33*p[10]; /* gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t58 = JLT_FMS(t5, t57, t55); /* s*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 - omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[26] = t58;
-    const double t59 = t24*t32; /* V/R*s*1/(Theta/(m*R^2*I1)) */
-    const double t60 = -t59; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t44 = t24*p[9]; /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t45 = t30*p[16]; /* s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) */
+    const double t46 = JLT_FNMA(t30, t45, t44); /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) - s*1/(Theta/(m*R^2*I1))*t45 */
+    const double t47 = t28*t30; /* V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t48 = t25*p[17]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*2*I3/I1 */
+    const double t49 = t47*t48; /* V/R*s*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1))*2*I3/I1 */
+    const double t50 = JLT_FMA(t32, t46, t49); /* omega_tau*omega3*t46 + t49 */
+    out[23] = t50;
+    const double t51 = x[5]*t30; /* s*s*1/(Theta/(m*R^2*I1)) */
+    const double t52 = t32*p[10]; /* omega_tau*omega3*(I1 - I3)/I1 */
+    const double t53 = t31*p[18]; /* gamma3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
+    const double t54 = JLT_FMA(t51, t52, t49); /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 + t49 */
+    const double t55 = JLT_FNMA(t33, t53, t54); /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 + t49 - gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
+    out[24] = t55;
+    const double t56 = x[3]*t30; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t57 = p[19]*t56; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[25] = t57;
+    const double t58 = t31*p[10]; /* gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t59 = JLT_FMS(t5, t58, t56); /* s*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 - omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[26] = t59;
+    const double t60 = -t47; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
     out[27] = t60;
-    const double t61 = t1*t57; /* s*omega_tau*gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t61 = t1*t58; /* s*omega_tau*gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
     out[28] = t61;
-    const double t62 = 1.0 - t50; /* 1 - s*s*1/(Theta/(m*R^2*I1)) */
-    const double t63 = p[20]*t62; /* 2*(I1 - I3)/I1*(1 - s*s*1/(Theta/(m*R^2*I1))) */
-    const double t64 = 2.0*t55; /* 2*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t65 = JLT_FMS(t59, t64, t28); /* V/R*s*1/(Theta/(m*R^2*I1))*2*omega_n*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t66 = JLT_FMA(t34, t63, t65); /* omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*2*(I1 - I3)/I1*(1 - s*s*1/(Theta/(m*R^2*I1))) + t65 */
+    const double t62 = 2.0*t56; /* 2*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t63 = t33*p[20]; /* gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*2*(I1 - I3)/I1 */
+    const double t64 = JLT_FNMA(x[3], t29, t63); /* t63 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t65 = JLT_FMA(t47, t62, t64); /* V/R*s*1/(Theta/(m*R^2*I1))*2*omega_n*s*1/(Theta/(m*R^2*I1)) + t63 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t66 = JLT_FNMA(t51, t63, t65); /* t65 - s*s*1/(Theta/(m*R^2*I1))*t63 */
     out[29] = t66;
     const double t67 = -t1; /* -s*omega_tau */
     out[30] = t67;
     const double t68 = x[5]*x[0]; /* s*gamma3 */
     const double t69 = -t68; /* -s*gamma3 */
     out[32] = t69;
-    const double t70 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t71 = -t70; /* -omega_tau*gamma3 */
-    out[35] = t71;
+    const double t70 = -t41; /* -omega_tau*gamma3 */
+    out[35] = t70;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    const double t0 = x[5]*x[2]; /* s*omega_tau */
+    const double t1 = x[5]*t0; /* s*s*omega_tau */
+    out[0] = t1;
+    const double t2 = p[1]*x[3]; /* R*omega_n */
+    const double t3 = x[5]*x[4]; /* s*omega3 */
+    const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t5 = t3 + t4; /* s*omega3 + omega_n*gamma3 */
+    const double t6 = t2*t5; /* R*omega_n*(s*omega3 + omega_n*gamma3) */
+    out[1] = t6;
+    const double t7 = x[3]*t4; /* omega_n*omega_n*gamma3 */
+    const double t8 = x[3]*p[6]; /* omega_n*I3/I1 */
+    const double t9 = JLT_FMA(t3, t8, t7); /* s*omega3*omega_n*I3/I1 + omega_n*omega_n*gamma3 */
+    const double t10 = -t9; /* -(s*omega3*omega_n*I3/I1 + omega_n*omega_n*gamma3) */
+    out[2] = t10;
+    const double t11 = x[5]*x[5]; /* s*s */
+    out[8] = t11;
+    const double t12 = x[0]*p[6]; /* gamma3*I3/I1 */
+    const double t13 = p[7] + t11; /* I3/(m*R^2) + s*s */
+    const double t14 = JLT_FMA(x[0], t12, t13); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t15 = 1.0/t14; /* 1/(Theta/(m*R^2*I1)) */
+    const double t16 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t17 = t15*t16; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t18 = JLT_FNMA(p[6], t17, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t19 = t4*t18; /* omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t20 = x[5]*t15; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t21 = x[4]*t20; /* omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t22 = x[2]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t23 = JLT_FMA(t21, t22, t19); /* omega3*s*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[3] = t23;
+    const double t24 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t25 = t21*p[10]; /* omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t26 = t24*t25; /* s*omega_tau*gamma3*omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t27 = x[3]*t20; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t28 = JLT_FNMA(t16, t27, t26); /* t26 - V/R*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[4] = t28;
+    const double t29 = -t24; /* -s*omega_tau*gamma3 */
+    out[5] = t29;
     out[6] = 0.0;
     out[7] = 0.0;
     out[9] = 0.0;
@@ -323,120 +338,82 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[37] = 0.0;
     out[39] = 0.0;
     out[40] = 0.0;
-    const double t0 = x[5]*x[5]; /* s*s */
-    out[8] = t0;
-    const double t1 = JLT_FMA(p[22], t0, p[21]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t2 = x[0]*p[23]; /* gamma3*m*R^2*I3 */
-    const double t3 = JLT_FMA(x[0], t2, t1); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t4 = 1.0/t3; /* 1/Theta */
-    const double t5 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t6 = x[5]*x[2]; /* s*omega_tau */
-    const double t7 = x[5]*t6; /* s*s*omega_tau */
-    out[0] = t7;
-    const double t8 = 2.0*t6; /* 2*s*omega_tau */
-    out[11] = t8;
-    const double t9 = -t6; /* -s*omega_tau */
-    out[36] = t9;
-    const double t10 = x[5]*x[4]; /* s*omega3 */
-    const double t11 = x[4]*p[24]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t12 = x[5]*x[3]; /* s*omega_n */
-    const double t13 = p[1]*t12; /* R*s*omega_n */
-    out[16] = t13;
-    const double t14 = p[12]*t12; /* (-I3/I1)*s*omega_n */
-    out[22] = t14;
-    const double t15 = p[26]*t5; /* m*R*I1*V */
-    const double t16 = p[25]*t5; /* m*R*I3*V */
-    const double t17 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t18 = p[6]*t10; /* I3/I1*s*omega3 */
-    const double t19 = t6*t11; /* s*omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t20 = JLT_FNMA(t16, t17, t19); /* numerator of d(omega_n)/dt over Theta = s*omega_tau*omega3*(I3^2 + m*R^2*I3) - m*R*I3*V*omega_n*gamma3 */
-    const double t21 = JLT_FNMA(t4, t16, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t22 = x[2]*t11; /* omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t23 = t4*t20; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t24 = t4*t22; /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) */
-    const double t25 = JLT_FMA(x[2], t17, t23); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t25;
-    const double t26 = x[0]*t21; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[27] = t26;
-    const double t27 = x[3]*t21; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t28 = t12*t15; /* s*omega_n*m*R*I1*V */
-    const double t29 = p[27]*t10; /* m*R^2*(I1 - I3)*s*omega3 */
-    const double t30 = x[0]*t6; /* gamma3*s*omega_tau */
-    const double t31 = JLT_FMS(t29, t30, t28); /* numerator of d(omega3)/dt over Theta = m*R^2*(I1 - I3)*s*omega3*gamma3*s*omega_tau - s*omega_n*m*R*I1*V */
-    const double t32 = t4*t6; /* 1/Theta*s*omega_tau */
-    const double t33 = t4*t31; /* 1/Theta*numerator of d(omega3)/dt over Theta */
-    out[4] = t33;
-    const double t34 = -t30; /* -gamma3*s*omega_tau */
-    out[5] = t34;
-    const double t35 = p[24]*t32; /* (I3^2 + m*R^2*I3)*1/Theta*s*omega_tau */
-    out[28] = t35;
-    const double t36 = t29*t32; /* m*R^2*(I1 - I3)*s*omega3*1/Theta*s*omega_tau */
-    const double t37 = x[5]*x[0]; /* s*gamma3 */
-    const double t38 = t29*t37; /* m*R^2*(I1 - I3)*s*omega3*s*gamma3 */
-    const double t39 = -t37; /* -s*gamma3 */
-    out[38] = t39;
-    const double t40 = JLT_FNMA(p[22], t12, t38); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = m*R^2*(I1 - I3)*s*omega3*s*gamma3 - m*R^2*I1*s*omega_n */
-    const double t41 = t4*t40; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
-    out[32] = t41;
-    const double t42 = p[31]*t12; /* (-m*R*I1)*s*omega_n */
-    const double t43 = t4*t42; /* 1/Theta*(-m*R*I1)*s*omega_n */
-    out[31] = t43;
-    const double t44 = x[3]*t15; /* omega_n*m*R*I1*V */
-    const double t45 = x[4]*p[32]; /* omega3*2*m*R^2*(I1 - I3) */
-    const double t46 = JLT_FMS(t30, t45, t44); /* d(numerator of d(omega3)/dt over Theta)/d(s) = gamma3*s*omega_tau*omega3*2*m*R^2*(I1 - I3) - omega_n*m*R*I1*V */
-    const double t47 = p[27]*t30; /* m*R^2*(I1 - I3)*gamma3*s*omega_tau */
-    const double t48 = t4*t46; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t49 = t17 + t18; /* omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t50 = x[3]*t49; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    const double t51 = -t50; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    out[2] = t51;
-    const double t52 = JLT_FMA(2.0, t17, t18); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t53 = -t52; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
-    out[21] = t53;
-    const double t54 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
-    const double t55 = t4*t54; /* 1/Theta*gamma3*2*m*R^2*I3 */
-    const double t56 = JLT_FNMA(t23, t55, t27); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[24] = t56;
-    const double t57 = JLT_FNMA(t33, t55, t36); /* m*R^2*(I1 - I3)*s*omega3*1/Theta*s*omega_tau - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[30] = t57;
-    const double t58 = p[24]*t10; /* (I3^2 + m*R^2*I3)*s*omega3 */
-    const double t59 = JLT_FNMA(p[23], t17, t58); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
-    const double t60 = JLT_FMA(t4, t59, t17); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[26] = t60;
-    const double t61 = x[5]*t4; /* s*1/Theta */
-    const double t62 = t47*t61; /* m*R^2*(I1 - I3)*gamma3*s*omega_tau*s*1/Theta */
-    out[34] = t62;
-    const double t63 = t15*t61; /* m*R*I1*V*s*1/Theta */
-    const double t64 = -t63; /* -m*R*I1*V*s*1/Theta */
-    out[33] = t64;
-    const double t65 = p[30]*t61; /* 2*m*R^2*I1*s*1/Theta */
-    const double t66 = JLT_FNMA(t23, t65, t24); /* 1/Theta*omega_tau*omega3*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[29] = t66;
-    const double t67 = JLT_FNMA(t33, t65, t48); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[35] = t67;
-    const double t68 = t10 + t17; /* s*omega3 + omega_n*gamma3 */
-    const double t69 = p[1]*t10; /* R*s*omega3 */
-    const double t70 = JLT_FMA(p[11], t17, t69); /* 2*R*omega_n*gamma3 + R*s*omega3 */
-    out[15] = t70;
-    const double t71 = p[29]*t17; /* (-m*R*I3)*omega_n*gamma3 */
-    const double t72 = t4*t71; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
-    out[25] = t72;
-    const double t73 = p[1]*x[3]; /* R*omega_n */
-    const double t74 = t68*t73; /* (s*omega3 + omega_n*gamma3)*R*omega_n */
-    out[1] = t74;
-    const double t75 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t76 = p[1]*t75; /* R*omega_n*omega_n */
-    out[12] = t76;
-    const double t77 = -t75; /* -omega_n*omega_n */
-    out[18] = t77;
-    const double t78 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t79 = p[1]*t78; /* R*omega_n*omega3 */
-    out[17] = t79;
-    const double t80 = p[12]*t78; /* (-I3/I1)*omega_n*omega3 */
-    out[23] = t80;
-    const double t81 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t82 = -t81; /* -omega_tau*gamma3 */
-    out[41] = t82;
+    const double t30 = t0*2.0; /* s*omega_tau*2 */
+    out[11] = t30;
+    const double t31 = x[3]*t2; /* omega_n*R*omega_n */
+    out[12] = t31;
+    const double t32 = p[1]*t3; /* R*s*omega3 */
+    const double t33 = JLT_FMA(t4, p[11], t32); /* omega_n*gamma3*2*R + R*s*omega3 */
+    out[15] = t33;
+    const double t34 = x[5]*t2; /* s*R*omega_n */
+    out[16] = t34;
+    const double t35 = t2*x[4]; /* R*omega_n*omega3 */
+    out[17] = t35;
+    const double t36 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t37 = -t36; /* -omega_n*omega_n */
+    out[18] = t37;
+    const double t38 = t4*(-2.0); /* omega_n*gamma3*(-2) */
+    const double t39 = JLT_FMA(t3, p[12], t38); /* s*omega3*(-I3/I1) + omega_n*gamma3*(-2) */
+    out[21] = t39;
+    const double t40 = x[5]*t8; /* s*omega_n*I3/I1 */
+    const double t41 = -t40; /* -s*omega_n*I3/I1 */
+    out[22] = t41;
+    const double t42 = x[4]*t8; /* omega3*omega_n*I3/I1 */
+    const double t43 = -t42; /* -omega3*omega_n*I3/I1 */
+    out[23] = t43;
+    const double t44 = x[3]*t18; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t45 = t4*t17; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
+    const double t46 = x[0]*p[13]; /* gamma3*2*I3^2/I1^2 */
+    const double t47 = t45*t46; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*gamma3*2*I3^2/I1^2 */
+    const double t48 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t49 = t21*t48; /* omega3*s*1/(Theta/(m*R^2*I1))*omega_tau*gamma3 */
+    const double t50 = JLT_FNMA(p[14], t49, t47); /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*gamma3*2*I3^2/I1^2 - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega3*s*1/(Theta/(m*R^2*I1))*omega_tau*gamma3 */
+    const double t51 = JLT_FMA(t15, t50, t44); /* 1/(Theta/(m*R^2*I1))*t50 + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[24] = t51;
+    const double t52 = t4*t15; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t53 = p[15]*t52; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[25] = t53;
+    const double t54 = JLT_FNMA(p[6], t52, t4); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t55 = JLT_FMA(t21, p[9], t54); /* omega3*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[26] = t55;
+    const double t56 = x[0]*t18; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[27] = t56;
+    const double t57 = t20*t22; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[28] = t57;
+    const double t58 = x[4]*t22; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t59 = t15*t58; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t60 = x[2]*p[16]; /* omega_tau*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) */
+    const double t61 = t45*p[17]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
+    const double t62 = JLT_FMS(t21, t60, t61); /* omega3*s*1/(Theta/(m*R^2*I1))*omega_tau*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
+    const double t63 = JLT_FNMA(t20, t62, t59); /* t59 - s*1/(Theta/(m*R^2*I1))*t62 */
+    out[29] = t63;
+    const double t64 = t0*t25; /* s*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t65 = x[0]*p[18]; /* gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t66 = JLT_FMS(t49, t65, t61); /* omega3*s*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*gamma3*2*I3*(I1 - I3)/I1^2 - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
+    const double t67 = JLT_FNMA(t20, t66, t64); /* s*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 - s*1/(Theta/(m*R^2*I1))*t66 */
+    out[30] = t67;
+    const double t68 = t27*p[19]; /* omega_n*s*1/(Theta/(m*R^2*I1))*(-1/R) */
+    out[31] = t68;
+    const double t69 = x[5]*x[0]; /* s*gamma3 */
+    const double t70 = JLT_FMS(t25, t69, t27); /* omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 - omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[32] = t70;
+    const double t71 = t16*t20; /* V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t72 = -t71; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
+    out[33] = t72;
+    const double t73 = t24*p[10]; /* s*omega_tau*gamma3*(I1 - I3)/I1 */
+    const double t74 = t20*t73; /* s*1/(Theta/(m*R^2*I1))*s*omega_tau*gamma3*(I1 - I3)/I1 */
+    out[34] = t74;
+    const double t75 = x[3]*t17; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t76 = t20*2.0; /* s*1/(Theta/(m*R^2*I1))*2 */
+    const double t77 = JLT_FMS(t49, p[20], t75); /* omega3*s*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*2*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t78 = JLT_FNMA(t28, t76, t77); /* t77 - (t26 - V/R*omega_n*s*1/(Theta/(m*R^2*I1)))*s*1/(Theta/(m*R^2*I1))*2 */
+    out[35] = t78;
+    const double t79 = -t0; /* -s*omega_tau */
+    out[36] = t79;
+    const double t80 = -t69; /* -s*gamma3 */
+    out[38] = t80;
+    const double t81 = -t48; /* -omega_tau*gamma3 */
+    out[41] = t81;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -448,7 +425,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t4 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
     const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
     const double t6 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t7 = JLT_FNMA(p[33], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
+    const double t7 = JLT_FNMA(p[21], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
     const double t8 = x[0]*t7; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V) */
     const double t9 = t8/t3; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/(Theta/(m*R^2*I1)) */
     out[0] = t9;
@@ -456,30 +433,30 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[35]*x[1]; /* m/I1*v_nu */
+    const double t0 = p[23]*x[1]; /* m/I1*v_nu */
     const double t1 = x[3]*x[3]; /* omega_n*omega_n */
     const double t2 = x[4]*x[4]; /* omega3*omega3 */
     const double t3 = x[4]*x[5]; /* omega3*s */
     const double t4 = JLT_FMA(x[3], x[0], t3); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t5 = p[36]*t4; /* m*R^2/I1*v_tau/R */
+    const double t5 = p[24]*t4; /* m*R^2/I1*v_tau/R */
     const double t6 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t7 = JLT_FMA(x[1], t0, t6); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t8 = JLT_FMA(p[6], t2, t7); /* I3/I1*omega3*omega3 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t9 = JLT_FMA(t4, t5, t8); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t8 */
-    const double t10 = p[34]*t9; /* 1/2*I1*energy/(1/2*I1) */
+    const double t10 = p[22]*t9; /* 1/2*I1*energy/(1/2*I1) */
     out[0] = t10;
-    const double t11 = x[3]*p[37]; /* omega_n*R*I1 */
+    const double t11 = x[3]*p[25]; /* omega_n*R*I1 */
     const double t12 = x[5]*t11; /* s*omega_n*R*I1 */
-    const double t13 = x[4]*p[38]; /* omega3*R*I3 */
+    const double t13 = x[4]*p[26]; /* omega3*R*I3 */
     const double t14 = JLT_FNMA(x[0], t13, t12); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
     out[1] = t14;
     const double t15 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t16 = p[39]*t15; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t16 = p[27]*t15; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t17 = t15*t16; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t18 = p[6]*x[0]; /* I3/I1*gamma3 */
     const double t19 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
     const double t20 = JLT_FMA(x[0], t18, t19); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
-    const double t21 = t2*p[40]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
+    const double t21 = t2*p[28]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
     const double t22 = JLT_FMA(t20, t21, t17); /* Theta/(m*R^2*I1)*omega3*omega3*m*R^2*I1*(I1 - I3) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[2] = t22;
 }
@@ -488,7 +465,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 {
     const double t0 = x[4]*x[5]; /* omega3*s */
     const double t1 = JLT_FMA(x[3], x[0], t0); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t2 = p[41]*t1; /* m*R^2*v_tau/R */
+    const double t2 = p[29]*t1; /* m*R^2*v_tau/R */
     const double t3 = x[3]*t2; /* omega_n*m*R^2*v_tau/R */
     out[0] = t3;
     const double t4 = p[0]*x[1]; /* m*v_nu */
@@ -503,30 +480,30 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[4] = t9;
     const double t10 = x[4]*t2; /* omega3*m*R^2*v_tau/R */
     out[5] = t10;
-    const double t11 = x[4]*p[42]; /* omega3*(-R*I3) */
+    const double t11 = x[4]*p[30]; /* omega3*(-R*I3) */
     out[6] = t11;
     out[7] = 0.0;
     out[8] = 0.0;
     out[15] = 0.0;
-    const double t12 = x[5]*p[37]; /* s*R*I1 */
+    const double t12 = x[5]*p[25]; /* s*R*I1 */
     out[9] = t12;
-    const double t13 = x[0]*p[42]; /* gamma3*(-R*I3) */
+    const double t13 = x[0]*p[30]; /* gamma3*(-R*I3) */
     out[10] = t13;
-    const double t14 = x[3]*p[37]; /* omega_n*R*I1 */
+    const double t14 = x[3]*p[25]; /* omega_n*R*I1 */
     out[11] = t14;
-    const double t15 = x[4]*p[43]; /* omega3*2*m*R^2*I3*(I1 - I3) */
+    const double t15 = x[4]*p[31]; /* omega3*2*m*R^2*I3*(I1 - I3) */
     const double t16 = x[4]*x[0]; /* omega3*gamma3 */
     const double t17 = t15*t16; /* omega3*2*m*R^2*I3*(I1 - I3)*omega3*gamma3 */
     out[12] = t17;
     const double t18 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t19 = p[44]*t18; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t19 = p[32]*t18; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[13] = t19;
-    const double t20 = t18*p[45]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t20 = t18*p[33]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[14] = t20;
     const double t21 = x[0]*p[6]; /* gamma3*I3/I1 */
     const double t22 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
     const double t23 = JLT_FMA(x[0], t21, t22); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t24 = x[4]*p[46]; /* omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t24 = x[4]*p[34]; /* omega3*2*m*R^2*I1*(I1 - I3) */
     const double t25 = t23*t24; /* Theta/(m*R^2*I1)*omega3*2*m*R^2*I1*(I1 - I3) */
     out[16] = t25;
     const double t26 = t0*t24; /* omega3*s*omega3*2*m*R^2*I1*(I1 - I3) */
@@ -551,26 +528,26 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
-    double t14[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    double t21[JLT_JET_ORDER_MAX + 1];
-    double t23[JLT_JET_ORDER_MAX + 1];
-    double t24[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
-    double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
@@ -585,37 +562,37 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x5, x2, k);
         t3[k] = jlt_jet_product(x5, t2, k);
-        t7[k] = jlt_jet_product(x3, x0, k);
-        t9[k] = jlt_jet_product(x5, x4, k);
-        t10[k] = t7[k] + t9[k];
-        t11[k] = p[1]*x3[k];
-        t12[k] = jlt_jet_product(t10, t11, k);
-        t14[k] = t9[k]*p[6] + t7[k];
-        t15[k] = jlt_jet_product(x3, t14, k);
+        t7[k] = jlt_jet_product(x5, x3, k);
+        t8[k] = jlt_jet_product(x4, t7, k);
+        t10[k] = jlt_jet_product(x3, x0, k);
+        t11[k] = jlt_jet_product(x3, t10, k);
+        t12[k] = t8[k] + t11[k];
+        t13[k] = p[1]*t12[k];
+        t15[k] = t8[k]*p[6] + t11[k];
         t16[k] = -t15[k];
-        t19[k] = x0[k]*p[6];
-        t20[k] = jlt_jet_product(x5, x5, k) + (k == 0 ? p[7] : 0);
-        t21[k] = jlt_jet_product(x0, t19, k) + t20[k];
-        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t21, t23, k);
-        t24[k] = jlt_jet_product(t9, t23, k);
-        t25[k] = x2[k]*p[9];
-        t26[k] = jlt_jet_product(t24, t25, k);
-        t29[k] = p[8]*x1[k] + x2[k];
-        t30[k] = jlt_jet_product(t23, t29, k);
-        t31[k] = x2[k] - p[6]*t30[k];
-        t32[k] = jlt_jet_product(t7, t31, k) + t26[k];
-        t33[k] = jlt_jet_product(x5, x3, k);
-        t34[k] = jlt_jet_product(t30, t33, k);
-        t36[k] = jlt_jet_product(t2, x0, k);
-        t37[k] = p[10]*t36[k];
-        t38[k] = jlt_jet_product(t24, t37, k) - t34[k];
-        t39[k] = -t36[k];
+        t18[k] = x0[k]*p[6];
+        t19[k] = jlt_jet_product(x5, x5, k) + (k == 0 ? p[7] : 0);
+        t20[k] = jlt_jet_product(x0, t18, k) + t19[k];
+        t22[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t20, t22, k);
+        t25[k] = p[8]*x1[k] + x2[k];
+        t26[k] = jlt_jet_product(t22, t25, k);
+        t27[k] = x2[k] - p[6]*t26[k];
+        t28[k] = jlt_jet_product(t10, t27, k);
+        t30[k] = jlt_jet_product(x4, t22, k);
+        t31[k] = t2[k]*p[9];
+        t32[k] = jlt_jet_product(t30, t31, k) + t28[k];
+        t34[k] = x0[k]*p[10];
+        t35[k] = jlt_jet_product(t3, t34, k);
+        t36[k] = jlt_jet_product(t30, t35, k);
+        t37[k] = t36[k] - jlt_jet_product(t7, t26, k);
+        t38[k] = jlt_jet_product(t2, x0, k);
+        t39[k] = -t38[k];
         double *restrict next = coefficients + (k + 1)*7;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t12[k]/(k + 1);
+        next[1] = x1[k + 1] = t13[k]/(k + 1);
         next[2] = x2[k + 1] = t16[k]/(k + 1);
         next[3] = x3[k + 1] = t32[k]/(k + 1);
-        next[4] = x4[k + 1] = t38[k]/(k + 1);
+        next[4] = x4[k + 1] = t37[k]/(k + 1);
         next[5] = x5[k + 1] = t39[k]/(k + 1);
         next[6] = x5[k]/(k + 1);
     }
@@ -689,19 +666,19 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 6, .param_count = 6, .block_count = 47,
+    .state_count = 6, .param_count = 6, .block_count = 35,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 6, { 4, 16, 7, 1, 0, 0, 8, 6 }, { 12, 57, 0, 6, 0, 0, 10, 6 },
+    .rhs = { rhs, 6, { 3, 16, 7, 1, 0, 0, 7, 7 }, { 12, 57, 0, 6, 0, 0, 10, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 36, { 9, 46, 16, 1, 0, 0, 10, 14 }, { 40, 250, 0, 31, 0, 0, 13, 7 },
+    .jacobian = { jacobian, 36, { 8, 44, 18, 1, 0, 0, 11, 16 }, { 40, 250, 0, 31, 0, 0, 13, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 10, 55, 17, 1, 0, 0, 7, 15 }, { 49, 295, 0, 37, 0, 0, 13, 7 },
+    .rhs_jacobian = { rhs_jacobian, 42, { 11, 51, 19, 1, 0, 0, 10, 19 }, { 49, 295, 0, 37, 0, 0, 13, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .divergence = { divergence, 1, { 1, 5, 3, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },

@@ -4,13 +4,13 @@
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   18    7    1    0    0      9    8   (59)
- *  jacobian            4   41   15    1    0    0     11   12   (279)
- *  rhs_jacobian        5   48   17    1    0    0     12   15   (316)
+ *  jacobian            4   41   16    1    0    0     11   10   (279)
+ *  rhs_jacobian        4   47   18    1    0    0     12   14   (316)
  *  divergence          2    5    3    1    0    0      6    4   (32)
  *  integral_values     0   12   10    1    0    0      9    5   (55)
  *  integral_gradients  2   24   10    1    0    0      8   11   (111)
@@ -64,7 +64,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[9] = t4;
     const double t5 = params[1]*params[1]; /* R*R */
     const double t6 = params[0]*t5; /* m*R*R */
-    out[35] = t6;
+    out[45] = t6;
     const double t7 = params[5]/t6; /* I3/(m*R*R) */
     out[10] = t7;
     const double t8 = params[5]/params[4]; /* I3/I1 */
@@ -81,68 +81,86 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t15 = params[4] - params[5]; /* I1 - I3 */
     const double t16 = t5*t15; /* R*R*(I1 - I3) */
     out[15] = t16;
-    const double t17 = params[1]*2.0; /* R*2 */
-    const double t18 = params[5]*t17; /* I3*R*2 */
-    out[16] = t18;
-    const double t19 = t1/params[4]; /* R*I3/I1 */
-    out[17] = t19;
-    const double t20 = params[5]*2.0; /* I3*2 */
-    const double t21 = t20/t2; /* I3*2/(I1*I1) */
-    out[18] = t21;
-    const double t22 = (-2.0)/t3; /* (-2)/(R*I1*I1) */
-    out[19] = t22;
-    const double t23 = params[5]*params[5]; /* I3*I3 */
-    const double t24 = t23/t2; /* I3*I3/(I1*I1) */
-    const double t25 = -t24; /* -I3*I3/(I1*I1) */
-    out[20] = t25;
-    const double t26 = params[5]*(-2.0); /* I3*(-2) */
-    const double t27 = t26/t3; /* I3*(-2)/(R*I1*I1) */
-    out[21] = t27;
-    const double t28 = 2.0/t9; /* 2/(I1*I1*R*R) */
-    out[22] = t28;
-    const double t29 = t20/t9; /* I3*2/(I1*I1*R*R) */
-    out[23] = t29;
-    const double t30 = t15/params[4]; /* (I1 - I3)/I1 */
+    const double t17 = params[4]*params[5]; /* I1*I3 */
+    out[16] = t17;
+    const double t18 = params[4]*t6; /* I1*m*R*R */
+    out[17] = t18;
+    const double t19 = params[5]*t6; /* I3*m*R*R */
+    out[18] = t19;
+    const double t20 = params[1]*2.0; /* R*2 */
+    const double t21 = params[5]*t20; /* I3*R*2 */
+    out[19] = t21;
+    const double t22 = t1/params[4]; /* R*I3/I1 */
+    out[20] = t22;
+    const double t23 = params[5]*2.0; /* I3*2 */
+    const double t24 = t23/t2; /* I3*2/(I1*I1) */
+    out[21] = t24;
+    const double t25 = (-2.0)/t3; /* (-2)/(R*I1*I1) */
+    out[22] = t25;
+    const double t26 = params[5]*params[5]; /* I3*I3 */
+    const double t27 = t26/t2; /* I3*I3/(I1*I1) */
+    const double t28 = -t27; /* -I3*I3/(I1*I1) */
+    out[23] = t28;
+    const double t29 = params[5]*(-2.0); /* I3*(-2) */
+    const double t30 = t29/t3; /* I3*(-2)/(R*I1*I1) */
     out[24] = t30;
-    const double t31 = params[4]*params[1]; /* I1*R */
-    const double t32 = params[5]/t31; /* I3/(I1*R) */
-    out[25] = t32;
-    const double t33 = 1.0/t31; /* 1/(I1*R) */
-    out[26] = t33;
-    const double t34 = 2.0/t13; /* 2/(I1*R*R) */
+    const double t31 = 2.0/t9; /* 2/(I1*I1*R*R) */
+    out[25] = t31;
+    const double t32 = t6*t15; /* m*R*R*(I1 - I3) */
+    out[26] = t32;
+    const double t33 = params[1]*params[0]; /* R*m */
+    out[29] = t33;
+    const double t34 = params[5]*t33; /* I3*R*m */
     out[27] = t34;
-    const double t35 = t15*2.0; /* (I1 - I3)*2 */
-    const double t36 = t35/params[4]; /* (I1 - I3)*2/I1 */
-    out[28] = t36;
-    const double t37 = params[0]/2.0; /* m/2 */
-    out[29] = t37;
-    const double t38 = params[4]/2.0; /* I1/2 */
+    const double t35 = params[0]*2.0; /* m*2 */
+    const double t36 = t5*t35; /* R*R*m*2 */
+    const double t37 = params[5]*t36; /* I3*R*R*m*2 */
+    out[28] = t37;
+    const double t38 = params[4]*t36; /* I1*R*R*m*2 */
     out[30] = t38;
-    const double t39 = params[5]/2.0; /* I3/2 */
+    const double t39 = t15/params[4]; /* (I1 - I3)/I1 */
     out[31] = t39;
-    const double t40 = t2*params[0]; /* I1*I1*m */
+    const double t40 = -params[0]; /* -m */
     out[32] = t40;
-    const double t41 = params[4]*t6; /* I1*m*R*R */
-    const double t42 = t15*t41; /* (I1 - I3)*I1*m*R*R */
-    out[33] = t42;
-    const double t43 = params[1]*params[0]; /* R*m */
-    const double t44 = t43/params[4]; /* R*m/I1 */
-    out[34] = t44;
-    const double t45 = 1.0/t13; /* 1/(I1*R*R) */
-    out[36] = t45;
-    const double t46 = params[0]*2.0; /* m*2 */
-    const double t47 = t5*t46; /* R*R*m*2 */
-    const double t48 = params[5]*t47; /* I3*R*R*m*2 */
-    const double t49 = t15*t48; /* (I1 - I3)*I3*R*R*m*2 */
+    const double t41 = params[1]*t15; /* R*(I1 - I3) */
+    out[33] = t41;
+    const double t42 = params[0]*params[0]; /* m*m */
+    const double t43 = 2.0*t42; /* 2*m*m */
+    const double t44 = t5*t43; /* R*R*2*m*m */
+    const double t45 = params[5]*t44; /* I3*R*R*2*m*m */
+    out[34] = t45;
+    const double t46 = params[4]*t44; /* I1*R*R*2*m*m */
+    out[35] = t46;
+    const double t47 = t15*t36; /* (I1 - I3)*R*R*m*2 */
+    out[36] = t47;
+    const double t48 = params[4]*params[1]; /* I1*R */
+    const double t49 = params[5]/t48; /* I3/(I1*R) */
     out[37] = t49;
-    const double t50 = t2*t46; /* I1*I1*m*2 */
+    const double t50 = params[0]/2.0; /* m/2 */
     out[38] = t50;
-    const double t51 = params[1]*t46; /* R*m*2 */
-    const double t52 = t2*t51; /* I1*I1*R*m*2 */
-    out[39] = t52;
-    const double t53 = params[4]*t47; /* I1*R*R*m*2 */
-    const double t54 = t15*t53; /* (I1 - I3)*I1*R*R*m*2 */
-    out[40] = t54;
+    const double t51 = 1.0/t48; /* 1/(I1*R) */
+    out[39] = t51;
+    const double t52 = params[4]/2.0; /* I1/2 */
+    out[40] = t52;
+    const double t53 = params[5]/2.0; /* I3/2 */
+    out[41] = t53;
+    const double t54 = t2*params[0]; /* I1*I1*m */
+    out[42] = t54;
+    const double t55 = t15*t18; /* (I1 - I3)*I1*m*R*R */
+    out[43] = t55;
+    const double t56 = t33/params[4]; /* R*m/I1 */
+    out[44] = t56;
+    const double t57 = 1.0/t13; /* 1/(I1*R*R) */
+    out[46] = t57;
+    const double t58 = t15*t37; /* (I1 - I3)*I3*R*R*m*2 */
+    out[47] = t58;
+    const double t59 = t2*t35; /* I1*I1*m*2 */
+    out[48] = t59;
+    const double t60 = params[1]*t35; /* R*m*2 */
+    const double t61 = t2*t60; /* I1*I1*R*m*2 */
+    out[49] = t61;
+    const double t62 = t15*t38; /* (I1 - I3)*I1*R*R*m*2 */
+    out[50] = t62;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -194,81 +212,82 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[2] = t0;
-    const double t1 = x[4]*x[2]; /* s*omega_tau */
-    const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    out[4] = t2;
-    const double t3 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t4 = JLT_FMA(p[8], t3, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t5 = x[0]*p[11]; /* gamma3*I3/I1 */
-    const double t6 = t0 + p[10]; /* s*s + I3/(m*R^2) */
-    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t8 = x[4]*t7; /* s*Theta/(m*R^2*I1) */
-    const double t9 = 1.0/t8; /* 1/(s*Theta/(m*R^2*I1)) */
-    const double t10 = t7*t9; /* 1/s = Theta/(m*R^2*I1)*1/(s*Theta/(m*R^2*I1)) */
-    const double t11 = t4*t10; /* (R*I3*gamma3*omega3 + G_level)*1/s */
-    const double t12 = t3*p[16]; /* gamma3*omega3*2*R*I3 */
-    const double t13 = JLT_FMA(t10, t12, t11); /* 1/s*gamma3*omega3*2*R*I3 + (R*I3*gamma3*omega3 + G_level)*1/s */
-    const double t14 = t11*t13; /* (R*I3*gamma3*omega3 + G_level)*1/s*t13 */
-    const double t15 = p[9]*t14; /* 1/(R*I1^2)*(R*I3*gamma3*omega3 + G_level)*1/s*t13 */
-    const double t16 = x[3]*x[3]; /* omega3*omega3 */
-    const double t17 = JLT_FMA(p[17], t16, t15); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*(R*I3*gamma3*omega3 + G_level)*1/s*t13 */
-    out[5] = t17;
-    const double t18 = t4*p[7]; /* (R*I3*gamma3*omega3 + G_level)*1/I1 */
-    const double t19 = x[0]*t10; /* gamma3*1/s */
-    const double t20 = t11*t19; /* (R*I3*gamma3*omega3 + G_level)*1/s*gamma3*1/s */
-    const double t21 = x[0]*t20; /* gamma3*(R*I3*gamma3*omega3 + G_level)*1/s*gamma3*1/s */
-    const double t22 = JLT_FMA(t3, p[17], t18); /* gamma3*omega3*R*I3/I1 + (R*I3*gamma3*omega3 + G_level)*1/I1 */
-    const double t23 = JLT_FMA(p[18], t21, t22); /* 2*I3/I1^2*gamma3*(R*I3*gamma3*omega3 + G_level)*1/s*gamma3*1/s + gamma3*omega3*R*I3/I1 + (R*I3*gamma3*omega3 + G_level)*1/I1 */
-    out[8] = t23;
-    const double t24 = t11*t20; /* (R*I3*gamma3*omega3 + G_level)*1/s*(R*I3*gamma3*omega3 + G_level)*1/s*gamma3*1/s */
-    const double t25 = p[19]*t24; /* (-2/(R*I1^2))*t24 */
-    out[9] = t25;
-    const double t26 = t14*p[12]; /* (R*I3*gamma3*omega3 + G_level)*1/s*t13*(-1/(R^2*I1^2)) */
-    const double t27 = JLT_FMA(t16, p[20], t26); /* omega3*omega3*(-I3^2/I1^2) + (R*I3*gamma3*omega3 + G_level)*1/s*t13*(-1/(R^2*I1^2)) */
-    out[10] = t27;
-    const double t28 = t4*p[13]; /* (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
-    const double t29 = JLT_FMA(t3, p[20], t28); /* gamma3*omega3*(-I3^2/I1^2) + (R*I3*gamma3*omega3 + G_level)*(-I3/(R*I1^2)) */
-    const double t30 = JLT_FMA(t21, p[21], t29); /* gamma3*(R*I3*gamma3*omega3 + G_level)*1/s*gamma3*1/s*(-2*I3/(R*I1^2)) + t29 */
-    out[13] = t30;
-    const double t31 = t24*p[22]; /* t24*2/(R^2*I1^2) */
-    out[14] = t31;
-    const double t32 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t33 = x[4]*t9; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
-    const double t34 = t4*t33; /* (R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1)) */
-    const double t35 = t32*t34; /* V*(R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1)) */
-    const double t36 = x[4]*t33; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t37 = t3*t36; /* gamma3*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t38 = t1*p[15]; /* s*omega_tau*R^2*(I1 - I3) */
-    const double t39 = JLT_FNMA(t37, t38, t35); /* V*(R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1)) - gamma3*omega3*s*1/(Theta/(m*R^2*I1))*s*omega_tau*R^2*(I1 - I3) */
-    const double t40 = x[0]*p[23]; /* gamma3*2*I3/(R^2*I1^2) */
-    const double t41 = t33*t40; /* 1/(Theta/(m*R^2*I1))*gamma3*2*I3/(R^2*I1^2) */
-    const double t42 = t39*t41; /* t39*1/(Theta/(m*R^2*I1))*gamma3*2*I3/(R^2*I1^2) */
-    const double t43 = x[4]*p[24]; /* s*(I1 - I3)/I1 */
-    const double t44 = t1*t43; /* s*omega_tau*s*(I1 - I3)/I1 */
-    const double t45 = JLT_FNMA(t32, p[25], t44); /* s*omega_tau*s*(I1 - I3)/I1 - V*I3/(R*I1) */
-    const double t46 = t33*t45; /* 1/(Theta/(m*R^2*I1))*(s*omega_tau*s*(I1 - I3)/I1 - V*I3/(R*I1)) */
-    const double t47 = JLT_FMA(x[3], t46, t42); /* omega3*t46 + t39*1/(Theta/(m*R^2*I1))*gamma3*2*I3/(R^2*I1^2) */
-    out[15] = t47;
-    const double t48 = t34*p[14]; /* (R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1))*(-1/(R^2*I1)) */
-    out[16] = t48;
-    const double t49 = t37*t43; /* gamma3*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
-    const double t50 = JLT_FNMA(t34, p[26], t49); /* gamma3*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 - (R*I3*gamma3*omega3 + G_level)*1/(Theta/(m*R^2*I1))*1/(R*I1) */
-    out[17] = t50;
-    const double t51 = x[0]*t46; /* gamma3*t46 */
-    out[18] = t51;
-    const double t52 = x[2]*p[15]; /* omega_tau*R^2*(I1 - I3) */
-    const double t53 = JLT_FMA(t3, t52, t39); /* gamma3*omega3*omega_tau*R^2*(I1 - I3) + t39 */
-    const double t54 = t36*p[27]; /* s*1/(Theta/(m*R^2*I1))*2/(R^2*I1) */
-    const double t55 = t53*t54; /* (gamma3*omega3*omega_tau*R^2*(I1 - I3) + t39)*s*1/(Theta/(m*R^2*I1))*2/(R^2*I1) */
-    out[19] = t55;
-    const double t56 = -t1; /* -s*omega_tau */
-    out[20] = t56;
-    const double t57 = x[4]*x[0]; /* s*gamma3 */
-    const double t58 = -t57; /* -s*gamma3 */
-    out[22] = t58;
-    const double t59 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t60 = -t59; /* -omega_tau*gamma3 */
-    out[24] = t60;
+    const double t1 = x[0]*p[18]; /* gamma3*m*R^2*I3 */
+    const double t2 = JLT_FMA(p[17], t0, p[16]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
+    const double t4 = p[26]*t0; /* m*R^2*(I1 - I3)*s*s */
+    const double t5 = x[4]*t3; /* s*Theta */
+    const double t6 = 1.0/t5; /* 1/(s*Theta) */
+    const double t7 = t3*t6; /* 1/s = Theta*1/(s*Theta) */
+    const double t8 = x[4]*t6; /* 1/Theta = s*1/(s*Theta) */
+    const double t9 = x[0]*x[3]; /* gamma3*omega3 */
+    const double t10 = JLT_FMA(p[8], t9, p[6]); /* R*I3*gamma3*omega3 + G_level */
+    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t12 = p[0]*t10; /* m*(R*I3*gamma3*omega3 + G_level) */
+    const double t13 = t7*t10; /* 1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t14 = p[19]*t9; /* 2*R*I3*gamma3*omega3 */
+    const double t15 = JLT_FMA(t7, t14, t13); /* 1/s*2*R*I3*gamma3*omega3 + 1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t16 = x[0]*t7; /* gamma3*1/s */
+    const double t17 = t13*t15; /* 1/s*(R*I3*gamma3*omega3 + G_level)*t15 */
+    const double t18 = t13*t16; /* 1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s */
+    const double t19 = t13*t18; /* 1/s*(R*I3*gamma3*omega3 + G_level)*1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s */
+    const double t20 = x[0]*t18; /* gamma3*1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s */
+    const double t21 = p[22]*t19; /* (-2/(R*I1^2))*t19 */
+    out[9] = t21;
+    const double t22 = p[25]*t19; /* 2/(R^2*I1^2)*t19 */
+    out[14] = t22;
+    const double t23 = x[2]*t4; /* omega_tau*m*R^2*(I1 - I3)*s*s */
+    const double t24 = t4*t9; /* m*R^2*(I1 - I3)*s*s*gamma3*omega3 */
+    const double t25 = JLT_FNMA(p[27], t11, t23); /* omega_tau*m*R^2*(I1 - I3)*s*s - m*R*I3*V */
+    const double t26 = t11*t12; /* V*m*(R*I3*gamma3*omega3 + G_level) */
+    const double t27 = JLT_FMS(x[2], t24, t26); /* numerator of d(omega3)/dt over Theta = omega_tau*m*R^2*(I1 - I3)*s*s*gamma3*omega3 - V*m*(R*I3*gamma3*omega3 + G_level) */
+    const double t28 = t8*t25; /* 1/Theta*(omega_tau*m*R^2*(I1 - I3)*s*s - m*R*I3*V) */
+    const double t29 = t8*t27; /* 1/Theta*numerator of d(omega3)/dt over Theta */
+    const double t30 = t8*t12; /* 1/Theta*m*(R*I3*gamma3*omega3 + G_level) */
+    const double t31 = -t30; /* -1/Theta*m*(R*I3*gamma3*omega3 + G_level) */
+    out[16] = t31;
+    const double t32 = JLT_FNMA(p[29], t10, t24); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = m*R^2*(I1 - I3)*s*s*gamma3*omega3 - m*R*(R*I3*gamma3*omega3 + G_level) */
+    const double t33 = t8*t32; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
+    out[17] = t33;
+    const double t34 = x[0]*t28; /* gamma3*1/Theta*(omega_tau*m*R^2*(I1 - I3)*s*s - m*R*I3*V) */
+    out[18] = t34;
+    const double t35 = x[3]*t28; /* omega3*1/Theta*(omega_tau*m*R^2*(I1 - I3)*s*s - m*R*I3*V) */
+    const double t36 = p[7]*t10; /* 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    const double t37 = p[13]*t10; /* (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
+    const double t38 = JLT_FMA(p[20], t9, t36); /* R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    const double t39 = JLT_FMA(p[21], t20, t38); /* 2*I3/I1^2*gamma3*1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s + R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    out[8] = t39;
+    const double t40 = JLT_FMA(p[23], t9, t37); /* (-I3^2/I1^2)*gamma3*omega3 + (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
+    const double t41 = JLT_FMA(p[24], t20, t40); /* (-2*I3/(R*I1^2))*gamma3*1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s + t40 */
+    out[13] = t41;
+    const double t42 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
+    const double t43 = t8*t42; /* 1/Theta*gamma3*2*m*R^2*I3 */
+    const double t44 = JLT_FNMA(t29, t43, t35); /* omega3*1/Theta*(omega_tau*m*R^2*(I1 - I3)*s*s - m*R*I3*V) - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[15] = t44;
+    const double t45 = x[2]*p[31]; /* omega_tau*(I1 - I3)/I1 */
+    const double t46 = JLT_FMS(t9, t45, t29); /* gamma3*omega3*omega_tau*(I1 - I3)/I1 - 1/Theta*numerator of d(omega3)/dt over Theta */
+    const double t47 = x[4]*p[30]; /* s*2*m*R^2*I1 */
+    const double t48 = t8*t47; /* 1/Theta*s*2*m*R^2*I1 */
+    const double t49 = t46*t48; /* t46*1/Theta*s*2*m*R^2*I1 */
+    out[19] = t49;
+    const double t50 = x[4]*x[2]; /* s*omega_tau */
+    const double t51 = 2.0*t50; /* 2*s*omega_tau */
+    out[4] = t51;
+    const double t52 = -t50; /* -s*omega_tau */
+    out[20] = t52;
+    const double t53 = p[9]*t17; /* 1/(R*I1^2)*1/s*(R*I3*gamma3*omega3 + G_level)*t15 */
+    const double t54 = p[12]*t17; /* (-1/(R^2*I1^2))*1/s*(R*I3*gamma3*omega3 + G_level)*t15 */
+    const double t55 = x[3]*x[3]; /* omega3*omega3 */
+    const double t56 = JLT_FMA(p[20], t55, t53); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*1/s*(R*I3*gamma3*omega3 + G_level)*t15 */
+    out[5] = t56;
+    const double t57 = JLT_FMA(p[23], t55, t54); /* (-I3^2/I1^2)*omega3*omega3 + (-1/(R^2*I1^2))*1/s*(R*I3*gamma3*omega3 + G_level)*t15 */
+    out[10] = t57;
+    const double t58 = x[4]*x[0]; /* s*gamma3 */
+    const double t59 = -t58; /* -s*gamma3 */
+    out[22] = t59;
+    const double t60 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t61 = -t60; /* -omega_tau*gamma3 */
+    out[24] = t61;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -284,96 +303,95 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[28] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[7] = t0;
-    const double t1 = x[0]*p[11]; /* gamma3*I3/I1 */
-    const double t2 = p[10] + t0; /* I3/(m*R^2) + s*s */
-    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
-    const double t4 = x[4]*t3; /* s*Theta/(m*R^2*I1) */
-    const double t5 = 1.0/t4; /* 1/(s*Theta/(m*R^2*I1)) */
-    const double t6 = t3*t5; /* 1/s = Theta/(m*R^2*I1)*1/(s*Theta/(m*R^2*I1)) */
-    const double t7 = x[4]*t5; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
-    const double t8 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t9 = t0*t8; /* s*s*gamma3*omega3 */
-    const double t10 = x[4]*x[2]; /* s*omega_tau */
-    const double t11 = 2.0*t10; /* 2*s*omega_tau */
-    out[9] = t11;
-    const double t12 = -t10; /* -s*omega_tau */
-    out[25] = t12;
-    const double t13 = JLT_FMA(p[8], t8, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t14 = x[4]*t10; /* s*s*omega_tau */
-    out[0] = t14;
+    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t2 = JLT_FMA(p[17], t0, p[16]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t3 = JLT_FMA(p[18], t1, t2); /* Theta = m*R^2*I3*gamma3*gamma3 + m*R^2*I1*s*s + I1*I3 */
+    const double t4 = p[26]*t0; /* m*R^2*(I1 - I3)*s*s */
+    const double t5 = x[4]*t3; /* s*Theta */
+    const double t6 = 1.0/t5; /* 1/(s*Theta) */
+    const double t7 = t3*t6; /* 1/s = Theta*1/(s*Theta) */
+    const double t8 = x[4]*t6; /* 1/Theta = s*1/(s*Theta) */
+    const double t9 = x[4]*x[2]; /* s*omega_tau */
+    const double t10 = 2.0*t9; /* 2*s*omega_tau */
+    out[9] = t10;
+    const double t11 = -t9; /* -s*omega_tau */
+    out[25] = t11;
+    const double t12 = x[0]*x[3]; /* gamma3*omega3 */
+    const double t13 = x[4]*t9; /* s*s*omega_tau */
+    out[0] = t13;
+    const double t14 = JLT_FMA(p[8], t12, p[6]); /* R*I3*gamma3*omega3 + G_level */
     const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t16 = t7*t13; /* 1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    const double t17 = p[14]*t16; /* (-1/(R^2*I1))*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
+    const double t16 = t8*t14; /* 1/Theta*(R*I3*gamma3*omega3 + G_level) */
+    const double t17 = p[32]*t16; /* (-m)*1/Theta*(R*I3*gamma3*omega3 + G_level) */
     out[21] = t17;
-    const double t18 = t6*t13; /* 1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t19 = t6*t18; /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t20 = t15*t16; /* V*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    const double t21 = p[25]*t15; /* I3/(R*I1)*V */
-    const double t22 = p[26]*t16; /* 1/(R*I1)*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    const double t23 = t7*t8; /* 1/(Theta/(m*R^2*I1))*gamma3*omega3 */
-    const double t24 = p[15]*t14; /* R^2*(I1 - I3)*s*s*omega_tau */
-    const double t25 = JLT_FNMA(t23, t24, t20); /* V*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) - 1/(Theta/(m*R^2*I1))*gamma3*omega3*R^2*(I1 - I3)*s*s*omega_tau */
-    const double t26 = p[14]*t25; /* (-1/(R^2*I1))*t25 */
-    out[3] = t26;
-    const double t27 = t7*t25; /* 1/(Theta/(m*R^2*I1))*t25 */
-    const double t28 = t18*t18; /* 1/s*(R*I3*gamma3*omega3 + G_level)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t29 = p[16]*t8; /* 2*R*I3*gamma3*omega3 */
-    const double t30 = JLT_FMA(t19, t29, t28); /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level)*2*R*I3*gamma3*omega3 + t28 */
-    const double t31 = x[0]*t28; /* gamma3*t28 */
-    const double t32 = x[0]*t19; /* gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t33 = t18*t32; /* 1/s*(R*I3*gamma3*omega3 + G_level)*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t34 = x[0]*t32; /* gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t35 = p[19]*t33; /* (-2/(R*I1^2))*t33 */
-    out[14] = t35;
-    const double t36 = p[22]*t33; /* 2/(R^2*I1^2)*t33 */
-    out[19] = t36;
-    const double t37 = p[24]*t7; /* (I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t38 = JLT_FMS(t9, t37, t22); /* s*s*gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/(R*I1)*1/(Theta/(m*R^2*I1))*(R*I3*gamma3*omega3 + G_level) */
-    out[22] = t38;
-    const double t39 = t14*t37; /* s*s*omega_tau*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t40 = JLT_FNMA(t7, t21, t39); /* s*s*omega_tau*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
-    const double t41 = x[0]*t40; /* gamma3*t40 */
-    out[23] = t41;
-    const double t42 = x[3]*t13; /* omega3*(R*I3*gamma3*omega3 + G_level) */
-    const double t43 = p[7]*t13; /* 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    const double t44 = p[13]*t13; /* (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
-    const double t45 = JLT_FMA(p[17], t8, t43); /* R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
-    const double t46 = JLT_FMA(p[20], t8, t44); /* (-I3^2/I1^2)*gamma3*omega3 + (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
-    const double t47 = JLT_FMA(p[18], t34, t45); /* 2*I3/I1^2*gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) + R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    const double t18 = p[33]*t13; /* R*(I1 - I3)*s*s*omega_tau */
+    const double t19 = p[15]*t13; /* R^2*(I1 - I3)*s*s*omega_tau */
+    const double t20 = JLT_FNMA(p[5], t15, t18); /* R*(I1 - I3)*s*s*omega_tau - I3*V */
+    const double t21 = t15*t16; /* V*1/Theta*(R*I3*gamma3*omega3 + G_level) */
+    const double t22 = p[29]*t20; /* m*R*(R*(I1 - I3)*s*s*omega_tau - I3*V) */
+    const double t23 = t8*t22; /* 1/Theta*m*R*(R*(I1 - I3)*s*s*omega_tau - I3*V) */
+    const double t24 = p[29]*t16; /* m*R*1/Theta*(R*I3*gamma3*omega3 + G_level) */
+    const double t25 = x[0]*t23; /* gamma3*1/Theta*m*R*(R*(I1 - I3)*s*s*omega_tau - I3*V) */
+    out[23] = t25;
+    const double t26 = x[3]*t23; /* omega3*1/Theta*m*R*(R*(I1 - I3)*s*s*omega_tau - I3*V) */
+    const double t27 = t7*t14; /* 1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t28 = t8*t12; /* 1/Theta*gamma3*omega3 */
+    const double t29 = JLT_FMS(t4, t28, t24); /* m*R^2*(I1 - I3)*s*s*1/Theta*gamma3*omega3 - m*R*1/Theta*(R*I3*gamma3*omega3 + G_level) */
+    out[22] = t29;
+    const double t30 = JLT_FNMA(t19, t28, t21); /* V*1/Theta*(R*I3*gamma3*omega3 + G_level) - R^2*(I1 - I3)*s*s*omega_tau*1/Theta*gamma3*omega3 */
+    const double t31 = t8*t30; /* 1/Theta*t30 */
+    const double t32 = p[32]*t30; /* (-m)*t30 */
+    out[3] = t32;
+    const double t33 = t27*t27; /* 1/s*(R*I3*gamma3*omega3 + G_level)*1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t34 = t7*t27; /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t35 = t1*t34; /* gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t36 = p[19]*t12; /* 2*R*I3*gamma3*omega3 */
+    const double t37 = JLT_FMA(t34, t36, t33); /* 1/s*1/s*(R*I3*gamma3*omega3 + G_level)*2*R*I3*gamma3*omega3 + t33 */
+    const double t38 = x[0]*t33; /* gamma3*t33 */
+    const double t39 = t7*t38; /* 1/s*gamma3*t33 */
+    const double t40 = p[22]*t39; /* (-2/(R*I1^2))*1/s*gamma3*t33 */
+    out[14] = t40;
+    const double t41 = p[25]*t39; /* 2/(R^2*I1^2)*1/s*gamma3*t33 */
+    out[19] = t41;
+    const double t42 = x[3]*t14; /* omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t43 = p[7]*t14; /* 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    const double t44 = p[13]*t14; /* (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
+    const double t45 = JLT_FMA(p[20], t12, t43); /* R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
+    const double t46 = JLT_FMA(p[23], t12, t44); /* (-I3^2/I1^2)*gamma3*omega3 + (-I3/(R*I1^2))*(R*I3*gamma3*omega3 + G_level) */
+    const double t47 = JLT_FMA(p[21], t35, t45); /* 2*I3/I1^2*gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) + R*I3/I1*gamma3*omega3 + 1/I1*(R*I3*gamma3*omega3 + G_level) */
     out[13] = t47;
-    const double t48 = JLT_FMA(p[21], t34, t46); /* (-2*I3/(R*I1^2))*gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) + t46 */
+    const double t48 = JLT_FMA(p[24], t35, t46); /* (-2*I3/(R*I1^2))*gamma3*gamma3*1/s*1/s*(R*I3*gamma3*omega3 + G_level) + t46 */
     out[18] = t48;
-    const double t49 = x[0]*p[23]; /* gamma3*2*I3/(R^2*I1^2) */
-    const double t50 = t27*t49; /* 1/(Theta/(m*R^2*I1))*t25*gamma3*2*I3/(R^2*I1^2) */
-    const double t51 = JLT_FMA(x[3], t40, t50); /* omega3*t40 + 1/(Theta/(m*R^2*I1))*t25*gamma3*2*I3/(R^2*I1^2) */
-    out[20] = t51;
-    const double t52 = x[4]*p[27]; /* s*2/(R^2*I1) */
-    const double t53 = t27*t52; /* 1/(Theta/(m*R^2*I1))*t25*s*2/(R^2*I1) */
-    const double t54 = p[7]*t42; /* 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
-    const double t55 = JLT_FMA(p[9], t31, t54); /* 1/(R*I1^2)*gamma3*t28 + 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
-    out[1] = t55;
-    const double t56 = p[12]*t31; /* (-1/(R^2*I1^2))*gamma3*t28 */
-    const double t57 = JLT_FMA(p[13], t42, t56); /* (-I3/(R*I1^2))*omega3*(R*I3*gamma3*omega3 + G_level) + (-1/(R^2*I1^2))*gamma3*t28 */
-    out[2] = t57;
-    const double t58 = x[0]*t10; /* gamma3*s*omega_tau */
-    const double t59 = -t58; /* -gamma3*s*omega_tau */
-    out[4] = t59;
-    const double t60 = p[28]*t10; /* 2*(I1 - I3)/I1*s*omega_tau */
-    const double t61 = JLT_FMA(t23, t60, t53); /* 1/(Theta/(m*R^2*I1))*gamma3*omega3*2*(I1 - I3)/I1*s*omega_tau + 1/(Theta/(m*R^2*I1))*t25*s*2/(R^2*I1) */
-    out[24] = t61;
-    const double t62 = p[9]*t30; /* 1/(R*I1^2)*t30 */
-    const double t63 = p[12]*t30; /* (-1/(R^2*I1^2))*t30 */
-    const double t64 = x[3]*x[3]; /* omega3*omega3 */
-    const double t65 = JLT_FMA(p[17], t64, t62); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t30 */
-    out[10] = t65;
-    const double t66 = JLT_FMA(p[20], t64, t63); /* (-I3^2/I1^2)*omega3*omega3 + (-1/(R^2*I1^2))*t30 */
-    out[15] = t66;
-    const double t67 = x[4]*x[0]; /* s*gamma3 */
-    const double t68 = -t67; /* -s*gamma3 */
-    out[27] = t68;
-    const double t69 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t70 = -t69; /* -omega_tau*gamma3 */
-    out[29] = t70;
+    const double t49 = x[4]*p[35]; /* s*2*m^2*R^2*I1 */
+    const double t50 = t31*t49; /* 1/Theta*t30*s*2*m^2*R^2*I1 */
+    const double t51 = p[7]*t42; /* 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
+    const double t52 = JLT_FMA(p[9], t38, t51); /* 1/(R*I1^2)*gamma3*t33 + 1/I1*omega3*(R*I3*gamma3*omega3 + G_level) */
+    out[1] = t52;
+    const double t53 = p[12]*t38; /* (-1/(R^2*I1^2))*gamma3*t33 */
+    const double t54 = JLT_FMA(p[13], t42, t53); /* (-I3/(R*I1^2))*omega3*(R*I3*gamma3*omega3 + G_level) + (-1/(R^2*I1^2))*gamma3*t33 */
+    out[2] = t54;
+    const double t55 = x[0]*t9; /* gamma3*s*omega_tau */
+    const double t56 = -t55; /* -gamma3*s*omega_tau */
+    out[4] = t56;
+    const double t57 = p[36]*t9; /* 2*m*R^2*(I1 - I3)*s*omega_tau */
+    const double t58 = JLT_FMA(t28, t57, t50); /* 1/Theta*gamma3*omega3*2*m*R^2*(I1 - I3)*s*omega_tau + 1/Theta*t30*s*2*m^2*R^2*I1 */
+    out[24] = t58;
+    const double t59 = p[9]*t37; /* 1/(R*I1^2)*t37 */
+    const double t60 = p[12]*t37; /* (-1/(R^2*I1^2))*t37 */
+    const double t61 = x[3]*x[3]; /* omega3*omega3 */
+    const double t62 = JLT_FMA(p[20], t61, t59); /* R*I3/I1*omega3*omega3 + 1/(R*I1^2)*t37 */
+    out[10] = t62;
+    const double t63 = JLT_FMA(p[23], t61, t60); /* (-I3^2/I1^2)*omega3*omega3 + (-1/(R^2*I1^2))*t37 */
+    out[15] = t63;
+    const double t64 = x[0]*p[34]; /* gamma3*2*m^2*R^2*I3 */
+    const double t65 = JLT_FMA(t31, t64, t26); /* 1/Theta*t30*gamma3*2*m^2*R^2*I3 + omega3*1/Theta*m*R*(R*(I1 - I3)*s*s*omega_tau - I3*V) */
+    out[20] = t65;
+    const double t66 = x[4]*x[0]; /* s*gamma3 */
+    const double t67 = -t66; /* -s*gamma3 */
+    out[27] = t67;
+    const double t68 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t69 = -t68; /* -omega_tau*gamma3 */
+    out[29] = t69;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -382,10 +400,10 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0]*p[11]; /* gamma3*I3/I1 */
     const double t2 = p[10] + t0; /* I3/(m*R^2) + s*s */
     const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
-    const double t4 = p[24]*x[2]; /* (I1 - I3)/I1*omega_tau */
+    const double t4 = p[31]*x[2]; /* (I1 - I3)/I1*omega_tau */
     const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
     const double t6 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t7 = JLT_FNMA(p[25], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
+    const double t7 = JLT_FNMA(p[37], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
     const double t8 = t7/t3; /* (s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/(Theta/(m*R^2*I1)) */
     const double t9 = t8 - x[2]; /* t8 - omega_tau */
     const double t10 = x[0]*t9; /* gamma3*(t8 - omega_tau) */
@@ -397,7 +415,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t0 = x[1]*x[1]; /* v_nu*v_nu */
     const double t1 = p[8]*x[0]; /* R*I3*gamma3 */
     const double t2 = JLT_FMA(x[3], t1, p[6]); /* omega3*R*I3*gamma3 + G_level */
-    const double t3 = p[26]*t2; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
+    const double t3 = p[39]*t2; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
     const double t4 = t3/x[4]; /* omega_n = 1/(R*I1)*(omega3*R*I3*gamma3 + G_level)/s */
     const double t5 = x[0]*t4; /* gamma3*omega_n */
     const double t6 = JLT_FMA(x[4], x[3], t5); /* s*omega3 + gamma3*omega_n */
@@ -405,18 +423,18 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t8 = JLT_FMA(t7, t7, t0); /* v_tau*v_tau + v_nu*v_nu */
     const double t9 = t4*t4; /* omega_n*omega_n */
     const double t10 = JLT_FMA(x[2], x[2], t9); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t11 = p[30]*t10; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t11 = p[40]*t10; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
     const double t12 = x[3]*x[3]; /* omega3*omega3 */
-    const double t13 = JLT_FMA(p[31], t12, t11); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t14 = JLT_FMA(p[29], t8, t13); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t13 */
+    const double t13 = JLT_FMA(p[41], t12, t11); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t14 = JLT_FMA(p[38], t8, t13); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t13 */
     out[0] = t14;
     const double t15 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
-    const double t16 = p[32]*t15; /* m*I1^2*(R*omega_tau + v_nu) */
+    const double t16 = p[42]*t15; /* m*I1^2*(R*omega_tau + v_nu) */
     const double t17 = t15*t16; /* (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
     const double t18 = x[0]*p[11]; /* gamma3*I3/I1 */
     const double t19 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
     const double t20 = JLT_FMA(x[0], t18, t19); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t21 = t12*p[33]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
+    const double t21 = t12*p[43]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
     const double t22 = JLT_FMA(t20, t21, t17); /* Theta/(m*R^2*I1)*omega3*omega3*m*R^2*I1*(I1 - I3) + (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
     out[1] = t22;
 }
@@ -429,13 +447,13 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t3 = p[6] + t2; /* G_level + R*I3*omega3*gamma3 */
     const double t4 = t0*t3; /* 1/s*(G_level + R*I3*omega3*gamma3) */
     const double t5 = t0*t4; /* 1/s*1/s*(G_level + R*I3*omega3*gamma3) */
-    const double t6 = p[25]*t5; /* I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
+    const double t6 = p[37]*t5; /* I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
     const double t7 = x[3]*t6; /* omega3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
     const double t8 = x[3]*x[4]; /* omega3*s */
-    const double t9 = x[0]*p[26]; /* gamma3*1/(R*I1) */
+    const double t9 = x[0]*p[39]; /* gamma3*1/(R*I1) */
     const double t10 = JLT_FMA(t4, t9, t8); /* v_tau/R = 1/s*(G_level + R*I3*omega3*gamma3)*gamma3*1/(R*I1) + omega3*s */
     const double t11 = JLT_FMA(t0, t2, t4); /* d(v_tau)/d(gamma3)/(1/I1) = 1/s*R*I3*omega3*gamma3 + 1/s*(G_level + R*I3*omega3*gamma3) */
-    const double t12 = p[34]*t11; /* m*R/I1*d(v_tau)/d(gamma3)/(1/I1) */
+    const double t12 = p[44]*t11; /* m*R/I1*d(v_tau)/d(gamma3)/(1/I1) */
     const double t13 = JLT_FMA(t10, t12, t7); /* d(energy)/d(gamma3) = v_tau/R*m*R/I1*d(v_tau)/d(gamma3)/(1/I1) + omega3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) */
     out[0] = t13;
     const double t14 = p[0]*x[1]; /* m*v_nu */
@@ -446,26 +464,26 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t17 = x[0]*p[11]; /* gamma3*I3/I1 */
     const double t18 = x[0]*t17; /* gamma3*gamma3*I3/I1 */
     const double t19 = JLT_FMA(t0, t18, x[4]); /* d(v_tau)/d(omega3)/R = 1/s*gamma3*gamma3*I3/I1 + s */
-    const double t20 = t10*p[35]; /* v_tau/R*m*R^2 */
+    const double t20 = t10*p[45]; /* v_tau/R*m*R^2 */
     const double t21 = JLT_FMA(x[0], t6, t16); /* gamma3*I3/(R*I1)*1/s*1/s*(G_level + R*I3*omega3*gamma3) + omega3*I3 */
     const double t22 = JLT_FMA(t19, t20, t21); /* d(energy)/d(omega3) = d(v_tau)/d(omega3)/R*v_tau/R*m*R^2 + t21 */
     out[3] = t22;
     const double t23 = JLT_FNMA(t5, t9, x[3]); /* d(v_tau)/d(s)/R = omega3 - 1/s*1/s*(G_level + R*I3*omega3*gamma3)*gamma3*1/(R*I1) */
     const double t24 = t20*t23; /* v_tau/R*m*R^2*d(v_tau)/d(s)/R */
-    const double t25 = t4*p[36]; /* 1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
+    const double t25 = t4*p[46]; /* 1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
     const double t26 = JLT_FNMA(t5, t25, t24); /* d(energy)/d(s) = v_tau/R*m*R^2*d(v_tau)/d(s)/R - 1/s*1/s*(G_level + R*I3*omega3*gamma3)*1/s*(G_level + R*I3*omega3*gamma3)*1/(R^2*I1) */
     out[4] = t26;
-    const double t27 = x[3]*p[37]; /* omega3*2*m*R^2*I3*(I1 - I3) */
+    const double t27 = x[3]*p[47]; /* omega3*2*m*R^2*I3*(I1 - I3) */
     const double t28 = t1*t27; /* omega3*gamma3*omega3*2*m*R^2*I3*(I1 - I3) */
     out[5] = t28;
     const double t29 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t30 = p[38]*t29; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t30 = p[48]*t29; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[6] = t30;
-    const double t31 = t29*p[39]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t31 = t29*p[49]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[7] = t31;
     const double t32 = JLT_FMA(x[4], x[4], p[10]); /* s*s + I3/(m*R^2) */
     const double t33 = t18 + t32; /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t34 = x[3]*p[40]; /* omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t34 = x[3]*p[50]; /* omega3*2*m*R^2*I1*(I1 - I3) */
     const double t35 = t33*t34; /* Theta/(m*R^2*I1)*omega3*2*m*R^2*I1*(I1 - I3) */
     out[8] = t35;
     const double t36 = t8*t34; /* omega3*s*omega3*2*m*R^2*I1*(I1 - I3) */
@@ -482,7 +500,7 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
 {
     const double t0 = p[8]*x[0]; /* R*I3*gamma3 */
     const double t1 = JLT_FMA(x[3], t0, p[6]); /* omega3*R*I3*gamma3 + G_level */
-    const double t2 = p[26]*t1; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
+    const double t2 = p[39]*t1; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level) */
     const double t3 = t2/x[4]; /* 1/(R*I1)*(omega3*R*I3*gamma3 + G_level)/s */
     out[0] = t3;
 }
@@ -630,19 +648,19 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G = 
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 41,
+    .state_count = 5, .param_count = 7, .block_count = 51,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 18, 7, 1, 0, 0, 9, 8 }, { 10, 45, 0, 4, 0, 0, 10, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 25, { 4, 41, 15, 1, 0, 0, 11, 12 }, { 42, 208, 0, 29, 0, 0, 13, 8 },
+    .jacobian = { jacobian, 25, { 4, 41, 16, 1, 0, 0, 11, 10 }, { 42, 208, 0, 29, 0, 0, 13, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 5, 48, 17, 1, 0, 0, 12, 15 }, { 48, 236, 0, 32, 0, 0, 13, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 4, 47, 18, 1, 0, 0, 12, 14 }, { 48, 236, 0, 32, 0, 0, 13, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .divergence = { divergence, 1, { 2, 5, 3, 1, 0, 0, 6, 4 }, { 6, 24, 0, 2, 0, 0, 9, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },

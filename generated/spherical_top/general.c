@@ -1,14 +1,14 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 5   25   13    1    1    0     14   11   (99)
- *  jacobian            9   55   30    1    1    0     16   20   (373)
- *  rhs_jacobian        15   60   33    1    1    0     15   28   (447)
- *  divergence          4   15    7    1    1    0     11    7   (54)
+ *  rhs                 5   25   13    1    1    0     12   10   (99)
+ *  jacobian            7   55   31    1    1    0     15   20   (373)
+ *  rhs_jacobian        10   64   34    1    1    0     15   27   (447)
+ *  divergence          2   14    9    1    1    0     12    8   (54)
  *  integral_values     2   12    9    0    1    0      7    6   (43)
  *  integral_gradients  2   15    9    1    1    0      6    7   (53)
  *
@@ -50,17 +50,17 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t7;
     const double t8 = params[0]*params[2]; /* m*g */
     const double t9 = params[3]*t8; /* a3*m*g */
-    out[48] = t9;
+    out[32] = t9;
     const double t10 = t9/params[4]; /* a3*m*g/I1 */
     out[9] = t10;
     const double t11 = params[5]/params[4]; /* I3/I1 */
     out[10] = t11;
     const double t12 = params[4]*params[1]; /* I1*R */
-    out[47] = t12;
+    out[41] = t12;
     const double t13 = params[5]/t12; /* I3/(I1*R) */
     out[11] = t13;
     const double t14 = params[0]*params[1]; /* m*R */
-    out[49] = t14;
+    out[42] = t14;
     const double t15 = params[5]/t14; /* I3/(m*R) */
     out[12] = t15;
     const double t16 = 1.0/params[1]; /* 1/R */
@@ -80,70 +80,55 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t24 = params[0]*2.0; /* m*2 */
     const double t25 = t0*t24; /* a3*a3*m*2 */
     out[20] = t25;
-    const double t26 = params[5]*2.0; /* I3*2 */
-    out[21] = t26;
-    const double t27 = params[4]*2.0; /* I1*2 */
-    out[22] = t27;
+    const double t26 = params[5]*t25; /* I3*a3*a3*m*2 */
+    const double t27 = t26/params[4]; /* I3*a3*a3*m*2/I1 */
+    out[21] = t27;
     const double t28 = -params[5]; /* -I3 */
-    out[23] = t28;
-    const double t29 = t3*t24; /* R*R*m*2 */
-    const double t30 = params[4]*t29; /* I1*R*R*m*2 */
+    out[22] = t28;
+    const double t29 = params[4]*(-2.0); /* I1*(-2) */
+    out[23] = t29;
+    const double t30 = params[5]*t14; /* I3*m*R */
     out[24] = t30;
-    const double t31 = params[1]*t24; /* R*m*2 */
-    const double t32 = params[5]*t31; /* I3*R*m*2 */
+    const double t31 = params[3]*t14; /* a3*m*R */
+    const double t32 = params[5]*t31; /* I3*a3*m*R */
     out[25] = t32;
-    const double t33 = params[5]*t14; /* I3*m*R */
+    const double t33 = params[5]*params[5]; /* I3*I3 */
     out[26] = t33;
-    const double t34 = params[3]*t14; /* a3*m*R */
-    const double t35 = params[5]*t34; /* I3*a3*m*R */
+    const double t34 = t3*t24; /* R*R*m*2 */
+    const double t35 = params[4]*t34; /* I1*R*R*m*2 */
     out[27] = t35;
-    const double t36 = params[5]*params[5]; /* I3*I3 */
-    out[28] = t36;
-    const double t37 = params[4]*t14; /* I1*m*R */
-    out[29] = t37;
-    const double t38 = t4*t19; /* m*R*R*(I1 - I3) */
-    out[30] = t38;
-    const double t39 = -t37; /* -I1*m*R */
-    out[31] = t39;
-    const double t40 = t25/params[4]; /* a3*a3*m*2/I1 */
-    out[32] = t40;
-    const double t41 = t26/t6; /* I3*2/(I1*R*R) */
+    const double t36 = params[1]*t24; /* R*m*2 */
+    const double t37 = params[5]*t36; /* I3*R*m*2 */
+    out[28] = t37;
+    const double t38 = params[4]*t14; /* I1*m*R */
+    out[29] = t38;
+    const double t39 = t4*t19; /* m*R*R*(I1 - I3) */
+    out[30] = t39;
+    const double t40 = -t38; /* -I1*m*R */
+    out[31] = t40;
+    const double t41 = params[4]*2.0; /* I1*2 */
     out[33] = t41;
-    const double t42 = t17/t6; /* a3*I3/(I1*R*R) */
-    out[34] = t42;
-    const double t43 = t26/t12; /* I3*2/(I1*R) */
-    out[35] = t43;
-    const double t44 = params[3]/2.0; /* a3/2 */
-    out[36] = t44;
-    const double t45 = 2.0/params[1]; /* 2/R */
-    out[37] = t45;
-    const double t46 = params[3]*2.0; /* a3*2 */
-    const double t47 = params[5]*t46; /* I3*a3*2 */
-    const double t48 = t47/t12; /* I3*a3*2/(I1*R) */
+    const double t42 = params[0]*params[3]; /* m*a3 */
+    const double t43 = params[5]*t42; /* I3*m*a3 */
+    out[34] = t43;
+    const double t44 = params[4]*t31; /* I1*a3*m*R */
+    out[35] = t44;
+    const double t45 = params[0]/2.0; /* m/2 */
+    out[36] = t45;
+    const double t46 = params[2]*2.0; /* g*2 */
+    const double t47 = params[3]*t46; /* a3*g*2 */
+    out[37] = t47;
+    const double t48 = 1.0/params[0]; /* 1/m */
     out[38] = t48;
-    const double t49 = t19*2.0; /* (I1 - I3)*2 */
-    const double t50 = t49/params[4]; /* (I1 - I3)*2/I1 */
-    out[39] = t50;
-    const double t51 = (-1.0)/params[1]; /* (-1)/R */
-    out[40] = t51;
-    const double t52 = params[3]/params[1]; /* a3/R */
-    out[41] = t52;
-    const double t53 = params[0]/2.0; /* m/2 */
-    out[42] = t53;
-    const double t54 = params[2]*2.0; /* g*2 */
-    const double t55 = params[3]*t54; /* a3*g*2 */
-    out[43] = t55;
-    const double t56 = 1.0/params[0]; /* 1/m */
-    out[44] = t56;
-    const double t57 = params[4]/params[0]; /* I1/m */
-    out[45] = t57;
-    const double t58 = params[5]/params[0]; /* I3/m */
-    out[46] = t58;
-    const double t59 = -t12; /* -I1*R */
-    out[50] = t59;
-    const double t60 = params[1]*params[5]; /* R*I3 */
-    const double t61 = -t60; /* -R*I3 */
-    out[51] = t61;
+    const double t49 = params[4]/params[0]; /* I1/m */
+    out[39] = t49;
+    const double t50 = params[5]/params[0]; /* I3/m */
+    out[40] = t50;
+    const double t51 = -t12; /* -I1*R */
+    out[43] = t51;
+    const double t52 = params[1]*params[5]; /* R*I3 */
+    const double t53 = -t52; /* -R*I3 */
+    out[44] = t53;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -151,53 +136,53 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    out[0] = t4;
-    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = JLT_FMA(t2, p[6], 1.0); /* D/I1 = (1 - gamma3)*(1 + gamma3)*m*a3^2/I1 + 1 */
-    const double t7 = t5*p[8]; /* b*I3/(R^2*I1) */
-    const double t8 = t2 + p[7]; /* (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
-    const double t9 = JLT_FMA(t5, t7, t8); /* Theta/(m*R^2*I1) = b*b*I3/(R^2*I1) + (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
-    const double t10 = t3*t6; /* s*D/I1 */
-    const double t11 = t9*t10; /* Theta/(m*R^2*I1)*s*D/I1 */
+    const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t5 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
+    const double t6 = p[7] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t7 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t8 = JLT_FMA(t3, t7, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t9 = t4*t5; /* s*D/I1 */
+    const double t10 = x[3]*t5; /* omega_n*D/I1 */
+    const double t11 = t8*t9; /* Theta/(m*R^2*I1)*s*D/I1 */
     const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t13 = t9*t12; /* 1/(s*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t14 = x[3]*t6; /* omega_n*D/I1 */
-    const double t15 = t13*t14; /* 1/(s*(D/I1))*omega_n*D/I1 */
-    const double t16 = x[3]*t15; /* omega_n*1/(s*(D/I1))*omega_n*D/I1 */
-    const double t17 = t5*t16; /* b*omega_n*1/(s*(D/I1))*omega_n*D/I1 */
-    const double t18 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t19 = JLT_FMA(p[1], t18, t17); /* R*omega_n*omega3 + b*omega_n*1/(s*(D/I1))*omega_n*D/I1 */
-    out[1] = t19;
-    const double t20 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t21 = JLT_FMS(t4, t20, t16); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/(s*(D/I1))*omega_n*D/I1 */
-    const double t22 = x[0]*t21; /* gamma3*t21 */
-    const double t23 = JLT_FNMA(t18, p[10], t22); /* gamma3*t21 - omega_n*omega3*I3/I1 */
-    const double t24 = JLT_FNMA(t3, p[9], t23); /* gamma3*t21 - omega_n*omega3*I3/I1 - s*m*g*a3/I1 */
-    const double t25 = t3*t13; /* s*1/(s*(D/I1)) */
-    const double t26 = t24*t25; /* (gamma3*t21 - omega_n*omega3*I3/I1 - s*m*g*a3/I1)*s*1/(s*(D/I1)) */
-    out[2] = t26;
-    const double t27 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t28 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t29 = JLT_FMA(x[2], t28, x[1]); /* V = omega_tau*e + v_nu */
-    const double t30 = t10*t12; /* 1/(Theta/(m*R^2*I1)) = s*D/I1*1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t31 = t29*t30; /* V*1/(Theta/(m*R^2*I1)) */
-    const double t32 = JLT_FNMA(t7, t31, t27); /* omega_tau*gamma3 - b*I3/(R^2*I1)*V*1/(Theta/(m*R^2*I1)) */
-    const double t33 = t15*t32; /* 1/(s*(D/I1))*omega_n*D/I1*(omega_tau*gamma3 - b*I3/(R^2*I1)*V*1/(Theta/(m*R^2*I1))) */
-    const double t34 = t28 + p[12]; /* e + I3/(m*R) */
-    const double t35 = x[4]*t30; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t36 = x[2]*p[11]; /* omega_tau*I3/(R*I1) */
-    const double t37 = t34*t36; /* (e + I3/(m*R))*omega_tau*I3/(R*I1) */
-    const double t38 = JLT_FMA(t35, t37, t33); /* omega3*1/(Theta/(m*R^2*I1))*(e + I3/(m*R))*omega_tau*I3/(R*I1) + t33 */
-    out[3] = t38;
-    const double t39 = x[3]*p[13]; /* omega_n*1/R */
-    const double t40 = t31*t39; /* V*1/(Theta/(m*R^2*I1))*omega_n*1/R */
-    const double t41 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t42 = t4*t41; /* omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t43 = JLT_FMA(t35, t42, t40); /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + V*1/(Theta/(m*R^2*I1))*omega_n*1/R */
-    const double t44 = -t43; /* -t43 */
-    out[4] = t44;
+    const double t13 = t8*t12; /* 1/(s*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s*D/I1) */
+    const double t14 = t9*t12; /* 1/(Theta/(m*R^2*I1)) = s*D/I1*1/(Theta/(m*R^2*I1)*s*D/I1) */
+    const double t15 = t10*t13; /* omega_n*D/I1*1/(s*(D/I1)) */
+    const double t16 = t3*t15; /* b*omega_n*D/I1*1/(s*(D/I1)) */
+    const double t17 = JLT_FMA(p[1], x[4], t16); /* R*omega3 + b*omega_n*D/I1*1/(s*(D/I1)) */
+    const double t18 = x[3]*t17; /* omega_n*(R*omega3 + b*omega_n*D/I1*1/(s*(D/I1))) */
+    out[1] = t18;
+    const double t19 = t4*t13; /* s*1/(s*(D/I1)) */
+    const double t20 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t22 = x[2]*t4; /* omega_tau*s */
+    out[0] = t22;
+    const double t23 = p[6]*t20; /* m*a3^2/I1*omega_tau*gamma3 */
+    const double t24 = t22*t23; /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 */
+    const double t25 = JLT_FNMA(p[9], t4, t24); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s */
+    const double t26 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
+    const double t27 = t14*t26; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t28 = JLT_FMS(t7, t27, t20); /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V - omega_tau*gamma3 */
+    const double t29 = p[12] + t21; /* I3/(m*R) + e */
+    const double t30 = x[4]*t14; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t31 = t15*t28; /* omega_n*D/I1*1/(s*(D/I1))*(I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V - omega_tau*gamma3) */
+    const double t32 = x[0]*t15; /* gamma3*omega_n*D/I1*1/(s*(D/I1)) */
+    const double t33 = JLT_FMA(x[4], p[10], t32); /* omega3*I3/I1 + gamma3*omega_n*D/I1*1/(s*(D/I1)) */
+    const double t34 = JLT_FNMA(x[3], t33, t25); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*omega_n*D/I1*1/(s*(D/I1))) */
+    const double t35 = t19*t34; /* s*1/(s*(D/I1))*t34 */
+    out[2] = t35;
+    const double t36 = x[3]*p[13]; /* omega_n*1/R */
+    const double t37 = t27*t36; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    const double t38 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t39 = t22*t38; /* omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t40 = JLT_FMA(t30, t39, t37); /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    const double t41 = -t40; /* -t40 */
+    out[4] = t41;
+    const double t42 = x[2]*p[11]; /* omega_tau*I3/(R*I1) */
+    const double t43 = t29*t42; /* (I3/(m*R) + e)*omega_tau*I3/(R*I1) */
+    const double t44 = JLT_FMS(t30, t43, t31); /* omega3*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e)*omega_tau*I3/(R*I1) - t31 */
+    out[3] = t44;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -240,89 +225,88 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t24 = t8*t12; /* 1/D = s*1/(s*D) */
     const double t25 = t8*t24; /* s*1/D */
     const double t26 = x[0]*t24; /* gamma3*1/D */
-    const double t27 = t8*p[20]; /* s*2*m*a3^2 */
-    const double t28 = t26*t27; /* gamma3*1/D*s*2*m*a3^2 */
-    const double t29 = t14 - t28; /* gamma3*1/s - gamma3*1/D*s*2*m*a3^2 */
-    const double t30 = JLT_FNMA(t26, t29, t25); /* s*1/D - gamma3*1/D*(gamma3*1/s - gamma3*1/D*s*2*m*a3^2) */
-    const double t31 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t32 = t30*t31; /* (s*1/D - gamma3*1/D*(gamma3*1/s - gamma3*1/D*s*2*m*a3^2))*omega_tau*omega_tau */
-    const double t33 = x[4]*t24; /* omega3*1/D */
-    const double t34 = t17*p[22]; /* 1/s*omega_n*2*I1 */
-    const double t35 = t26*t34; /* gamma3*1/D*1/s*omega_n*2*I1 */
-    const double t36 = JLT_FMA(p[21], t33, t35); /* 2*I3*omega3*1/D + gamma3*1/D*1/s*omega_n*2*I1 */
-    const double t37 = x[3]*t26; /* omega_n*gamma3*1/D */
-    const double t38 = JLT_FNMA(t36, t37, t32); /* t32 - (2*I3*omega3*1/D + gamma3*1/D*1/s*omega_n*2*I1)*omega_n*gamma3*1/D */
-    const double t39 = p[16]*t38; /* m*a3^2*t38 */
-    const double t40 = t29*p[9]; /* (gamma3*1/s - gamma3*1/D*s*2*m*a3^2)*m*g*a3/I1 */
-    const double t41 = t13*t17; /* 1/s*1/s*omega_n */
-    const double t42 = JLT_FNMA(t17, t41, t40); /* (gamma3*1/s - gamma3*1/D*s*2*m*a3^2)*m*g*a3/I1 - 1/s*omega_n*1/s*1/s*omega_n */
-    const double t43 = p[4]*t24; /* I1*1/D */
-    const double t44 = JLT_FMA(t42, t43, t39); /* t42*I1*1/D + m*a3^2*t38 */
-    out[10] = t44;
-    const double t45 = x[2]*t28; /* omega_tau*gamma3*1/D*s*2*m*a3^2 */
-    out[12] = t45;
-    const double t46 = JLT_FMA(t33, p[5], t35); /* omega3*1/D*I3 + gamma3*1/D*1/s*omega_n*2*I1 */
-    const double t47 = -t46; /* -(omega3*1/D*I3 + gamma3*1/D*1/s*omega_n*2*I1) */
+    const double t27 = p[20]*t26; /* 2*m*a3^2*gamma3*1/D */
+    const double t28 = JLT_FMS(t8, t27, t14); /* s*2*m*a3^2*gamma3*1/D - gamma3*1/s */
+    const double t29 = JLT_FMA(t26, t28, t25); /* gamma3*1/D*(s*2*m*a3^2*gamma3*1/D - gamma3*1/s) + s*1/D */
+    const double t30 = x[2]*p[16]; /* omega_tau*m*a3^2 */
+    const double t31 = x[2]*t30; /* omega_tau*omega_tau*m*a3^2 */
+    const double t32 = t29*t31; /* (gamma3*1/D*(s*2*m*a3^2*gamma3*1/D - gamma3*1/s) + s*1/D)*omega_tau*omega_tau*m*a3^2 */
+    const double t33 = t17*t27; /* 1/s*omega_n*2*m*a3^2*gamma3*1/D */
+    const double t34 = x[4]*t24; /* omega3*1/D */
+    const double t35 = JLT_FMA(p[21], t34, t33); /* 2*m*a3^2*I3/I1*omega3*1/D + 1/s*omega_n*2*m*a3^2*gamma3*1/D */
+    const double t36 = x[3]*t26; /* omega_n*gamma3*1/D */
+    const double t37 = t35*t36; /* (2*m*a3^2*I3/I1*omega3*1/D + 1/s*omega_n*2*m*a3^2*gamma3*1/D)*omega_n*gamma3*1/D */
+    const double t38 = t28*p[9]; /* (s*2*m*a3^2*gamma3*1/D - gamma3*1/s)*m*g*a3/I1 */
+    const double t39 = t13*t17; /* 1/s*1/s*omega_n */
+    const double t40 = JLT_FMA(t17, t39, t38); /* 1/s*omega_n*1/s*1/s*omega_n + (s*2*m*a3^2*gamma3*1/D - gamma3*1/s)*m*g*a3/I1 */
+    const double t41 = JLT_FMA(t24, t40, t37); /* 1/D*t40 + t37 */
+    const double t42 = JLT_FNMA(p[4], t41, t32); /* t32 - I1*(1/D*t40 + t37) */
+    out[10] = t42;
+    const double t43 = x[2]*t8; /* omega_tau*s */
+    const double t44 = t27*t43; /* 2*m*a3^2*gamma3*1/D*omega_tau*s */
+    out[12] = t44;
+    const double t45 = t34*p[22]; /* omega3*1/D*(-I3) */
+    const double t46 = t17*p[23]; /* 1/s*omega_n*(-2*I1) */
+    const double t47 = JLT_FMA(t26, t46, t45); /* gamma3*1/D*1/s*omega_n*(-2*I1) + omega3*1/D*(-I3) */
     out[13] = t47;
-    const double t48 = x[3]*p[23]; /* omega_n*(-I3) */
+    const double t48 = x[3]*p[22]; /* omega_n*(-I3) */
     const double t49 = t24*t48; /* 1/D*omega_n*(-I3) */
     out[14] = t49;
-    const double t50 = x[2]*t13; /* omega_tau*1/s */
-    const double t51 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t52 = JLT_FMA(x[2], t51, x[1]); /* V = omega_tau*e + v_nu */
-    const double t53 = t9*t11; /* 1/Theta = D*s*1/(Theta*D*s) */
-    const double t54 = t52*t53; /* V*1/Theta */
-    const double t55 = t5*t54; /* b*m*I3*V*1/Theta */
-    const double t56 = JLT_FNMA(t14, t55, t50); /* omega_tau*1/s - gamma3*1/s*b*m*I3*V*1/Theta */
-    const double t57 = x[2]*p[3]; /* omega_tau*a3 */
-    const double t58 = x[0]*p[24]; /* gamma3*2*m*R^2*I1 */
-    const double t59 = JLT_FMS(t4, p[25], t58); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t60 = JLT_FNMA(t54, t59, t57); /* omega_tau*a3 - V*1/Theta*d(Theta)/d(gamma3) */
-    const double t61 = t5*t53; /* b*m*I3*1/Theta */
-    const double t62 = t17*t61; /* 1/s*omega_n*b*m*I3*1/Theta */
-    const double t63 = t54*p[26]; /* V*1/Theta*m*R*I3 */
-    const double t64 = t17*t63; /* 1/s*omega_n*V*1/Theta*m*R*I3 */
-    const double t65 = x[4]*t53; /* omega3*1/Theta */
-    const double t66 = x[2]*t65; /* omega_tau*omega3*1/Theta */
-    const double t67 = JLT_FMA(t51, p[26], p[28]); /* e*m*R*I3 + I3^2 */
-    const double t68 = t53*t59; /* 1/Theta*d(Theta)/d(gamma3) */
-    const double t69 = JLT_FNMA(t67, t68, p[27]); /* m*R*a3*I3 - (e*m*R*I3 + I3^2)*1/Theta*d(Theta)/d(gamma3) */
-    const double t70 = JLT_FMS(t66, t69, t64); /* omega_tau*omega3*1/Theta*(m*R*a3*I3 - (e*m*R*I3 + I3^2)*1/Theta*d(Theta)/d(gamma3)) - 1/s*omega_n*V*1/Theta*m*R*I3 */
-    const double t71 = JLT_FNMA(t60, t62, t70); /* t70 - (omega_tau*a3 - V*1/Theta*d(Theta)/d(gamma3))*1/s*omega_n*b*m*I3*1/Theta */
-    const double t72 = JLT_FMA(t41, t56, t71); /* 1/s*1/s*omega_n*(omega_tau*1/s - gamma3*1/s*b*m*I3*V*1/Theta) + t71 */
+    const double t50 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t51 = JLT_FMA(x[2], t50, x[1]); /* V = omega_tau*e + v_nu */
+    const double t52 = t9*t11; /* 1/Theta = D*s*1/(Theta*D*s) */
+    const double t53 = t51*t52; /* V*1/Theta */
+    const double t54 = p[24]*t53; /* m*R*I3*V*1/Theta */
+    const double t55 = t17*t54; /* 1/s*omega_n*m*R*I3*V*1/Theta */
+    const double t56 = x[4]*t52; /* omega3*1/Theta */
+    const double t57 = p[25]*t56; /* m*R*a3*I3*omega3*1/Theta */
+    const double t58 = JLT_FMA(p[24], t50, p[26]); /* m*R*I3*e + I3^2 */
+    const double t59 = t56*t58; /* omega3*1/Theta*(m*R*I3*e + I3^2) */
+    const double t60 = x[0]*p[27]; /* gamma3*2*m*R^2*I1 */
+    const double t61 = JLT_FMS(t4, p[28], t60); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t62 = t52*t61; /* 1/Theta*d(Theta)/d(gamma3) */
+    const double t63 = JLT_FNMA(t59, t62, t57); /* m*R*a3*I3*omega3*1/Theta - omega3*1/Theta*(m*R*I3*e + I3^2)*1/Theta*d(Theta)/d(gamma3) */
+    const double t64 = JLT_FMA(t13, t39, t63); /* 1/s*1/s*1/s*omega_n + t63 */
+    const double t65 = x[2]*p[3]; /* omega_tau*a3 */
+    const double t66 = JLT_FNMA(t53, t61, t65); /* omega_tau*a3 - V*1/Theta*d(Theta)/d(gamma3) */
+    const double t67 = t13*t51; /* 1/s*V */
+    const double t68 = JLT_FMA(t14, t67, t66); /* gamma3*1/s*1/s*V + omega_tau*a3 - V*1/Theta*d(Theta)/d(gamma3) */
+    const double t69 = t5*t52; /* b*m*I3*1/Theta */
+    const double t70 = t17*t69; /* 1/s*omega_n*b*m*I3*1/Theta */
+    const double t71 = JLT_FMS(x[2], t64, t55); /* omega_tau*(1/s*1/s*1/s*omega_n + t63) - 1/s*omega_n*m*R*I3*V*1/Theta */
+    const double t72 = JLT_FNMA(t68, t70, t71); /* t71 - t68*1/s*omega_n*b*m*I3*1/Theta */
     out[15] = t72;
-    const double t73 = -t62; /* -1/s*omega_n*b*m*I3*1/Theta */
+    const double t73 = -t70; /* -1/s*omega_n*b*m*I3*1/Theta */
     out[16] = t73;
-    const double t74 = x[0]*t17; /* gamma3*1/s*omega_n */
-    const double t75 = JLT_FMA(t65, t67, t74); /* omega3*1/Theta*(e*m*R*I3 + I3^2) + gamma3*1/s*omega_n */
-    const double t76 = JLT_FNMA(t51, t62, t75); /* omega3*1/Theta*(e*m*R*I3 + I3^2) + gamma3*1/s*omega_n - e*1/s*omega_n*b*m*I3*1/Theta */
-    out[17] = t76;
-    const double t77 = JLT_FNMA(t13, t55, t15); /* omega_tau*gamma3*1/s - 1/s*b*m*I3*V*1/Theta */
-    out[18] = t77;
-    const double t78 = x[2]*t53; /* omega_tau*1/Theta */
-    const double t79 = t67*t78; /* (e*m*R*I3 + I3^2)*omega_tau*1/Theta */
-    out[19] = t79;
-    const double t80 = x[3]*p[29]; /* omega_n*m*R*I1 */
-    const double t81 = t53*t80; /* 1/Theta*omega_n*m*R*I1 */
-    const double t82 = t60*t81; /* (omega_tau*a3 - V*1/Theta*d(Theta)/d(gamma3))*1/Theta*omega_n*m*R*I1 */
-    const double t83 = JLT_FNMA(x[0], p[30], p[27]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t84 = JLT_FMA(t68, t83, p[30]); /* 1/Theta*d(Theta)/d(gamma3)*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + m*R^2*(I1 - I3) */
-    const double t85 = t8*t84; /* s*t84 */
-    const double t86 = JLT_FMA(t14, t83, t85); /* gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*t84 */
-    const double t87 = JLT_FMS(t66, t86, t82); /* omega_tau*omega3*1/Theta*(gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*t84) - t82 */
-    out[20] = t87;
-    const double t88 = -t81; /* -1/Theta*omega_n*m*R*I1 */
-    out[21] = t88;
-    const double t89 = t8*t83; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t90 = t65*t89; /* omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t91 = JLT_FMA(t51, t81, t90); /* e*1/Theta*omega_n*m*R*I1 + omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t92 = -t91; /* -t91 */
-    out[22] = t92;
-    const double t93 = t54*p[31]; /* V*1/Theta*(-m*R*I1) */
-    out[23] = t93;
-    const double t94 = t78*t89; /* omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t95 = -t94; /* -omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[24] = t95;
+    const double t74 = JLT_FMA(x[0], t17, t59); /* gamma3*1/s*omega_n + omega3*1/Theta*(m*R*I3*e + I3^2) */
+    const double t75 = JLT_FNMA(t50, t70, t74); /* gamma3*1/s*omega_n + omega3*1/Theta*(m*R*I3*e + I3^2) - e*1/s*omega_n*b*m*I3*1/Theta */
+    out[17] = t75;
+    const double t76 = JLT_FNMA(t67, t69, t15); /* omega_tau*gamma3*1/s - 1/s*V*b*m*I3*1/Theta */
+    out[18] = t76;
+    const double t77 = x[2]*t52; /* omega_tau*1/Theta */
+    const double t78 = t58*t77; /* (m*R*I3*e + I3^2)*omega_tau*1/Theta */
+    out[19] = t78;
+    const double t79 = x[3]*p[29]; /* omega_n*m*R*I1 */
+    const double t80 = t52*t79; /* 1/Theta*omega_n*m*R*I1 */
+    const double t81 = t66*t80; /* (omega_tau*a3 - V*1/Theta*d(Theta)/d(gamma3))*1/Theta*omega_n*m*R*I1 */
+    const double t82 = JLT_FNMA(x[0], p[30], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t83 = t15*t82; /* omega_tau*gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t84 = JLT_FMA(t62, t82, p[30]); /* 1/Theta*d(Theta)/d(gamma3)*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + m*R^2*(I1 - I3) */
+    const double t85 = JLT_FMA(t43, t84, t83); /* omega_tau*s*t84 + omega_tau*gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t86 = JLT_FMS(t56, t85, t81); /* omega3*1/Theta*t85 - t81 */
+    out[20] = t86;
+    const double t87 = -t80; /* -1/Theta*omega_n*m*R*I1 */
+    out[21] = t87;
+    const double t88 = t8*t82; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t89 = t56*t88; /* omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t90 = JLT_FMA(t50, t80, t89); /* e*1/Theta*omega_n*m*R*I1 + omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t91 = -t90; /* -t90 */
+    out[22] = t91;
+    const double t92 = t53*p[31]; /* V*1/Theta*(-m*R*I1) */
+    out[23] = t92;
+    const double t93 = t77*t88; /* omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t94 = -t93; /* -omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[24] = t94;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -339,134 +323,134 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     out[7] = t4;
-    const double t5 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t6 = p[7] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = p[8]*t3; /* I3/(R^2*I1)*b */
-    const double t8 = JLT_FMA(t3, t7, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t9 = t4*t5; /* s*D/I1 */
-    const double t10 = t8*t9; /* Theta/(m*R^2*I1)*s*D/I1 */
-    const double t11 = 1.0/t10; /* 1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t12 = t8*t11; /* 1/(s*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t13 = t9*t11; /* 1/(Theta/(m*R^2*I1)) = s*D/I1*1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t14 = t5*t12; /* 1/s = D/I1*1/(s*(D/I1)) */
-    const double t15 = t4*t12; /* 1/(D/I1) = s*1/(s*(D/I1)) */
-    const double t16 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t17 = JLT_FMA(x[2], t16, x[1]); /* V = omega_tau*e + v_nu */
-    const double t18 = t13*t17; /* 1/(Theta/(m*R^2*I1))*V */
-    const double t19 = t7*t18; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t20 = p[40]*t18; /* (-1/R)*1/(Theta/(m*R^2*I1))*V */
-    out[28] = t20;
-    const double t21 = JLT_FMS(p[11], t3, x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = I3/(R*I1)*b - gamma3 */
-    const double t22 = t13*t21; /* 1/(Theta/(m*R^2*I1))*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
-    const double t23 = x[3]*t14; /* omega_n*1/s */
-    const double t24 = t3*t23; /* b*omega_n*1/s */
-    const double t25 = t18*t22; /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
-    const double t26 = x[2]*t4; /* omega_tau*s */
-    out[0] = t26;
-    const double t27 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t28 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t29 = JLT_FNMA(t27, t28, p[9]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
-    const double t30 = t26*t27; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t31 = x[0]*t14; /* gamma3*1/s */
-    const double t32 = JLT_FMA(t29, t31, t30); /* (m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3)*gamma3*1/s + omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t33 = t4*t29; /* s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
-    const double t34 = t15*t33; /* 1/(D/I1)*s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
-    const double t35 = p[33]*t25; /* 2*I3/(R^2*I1)*t25 */
-    const double t36 = t24*t35; /* b*omega_n*1/s*2*I3/(R^2*I1)*t25 */
-    const double t37 = x[3]*t31; /* omega_n*gamma3*1/s */
-    const double t38 = p[10]*t15; /* I3/I1*1/(D/I1) */
-    const double t39 = x[2]*t13; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t40 = JLT_FNMA(p[36], t39, t25); /* t25 - 1/2*a3*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t41 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t42 = p[11]*t18; /* I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
-    const double t43 = JLT_FNMA(t23, t42, t36); /* b*omega_n*1/s*2*I3/(R^2*I1)*t25 - omega_n*1/s*I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
-    const double t44 = JLT_FNMA(x[0], p[39], p[38]); /* 2*a3*I3/(R*I1) - gamma3*2*(I1 - I3)/I1 */
-    const double t45 = JLT_FMA(t22, t44, p[15]); /* 1/(Theta/(m*R^2*I1))*d(Theta)/d(gamma3)/(2*m*R^2*I1)*(2*a3*I3/(R*I1) - gamma3*2*(I1 - I3)/I1) + (I1 - I3)/I1 */
-    const double t46 = t4*t45; /* s*t45 */
-    const double t47 = t4*t41; /* s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t48 = JLT_FMA(t31, t41, t46); /* gamma3*1/s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + s*t45 */
-    const double t49 = t15*t37; /* 1/(D/I1)*omega_n*gamma3*1/s */
-    const double t50 = x[4]*t38; /* omega3*I3/I1*1/(D/I1) */
-    const double t51 = x[3]*t38; /* omega_n*I3/I1*1/(D/I1) */
-    const double t52 = -t51; /* -omega_n*I3/I1*1/(D/I1) */
-    out[19] = t52;
-    const double t53 = p[8]*t24; /* I3/(R^2*I1)*b*omega_n*1/s */
-    const double t54 = p[12] + t16; /* I3/(m*R) + e */
-    const double t55 = JLT_FNMA(t22, t54, p[36]); /* 1/2*a3 - 1/(Theta/(m*R^2*I1))*d(Theta)/d(gamma3)/(2*m*R^2*I1)*(I3/(m*R) + e) */
-    const double t56 = p[11]*t54; /* I3/(R*I1)*(I3/(m*R) + e) */
-    const double t57 = t39*t56; /* omega_tau*1/(Theta/(m*R^2*I1))*I3/(R*I1)*(I3/(m*R) + e) */
-    out[24] = t57;
-    const double t58 = x[4]*t39; /* omega3*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t59 = x[3]*p[13]; /* omega_n*1/R */
-    const double t60 = t14*t23; /* 1/s*omega_n*1/s */
-    const double t61 = JLT_FNMA(t23, t60, t32); /* t32 - omega_n*1/s*1/s*omega_n*1/s */
-    const double t62 = x[2]*t60; /* omega_tau*1/s*omega_n*1/s */
-    const double t63 = t15*t61; /* 1/(D/I1)*(t32 - omega_n*1/s*1/s*omega_n*1/s) */
-    const double t64 = p[34]*t39; /* a3*I3/(R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t65 = JLT_FNMA(t24, t64, t43); /* t43 - b*omega_n*1/s*a3*I3/(R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t66 = t39*t47; /* omega_tau*1/(Theta/(m*R^2*I1))*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t67 = -t66; /* -t66 */
-    out[29] = t67;
-    const double t68 = x[4]*t13; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t69 = p[1]*x[4]; /* R*omega3 */
-    const double t70 = JLT_FMA(2.0, t24, t69); /* 2*b*omega_n*1/s + R*omega3 */
-    out[13] = t70;
-    const double t71 = t24 + t69; /* b*omega_n*1/s + R*omega3 */
-    const double t72 = x[3]*t71; /* omega_n*(b*omega_n*1/s + R*omega3) */
-    out[1] = t72;
-    const double t73 = t49 + t50; /* 1/(D/I1)*omega_n*gamma3*1/s + omega3*I3/I1*1/(D/I1) */
-    const double t74 = JLT_FMA(x[3], t73, t34); /* omega_n*(1/(D/I1)*omega_n*gamma3*1/s + omega3*I3/I1*1/(D/I1)) + t34 */
-    const double t75 = JLT_FMA(2.0, t49, t50); /* 2*1/(D/I1)*omega_n*gamma3*1/s + omega3*I3/I1*1/(D/I1) */
-    const double t76 = -t75; /* -(2*1/(D/I1)*omega_n*gamma3*1/s + omega3*I3/I1*1/(D/I1)) */
-    out[18] = t76;
-    const double t77 = -t74; /* -t74 */
-    out[2] = t77;
-    const double t78 = t18*t53; /* 1/(Theta/(m*R^2*I1))*V*I3/(R^2*I1)*b*omega_n*1/s */
-    const double t79 = t18*t59; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    const double t80 = t13*t59; /* 1/(Theta/(m*R^2*I1))*omega_n*1/R */
-    const double t81 = t13*t53; /* 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*omega_n*1/s */
-    const double t82 = JLT_FMA(t47, t58, t79); /* s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1)*omega3*omega_tau*1/(Theta/(m*R^2*I1)) + 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    const double t83 = -t82; /* -t82 */
-    out[4] = t83;
-    const double t84 = t47*t68; /* s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1)*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t85 = JLT_FNMA(t31, t78, t62); /* omega_tau*1/s*omega_n*1/s - gamma3*1/s*1/(Theta/(m*R^2*I1))*V*I3/(R^2*I1)*b*omega_n*1/s */
-    const double t86 = JLT_FMS(t56, t58, t78); /* I3/(R*I1)*(I3/(m*R) + e)*omega3*omega_tau*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*V*I3/(R^2*I1)*b*omega_n*1/s */
-    const double t87 = JLT_FMA(t56, t68, t37); /* I3/(R*I1)*(I3/(m*R) + e)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/s */
-    const double t88 = JLT_FMA(x[2], t37, t86); /* omega_tau*omega_n*gamma3*1/s + t86 */
-    out[3] = t88;
-    const double t89 = JLT_FNMA(t16, t81, t87); /* t87 - e*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*omega_n*1/s */
-    out[22] = t89;
-    const double t90 = JLT_FMA(t16, t80, t84); /* e*1/(Theta/(m*R^2*I1))*omega_n*1/R + t84 */
-    const double t91 = -t81; /* -1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*omega_n*1/s */
-    out[21] = t91;
-    const double t92 = -t80; /* -1/(Theta/(m*R^2*I1))*omega_n*1/R */
-    out[26] = t92;
-    const double t93 = -t90; /* -(e*1/(Theta/(m*R^2*I1))*omega_n*1/R + t84) */
-    out[27] = t93;
-    const double t94 = x[3]*p[1]; /* omega_n*R */
-    out[14] = t94;
-    const double t95 = JLT_FMA(t24, t31, t94); /* b*omega_n*1/s*gamma3*1/s + omega_n*R */
-    const double t96 = t23*t95; /* omega_n*1/s*(b*omega_n*1/s*gamma3*1/s + omega_n*R) */
-    out[10] = t96;
-    const double t97 = x[2]*t31; /* omega_tau*gamma3*1/s */
-    const double t98 = JLT_FNMA(t14, t19, t97); /* omega_tau*gamma3*1/s - 1/s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    out[23] = t98;
-    const double t99 = -t97; /* -omega_tau*gamma3*1/s */
-    out[5] = t99;
-    const double t100 = x[0]*p[32]; /* gamma3*2*m*a3^2/I1 */
-    const double t101 = t15*t100; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t102 = JLT_FNMA(t74, t101, t63); /* 1/(D/I1)*(t32 - omega_n*1/s*1/s*omega_n*1/s) - t74*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[15] = t102;
-    const double t103 = t26*t101; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[17] = t103;
-    const double t104 = p[35]*t58; /* 2*I3/(R*I1)*omega3*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t105 = JLT_FMA(t55, t104, t65); /* t55*2*I3/(R*I1)*omega3*omega_tau*1/(Theta/(m*R^2*I1)) + t65 */
-    const double t106 = JLT_FMA(t14, t85, t105); /* 1/s*t85 + t55*2*I3/(R*I1)*omega3*omega_tau*1/(Theta/(m*R^2*I1)) + t65 */
-    out[20] = t106;
-    const double t107 = x[3]*p[37]; /* omega_n*2/R */
-    const double t108 = t40*t107; /* (t25 - 1/2*a3*omega_tau*1/(Theta/(m*R^2*I1)))*omega_n*2/R */
-    const double t109 = JLT_FMA(t48, t58, t108); /* (gamma3*1/s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + s*t45)*omega3*omega_tau*1/(Theta/(m*R^2*I1)) + (t25 - 1/2*a3*omega_tau*1/(Theta/(m*R^2*I1)))*omega_n*2/R */
-    out[25] = t109;
+    const double t5 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t6 = JLT_FMA(p[18], t2, p[17]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t7 = p[19]*t3; /* m*I3*b */
+    const double t8 = JLT_FMA(t3, t7, t6); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t9 = t4*t5; /* s*D */
+    const double t10 = t8*t9; /* Theta*s*D */
+    const double t11 = 1.0/t10; /* 1/(Theta*s*D) */
+    const double t12 = t8*t11; /* 1/(s*D) = Theta*1/(Theta*s*D) */
+    const double t13 = t9*t11; /* 1/Theta = s*D*1/(Theta*s*D) */
+    const double t14 = t5*t12; /* 1/s = D*1/(s*D) */
+    const double t15 = t4*t12; /* 1/D = s*1/(s*D) */
+    const double t16 = x[2]*t4; /* omega_tau*s */
+    out[0] = t16;
+    const double t17 = x[2]*p[16]; /* omega_tau*m*a3^2 */
+    const double t18 = x[3]*t14; /* omega_n*1/s */
+    const double t19 = t16*t17; /* omega_tau*s*omega_tau*m*a3^2 */
+    const double t20 = x[0]*t17; /* gamma3*omega_tau*m*a3^2 */
+    const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t22 = t3*t18; /* b*omega_n*1/s */
+    const double t23 = x[0]*t19; /* gamma3*omega_tau*s*omega_tau*m*a3^2 */
+    const double t24 = JLT_FNMA(p[32], t4, t23); /* gamma3*omega_tau*s*omega_tau*m*a3^2 - m*g*a3*s */
+    const double t25 = x[4]*p[5]; /* omega3*I3 */
+    const double t26 = x[0]*t18; /* gamma3*omega_n*1/s */
+    const double t27 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
+    const double t28 = x[3]*p[29]; /* omega_n*m*R*I1 */
+    const double t29 = JLT_FNMA(x[0], p[30], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t30 = x[0]*t14; /* gamma3*1/s */
+    const double t31 = JLT_FMA(p[32], t30, t19); /* m*g*a3*gamma3*1/s + omega_tau*s*omega_tau*m*a3^2 */
+    const double t32 = p[1]*x[4]; /* R*omega3 */
+    const double t33 = JLT_FMA(2.0, t22, t32); /* 2*b*omega_n*1/s + R*omega3 */
+    out[13] = t33;
+    const double t34 = t32 - t22; /* R*omega3 - b*omega_n*1/s */
+    const double t35 = t14*t18; /* 1/s*omega_n*1/s */
+    const double t36 = x[2]*p[35]; /* omega_tau*m*R*a3*I1 */
+    const double t37 = x[3]*t36; /* omega_n*omega_tau*m*R*a3*I1 */
+    const double t38 = JLT_FMA(p[4], t26, t25); /* I1*gamma3*omega_n*1/s + omega3*I3 */
+    const double t39 = JLT_FNMA(x[3], t38, t24); /* numerator of d(omega_tau)/dt over D = gamma3*omega_tau*s*omega_tau*m*a3^2 - m*g*a3*s - omega_n*(I1*gamma3*omega_n*1/s + omega3*I3) */
+    const double t40 = t15*t39; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t40;
+    const double t41 = JLT_FMA(p[33], t26, t25); /* 2*I1*gamma3*omega_n*1/s + omega3*I3 */
+    const double t42 = t15*t41; /* 1/D*(2*I1*gamma3*omega_n*1/s + omega3*I3) */
+    const double t43 = -t42; /* -1/D*(2*I1*gamma3*omega_n*1/s + omega3*I3) */
+    out[18] = t43;
+    const double t44 = p[19]*t22; /* m*I3*b*omega_n*1/s */
+    const double t45 = JLT_FMA(p[24], t21, p[26]); /* m*R*I3*e + I3^2 */
+    const double t46 = t27*t28; /* V*omega_n*m*R*I1 */
+    const double t47 = x[4]*t29; /* omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t48 = JLT_FMA(t16, t47, t46); /* omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*omega_n*m*R*I1 */
+    const double t49 = t13*t48; /* 1/Theta*t48 */
+    const double t50 = t16*t29; /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t51 = t13*t50; /* 1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t52 = -t51; /* -1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[29] = t52;
+    const double t53 = -t49; /* -1/Theta*t48 */
+    out[4] = t53;
+    const double t54 = x[2]*t30; /* omega_tau*gamma3*1/s */
+    const double t55 = JLT_FNMA(t20, t54, t31); /* m*g*a3*gamma3*1/s + omega_tau*s*omega_tau*m*a3^2 - gamma3*omega_tau*m*a3^2*omega_tau*gamma3*1/s */
+    const double t56 = t14*t30; /* 1/s*gamma3*1/s */
+    const double t57 = t44*t56; /* m*I3*b*omega_n*1/s*1/s*gamma3*1/s */
+    const double t58 = JLT_FMA(p[24], t18, t57); /* m*R*I3*omega_n*1/s + m*I3*b*omega_n*1/s*1/s*gamma3*1/s */
+    const double t59 = -t54; /* -omega_tau*gamma3*1/s */
+    out[5] = t59;
+    const double t60 = t14*t35; /* 1/s*1/s*omega_n*1/s */
+    const double t61 = p[34]*t13; /* m*a3*I3*1/Theta */
+    const double t62 = JLT_FMA(t34, t61, t60); /* (R*omega3 - b*omega_n*1/s)*m*a3*I3*1/Theta + 1/s*1/s*omega_n*1/s */
+    const double t63 = x[2]*t62; /* omega_tau*t62 */
+    const double t64 = x[4]*p[30]; /* omega3*m*R^2*(I1 - I3) */
+    const double t65 = JLT_FMS(t16, t64, t37); /* omega_tau*s*omega3*m*R^2*(I1 - I3) - omega_n*omega_tau*m*R*a3*I1 */
+    const double t66 = JLT_FMA(t47, t54, t65); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega_tau*gamma3*1/s + t65 */
+    const double t67 = t27*t44; /* V*m*I3*b*omega_n*1/s */
+    const double t68 = t13*t27; /* 1/Theta*V */
+    const double t69 = JLT_FNMA(t58, t68, t63); /* omega_tau*t62 - (m*R*I3*omega_n*1/s + m*I3*b*omega_n*1/s*1/s*gamma3*1/s)*1/Theta*V */
+    const double t70 = t7*t68; /* m*I3*b*1/Theta*V */
+    const double t71 = JLT_FNMA(t14, t70, t54); /* omega_tau*gamma3*1/s - 1/s*m*I3*b*1/Theta*V */
+    out[23] = t71;
+    const double t72 = p[31]*t68; /* (-m*R*I1)*1/Theta*V */
+    out[28] = t72;
+    const double t73 = t14*t22; /* 1/s*b*omega_n*1/s */
+    const double t74 = x[3]*t22; /* omega_n*b*omega_n*1/s */
+    const double t75 = x[4]*t45; /* omega3*(m*R*I3*e + I3^2) */
+    const double t76 = JLT_FMS(x[2], t75, t67); /* numerator of d(omega_n)/dt over Theta = omega_tau*omega3*(m*R*I3*e + I3^2) - V*m*I3*b*omega_n*1/s */
+    const double t77 = t13*t76; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t78 = JLT_FNMA(t21, t44, t75); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*(m*R*I3*e + I3^2) - e*m*I3*b*omega_n*1/s */
+    const double t79 = JLT_FMA(t13, t78, t26); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + gamma3*omega_n*1/s */
+    out[22] = t79;
+    const double t80 = t21*t28; /* e*omega_n*m*R*I1 */
+    const double t81 = JLT_FMA(t4, t47, t80); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1 */
+    const double t82 = t13*t44; /* 1/Theta*m*I3*b*omega_n*1/s */
+    const double t83 = -t82; /* -1/Theta*m*I3*b*omega_n*1/s */
+    out[21] = t83;
+    const double t84 = x[2]*t45; /* omega_tau*(m*R*I3*e + I3^2) */
+    const double t85 = t13*t84; /* 1/Theta*omega_tau*(m*R*I3*e + I3^2) */
+    out[24] = t85;
+    const double t86 = t13*t28; /* 1/Theta*omega_n*m*R*I1 */
+    const double t87 = -t86; /* -1/Theta*omega_n*m*R*I1 */
+    out[26] = t87;
+    const double t88 = t13*t81; /* 1/Theta*t81 */
+    const double t89 = -t88; /* -1/Theta*t81 */
+    out[27] = t89;
+    const double t90 = JLT_FMA(x[2], t26, t77); /* omega_tau*gamma3*omega_n*1/s + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t90;
+    const double t91 = p[4]*t18; /* I1*omega_n*1/s */
+    const double t92 = JLT_FNMA(t35, t91, t55); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = t55 - 1/s*omega_n*1/s*I1*omega_n*1/s */
+    const double t93 = x[0]*p[27]; /* gamma3*2*m*R^2*I1 */
+    const double t94 = JLT_FMS(p[28], t3, t93); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
+    const double t95 = JLT_FMA(t49, t94, t66); /* 1/Theta*t48*d(Theta)/d(gamma3) + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t96 = t13*t95; /* 1/Theta*t95 */
+    out[25] = t96;
+    const double t97 = t13*t94; /* 1/Theta*d(Theta)/d(gamma3) */
+    const double t98 = JLT_FNMA(t77, t97, t69); /* t69 - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*d(Theta)/d(gamma3) */
+    out[20] = t98;
+    const double t99 = x[3]*p[1]; /* omega_n*R */
+    out[14] = t99;
+    const double t100 = JLT_FMA(x[4], t99, t74); /* omega3*omega_n*R + omega_n*b*omega_n*1/s */
+    out[1] = t100;
+    const double t101 = t18*t99; /* omega_n*1/s*omega_n*R */
+    const double t102 = JLT_FMA(t26, t73, t101); /* gamma3*omega_n*1/s*1/s*b*omega_n*1/s + omega_n*1/s*omega_n*R */
+    out[10] = t102;
+    const double t103 = x[0]*p[20]; /* gamma3*2*m*a3^2 */
+    const double t104 = JLT_FMA(t40, t103, t92); /* 1/D*numerator of d(omega_tau)/dt over D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t105 = t16*t103; /* omega_tau*s*gamma3*2*m*a3^2 */
+    const double t106 = t15*t104; /* 1/D*t104 */
+    out[15] = t106;
+    const double t107 = t15*t105; /* 1/D*omega_tau*s*gamma3*2*m*a3^2 */
+    out[17] = t107;
+    const double t108 = x[3]*p[22]; /* omega_n*(-I3) */
+    const double t109 = t15*t108; /* 1/D*omega_n*(-I3) */
+    out[19] = t109;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -474,32 +458,31 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = x[0] + p[41]; /* b/R = gamma3 + a3/R */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t5 = p[10]*t3; /* I3/I1*b/R */
-    const double t6 = p[7] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = JLT_FMA(t3, t5, t6); /* Theta/(m*R^2*I1) = b/R*I3/I1*b/R + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t8 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t9 = p[11]*t3; /* I3/(R*I1)*b/R */
-    const double t10 = t8*t9; /* D*I3/(R*I1)*b/R */
-    const double t11 = t4*t8; /* s*D */
-    const double t12 = t7*t11; /* Theta/(m*R^2*I1)*s*D */
-    const double t13 = 1.0/t12; /* 1/(Theta/(m*R^2*I1)*s*D) */
-    const double t14 = t7*t13; /* 1/(D*s) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s*D) */
-    const double t15 = t11*t13; /* 1/(Theta/(m*R^2*I1)) = s*D*1/(Theta/(m*R^2*I1)*s*D) */
-    const double t16 = x[0]*p[20]; /* gamma3*2*m*a3^2 */
-    const double t17 = t4*t16; /* s*gamma3*2*m*a3^2 */
-    const double t18 = t14*t17; /* 1/(D*s)*s*gamma3*2*m*a3^2 */
-    const double t19 = x[2]*t4; /* omega_tau*s */
-    const double t20 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t21 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
-    const double t22 = t10*t21; /* D*I3/(R*I1)*b/R*V */
-    const double t23 = t14*t22; /* 1/(D*s)*D*I3/(R*I1)*b/R*V */
-    const double t24 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t25 = JLT_FNMA(t15, t24, t18); /* 1/(D*s)*s*gamma3*2*m*a3^2 - 1/(Theta/(m*R^2*I1))*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t26 = t19*t25; /* omega_tau*s*t25 */
-    const double t27 = JLT_FNMA(t15, t23, t26); /* omega_tau*s*t25 - 1/(Theta/(m*R^2*I1))*1/(D*s)*D*I3/(R*I1)*b/R*V */
-    out[0] = t27;
+    const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t4 = p[19]*t3; /* m*I3*b */
+    const double t5 = JLT_FMA(p[18], t2, p[17]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t7 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t9 = t4*t7; /* m*I3*b*D */
+    const double t10 = t6*t7; /* Theta*D */
+    const double t11 = t8*t10; /* s*Theta*D */
+    const double t12 = 1.0/t11; /* 1/(s*Theta*D) */
+    const double t13 = t6*t12; /* 1/(D*s) = Theta*1/(s*Theta*D) */
+    const double t14 = t7*t12; /* D*1/(s*Theta*D) */
+    const double t15 = x[2]*t8; /* omega_tau*s */
+    const double t16 = x[0]*t15; /* gamma3*omega_tau*s */
+    const double t17 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t18 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
+    const double t19 = t9*t18; /* m*I3*b*D*V */
+    const double t20 = p[30]*t16; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s */
+    const double t21 = JLT_FNMA(p[25], t15, t20); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s */
+    const double t22 = JLT_FNMA(t13, t19, t21); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s - 1/(D*s)*m*I3*b*D*V */
+    const double t23 = t14*t22; /* D*1/(s*Theta*D)*t22 */
+    const double t24 = p[20]*t16; /* 2*m*a3^2*gamma3*omega_tau*s */
+    const double t25 = JLT_FMA(t13, t24, t23); /* 1/(D*s)*2*m*a3^2*gamma3*omega_tau*s + D*1/(s*Theta*D)*t22 */
+    const double t26 = t8*t25; /* s*(1/(D*s)*2*m*a3^2*gamma3*omega_tau*s + D*1/(s*Theta*D)*t22) */
+    out[0] = t26;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -507,13 +490,13 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = p[43]*x[0]; /* 2*g*a3*gamma3 */
+    const double t3 = p[37]*x[0]; /* 2*g*a3*gamma3 */
     const double t4 = JLT_FMA(x[1], x[1], t3); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t5 = p[45]*x[3]; /* I1/m*omega_n */
+    const double t5 = p[39]*x[3]; /* I1/m*omega_n */
     const double t6 = JLT_FMA(x[3], t5, t4); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t7 = p[44]*x[2]; /* 1/m*omega_tau */
+    const double t7 = p[38]*x[2]; /* 1/m*omega_tau */
     const double t8 = x[2]*t7; /* omega_tau*1/m*omega_tau */
-    const double t9 = p[46]*x[4]; /* I3/m*omega3 */
+    const double t9 = p[40]*x[4]; /* I3/m*omega3 */
     const double t10 = JLT_FMA(x[4], t9, t6); /* omega3*I3/m*omega3 + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t12 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
@@ -523,9 +506,9 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t16 = x[4]*p[1]; /* omega3*R */
     const double t17 = JLT_FMA(t14, t16, t15); /* v_tau = s*omega3*R + omega_n*b */
     const double t18 = JLT_FMA(t17, t17, t13); /* energy/(1/2*m) = v_tau*v_tau + omega_tau*1/m*omega_tau*D + t10 */
-    const double t19 = p[42]*t18; /* 1/2*m*energy/(1/2*m) */
+    const double t19 = p[36]*t18; /* 1/2*m*energy/(1/2*m) */
     out[0] = t19;
-    const double t20 = x[3]*p[47]; /* omega_n*R*I1 */
+    const double t20 = x[3]*p[41]; /* omega_n*R*I1 */
     const double t21 = t14*t20; /* s*omega_n*R*I1 */
     const double t22 = x[4]*p[5]; /* omega3*I3 */
     const double t23 = JLT_FNMA(t11, t22, t21); /* s*omega_n*R*I1 - b*omega3*I3 */
@@ -545,10 +528,10 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t5 = JLT_FMA(p[16], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t6 = x[2]*t5; /* omega_tau*D */
     out[2] = t6;
-    const double t7 = p[47]*t4; /* R*I1*s */
+    const double t7 = p[41]*t4; /* R*I1*s */
     out[8] = t7;
     const double t8 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t9 = p[23]*t8; /* (-I3)*b */
+    const double t9 = p[22]*t8; /* (-I3)*b */
     out[9] = t9;
     const double t10 = x[3]*t8; /* omega_n*b */
     const double t11 = p[0]*t8; /* m*b */
@@ -556,14 +539,14 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t13 = JLT_FMA(t4, t12, t10); /* v_tau = s*omega3*R + omega_n*b */
     const double t14 = p[16]*x[0]; /* m*a3^2*gamma3 */
     const double t15 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t16 = JLT_FNMA(t14, t15, p[48]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t16 = JLT_FNMA(t14, t15, p[32]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t17 = x[0]/t4; /* gamma3/s */
-    const double t18 = x[3]*p[50]; /* omega_n*(-R*I1) */
+    const double t18 = x[3]*p[43]; /* omega_n*(-R*I1) */
     const double t19 = t17*t18; /* gamma3/s*omega_n*(-R*I1) */
-    const double t20 = JLT_FMA(x[4], p[51], t19); /* omega3*(-R*I3) + gamma3/s*omega_n*(-R*I1) */
+    const double t20 = JLT_FMA(x[4], p[44], t19); /* omega3*(-R*I3) + gamma3/s*omega_n*(-R*I1) */
     out[5] = t20;
     const double t21 = JLT_FNMA(x[4], t17, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*gamma3/s */
-    const double t22 = p[49]*t13; /* m*R*v_tau */
+    const double t22 = p[42]*t13; /* m*R*v_tau */
     const double t23 = JLT_FMA(t21, t22, t16); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R*v_tau + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     out[0] = t23;
     const double t24 = x[3]*p[4]; /* omega_n*I1 */
@@ -582,15 +565,6 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
     double x4[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t4[JLT_JET_ORDER_MAX + 1];
-    double t5[JLT_JET_ORDER_MAX + 1];
-    double t6[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
-    double t16[JLT_JET_ORDER_MAX + 1];
-    double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
@@ -600,29 +574,38 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
+    double t33[JLT_JET_ORDER_MAX + 1];
+    double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
+    double t40[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
     double t44[JLT_JET_ORDER_MAX + 1];
     double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
+    double t47[JLT_JET_ORDER_MAX + 1];
+    double t48[JLT_JET_ORDER_MAX + 1];
     double t49[JLT_JET_ORDER_MAX + 1];
     double t50[JLT_JET_ORDER_MAX + 1];
     double t51[JLT_JET_ORDER_MAX + 1];
     double t52[JLT_JET_ORDER_MAX + 1];
     double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
     double t55[JLT_JET_ORDER_MAX + 1];
     double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
+    double t58[JLT_JET_ORDER_MAX + 1];
     double t59[JLT_JET_ORDER_MAX + 1];
     double t60[JLT_JET_ORDER_MAX + 1];
     double t61[JLT_JET_ORDER_MAX + 1];
@@ -633,57 +616,57 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[3] = x3[0] = x[3];
     coefficients[4] = x4[0] = x[4];
     for (unsigned k = 0; k < order; k++) {
-        t3[k] = (k == 0 ? 1.0 : 0) - x0[k];
-        t4[k] = (k == 0 ? 1.0 : 0) + x0[k];
-        t5[k] = jlt_jet_product(t3, t4, k);
-        t6[k] = jlt_jet_root(t5[k], t6, k);
-        t7[k] = jlt_jet_product(x2, t6, k);
-        t10[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
-        t13[k] = t5[k]*p[6] + (k == 0 ? 1.0 : 0);
-        t16[k] = t10[k]*p[8];
-        t17[k] = t5[k] + (k == 0 ? p[7] : 0);
-        t18[k] = jlt_jet_product(t10, t16, k) + t17[k];
-        t19[k] = jlt_jet_product(t6, t13, k);
+        t18[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t19[k] = (k == 0 ? 1.0 : 0) + x0[k];
         t20[k] = jlt_jet_product(t18, t19, k);
-        t21[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t20, t21, k);
-        t22[k] = jlt_jet_product(t18, t21, k);
-        t23[k] = jlt_jet_product(x3, t13, k);
-        t24[k] = jlt_jet_product(t22, t23, k);
-        t25[k] = jlt_jet_product(x3, t24, k);
-        t26[k] = jlt_jet_product(t10, t25, k);
-        t28[k] = jlt_jet_product(x3, x4, k);
-        t29[k] = p[1]*t28[k] + t26[k];
-        t30[k] = x2[k]*p[6];
-        t31[k] = jlt_jet_product(t7, t30, k) - t25[k];
-        t32[k] = jlt_jet_product(x0, t31, k);
-        t35[k] = t32[k] - t28[k]*p[10];
-        t36[k] = t35[k] - t6[k]*p[9];
-        t37[k] = jlt_jet_product(t6, t22, k);
-        t38[k] = jlt_jet_product(t36, t37, k);
-        t39[k] = jlt_jet_product(x2, x0, k);
-        t41[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t42[k] = jlt_jet_product(x2, t41, k) + x1[k];
-        t43[k] = jlt_jet_product(t19, t21, k);
-        t44[k] = jlt_jet_product(t42, t43, k);
-        t45[k] = t39[k] - jlt_jet_product(t16, t44, k);
-        t46[k] = jlt_jet_product(t24, t45, k);
-        t49[k] = t41[k] + (k == 0 ? p[12] : 0);
-        t50[k] = jlt_jet_product(x4, t43, k);
-        t51[k] = x2[k]*p[11];
-        t52[k] = jlt_jet_product(t49, t51, k);
-        t53[k] = jlt_jet_product(t50, t52, k) + t46[k];
-        t55[k] = x3[k]*p[13];
-        t56[k] = jlt_jet_product(t44, t55, k);
-        t59[k] = (k == 0 ? p[14] : 0) - x0[k]*p[15];
-        t60[k] = jlt_jet_product(t7, t59, k);
-        t61[k] = jlt_jet_product(t50, t60, k) + t56[k];
-        t62[k] = -t61[k];
+        t21[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
+        t22[k] = jlt_jet_root(t20[k], t22, k);
+        t23[k] = p[6]*t20[k] + (k == 0 ? 1.0 : 0);
+        t24[k] = (k == 0 ? p[7] : 0) + t20[k];
+        t25[k] = p[8]*t21[k];
+        t26[k] = jlt_jet_product(t21, t25, k) + t24[k];
+        t27[k] = jlt_jet_product(t22, t23, k);
+        t28[k] = jlt_jet_product(x3, t23, k);
+        t29[k] = jlt_jet_product(t26, t27, k);
+        t30[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t29, t30, k);
+        t31[k] = jlt_jet_product(t26, t30, k);
+        t32[k] = jlt_jet_product(t27, t30, k);
+        t33[k] = jlt_jet_product(t28, t31, k);
+        t34[k] = jlt_jet_product(t21, t33, k);
+        t35[k] = p[1]*x4[k] + t34[k];
+        t36[k] = jlt_jet_product(x3, t35, k);
+        t37[k] = jlt_jet_product(t22, t31, k);
+        t38[k] = jlt_jet_product(x2, x0, k);
+        t39[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t40[k] = jlt_jet_product(x2, t22, k);
+        t41[k] = p[6]*t38[k];
+        t42[k] = jlt_jet_product(t40, t41, k);
+        t43[k] = t42[k] - p[9]*t22[k];
+        t44[k] = jlt_jet_product(x2, t39, k) + x1[k];
+        t45[k] = jlt_jet_product(t32, t44, k);
+        t46[k] = jlt_jet_product(t25, t45, k) - t38[k];
+        t47[k] = (k == 0 ? p[12] : 0) + t39[k];
+        t48[k] = jlt_jet_product(x4, t32, k);
+        t49[k] = jlt_jet_product(t33, t46, k);
+        t50[k] = jlt_jet_product(x0, t33, k);
+        t51[k] = x4[k]*p[10] + t50[k];
+        t52[k] = t43[k] - jlt_jet_product(x3, t51, k);
+        t53[k] = jlt_jet_product(t37, t52, k);
+        t54[k] = x3[k]*p[13];
+        t55[k] = jlt_jet_product(t45, t54, k);
+        t56[k] = (k == 0 ? p[14] : 0) - x0[k]*p[15];
+        t57[k] = jlt_jet_product(t40, t56, k);
+        t58[k] = jlt_jet_product(t48, t57, k) + t55[k];
+        t59[k] = -t58[k];
+        t60[k] = x2[k]*p[11];
+        t61[k] = jlt_jet_product(t47, t60, k);
+        t62[k] = jlt_jet_product(t48, t61, k) - t49[k];
         double *restrict next = coefficients + (k + 1)*5;
-        next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t29[k]/(k + 1);
-        next[2] = x2[k + 1] = t38[k]/(k + 1);
-        next[3] = x3[k + 1] = t53[k]/(k + 1);
-        next[4] = x4[k + 1] = t62[k]/(k + 1);
+        next[0] = x0[k + 1] = t40[k]/(k + 1);
+        next[1] = x1[k + 1] = t36[k]/(k + 1);
+        next[2] = x2[k + 1] = t53[k]/(k + 1);
+        next[3] = x3[k + 1] = t62[k]/(k + 1);
+        next[4] = x4[k + 1] = t59[k]/(k + 1);
     }
 }
 
@@ -1021,6 +1004,130 @@ static void family1_trace(const double *restrict x, const double *restrict param
     out[0] = t21;
 }
 
+static void family1_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    const double t0 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = t0*t1; /* (1 + gamma3)*(1 - gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    const double t4 = params[3]*params[3]; /* a3*a3 */
+    const double t5 = params[0]*t4; /* m*a3*a3 */
+    const double t6 = t3*t3; /* s*s */
+    const double t7 = t5*t6; /* m*a3*a3*s*s */
+    const double t8 = params[4] + t7; /* D = I1 + m*a3*a3*s*s */
+    const double t9 = t3*t8; /* s*D */
+    const double t10 = params[4]*params[5]; /* I1*I3 */
+    const double t11 = params[1]*params[1]; /* R*R */
+    const double t12 = params[0]*t11; /* m*R*R */
+    const double t13 = params[4]*t12; /* I1*m*R*R */
+    const double t14 = t6*t13; /* s*s*I1*m*R*R */
+    const double t15 = t10 + t14; /* I1*I3 + s*s*I1*m*R*R */
+    const double t16 = params[0]*params[5]; /* m*I3 */
+    const double t17 = x[0]*params[1]; /* gamma3*R */
+    const double t18 = params[3] + t17; /* b = a3 + gamma3*R */
+    const double t19 = t18*t18; /* b*b */
+    const double t20 = t16*t19; /* m*I3*b*b */
+    const double t21 = t15 + t20; /* Theta = I1*I3 + s*s*I1*m*R*R + m*I3*b*b */
+    const double t22 = t9*t21; /* s*D*Theta */
+    out[0] = t22;
+    const double t23 = t16*x[1]; /* m*I3*v_nu */
+    const double t24 = t18*t23; /* b*m*I3*v_nu */
+    const double t25 = t8*t24; /* D*b*m*I3*v_nu */
+    out[1] = t25;
+    const double t26 = params[5]*params[5]; /* I3*I3 */
+    const double t27 = x[4]*x[4]; /* omega3*omega3 */
+    const double t28 = t26*t27; /* I3*I3*omega3*omega3 */
+    const double t29 = t3*t28; /* s*I3*I3*omega3*omega3 */
+    const double t30 = params[0]*params[1]; /* m*R */
+    const double t31 = x[0]*params[3]; /* gamma3*a3 */
+    const double t32 = params[1] + t31; /* e = R + gamma3*a3 */
+    const double t33 = t30*t32; /* m*R*e */
+    const double t34 = params[5] + t33; /* I3 + m*R*e */
+    const double t35 = t29*t34; /* s*I3*I3*omega3*omega3*(I3 + m*R*e) */
+    out[2] = t35;
+}
+
+static void family1_matrix(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[11] = 0.0;
+    out[12] = 0.0;
+    out[14] = 0.0;
+    out[15] = 0.0;
+    out[16] = 0.0;
+    out[19] = 0.0;
+    out[20] = 0.0;
+    out[21] = 0.0;
+    out[24] = 0.0;
+    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    out[2] = t3;
+    const double t4 = params[1]*x[4]; /* R*omega3 */
+    out[8] = t4;
+    const double t5 = x[4]*params[5]; /* omega3*I3 */
+    const double t6 = params[3]*params[3]; /* a3*a3 */
+    const double t7 = params[0]*t6; /* m*a3*a3 */
+    const double t8 = t3*t3; /* s*s */
+    const double t9 = t7*t8; /* m*a3*a3*s*s */
+    const double t10 = params[4] + t9; /* D = I1 + m*a3*a3*s*s */
+    const double t11 = t5/t10; /* omega3*I3/D */
+    const double t12 = -t11; /* -omega3*I3/D */
+    out[13] = t12;
+    const double t13 = params[5]*params[4]; /* I3*I1 */
+    const double t14 = params[1]*params[1]; /* R*R */
+    const double t15 = params[0]*t14; /* m*R*R */
+    const double t16 = params[4]*t15; /* I1*m*R*R */
+    const double t17 = t8*t16; /* s*s*I1*m*R*R */
+    const double t18 = t13 + t17; /* I3*I1 + s*s*I1*m*R*R */
+    const double t19 = params[5]*params[0]; /* I3*m */
+    const double t20 = x[0]*params[1]; /* gamma3*R */
+    const double t21 = params[3] + t20; /* b = a3 + gamma3*R */
+    const double t22 = t21*t21; /* b*b */
+    const double t23 = t19*t22; /* I3*m*b*b */
+    const double t24 = t18 + t23; /* Theta = I3*I1 + s*s*I1*m*R*R + I3*m*b*b */
+    const double t25 = params[1]*params[0]; /* R*m */
+    const double t26 = x[0]*params[3]; /* gamma3*a3 */
+    const double t27 = params[1] + t26; /* e = R + gamma3*a3 */
+    const double t28 = t25*t27; /* R*m*e */
+    const double t29 = params[5] + t28; /* I3 + R*m*e */
+    const double t30 = t5*t29; /* omega3*I3*(I3 + R*m*e) */
+    const double t31 = t30/t24; /* omega3*I3*(I3 + R*m*e)/Theta */
+    out[17] = t31;
+    const double t32 = t19*x[1]; /* I3*m*v_nu */
+    const double t33 = t21*t32; /* b*I3*m*v_nu */
+    const double t34 = t3*t24; /* s*Theta */
+    const double t35 = t33/t34; /* b*I3*m*v_nu/(s*Theta) */
+    const double t36 = -t35; /* -b*I3*m*v_nu/(s*Theta) */
+    out[18] = t36;
+    const double t37 = x[4]*t25; /* omega3*R*m */
+    const double t38 = t3*t37; /* s*omega3*R*m */
+    const double t39 = params[4] - params[5]; /* I1 - I3 */
+    const double t40 = t20*t39; /* gamma3*R*(I1 - I3) */
+    const double t41 = params[5]*params[3]; /* I3*a3 */
+    const double t42 = t40 - t41; /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t43 = t38*t42; /* s*omega3*R*m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t44 = t43/t24; /* s*omega3*R*m*(gamma3*R*(I1 - I3) - I3*a3)/Theta */
+    out[22] = t44;
+    const double t45 = params[4]*t25; /* I1*R*m */
+    const double t46 = x[1]*t45; /* v_nu*I1*R*m */
+    const double t47 = t46/t24; /* v_nu*I1*R*m/Theta */
+    const double t48 = -t47; /* -v_nu*I1*R*m/Theta */
+    out[23] = t48;
+}
+
 static void family1_left_null_gradients(const double *restrict x, const double *restrict params, double *restrict out)
 {
     out[2] = 0.0;
@@ -1200,6 +1307,8 @@ static const jlt_equilibria equilibria[] = {
       .impose = family1_impose,
       .point = family1_point,
       .trace = family1_trace,
+      .charpoly = family1_charpoly,
+      .matrix = family1_matrix,
       .left_null = family1_left_null,
       .left_null_gradients = family1_left_null_gradients,
       .left_null_count = 2, .obstructs = 1 },
@@ -1242,20 +1351,20 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 6, .block_count = 52,
+    .state_count = 5, .param_count = 6, .block_count = 45,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 5, 25, 13, 1, 1, 0, 14, 11 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
+    .rhs = { rhs, 5, { 5, 25, 13, 1, 1, 0, 12, 10 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 25, { 9, 55, 30, 1, 1, 0, 16, 20 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
+    .jacobian = { jacobian, 25, { 7, 55, 31, 1, 1, 0, 15, 20 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 15, 60, 33, 1, 1, 0, 15, 28 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 10, 64, 34, 1, 1, 0, 15, 27 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .divergence = { divergence, 1, { 4, 15, 7, 1, 1, 0, 11, 7 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
+    .divergence = { divergence, 1, { 2, 14, 9, 1, 1, 0, 12, 8 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { integral_values, 2, { 2, 12, 9, 0, 1, 0, 7, 6 }, { 10, 32, 0, 0, 1, 0, 12, 6 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -3,14 +3,14 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   25   12    1    0    0     11    8   (89)
- *  jacobian            9   61   27    1    0    0     15   16   (423)
- *  rhs_jacobian        10   60   28    1    0    0     17   18   (484)
- *  divergence          0    8   10    1    0    0      9    8   (55)
+ *  rhs                 2   25   12    1    0    0     13    9   (89)
+ *  jacobian            9   60   27    1    0    0     15   16   (423)
+ *  rhs_jacobian        10   60   28    1    0    0     16   18   (484)
+ *  divergence          0    8   10    1    0    0     10    7   (55)
  *  integral_values     1   11    8    1    0    0      7    7   (40)
  *  integral_gradients  0   16   13    1    0    0      7   10   (76)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
@@ -57,12 +57,12 @@ static void prepare(const double *restrict params, double *restrict out)
     out[61] = t8;
     const double t9 = params[5]/t8; /* I3/(I1*R*R) */
     out[10] = t9;
-    const double t10 = params[5]/params[4]; /* I3/I1 */
-    out[11] = t10;
-    const double t11 = params[0]*params[2]; /* m*g */
-    const double t12 = params[3]*t11; /* a3*m*g */
-    out[47] = t12;
-    const double t13 = t12/params[4]; /* a3*m*g/I1 */
+    const double t10 = params[0]*params[2]; /* m*g */
+    const double t11 = params[3]*t10; /* a3*m*g */
+    out[47] = t11;
+    const double t12 = t11/params[4]; /* a3*m*g/I1 */
+    out[11] = t12;
+    const double t13 = params[5]/params[4]; /* I3/I1 */
     out[12] = t13;
     const double t14 = (-1.0)/params[1]; /* (-1)/R */
     out[13] = t14;
@@ -130,54 +130,53 @@ static void prepare(const double *restrict params, double *restrict out)
     out[37] = t51;
     const double t52 = params[0]*params[3]; /* m*a3 */
     out[40] = t52;
-    const double t53 = params[1]*params[0]; /* R*m */
-    out[43] = t53;
-    const double t54 = params[5]*t53; /* I3*R*m */
-    out[41] = t54;
-    const double t55 = t6*t17; /* m*R*R*(I1 - I3) */
+    const double t53 = t6*t17; /* m*R*R*(I1 - I3) */
+    out[41] = t53;
+    const double t54 = params[1]*params[0]; /* R*m */
+    out[43] = t54;
+    const double t55 = params[5]*t54; /* I3*R*m */
     out[42] = t55;
     const double t56 = params[4]*t50; /* I1*R*R*2*m*m */
     out[44] = t56;
-    const double t57 = params[4]*t53; /* I1*R*m */
+    const double t57 = params[4]*t54; /* I1*R*m */
     const double t58 = t15/t57; /* a3*I3/(I1*R*m) */
     out[45] = t58;
     const double t59 = params[4]*params[0]; /* I1*m */
     const double t60 = t17/t59; /* (I1 - I3)/(I1*m) */
     out[46] = t60;
-    const double t61 = params[3]*t53; /* a3*R*m */
+    const double t61 = params[3]*t54; /* a3*R*m */
     const double t62 = params[5]*t61; /* I3*a3*R*m */
     out[48] = t62;
-    const double t63 = params[5]*params[5]; /* I3*I3 */
-    const double t64 = t63/params[4]; /* I3*I3/I1 */
-    out[49] = t64;
-    const double t65 = t5*t38; /* R*R*m*2 */
-    const double t66 = params[5]*t65; /* I3*R*R*m*2 */
-    out[50] = t66;
-    const double t67 = params[4]*t65; /* I1*R*R*m*2 */
-    out[51] = t67;
-    const double t68 = t15/t0; /* a3*I3/(R*I1) */
-    out[52] = t68;
-    const double t69 = t17/params[4]; /* (I1 - I3)/I1 */
-    out[53] = t69;
-    const double t70 = params[0]*params[5]; /* m*I3 */
-    out[54] = t70;
-    const double t71 = params[0]/2.0; /* m/2 */
-    out[55] = t71;
-    const double t72 = params[2]*2.0; /* g*2 */
-    const double t73 = params[3]*t72; /* a3*g*2 */
-    out[56] = t73;
-    const double t74 = 1.0/params[0]; /* 1/m */
-    out[57] = t74;
-    const double t75 = 1.0/t26; /* 1/(I1*m*R*R) */
-    out[58] = t75;
-    const double t76 = params[5]/params[0]; /* I3/m */
-    out[59] = t76;
-    const double t77 = params[0]/t21; /* m/(R*I1*I1) */
-    out[60] = t77;
-    const double t78 = params[0]/params[4]; /* m/I1 */
-    out[62] = t78;
-    const double t79 = (-1.0)/t8; /* (-1)/(I1*R*R) */
-    out[63] = t79;
+    const double t63 = t35/t20; /* I3*2/(I1*I1) */
+    out[49] = t63;
+    const double t64 = t5*t38; /* R*R*m*2 */
+    const double t65 = params[5]*t64; /* I3*R*R*m*2 */
+    out[50] = t65;
+    const double t66 = params[4]*t64; /* I1*R*R*m*2 */
+    out[51] = t66;
+    const double t67 = t15/t0; /* a3*I3/(R*I1) */
+    out[52] = t67;
+    const double t68 = t17/params[4]; /* (I1 - I3)/I1 */
+    out[53] = t68;
+    const double t69 = params[0]*params[5]; /* m*I3 */
+    out[54] = t69;
+    const double t70 = params[0]/2.0; /* m/2 */
+    out[55] = t70;
+    const double t71 = params[2]*2.0; /* g*2 */
+    const double t72 = params[3]*t71; /* a3*g*2 */
+    out[56] = t72;
+    const double t73 = 1.0/params[0]; /* 1/m */
+    out[57] = t73;
+    const double t74 = 1.0/t26; /* 1/(I1*m*R*R) */
+    out[58] = t74;
+    const double t75 = params[5]/params[0]; /* I3/m */
+    out[59] = t75;
+    const double t76 = params[0]/t21; /* m/(R*I1*I1) */
+    out[60] = t76;
+    const double t77 = params[0]/params[4]; /* m/I1 */
+    out[62] = t77;
+    const double t78 = (-1.0)/t8; /* (-1)/(I1*R*R) */
+    out[63] = t78;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -200,33 +199,33 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t15 = t7*t14; /* 1/(R*I1)*D/I1*(b*I3*omega3 + G_level) */
     const double t16 = t10*t15; /* omega_n = 1/(s*(D/I1))*1/(R*I1)*D/I1*(b*I3*omega3 + G_level) */
     const double t17 = x[4]*t10; /* s*1/(s*(D/I1)) */
-    const double t18 = x[2]*x[4]; /* omega_tau*s */
-    const double t19 = x[0]*t18; /* gamma3*omega_tau*s */
-    const double t20 = p[8]*t18; /* m*a3^2/I1*omega_tau*s */
-    const double t21 = t19*t20; /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s */
-    const double t22 = -t19; /* -gamma3*omega_tau*s */
-    out[4] = t22;
-    const double t23 = JLT_FNMA(p[12], t0, t21); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s*s */
-    const double t24 = x[2]*t0; /* omega_tau*s*s */
-    out[0] = t24;
-    const double t25 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/I1 - gamma3*R*(I1 - I3)/I1 */
-    const double t26 = x[3]*t25; /* omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
-    const double t27 = t24*t26; /* omega_tau*s*s*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
-    const double t28 = t16*t16; /* omega_n*omega_n */
-    const double t29 = x[4]*t16; /* s*omega_n */
-    const double t30 = JLT_FNMA(x[0], t28, t23); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s*s - gamma3*omega_n*omega_n */
-    const double t31 = t1*t28; /* b*omega_n*omega_n */
-    const double t32 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t33 = JLT_FMA(x[2], t32, x[1]); /* V = omega_tau*e + v_nu */
-    const double t34 = JLT_FMA(t29, t33, t27); /* s*omega_n*V + omega_tau*s*s*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
-    const double t35 = t12*t34; /* 1/(Theta/(m*R^2*I1)*s*D/I1)*(-1/R)*s*D/I1*t34 */
-    out[3] = t35;
-    const double t36 = x[3]*t29; /* omega3*s*omega_n */
-    const double t37 = JLT_FMA(p[1], t36, t31); /* R*omega3*s*omega_n + b*omega_n*omega_n */
-    out[1] = t37;
-    const double t38 = JLT_FNMA(p[11], t36, t30); /* t30 - I3/I1*omega3*s*omega_n */
-    const double t39 = t17*t38; /* s*1/(s*(D/I1))*(t30 - I3/I1*omega3*s*omega_n) */
-    out[2] = t39;
+    const double t18 = x[2]*t0; /* omega_tau*s*s */
+    out[0] = t18;
+    const double t19 = t16*t16; /* omega_n*omega_n */
+    const double t20 = x[4]*t16; /* s*omega_n */
+    const double t21 = t1*t19; /* b*omega_n*omega_n */
+    const double t22 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t23 = JLT_FMS(t18, t22, t19); /* omega_tau*s*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
+    const double t24 = x[0]*t23; /* gamma3*(omega_tau*s*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
+    const double t25 = JLT_FNMA(p[11], t0, t24); /* gamma3*(omega_tau*s*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) - m*g*a3/I1*s*s */
+    const double t26 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/I1 - gamma3*R*(I1 - I3)/I1 */
+    const double t27 = x[3]*t26; /* omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
+    const double t28 = t18*t27; /* omega_tau*s*s*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
+    const double t29 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t30 = JLT_FMA(x[2], t29, x[1]); /* V = omega_tau*e + v_nu */
+    const double t31 = JLT_FMA(t20, t30, t28); /* s*omega_n*V + omega_tau*s*s*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) */
+    const double t32 = t12*t31; /* 1/(Theta/(m*R^2*I1)*s*D/I1)*(-1/R)*s*D/I1*t31 */
+    out[3] = t32;
+    const double t33 = x[3]*t20; /* omega3*s*omega_n */
+    const double t34 = JLT_FMA(p[1], t33, t21); /* R*omega3*s*omega_n + b*omega_n*omega_n */
+    out[1] = t34;
+    const double t35 = JLT_FNMA(p[12], t33, t25); /* t25 - I3/I1*omega3*s*omega_n */
+    const double t36 = t17*t35; /* s*1/(s*(D/I1))*(t25 - I3/I1*omega3*s*omega_n) */
+    out[2] = t36;
+    const double t37 = x[2]*x[4]; /* omega_tau*s */
+    const double t38 = x[0]*t37; /* gamma3*omega_tau*s */
+    const double t39 = -t38; /* -gamma3*omega_tau*s */
+    out[4] = t39;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -265,85 +264,85 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t21 = p[23]*t20; /* R*I3/I1*(2/(R*I1)*b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s + omega3) */
     const double t22 = JLT_FMA(x[3], t21, t17); /* omega3*t21 + 1/(R*I1^2)*t16 */
     out[5] = t22;
-    const double t23 = x[4]*t15; /* s*(b/R*R*I3*omega3 + G_level)*1/s */
-    const double t24 = p[25]*t23; /* 1/I1*s*(b/R*R*I3*omega3 + G_level)*1/s */
-    const double t25 = JLT_FMA(t3, t21, t24); /* b/R*t21 + 1/I1*s*(b/R*R*I3*omega3 + G_level)*1/s */
-    out[8] = t25;
-    const double t26 = t15*p[26]; /* (b/R*R*I3*omega3 + G_level)*1/s*(-2/(R*I1^2)) */
-    const double t27 = t19*t26; /* b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(-2/(R*I1^2)) */
-    out[9] = t27;
-    const double t28 = t1*p[28]; /* s*omega_tau*m*R^2*a3^2*I1 */
-    const double t29 = JLT_FMS(t1, t28, t16); /* s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16 */
-    const double t30 = p[27]*t29; /* 1/(R^2*I1)*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
+    const double t23 = t5*p[25]; /* (b/R*R*I3*omega3 + G_level)*1/I1 */
+    const double t24 = JLT_FMA(t3, t21, t23); /* b/R*t21 + (b/R*R*I3*omega3 + G_level)*1/I1 */
+    out[8] = t24;
+    const double t25 = t15*p[26]; /* (b/R*R*I3*omega3 + G_level)*1/s*(-2/(R*I1^2)) */
+    const double t26 = t19*t25; /* b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(-2/(R*I1^2)) */
+    out[9] = t26;
+    const double t27 = x[2]*p[28]; /* omega_tau*m*R^2*a3^2*I1 */
+    const double t28 = x[2]*t27; /* omega_tau*omega_tau*m*R^2*a3^2*I1 */
+    const double t29 = JLT_FMS(t0, t28, t16); /* s*s*omega_tau*omega_tau*m*R^2*a3^2*I1 - t16 */
+    const double t30 = p[27]*t29; /* 1/(R^2*I1)*(s*s*omega_tau*omega_tau*m*R^2*a3^2*I1 - t16) */
     const double t31 = x[0]*t18; /* gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
     const double t32 = JLT_FMA(x[3], p[30], t31); /* omega3*1/2*R*I3 + gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
     const double t33 = p[29]*t32; /* 2*I3/(R*I1)*(omega3*1/2*R*I3 + gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s) */
-    const double t34 = JLT_FMS(x[3], t33, t30); /* omega3*t33 - 1/(R^2*I1)*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
+    const double t34 = JLT_FMS(x[3], t33, t30); /* omega3*t33 - 1/(R^2*I1)*(s*s*omega_tau*omega_tau*m*R^2*a3^2*I1 - t16) */
     const double t35 = x[4]*t13; /* 1/D = s*1/(s*D) */
     const double t36 = t34*t35; /* t34*1/D */
     const double t37 = -t36; /* -t34*1/D */
     out[10] = t37;
-    const double t38 = x[4]*t35; /* s*1/D */
-    const double t39 = x[0]*p[31]; /* gamma3*2*m*a3^2 */
-    const double t40 = t1*t39; /* s*omega_tau*gamma3*2*m*a3^2 */
-    const double t41 = t38*t40; /* s*1/D*s*omega_tau*gamma3*2*m*a3^2 */
+    const double t38 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t39 = p[31]*t38; /* 2*m*a3^2*omega_tau*gamma3 */
+    const double t40 = t0*t39; /* s*s*2*m*a3^2*omega_tau*gamma3 */
+    const double t41 = t35*t40; /* 1/D*s*s*2*m*a3^2*omega_tau*gamma3 */
     out[12] = t41;
-    const double t42 = t23*p[32]; /* s*(b/R*R*I3*omega3 + G_level)*1/s*I3/(R*I1) */
-    const double t43 = JLT_FMA(t3, t33, t42); /* b/R*t33 + s*(b/R*R*I3*omega3 + G_level)*1/s*I3/(R*I1) */
-    const double t44 = t35*t43; /* 1/D*(b/R*t33 + s*(b/R*R*I3*omega3 + G_level)*1/s*I3/(R*I1)) */
-    const double t45 = -t44; /* -1/D*(b/R*t33 + s*(b/R*R*I3*omega3 + G_level)*1/s*I3/(R*I1)) */
+    const double t42 = t5*p[32]; /* (b/R*R*I3*omega3 + G_level)*I3/(R*I1) */
+    const double t43 = JLT_FMA(t3, t33, t42); /* b/R*t33 + (b/R*R*I3*omega3 + G_level)*I3/(R*I1) */
+    const double t44 = t35*t43; /* 1/D*(b/R*t33 + (b/R*R*I3*omega3 + G_level)*I3/(R*I1)) */
+    const double t45 = -t44; /* -1/D*(b/R*t33 + (b/R*R*I3*omega3 + G_level)*I3/(R*I1)) */
     out[13] = t45;
     const double t46 = t0*p[34]; /* s*s*m*R^2*g*a3*I1 */
-    const double t47 = JLT_FMA(t4, t23, t46); /* R*I3*omega3*s*(b/R*R*I3*omega3 + G_level)*1/s + s*s*m*R^2*g*a3*I1 */
-    const double t48 = JLT_FNMA(x[0], t29, t47); /* t47 - gamma3*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
-    const double t49 = t38*p[33]; /* s*1/D*2*m*a3^2/(R^2*I1) */
-    const double t50 = x[2]*t40; /* omega_tau*s*omega_tau*gamma3*2*m*a3^2 */
-    const double t51 = t15*p[36]; /* (b/R*R*I3*omega3 + G_level)*1/s*2/(R^2*I1) */
-    const double t52 = JLT_FNMA(x[4], p[35], t50); /* omega_tau*s*omega_tau*gamma3*2*m*a3^2 - s*2*m*g*a3 */
-    const double t53 = JLT_FMA(t31, t51, t52); /* d(numerator of d(omega_tau)/dt over D)/d(s) = gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s*2/(R^2*I1) + omega_tau*s*omega_tau*gamma3*2*m*a3^2 - s*2*m*g*a3 */
-    const double t54 = JLT_FMA(t48, t49, t53); /* (t47 - gamma3*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16))*s*1/D*2*m*a3^2/(R^2*I1) + d(numerator of d(omega_tau)/dt over D)/d(s) */
-    const double t55 = t35*t54; /* 1/D*t54 */
-    out[14] = t55;
-    const double t56 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t57 = JLT_FMA(x[2], t56, x[1]); /* V = omega_tau*e + v_nu */
-    const double t58 = t23*t57; /* s*(b/R*R*I3*omega3 + G_level)*1/s*V */
-    const double t59 = x[4]*t1; /* s*s*omega_tau */
-    const double t60 = x[3]*t59; /* omega3*s*s*omega_tau */
-    const double t61 = JLT_FNMA(x[0], p[39], p[38]); /* a3*I3 - gamma3*R*(I1 - I3) */
-    const double t62 = p[1]*t61; /* R*(a3*I3 - gamma3*R*(I1 - I3)) */
-    const double t63 = JLT_FMA(t60, t62, t58); /* omega3*s*s*omega_tau*R*(a3*I3 - gamma3*R*(I1 - I3)) + s*(b/R*R*I3*omega3 + G_level)*1/s*V */
-    const double t64 = t10*t12; /* 1/Theta = s*D*1/(Theta*s*D) */
-    const double t65 = t63*t64; /* t63*1/Theta */
-    const double t66 = t3*p[37]; /* b/R*2*m^2*R^2*I3 */
-    const double t67 = t1*p[40]; /* s*omega_tau*m*a3 */
-    const double t68 = t57*p[41]; /* V*m*R*I3 */
-    const double t69 = x[3]*t68; /* omega3*V*m*R*I3 */
-    const double t70 = JLT_FMS(t60, p[42], t69); /* omega3*s*s*omega_tau*m*R^2*(I1 - I3) - omega3*V*m*R*I3 */
-    const double t71 = JLT_FNMA(t15, t67, t70); /* omega3*s*s*omega_tau*m*R^2*(I1 - I3) - omega3*V*m*R*I3 - (b/R*R*I3*omega3 + G_level)*1/s*s*omega_tau*m*a3 */
-    const double t72 = JLT_FMA(t65, t66, t71); /* t63*1/Theta*b/R*2*m^2*R^2*I3 + t71 */
-    const double t73 = t64*t72; /* 1/Theta*(t63*1/Theta*b/R*2*m^2*R^2*I3 + t71) */
-    out[15] = t73;
-    const double t74 = t23*p[0]; /* s*(b/R*R*I3*omega3 + G_level)*1/s*m */
-    const double t75 = t64*t74; /* 1/Theta*s*(b/R*R*I3*omega3 + G_level)*1/s*m */
-    const double t76 = -t75; /* -1/Theta*s*(b/R*R*I3*omega3 + G_level)*1/s*m */
-    out[16] = t76;
-    const double t77 = t56*t74; /* e*s*(b/R*R*I3*omega3 + G_level)*1/s*m */
-    const double t78 = t61*p[43]; /* (a3*I3 - gamma3*R*(I1 - I3))*m*R */
-    const double t79 = t0*x[3]; /* s*s*omega3 */
-    const double t80 = JLT_FMA(t78, t79, t77); /* (a3*I3 - gamma3*R*(I1 - I3))*m*R*s*s*omega3 + e*s*(b/R*R*I3*omega3 + G_level)*1/s*m */
-    const double t81 = t64*t80; /* 1/Theta*t80 */
-    const double t82 = -t81; /* -1/Theta*t80 */
-    out[17] = t82;
-    const double t83 = t3*t68; /* b/R*V*m*R*I3 */
-    const double t84 = JLT_FMA(t59, t78, t83); /* s*s*omega_tau*(a3*I3 - gamma3*R*(I1 - I3))*m*R + b/R*V*m*R*I3 */
-    const double t85 = t64*t84; /* 1/Theta*t84 */
-    const double t86 = -t85; /* -1/Theta*t84 */
-    out[18] = t86;
-    const double t87 = x[4]*t65; /* s*t63*1/Theta */
-    const double t88 = JLT_FNMA(x[0], p[46], p[45]); /* a3*I3/(m*R*I1) - gamma3*(I1 - I3)/(m*I1) */
-    const double t89 = t1*x[3]; /* s*omega_tau*omega3 */
-    const double t90 = JLT_FNMA(t88, t89, t87); /* s*t63*1/Theta - (a3*I3/(m*R*I1) - gamma3*(I1 - I3)/(m*I1))*s*omega_tau*omega3 */
-    const double t91 = t64*p[44]; /* 1/Theta*2*m^2*R^2*I1 */
+    const double t47 = JLT_FMA(t4, t5, t46); /* R*I3*omega3*(b/R*R*I3*omega3 + G_level) + s*s*m*R^2*g*a3*I1 */
+    const double t48 = JLT_FNMA(x[0], t29, t47); /* R*I3*omega3*(b/R*R*I3*omega3 + G_level) + s*s*m*R^2*g*a3*I1 - gamma3*(s*s*omega_tau*omega_tau*m*R^2*a3^2*I1 - t16) */
+    const double t49 = x[4]*p[33]; /* s*2*m*a3^2/(R^2*I1) */
+    const double t50 = t35*t49; /* 1/D*s*2*m*a3^2/(R^2*I1) */
+    const double t51 = t1*t39; /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 */
+    const double t52 = t15*p[36]; /* (b/R*R*I3*omega3 + G_level)*1/s*2/(R^2*I1) */
+    const double t53 = JLT_FNMA(x[4], p[35], t51); /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 */
+    const double t54 = JLT_FMA(t31, t52, t53); /* d(numerator of d(omega_tau)/dt over D)/d(s) = gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s*2/(R^2*I1) + s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 */
+    const double t55 = JLT_FMA(t48, t50, t54); /* t48*1/D*s*2*m*a3^2/(R^2*I1) + d(numerator of d(omega_tau)/dt over D)/d(s) */
+    const double t56 = t35*t55; /* 1/D*t55 */
+    out[14] = t56;
+    const double t57 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t58 = JLT_FMA(x[2], t57, x[1]); /* V = omega_tau*e + v_nu */
+    const double t59 = t5*t58; /* (b/R*R*I3*omega3 + G_level)*V */
+    const double t60 = t1*x[3]; /* s*omega_tau*omega3 */
+    const double t61 = x[4]*t60; /* s*s*omega_tau*omega3 */
+    const double t62 = JLT_FNMA(x[0], p[39], p[38]); /* a3*I3 - gamma3*R*(I1 - I3) */
+    const double t63 = p[1]*t62; /* R*(a3*I3 - gamma3*R*(I1 - I3)) */
+    const double t64 = JLT_FMA(t61, t63, t59); /* s*s*omega_tau*omega3*R*(a3*I3 - gamma3*R*(I1 - I3)) + (b/R*R*I3*omega3 + G_level)*V */
+    const double t65 = t10*t12; /* 1/Theta = s*D*1/(Theta*s*D) */
+    const double t66 = t64*t65; /* t64*1/Theta */
+    const double t67 = t3*p[37]; /* b/R*2*m^2*R^2*I3 */
+    const double t68 = x[2]*p[40]; /* omega_tau*m*a3 */
+    const double t69 = t5*t68; /* (b/R*R*I3*omega3 + G_level)*omega_tau*m*a3 */
+    const double t70 = t58*p[42]; /* V*m*R*I3 */
+    const double t71 = JLT_FMS(t61, p[41], t69); /* s*s*omega_tau*omega3*m*R^2*(I1 - I3) - (b/R*R*I3*omega3 + G_level)*omega_tau*m*a3 */
+    const double t72 = JLT_FNMA(x[3], t70, t71); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = t71 - omega3*V*m*R*I3 */
+    const double t73 = JLT_FMA(t66, t67, t72); /* t64*1/Theta*b/R*2*m^2*R^2*I3 + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t74 = t65*t73; /* 1/Theta*t73 */
+    out[15] = t74;
+    const double t75 = t5*p[0]; /* (b/R*R*I3*omega3 + G_level)*m */
+    const double t76 = t65*t75; /* 1/Theta*(b/R*R*I3*omega3 + G_level)*m */
+    const double t77 = -t76; /* -1/Theta*(b/R*R*I3*omega3 + G_level)*m */
+    out[16] = t77;
+    const double t78 = t57*t75; /* e*(b/R*R*I3*omega3 + G_level)*m */
+    const double t79 = t0*p[43]; /* s*s*m*R */
+    const double t80 = t62*t79; /* (a3*I3 - gamma3*R*(I1 - I3))*s*s*m*R */
+    const double t81 = JLT_FMA(x[3], t80, t78); /* omega3*(a3*I3 - gamma3*R*(I1 - I3))*s*s*m*R + e*(b/R*R*I3*omega3 + G_level)*m */
+    const double t82 = t65*t81; /* 1/Theta*t81 */
+    const double t83 = -t82; /* -1/Theta*t81 */
+    out[17] = t83;
+    const double t84 = t3*t70; /* b/R*V*m*R*I3 */
+    const double t85 = JLT_FMA(x[2], t80, t84); /* omega_tau*(a3*I3 - gamma3*R*(I1 - I3))*s*s*m*R + b/R*V*m*R*I3 */
+    const double t86 = t65*t85; /* 1/Theta*t85 */
+    const double t87 = -t86; /* -1/Theta*t85 */
+    out[18] = t87;
+    const double t88 = x[4]*t66; /* s*t64*1/Theta */
+    const double t89 = JLT_FNMA(x[0], p[46], p[45]); /* a3*I3/(m*R*I1) - gamma3*(I1 - I3)/(m*I1) */
+    const double t90 = JLT_FNMA(t60, t89, t88); /* s*t64*1/Theta - s*omega_tau*omega3*(a3*I3/(m*R*I1) - gamma3*(I1 - I3)/(m*I1)) */
+    const double t91 = t65*p[44]; /* 1/Theta*2*m^2*R^2*I1 */
     const double t92 = t90*t91; /* t90*1/Theta*2*m^2*R^2*I1 */
     out[19] = t92;
     const double t93 = -t1; /* -s*omega_tau */
@@ -351,9 +350,8 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t94 = x[4]*x[0]; /* s*gamma3 */
     const double t95 = -t94; /* -s*gamma3 */
     out[22] = t95;
-    const double t96 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t97 = -t96; /* -omega_tau*gamma3 */
-    out[24] = t97;
+    const double t96 = -t38; /* -omega_tau*gamma3 */
+    out[24] = t96;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -388,99 +386,99 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t17 = -t15; /* -s*omega_tau */
     out[25] = t17;
     const double t18 = t11*t14; /* 1/s*(b/R*R*I3*omega3 + G_level) */
-    const double t19 = t18*t18; /* 1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level) */
-    const double t20 = p[28]*t15; /* m*R^2*a3^2*I1*s*omega_tau */
-    const double t21 = JLT_FMS(t15, t20, t19); /* s*omega_tau*m*R^2*a3^2*I1*s*omega_tau - t19 */
-    const double t22 = p[27]*t21; /* 1/(R^2*I1)*(s*omega_tau*m*R^2*a3^2*I1*s*omega_tau - t19) */
-    const double t23 = x[2]*t20; /* omega_tau*m*R^2*a3^2*I1*s*omega_tau */
-    const double t24 = JLT_FMA(t11, t19, t23); /* 1/s*t19 + omega_tau*m*R^2*a3^2*I1*s*omega_tau */
-    const double t25 = t11*t18; /* 1/s*1/s*(b/R*R*I3*omega3 + G_level) */
-    const double t26 = p[16]*t19; /* 1/(R*I1^2)*t19 */
-    const double t27 = p[26]*t18; /* (-2/(R*I1^2))*1/s*(b/R*R*I3*omega3 + G_level) */
-    const double t28 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t29 = x[4]*t15; /* s*s*omega_tau */
-    out[0] = t29;
-    const double t30 = JLT_FMA(x[2], t28, x[1]); /* V = omega_tau*e + v_nu */
-    const double t31 = p[0]*t14; /* m*(b/R*R*I3*omega3 + G_level) */
-    const double t32 = t28*t31; /* e*m*(b/R*R*I3*omega3 + G_level) */
-    const double t33 = JLT_FNMA(x[0], p[42], p[48]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t34 = x[0]*t22; /* gamma3*1/(R^2*I1)*(s*omega_tau*m*R^2*a3^2*I1*s*omega_tau - t19) */
-    const double t35 = JLT_FNMA(p[47], t1, t34); /* t34 - m*g*a3*s*s */
-    const double t36 = x[3]*t1; /* omega3*s*s */
-    const double t37 = JLT_FMA(t33, t36, t32); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega3*s*s + e*m*(b/R*R*I3*omega3 + G_level) */
-    const double t38 = t29*t33; /* s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t39 = t10*t37; /* 1/Theta*t37 */
-    const double t40 = -t39; /* -1/Theta*t37 */
-    out[22] = t40;
-    const double t41 = t30*t31; /* V*m*(b/R*R*I3*omega3 + G_level) */
-    const double t42 = JLT_FMA(x[3], t38, t41); /* omega3*s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*m*(b/R*R*I3*omega3 + G_level) */
-    const double t43 = p[41]*t30; /* m*R*I3*V */
-    const double t44 = t10*t42; /* 1/Theta*t42 */
-    const double t45 = JLT_FMA(t0, t43, t38); /* b/R*m*R*I3*V + s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t46 = JLT_FMS(p[42], t29, t43); /* m*R^2*(I1 - I3)*s*s*omega_tau - m*R*I3*V */
-    const double t47 = x[0]*t29; /* gamma3*s*s*omega_tau */
-    const double t48 = t10*t31; /* 1/Theta*m*(b/R*R*I3*omega3 + G_level) */
-    const double t49 = -t48; /* -1/Theta*m*(b/R*R*I3*omega3 + G_level) */
-    out[21] = t49;
-    const double t50 = t10*t45; /* 1/Theta*t45 */
-    const double t51 = -t50; /* -1/Theta*t45 */
-    out[23] = t51;
-    const double t52 = -t44; /* -1/Theta*t42 */
-    out[3] = t52;
-    const double t53 = p[32]*t14; /* I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
-    const double t54 = JLT_FNMA(x[3], t53, t35); /* numerator of d(omega_tau)/dt over D = t34 - m*g*a3*s*s - omega3*I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
-    const double t55 = t12*t54; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t55;
-    const double t56 = x[3]*p[49]; /* omega3*I3^2/I1 */
-    const double t57 = x[0]*p[29]; /* gamma3*2*I3/(R*I1) */
-    const double t58 = JLT_FMA(t25, t57, t56); /* 1/s*1/s*(b/R*R*I3*omega3 + G_level)*gamma3*2*I3/(R*I1) + omega3*I3^2/I1 */
-    const double t59 = t0*t25; /* b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level) */
-    const double t60 = t27*t59; /* (-2/(R*I1^2))*1/s*(b/R*R*I3*omega3 + G_level)*b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level) */
-    out[14] = t60;
-    const double t61 = JLT_FMA(p[24], t59, x[3]); /* 2/(R*I1)*b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level) + omega3 */
-    const double t62 = JLT_FMA(t0, t58, t53); /* b/R*t58 + I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
-    const double t63 = JLT_FNMA(x[3], t58, t22); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = 1/(R^2*I1)*(s*omega_tau*m*R^2*a3^2*I1*s*omega_tau - t19) - omega3*t58 */
-    const double t64 = t12*t63; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    out[15] = t64;
-    const double t65 = p[23]*t61; /* R*I3/I1*(2/(R*I1)*b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level) + omega3) */
-    const double t66 = t12*t62; /* 1/D*(b/R*t58 + I3/(R*I1)*(b/R*R*I3*omega3 + G_level)) */
-    const double t67 = -t66; /* -1/D*(b/R*t58 + I3/(R*I1)*(b/R*R*I3*omega3 + G_level)) */
-    out[18] = t67;
-    const double t68 = JLT_FMA(x[3], t65, t26); /* omega3*t65 + 1/(R*I1^2)*t19 */
-    out[10] = t68;
-    const double t69 = t0*t26; /* b/R*1/(R*I1^2)*t19 */
-    const double t70 = x[2]*p[40]; /* omega_tau*m*a3 */
-    const double t71 = t14*t70; /* (b/R*R*I3*omega3 + G_level)*omega_tau*m*a3 */
-    const double t72 = JLT_FMS(x[3], t46, t71); /* omega3*(m*R^2*(I1 - I3)*s*s*omega_tau - m*R*I3*V) - (b/R*R*I3*omega3 + G_level)*omega_tau*m*a3 */
-    const double t73 = p[25]*t14; /* 1/I1*(b/R*R*I3*omega3 + G_level) */
-    const double t74 = JLT_FMA(x[3], t73, t69); /* omega3*1/I1*(b/R*R*I3*omega3 + G_level) + b/R*1/(R*I1^2)*t19 */
-    out[1] = t74;
-    const double t75 = JLT_FMA(t0, t65, t73); /* b/R*t65 + 1/I1*(b/R*R*I3*omega3 + G_level) */
-    out[13] = t75;
-    const double t76 = p[50]*t0; /* 2*m*R^2*I3*b/R */
-    const double t77 = JLT_FMA(t44, t76, t72); /* 1/Theta*t42*2*m*R^2*I3*b/R + t72 */
-    const double t78 = t10*t77; /* 1/Theta*(1/Theta*t42*2*m*R^2*I3*b/R + t72) */
+    const double t19 = t11*t18; /* 1/s*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t20 = p[19]*t15; /* m*a3^2*s*omega_tau */
+    const double t21 = t15*t20; /* s*omega_tau*m*a3^2*s*omega_tau */
+    const double t22 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t23 = x[4]*t15; /* s*s*omega_tau */
+    out[0] = t23;
+    const double t24 = t18*t18; /* 1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t25 = JLT_FNMA(p[27], t24, t21); /* s*omega_tau*m*a3^2*s*omega_tau - 1/(R^2*I1)*t24 */
+    const double t26 = p[16]*t24; /* 1/(R*I1^2)*t24 */
+    const double t27 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
+    const double t28 = p[0]*t14; /* m*(b/R*R*I3*omega3 + G_level) */
+    const double t29 = t22*t28; /* e*m*(b/R*R*I3*omega3 + G_level) */
+    const double t30 = JLT_FNMA(x[0], p[41], p[48]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t31 = t27*t28; /* V*m*(b/R*R*I3*omega3 + G_level) */
+    const double t32 = p[42]*t27; /* m*R*I3*V */
+    const double t33 = t10*t28; /* 1/Theta*m*(b/R*R*I3*omega3 + G_level) */
+    const double t34 = -t33; /* -1/Theta*m*(b/R*R*I3*omega3 + G_level) */
+    out[21] = t34;
+    const double t35 = t23*t30; /* s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t36 = JLT_FMA(x[3], t35, t31); /* omega3*s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*m*(b/R*R*I3*omega3 + G_level) */
+    const double t37 = t10*t36; /* 1/Theta*t36 */
+    const double t38 = JLT_FMA(t0, t32, t35); /* b/R*m*R*I3*V + s*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t39 = JLT_FNMA(p[41], t23, t32); /* m*R*I3*V - m*R^2*(I1 - I3)*s*s*omega_tau */
+    const double t40 = x[0]*t23; /* gamma3*s*s*omega_tau */
+    const double t41 = t10*t38; /* 1/Theta*t38 */
+    const double t42 = -t41; /* -1/Theta*t38 */
+    out[23] = t42;
+    const double t43 = -t37; /* -1/Theta*t36 */
+    out[3] = t43;
+    const double t44 = x[0]*t25; /* gamma3*(s*omega_tau*m*a3^2*s*omega_tau - 1/(R^2*I1)*t24) */
+    const double t45 = JLT_FNMA(p[47], t1, t44); /* gamma3*(s*omega_tau*m*a3^2*s*omega_tau - 1/(R^2*I1)*t24) - m*g*a3*s*s */
+    const double t46 = x[3]*t1; /* omega3*s*s */
+    const double t47 = JLT_FMA(t30, t46, t29); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega3*s*s + e*m*(b/R*R*I3*omega3 + G_level) */
+    const double t48 = t10*t47; /* 1/Theta*t47 */
+    const double t49 = -t48; /* -1/Theta*t47 */
+    out[22] = t49;
+    const double t50 = x[0]*t19; /* gamma3*1/s*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t51 = t0*t19; /* b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t52 = p[32]*t14; /* I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
+    const double t53 = JLT_FNMA(x[3], t52, t45); /* numerator of d(omega_tau)/dt over D = t45 - omega3*I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
+    const double t54 = t12*t53; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t54;
+    const double t55 = x[0]*t15; /* gamma3*s*omega_tau */
+    const double t56 = x[3]*t15; /* omega3*s*omega_tau */
+    const double t57 = -t55; /* -gamma3*s*omega_tau */
+    out[4] = t57;
+    const double t58 = JLT_FMA(x[3], p[30], t50); /* omega3*1/2*R*I3 + gamma3*1/s*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t59 = p[29]*t58; /* 2*I3/(R*I1)*(omega3*1/2*R*I3 + gamma3*1/s*1/s*(b/R*R*I3*omega3 + G_level)) */
+    const double t60 = JLT_FMA(t0, t59, t52); /* b/R*t59 + I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
+    const double t61 = JLT_FNMA(x[3], t59, t25); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = s*omega_tau*m*a3^2*s*omega_tau - 1/(R^2*I1)*t24 - omega3*t59 */
+    const double t62 = t12*t61; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    out[15] = t62;
+    const double t63 = t12*t60; /* 1/D*(b/R*t59 + I3/(R*I1)*(b/R*R*I3*omega3 + G_level)) */
+    const double t64 = -t63; /* -1/D*(b/R*t59 + I3/(R*I1)*(b/R*R*I3*omega3 + G_level)) */
+    out[18] = t64;
+    const double t65 = x[2]*p[31]; /* omega_tau*2*m*a3^2 */
+    const double t66 = t55*t65; /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 */
+    const double t67 = JLT_FNMA(x[4], p[35], t66); /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
+    const double t68 = p[50]*t0; /* 2*m*R^2*I3*b/R */
+    const double t69 = t37*t68; /* 1/Theta*t36*2*m*R^2*I3*b/R */
+    const double t70 = x[4]*t37; /* s*1/Theta*t36 */
+    const double t71 = p[31]*t12; /* 2*m*a3^2*1/D */
+    const double t72 = t40*t71; /* gamma3*s*s*omega_tau*2*m*a3^2*1/D */
+    out[17] = t72;
+    const double t73 = x[4]*t71; /* s*2*m*a3^2*1/D */
+    const double t74 = t54*t73; /* 1/D*numerator of d(omega_tau)/dt over D*s*2*m*a3^2*1/D */
+    const double t75 = x[2]*p[40]; /* omega_tau*m*a3 */
+    const double t76 = JLT_FNMA(t14, t75, t69); /* 1/Theta*t36*2*m*R^2*I3*b/R - (b/R*R*I3*omega3 + G_level)*omega_tau*m*a3 */
+    const double t77 = JLT_FNMA(x[3], t39, t76); /* t76 - omega3*(m*R*I3*V - m*R^2*(I1 - I3)*s*s*omega_tau) */
+    const double t78 = t10*t77; /* 1/Theta*(t76 - omega3*(m*R*I3*V - m*R^2*(I1 - I3)*s*s*omega_tau)) */
     out[20] = t78;
-    const double t79 = x[4]*t44; /* s*1/Theta*t42 */
+    const double t79 = p[25]*t14; /* 1/I1*(b/R*R*I3*omega3 + G_level) */
     const double t80 = p[51]*t10; /* 2*m*R^2*I1*1/Theta */
-    const double t81 = p[31]*t12; /* 2*m*a3^2*1/D */
-    const double t82 = t47*t81; /* gamma3*s*s*omega_tau*2*m*a3^2*1/D */
-    out[17] = t82;
-    const double t83 = x[4]*t81; /* s*2*m*a3^2*1/D */
-    const double t84 = t55*t83; /* 1/D*numerator of d(omega_tau)/dt over D*s*2*m*a3^2*1/D */
-    const double t85 = x[0]*p[36]; /* gamma3*2/(R^2*I1) */
-    const double t86 = t24*t85; /* (1/s*t19 + omega_tau*m*R^2*a3^2*I1*s*omega_tau)*gamma3*2/(R^2*I1) */
-    const double t87 = JLT_FNMA(x[4], p[35], t86); /* d(numerator of d(omega_tau)/dt over D)/d(s) = t86 - s*2*m*g*a3 */
-    const double t88 = JLT_FMS(t12, t87, t84); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - 1/D*numerator of d(omega_tau)/dt over D*s*2*m*a3^2*1/D */
-    out[19] = t88;
-    const double t89 = JLT_FNMA(x[0], p[53], p[52]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t90 = x[3]*t15; /* omega3*s*omega_tau */
-    const double t91 = JLT_FNMA(t89, t90, t79); /* s*1/Theta*t42 - (a3*I3/(R*I1) - gamma3*(I1 - I3)/I1)*omega3*s*omega_tau */
-    const double t92 = t80*t91; /* 2*m*R^2*I1*1/Theta*t91 */
-    out[24] = t92;
-    const double t93 = x[0]*t15; /* gamma3*s*omega_tau */
-    const double t94 = -t93; /* -gamma3*s*omega_tau */
-    out[4] = t94;
+    const double t81 = x[3]*p[23]; /* omega3*R*I3/I1 */
+    const double t82 = JLT_FMA(p[49], t51, t81); /* 2*I3/I1^2*b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level) + omega3*R*I3/I1 */
+    const double t83 = JLT_FMA(x[3], t82, t26); /* omega3*t82 + 1/(R*I1^2)*t24 */
+    out[10] = t83;
+    const double t84 = JLT_FMA(t0, t82, t79); /* b/R*t82 + 1/I1*(b/R*R*I3*omega3 + G_level) */
+    out[13] = t84;
+    const double t85 = t0*t26; /* b/R*1/(R*I1^2)*t24 */
+    const double t86 = JLT_FMA(x[3], t79, t85); /* omega3*1/I1*(b/R*R*I3*omega3 + G_level) + b/R*1/(R*I1^2)*t24 */
+    out[1] = t86;
+    const double t87 = p[36]*t18; /* 2/(R^2*I1)*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t88 = JLT_FMA(t50, t87, t67); /* d(numerator of d(omega_tau)/dt over D)/d(s) = gamma3*1/s*1/s*(b/R*R*I3*omega3 + G_level)*2/(R^2*I1)*1/s*(b/R*R*I3*omega3 + G_level) + gamma3*s*omega_tau*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
+    const double t89 = JLT_FMS(t12, t88, t74); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - 1/D*numerator of d(omega_tau)/dt over D*s*2*m*a3^2*1/D */
+    out[19] = t89;
+    const double t90 = p[26]*t18; /* (-2/(R*I1^2))*1/s*(b/R*R*I3*omega3 + G_level) */
+    const double t91 = t51*t90; /* b/R*1/s*1/s*(b/R*R*I3*omega3 + G_level)*(-2/(R*I1^2))*1/s*(b/R*R*I3*omega3 + G_level) */
+    out[14] = t91;
+    const double t92 = JLT_FNMA(x[0], p[53], p[52]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t93 = JLT_FNMA(t56, t92, t70); /* s*1/Theta*t36 - omega3*s*omega_tau*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t94 = t80*t93; /* 2*m*R^2*I1*1/Theta*t93 */
+    out[24] = t94;
     const double t95 = x[4]*x[0]; /* s*gamma3 */
     const double t96 = -t95; /* -s*gamma3 */
     out[27] = t96;
@@ -492,24 +490,24 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t2 = t1*p[54]; /* b*m*I3 */
-    const double t3 = JLT_FMA(p[21], t0, p[20]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t4 = JLT_FMA(t1, t2, t3); /* Theta = b*b*m*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t5 = JLT_FMA(t0, p[19], p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t6 = t4*t5; /* Theta*D */
-    const double t7 = t0*x[2]; /* s*s*omega_tau */
-    const double t8 = x[0]*t7; /* gamma3*s*s*omega_tau */
-    const double t9 = p[31]*t8; /* 2*m*a3^2*gamma3*s*s*omega_tau */
-    const double t10 = t4*t9; /* Theta*2*m*a3^2*gamma3*s*s*omega_tau */
-    const double t11 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t12 = JLT_FMA(x[2], t11, x[1]); /* V = omega_tau*e + v_nu */
-    const double t13 = t8*p[42]; /* gamma3*s*s*omega_tau*m*R^2*(I1 - I3) */
-    const double t14 = JLT_FNMA(t7, p[48], t13); /* gamma3*s*s*omega_tau*m*R^2*(I1 - I3) - s*s*omega_tau*m*R*a3*I3 */
-    const double t15 = JLT_FNMA(t2, t12, t14); /* d(numerator of d(omega3)/dt over Theta)/d(omega3) = t14 - b*m*I3*V */
-    const double t16 = JLT_FMA(t5, t15, t10); /* D*d(numerator of d(omega3)/dt over Theta)/d(omega3) + Theta*2*m*a3^2*gamma3*s*s*omega_tau */
-    const double t17 = t16/t6; /* t16/(Theta*D) */
-    const double t18 = JLT_FNMA(x[0], x[2], t17); /* t16/(Theta*D) - gamma3*omega_tau */
+    const double t1 = x[2]*t0; /* omega_tau*s*s */
+    const double t2 = x[0]*t1; /* gamma3*omega_tau*s*s */
+    const double t3 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t4 = p[41]*t2; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s */
+    const double t5 = JLT_FNMA(p[48], t1, t4); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s - m*R*a3*I3*omega_tau*s*s */
+    const double t6 = p[31]*t2; /* 2*m*a3^2*gamma3*omega_tau*s*s */
+    const double t7 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t8 = JLT_FMA(x[2], t7, x[1]); /* V = omega_tau*e + v_nu */
+    const double t9 = p[54]*t3; /* m*I3*b */
+    const double t10 = JLT_FNMA(t8, t9, t5); /* t5 - V*m*I3*b */
+    const double t11 = JLT_FMA(p[19], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t12 = JLT_FMA(p[21], t0, p[20]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t13 = JLT_FMA(t3, t9, t12); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
+    const double t14 = t10*t11; /* (t5 - V*m*I3*b)*D */
+    const double t15 = JLT_FMA(t6, t13, t14); /* 2*m*a3^2*gamma3*omega_tau*s*s*Theta + (t5 - V*m*I3*b)*D */
+    const double t16 = t11*t13; /* D*Theta */
+    const double t17 = t15/t16; /* (2*m*a3^2*gamma3*omega_tau*s*s*Theta + (t5 - V*m*I3*b)*D)/(D*Theta) */
+    const double t18 = JLT_FNMA(x[0], x[2], t17); /* t17 - gamma3*omega_tau */
     out[0] = t18;
 }
 
@@ -622,9 +620,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t30[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
-    double t35[JLT_JET_ORDER_MAX + 1];
-    double t37[JLT_JET_ORDER_MAX + 1];
+    double t36[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
@@ -656,7 +654,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t11[k] = p[18]*x3[k];
         t12[k] = jlt_jet_product(t7, t11, k) + (k == 0 ? p[6] : 0);
         t15[k] = t2[k]*p[19] + (k == 0 ? p[4] : 0);
-        t18[k] = t7[k]*p[11];
+        t18[k] = t7[k]*p[12];
         t19[k] = t2[k] + (k == 0 ? p[9] : 0);
         t20[k] = jlt_jet_product(t7, t18, k) + t19[k];
         t21[k] = jlt_jet_product(x4, t15, k);
@@ -670,11 +668,11 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t30[k] = jlt_jet_product(t28, t29, k);
         t32[k] = x3[k]*p[25];
         t33[k] = jlt_jet_product(t12, t32, k) + t30[k];
-        t35[k] = jlt_jet_product(t11, t12, k);
-        t37[k] = x2[k]*p[28];
-        t38[k] = jlt_jet_product(t3, t37, k) - t28[k];
-        t40[k] = t2[k]*p[34] + t35[k];
-        t41[k] = t40[k] - jlt_jet_product(x0, t38, k);
+        t36[k] = t2[k]*p[34];
+        t38[k] = x2[k]*p[28];
+        t39[k] = jlt_jet_product(t3, t38, k) - t28[k];
+        t40[k] = jlt_jet_product(t11, t12, k) + t36[k];
+        t41[k] = t40[k] - jlt_jet_product(x0, t39, k);
         t42[k] = x4[k]*p[63];
         t43[k] = jlt_jet_product(t25, t42, k);
         t44[k] = jlt_jet_product(t41, t43, k);
@@ -764,20 +762,20 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G = {
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 5, .param_count = 7, .block_count = 64,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 2, 25, 12, 1, 0, 0, 11, 8 }, { 15, 66, 0, 8, 0, 0, 11, 7 },
+    .rhs = { rhs, 5, { 2, 25, 12, 1, 0, 0, 13, 9 }, { 15, 66, 0, 8, 0, 0, 11, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .jacobian = { jacobian, 25, { 9, 61, 27, 1, 0, 0, 15, 16 }, { 57, 322, 0, 44, 0, 0, 16, 10 },
+    .jacobian = { jacobian, 25, { 9, 60, 27, 1, 0, 0, 15, 16 }, { 57, 322, 0, 44, 0, 0, 16, 10 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 10, 60, 28, 1, 0, 0, 17, 18 }, { 65, 368, 0, 51, 0, 0, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 10, 60, 28, 1, 0, 0, 16, 18 }, { 65, 368, 0, 51, 0, 0, 16, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .divergence = { divergence, 1, { 0, 8, 10, 1, 0, 0, 9, 8 }, { 11, 40, 0, 4, 0, 0, 11, 7 },
+    .divergence = { divergence, 1, { 0, 8, 10, 1, 0, 0, 10, 7 }, { 11, 40, 0, 4, 0, 0, 11, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .integral_values = { integral_values, 1, { 1, 11, 8, 1, 0, 0, 7, 7 }, { 9, 30, 0, 1, 0, 0, 11, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },

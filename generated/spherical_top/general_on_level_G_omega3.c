@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   25   12    1    1    0     14   10   (82)
- *  jacobian            9   53   28    1    1    0     18   21   (318)
- *  rhs_jacobian        7   56   33    1    1    0     20   24   (369)
+ *  rhs                 4   25   12    1    1    0     14   11   (82)
+ *  jacobian            10   52   28    1    1    0     20   22   (318)
+ *  rhs_jacobian        8   57   33    1    1    0     20   22   (369)
  *  divergence          3   18    8    1    1    0     13   11   (54)
  *  integral_values     2    9    9    1    1    0      9    7   (43)
  *  integral_gradients  2   21   13    1    1    0     14   11   (75)
@@ -41,7 +41,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = params[6];
     const double t0 = params[3]*params[3]; /* a3*a3 */
     const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[23] = t1;
+    out[21] = t1;
     const double t2 = t1/params[4]; /* m*a3*a3/I1 */
     out[7] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
@@ -54,84 +54,78 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t8 = t6/params[5]; /* I1*R*R/I3 */
     out[10] = t8;
     const double t9 = params[4]*params[1]; /* I1*R */
-    out[28] = t9;
+    out[26] = t9;
     const double t10 = params[6]/t9; /* G_level/(I1*R) */
     out[11] = t10;
     const double t11 = params[0]*params[2]; /* m*g */
     const double t12 = params[3]*t11; /* a3*m*g */
-    out[29] = t12;
+    out[27] = t12;
     const double t13 = t12/params[4]; /* a3*m*g/I1 */
     out[12] = t13;
     const double t14 = params[0]*params[1]; /* m*R */
-    out[30] = t14;
+    out[28] = t14;
     const double t15 = params[5]/t14; /* I3/(m*R) */
     out[13] = t15;
     const double t16 = t9/params[5]; /* I1*R/I3 */
     out[14] = t16;
     const double t17 = params[0]*2.0; /* m*2 */
-    const double t18 = params[1]*t17; /* R*m*2 */
-    const double t19 = t0*t18; /* a3*a3*R*m*2 */
-    const double t20 = t19/params[4]; /* a3*a3*R*m*2/I1 */
-    out[15] = t20;
-    const double t21 = params[5]/params[4]; /* I3/I1 */
-    out[16] = t21;
-    const double t22 = t0*t17; /* a3*a3*m*2 */
-    out[31] = t22;
-    const double t23 = t22/params[4]; /* a3*a3*m*2/I1 */
-    out[17] = t23;
-    const double t24 = params[1]/2.0; /* R/2 */
-    out[18] = t24;
-    const double t25 = params[3]/2.0; /* a3/2 */
-    out[19] = t25;
-    const double t26 = params[1]*2.0; /* R*2 */
-    const double t27 = params[4]*t26; /* I1*R*2 */
-    const double t28 = params[5]/t27; /* I3/(I1*R*2) */
-    out[20] = t28;
-    const double t29 = params[5]/t9; /* I3/(I1*R) */
-    out[21] = t29;
-    const double t30 = params[5]*2.0; /* I3*2 */
-    const double t31 = t30/t6; /* I3*2/(I1*R*R) */
-    out[22] = t31;
-    const double t32 = params[4]*params[5]; /* I1*I3 */
-    out[24] = t32;
-    const double t33 = params[4]*t4; /* I1*m*R*R */
-    out[25] = t33;
-    const double t34 = params[0]*params[5]; /* m*I3 */
-    out[26] = t34;
-    const double t35 = params[1]/params[5]; /* R/I3 */
-    out[27] = t35;
-    const double t36 = params[4]*2.0; /* I1*2 */
-    out[32] = t36;
-    const double t37 = params[3]*t14; /* a3*m*R */
-    out[33] = t37;
-    const double t38 = params[0]*params[3]; /* m*a3 */
-    const double t39 = params[5]*t38; /* I3*m*a3 */
-    out[34] = t39;
-    const double t40 = params[5]*t14; /* I3*m*R */
-    out[35] = t40;
-    const double t41 = t3*t17; /* R*R*m*2 */
-    const double t42 = params[4]*t41; /* I1*R*R*m*2 */
-    out[36] = t42;
-    const double t43 = params[5]*t18; /* I3*R*m*2 */
-    out[37] = t43;
-    const double t44 = params[0]/2.0; /* m/2 */
-    out[38] = t44;
-    const double t45 = params[2]*2.0; /* g*2 */
-    const double t46 = params[3]*t45; /* a3*g*2 */
-    out[39] = t46;
-    const double t47 = 1.0/params[0]; /* 1/m */
-    out[40] = t47;
-    const double t48 = params[4]/params[0]; /* I1/m */
-    out[41] = t48;
-    const double t49 = params[4]*params[4]; /* I1*I1 */
-    const double t50 = t3*t49; /* R*R*I1*I1 */
-    const double t51 = t50/t34; /* R*R*I1*I1/(m*I3) */
-    out[42] = t51;
-    const double t52 = params[4]/params[5]; /* I1/I3 */
-    const double t53 = -t52; /* -I1/I3 */
-    out[43] = t53;
-    const double t54 = params[3]/params[1]; /* a3/R */
-    out[44] = t54;
+    const double t18 = t0*t17; /* a3*a3*m*2 */
+    out[29] = t18;
+    const double t19 = t18/params[4]; /* a3*a3*m*2/I1 */
+    out[15] = t19;
+    const double t20 = params[5]/params[4]; /* I3/I1 */
+    out[16] = t20;
+    const double t21 = -params[1]; /* -R */
+    out[17] = t21;
+    const double t22 = 2.0/params[1]; /* 2/R */
+    out[18] = t22;
+    const double t23 = params[5]/t9; /* I3/(I1*R) */
+    out[19] = t23;
+    const double t24 = params[3]/2.0; /* a3/2 */
+    out[20] = t24;
+    const double t25 = params[4]*params[5]; /* I1*I3 */
+    out[22] = t25;
+    const double t26 = params[4]*t4; /* I1*m*R*R */
+    out[23] = t26;
+    const double t27 = params[0]*params[5]; /* m*I3 */
+    out[24] = t27;
+    const double t28 = params[1]/params[5]; /* R/I3 */
+    out[25] = t28;
+    const double t29 = params[4]*2.0; /* I1*2 */
+    out[30] = t29;
+    const double t30 = params[0]*params[3]; /* m*a3 */
+    const double t31 = params[5]*t30; /* I3*m*a3 */
+    out[31] = t31;
+    const double t32 = params[5]*params[5]; /* I3*I3 */
+    out[32] = t32;
+    const double t33 = params[3]*t14; /* a3*m*R */
+    out[33] = t33;
+    const double t34 = t3*t17; /* R*R*m*2 */
+    const double t35 = params[4]*t34; /* I1*R*R*m*2 */
+    out[34] = t35;
+    const double t36 = params[1]*t17; /* R*m*2 */
+    const double t37 = params[5]*t36; /* I3*R*m*2 */
+    out[35] = t37;
+    const double t38 = params[5]*t14; /* I3*m*R */
+    out[36] = t38;
+    const double t39 = params[0]/2.0; /* m/2 */
+    out[37] = t39;
+    const double t40 = params[2]*2.0; /* g*2 */
+    const double t41 = params[3]*t40; /* a3*g*2 */
+    out[38] = t41;
+    const double t42 = 1.0/params[0]; /* 1/m */
+    out[39] = t42;
+    const double t43 = params[4]/params[0]; /* I1/m */
+    out[40] = t43;
+    const double t44 = params[4]*params[4]; /* I1*I1 */
+    const double t45 = t3*t44; /* R*R*I1*I1 */
+    const double t46 = t45/t27; /* R*R*I1*I1/(m*I3) */
+    out[41] = t46;
+    const double t47 = params[4]/params[5]; /* I1/I3 */
+    const double t48 = -t47; /* -I1/I3 */
+    out[42] = t48;
+    const double t49 = params[3]/params[1]; /* a3/R */
+    out[43] = t49;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -153,147 +147,147 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t14 = t10*t12; /* 1/(Theta/(m*R^2*I1)) = D/I1*s*b*1/(Theta/(m*R^2*I1)*D/I1*s*b) */
     const double t15 = t5*t13; /* 1/(s*b) = D/I1*1/(s*b*(D/I1)) */
     const double t16 = t9*t13; /* s*b*1/(s*b*(D/I1)) */
-    const double t17 = x[3]*t4; /* omega_n*b */
-    const double t18 = t15*t17; /* 1/(s*b)*omega_n*b */
-    const double t19 = t4*t18; /* b*1/(s*b)*omega_n*b */
-    const double t20 = x[0]*t18; /* gamma3*1/(s*b)*omega_n*b */
-    const double t21 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
-    const double t22 = t3*t21; /* s*(G_level/(R*I1) - omega_n*s) */
-    const double t23 = t15*t22; /* 1/(s*b)*s*(G_level/(R*I1) - omega_n*s) */
-    const double t24 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t25 = x[0]*t24; /* gamma3*omega_tau*m*a3^2/I1 */
-    const double t26 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t27 = x[2]*t3; /* omega_tau*s */
-    out[0] = t27;
-    const double t28 = t25*t27; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t29 = JLT_FNMA(p[12], t3, t28); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
-    const double t30 = p[13] + t26; /* I3/(m*R) + e */
-    const double t31 = t14*t30; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t32 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
-    const double t33 = JLT_FNMA(t23, t31, t20); /* gamma3*1/(s*b)*omega_n*b - 1/(s*b)*s*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t34 = JLT_FNMA(p[1], t23, t20); /* gamma3*1/(s*b)*omega_n*b - R*1/(s*b)*s*(G_level/(R*I1) - omega_n*s) */
-    const double t35 = JLT_FNMA(x[3], t34, t29); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - omega_n*t34 */
-    const double t36 = t16*t35; /* s*b*1/(s*b*(D/I1))*t35 */
-    out[2] = t36;
-    const double t37 = p[9]*t32; /* I3/(R^2*I1)*V */
-    const double t38 = t14*t37; /* 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*V */
-    const double t39 = JLT_FNMA(p[10], t23, t19); /* b*1/(s*b)*omega_n*b - R^2*I1/I3*1/(s*b)*s*(G_level/(R*I1) - omega_n*s) */
-    const double t40 = x[3]*t39; /* omega_n*t39 */
-    out[1] = t40;
-    const double t41 = x[2]*t33; /* omega_tau*t33 */
-    const double t42 = JLT_FNMA(t19, t38, t41); /* omega_tau*t33 - b*1/(s*b)*omega_n*b*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*V */
+    const double t17 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
+    const double t18 = t3*t17; /* s*(G_level/(R*I1) - omega_n*s) */
+    const double t19 = t15*t18; /* 1/(s*b)*s*(G_level/(R*I1) - omega_n*s) */
+    const double t20 = x[3]*t4; /* omega_n*b */
+    const double t21 = t15*t20; /* 1/(s*b)*omega_n*b */
+    const double t22 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t23 = p[13] + t22; /* I3/(m*R) + e */
+    const double t24 = t14*t23; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t25 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
+    const double t26 = t7*t25; /* I3/(R^2*I1)*b*V */
+    const double t27 = t14*t26; /* 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*V */
+    const double t28 = x[2]*t3; /* omega_tau*s */
+    out[0] = t28;
+    const double t29 = p[12]*t3; /* m*g*a3/I1*s */
+    const double t30 = x[3]*t21; /* omega_n*1/(s*b)*omega_n*b */
+    const double t31 = t4*t30; /* b*omega_n*1/(s*b)*omega_n*b */
+    const double t32 = x[3]*t19; /* omega_n*1/(s*b)*s*(G_level/(R*I1) - omega_n*s) */
+    const double t33 = JLT_FNMA(p[10], t32, t31); /* b*omega_n*1/(s*b)*omega_n*b - R^2*I1/I3*omega_n*1/(s*b)*s*(G_level/(R*I1) - omega_n*s) */
+    out[1] = t33;
+    const double t34 = JLT_FMS(p[1], t32, t29); /* R*omega_n*1/(s*b)*s*(G_level/(R*I1) - omega_n*s) - m*g*a3/I1*s */
+    const double t35 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t36 = JLT_FMS(t28, t35, t30); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/(s*b)*omega_n*b */
+    const double t37 = JLT_FMA(x[0], t36, t34); /* gamma3*(omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/(s*b)*omega_n*b) + t34 */
+    const double t38 = t16*t37; /* s*b*1/(s*b*(D/I1))*t37 */
+    out[2] = t38;
+    const double t39 = x[0]*t21; /* gamma3*1/(s*b)*omega_n*b */
+    const double t40 = JLT_FNMA(t19, t24, t39); /* gamma3*1/(s*b)*omega_n*b - 1/(s*b)*s*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t41 = x[2]*t40; /* omega_tau*t40 */
+    const double t42 = JLT_FNMA(t21, t27, t41); /* omega_tau*t40 - 1/(s*b)*omega_n*b*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*V */
     out[3] = t42;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = JLT_FMA(p[7], t3, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
-    const double t5 = t0*p[9]; /* b*I3/(R^2*I1) */
-    const double t6 = t3 + p[8]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
-    const double t7 = JLT_FMA(t0, t5, t6); /* Theta/(m*R^2*I1) = b*b*I3/(R^2*I1) + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
-    const double t8 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t8;
-    const double t9 = t0*t8; /* b*s */
-    const double t10 = t4*t9; /* D/I1*b*s */
-    const double t11 = t7*t10; /* Theta/(m*R^2*I1)*D/I1*b*s */
-    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*D/I1*b*s) */
-    const double t13 = t7*t12; /* 1/(s*b*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*b*s) */
-    const double t14 = t4*t13; /* 1/(s*b) = D/I1*1/(s*b*(D/I1)) */
-    const double t15 = t0*t14; /* 1/s = b*1/(s*b) */
-    const double t16 = x[0]*t15; /* gamma3*1/s */
-    const double t17 = x[2]*t16; /* omega_tau*gamma3*1/s */
-    const double t18 = -t17; /* -omega_tau*gamma3*1/s */
+    const double t0 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t1 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = JLT_FMA(p[7], t4, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
+    const double t6 = t1*p[9]; /* b*I3/(R^2*I1) */
+    const double t7 = t4 + p[8]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t8 = JLT_FMA(t1, t6, t7); /* Theta/(m*R^2*I1) = b*b*I3/(R^2*I1) + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t9 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[2] = t9;
+    const double t10 = t1*t9; /* b*s */
+    const double t11 = t5*t10; /* D/I1*b*s */
+    const double t12 = t8*t11; /* Theta/(m*R^2*I1)*D/I1*b*s */
+    const double t13 = 1.0/t12; /* 1/(Theta/(m*R^2*I1)*D/I1*b*s) */
+    const double t14 = t8*t13; /* 1/(s*b*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*b*s) */
+    const double t15 = t5*t14; /* 1/(s*b) = D/I1*1/(s*b*(D/I1)) */
+    const double t16 = t1*t15; /* 1/s = b*1/(s*b) */
+    const double t17 = t0*t16; /* gamma3*omega_tau*1/s */
+    const double t18 = -t17; /* -gamma3*omega_tau*1/s */
     out[0] = t18;
     out[1] = 0.0;
     out[3] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[9] = 0.0;
-    const double t19 = JLT_FNMA(t8, x[3], p[11]); /* G_level/(R*I1) - s*omega_n */
-    const double t20 = t8*t14; /* 1/b = s*1/(s*b) */
+    const double t19 = JLT_FNMA(t9, x[3], p[11]); /* G_level/(R*I1) - s*omega_n */
+    const double t20 = t9*t15; /* 1/b = s*1/(s*b) */
     const double t21 = t19*t20; /* (G_level/(R*I1) - s*omega_n)*1/b */
     const double t22 = p[10]*t20; /* R^2*I1/I3*1/b */
     const double t23 = t21*t22; /* (G_level/(R*I1) - s*omega_n)*1/b*R^2*I1/I3*1/b */
-    const double t24 = t15*x[3]; /* 1/s*omega_n */
+    const double t24 = t16*x[3]; /* 1/s*omega_n */
     const double t25 = x[0]*t24; /* gamma3*1/s*omega_n */
     const double t26 = t20*p[14]; /* 1/b*R*I1/I3 */
     const double t27 = JLT_FNMA(t25, t26, t23); /* d(omega3)/d(gamma3) = (G_level/(R*I1) - s*omega_n)*1/b*R^2*I1/I3*1/b - gamma3*1/s*omega_n*1/b*R*I1/I3 */
     const double t28 = t24 + t27; /* 1/s*omega_n + d(omega3)/d(gamma3) */
     const double t29 = p[1]*x[3]; /* R*omega_n */
     const double t30 = t28*t29; /* (1/s*omega_n + d(omega3)/d(gamma3))*R*omega_n */
-    const double t31 = t15*t24; /* 1/s*1/s*omega_n */
-    const double t32 = t0*t24; /* b*1/s*omega_n */
-    const double t33 = x[0]*t31; /* gamma3*1/s*1/s*omega_n */
-    const double t34 = JLT_FMA(t32, t33, t30); /* b*1/s*omega_n*gamma3*1/s*1/s*omega_n + (1/s*omega_n + d(omega3)/d(gamma3))*R*omega_n */
-    out[4] = t34;
-    const double t35 = t8*t20; /* s*1/b */
-    const double t36 = JLT_FMS(x[3], t35, t21); /* omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b */
-    const double t37 = p[10]*t36; /* R^2*I1/I3*(omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b) */
-    const double t38 = JLT_FMA(t32, 2.0, t37); /* b*1/s*omega_n*2 + R^2*I1/I3*(omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b) */
-    out[7] = t38;
-    const double t39 = t9*t13; /* 1/(D/I1) = b*s*1/(s*b*(D/I1)) */
-    const double t40 = x[0]*t39; /* gamma3*1/(D/I1) */
-    const double t41 = p[15]*t40; /* 2*m*R*a3^2/I1*gamma3*1/(D/I1) */
-    const double t42 = t21*t41; /* (G_level/(R*I1) - s*omega_n)*1/b*2*m*R*a3^2/I1*gamma3*1/(D/I1) */
-    const double t43 = t40*p[17]; /* gamma3*1/(D/I1)*2*m*a3^2/I1 */
-    const double t44 = JLT_FNMA(t25, t43, t42); /* t42 - gamma3*1/s*omega_n*gamma3*1/(D/I1)*2*m*a3^2/I1 */
-    const double t45 = JLT_FNMA(t27, p[16], t44); /* t42 - gamma3*1/s*omega_n*gamma3*1/(D/I1)*2*m*a3^2/I1 - d(omega3)/d(gamma3)*I3/I1 */
-    const double t46 = t8*t43; /* s*gamma3*1/(D/I1)*2*m*a3^2/I1 */
-    const double t47 = t16 - t46; /* gamma3*1/s - s*gamma3*1/(D/I1)*2*m*a3^2/I1 */
-    const double t48 = p[12]*t47; /* m*g*a3/I1*(gamma3*1/s - s*gamma3*1/(D/I1)*2*m*a3^2/I1) */
-    const double t49 = JLT_FNMA(x[0], t47, t8); /* s - gamma3*(gamma3*1/s - s*gamma3*1/(D/I1)*2*m*a3^2/I1) */
-    const double t50 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t51 = x[2]*t50; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t52 = JLT_FNMA(t24, t31, t48); /* m*g*a3/I1*(gamma3*1/s - s*gamma3*1/(D/I1)*2*m*a3^2/I1) - 1/s*omega_n*1/s*1/s*omega_n */
-    const double t53 = JLT_FMA(t49, t51, t52); /* (s - gamma3*(gamma3*1/s - s*gamma3*1/(D/I1)*2*m*a3^2/I1))*omega_tau*omega_tau*m*a3^2/I1 + t52 */
-    const double t54 = JLT_FMA(x[3], t45, t53); /* omega_n*t45 + t53 */
-    const double t55 = t39*t54; /* 1/(D/I1)*(omega_n*t45 + t53) */
-    out[8] = t55;
-    const double t56 = x[2]*t46; /* omega_tau*s*gamma3*1/(D/I1)*2*m*a3^2/I1 */
-    out[10] = t56;
-    const double t57 = JLT_FMA(t36, p[18], t25); /* (omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b)*1/2*R + gamma3*1/s*omega_n */
-    const double t58 = t39*(-2.0); /* 1/(D/I1)*(-2) */
-    const double t59 = t57*t58; /* t57*1/(D/I1)*(-2) */
-    out[11] = t59;
-    const double t60 = x[2]*t31; /* omega_tau*1/s*1/s*omega_n */
+    const double t31 = t1*t24; /* b*1/s*omega_n */
+    const double t32 = t16*t31; /* 1/s*b*1/s*omega_n */
+    const double t33 = JLT_FMA(t25, t32, t30); /* gamma3*1/s*omega_n*1/s*b*1/s*omega_n + (1/s*omega_n + d(omega3)/d(gamma3))*R*omega_n */
+    out[4] = t33;
+    const double t34 = t9*t20; /* s*1/b */
+    const double t35 = JLT_FMS(x[3], t34, t21); /* omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b */
+    const double t36 = p[10]*t35; /* R^2*I1/I3*(omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b) */
+    const double t37 = JLT_FMA(t31, 2.0, t36); /* b*1/s*omega_n*2 + R^2*I1/I3*(omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b) */
+    out[7] = t37;
+    const double t38 = t10*t14; /* 1/(D/I1) = b*s*1/(s*b*(D/I1)) */
+    const double t39 = p[15]*t38; /* 2*m*a3^2/I1*1/(D/I1) */
+    const double t40 = t9*t39; /* s*2*m*a3^2/I1*1/(D/I1) */
+    const double t41 = t16 - t40; /* 1/s - s*2*m*a3^2/I1*1/(D/I1) */
+    const double t42 = x[0]*t41; /* gamma3*(1/s - s*2*m*a3^2/I1*1/(D/I1)) */
+    const double t43 = JLT_FMS(x[0], t42, t9); /* gamma3*gamma3*(1/s - s*2*m*a3^2/I1*1/(D/I1)) - s */
+    const double t44 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t45 = x[2]*t44; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t46 = JLT_FNMA(p[1], t21, t25); /* gamma3*1/s*omega_n - R*(G_level/(R*I1) - s*omega_n)*1/b */
+    const double t47 = x[0]*t39; /* gamma3*2*m*a3^2/I1*1/(D/I1) */
+    const double t48 = t46*t47; /* (gamma3*1/s*omega_n - R*(G_level/(R*I1) - s*omega_n)*1/b)*gamma3*2*m*a3^2/I1*1/(D/I1) */
+    const double t49 = JLT_FMA(t27, p[16], t48); /* d(omega3)/d(gamma3)*I3/I1 + t48 */
+    const double t50 = t16*t24; /* 1/s*1/s*omega_n */
+    const double t51 = t24*t50; /* 1/s*omega_n*1/s*1/s*omega_n */
+    const double t52 = JLT_FNMA(t42, p[12], t51); /* 1/s*omega_n*1/s*1/s*omega_n - gamma3*(1/s - s*2*m*a3^2/I1*1/(D/I1))*m*g*a3/I1 */
+    const double t53 = JLT_FMA(t43, t45, t52); /* (gamma3*gamma3*(1/s - s*2*m*a3^2/I1*1/(D/I1)) - s)*omega_tau*omega_tau*m*a3^2/I1 + t52 */
+    const double t54 = JLT_FMA(x[3], t49, t53); /* omega_n*(d(omega3)/d(gamma3)*I3/I1 + t48) + t53 */
+    const double t55 = t38*t54; /* 1/(D/I1)*(omega_n*(d(omega3)/d(gamma3)*I3/I1 + t48) + t53) */
+    const double t56 = -t55; /* -1/(D/I1)*(omega_n*(d(omega3)/d(gamma3)*I3/I1 + t48) + t53) */
+    out[8] = t56;
+    const double t57 = t0*t40; /* gamma3*omega_tau*s*2*m*a3^2/I1*1/(D/I1) */
+    out[10] = t57;
+    const double t58 = JLT_FMA(t25, p[18], t35); /* gamma3*1/s*omega_n*2/R + omega_n*s*1/b - (G_level/(R*I1) - s*omega_n)*1/b */
+    const double t59 = t38*p[17]; /* 1/(D/I1)*(-R) */
+    const double t60 = t58*t59; /* t58*1/(D/I1)*(-R) */
+    out[11] = t60;
     const double t61 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t62 = JLT_FMA(x[2], t61, x[1]); /* V = omega_tau*e + v_nu */
-    const double t63 = t10*t12; /* 1/(Theta/(m*R^2*I1)) = D/I1*b*s*1/(Theta/(m*R^2*I1)*D/I1*b*s) */
-    const double t64 = t32*t63; /* b*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t65 = p[9]*t64; /* I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t66 = t16*t62; /* gamma3*1/s*V */
-    const double t67 = JLT_FNMA(t65, t66, t60); /* omega_tau*1/s*1/s*omega_n - I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1))*gamma3*1/s*V */
-    const double t68 = t15*t67; /* 1/s*t67 */
-    const double t69 = t21*t63; /* (G_level/(R*I1) - s*omega_n)*1/b*1/(Theta/(m*R^2*I1)) */
-    const double t70 = t65 + t69; /* I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) + (G_level/(R*I1) - s*omega_n)*1/b*1/(Theta/(m*R^2*I1)) */
-    const double t71 = p[19]*t70; /* 1/2*a3*t70 */
-    const double t72 = t27*p[20]; /* d(omega3)/d(gamma3)*1/2*I3/(R*I1) */
-    const double t73 = JLT_FMS(t0, p[21], x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = b*I3/(R*I1) - gamma3 */
-    const double t74 = JLT_FMA(t69, t73, t72); /* (G_level/(R*I1) - s*omega_n)*1/b*1/(Theta/(m*R^2*I1))*d(Theta)/d(gamma3)/(2*m*R^2*I1) + d(omega3)/d(gamma3)*1/2*I3/(R*I1) */
-    const double t75 = t61 + p[13]; /* e + I3/(m*R) */
-    const double t76 = t63*t75; /* 1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
-    const double t77 = JLT_FNMA(t74, t76, t71); /* 1/2*a3*t70 - t74*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
-    const double t78 = x[2]*2.0; /* omega_tau*2 */
-    const double t79 = t64*t73; /* b*1/s*omega_n*1/(Theta/(m*R^2*I1))*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
-    const double t80 = JLT_FNMA(t24, p[18], t79); /* t79 - 1/s*omega_n*1/2*R */
-    const double t81 = t62*t63; /* V*1/(Theta/(m*R^2*I1)) */
-    const double t82 = p[22]*t81; /* 2*I3/(R^2*I1)*V*1/(Theta/(m*R^2*I1)) */
-    const double t83 = JLT_FMA(t80, t82, t68); /* (t79 - 1/s*omega_n*1/2*R)*2*I3/(R^2*I1)*V*1/(Theta/(m*R^2*I1)) + 1/s*t67 */
-    const double t84 = JLT_FNMA(t77, t78, t83); /* t83 - (1/2*a3*t70 - t74*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)))*omega_tau*2 */
-    out[12] = t84;
-    const double t85 = -t65; /* -I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
-    out[13] = t85;
-    const double t86 = JLT_FNMA(t21, t76, t25); /* gamma3*1/s*omega_n - (G_level/(R*I1) - s*omega_n)*1/b*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
-    const double t87 = JLT_FNMA(t61, t65, t86); /* t86 - e*I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
-    out[14] = t87;
-    const double t88 = JLT_FMA(t35, t76, t16); /* s*1/b*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) + gamma3*1/s */
-    const double t89 = x[2]*t88; /* omega_tau*(s*1/b*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) + gamma3*1/s) */
-    const double t90 = t5*t81; /* b*I3/(R^2*I1)*V*1/(Theta/(m*R^2*I1)) */
-    const double t91 = JLT_FNMA(t15, t90, t89); /* t89 - 1/s*b*I3/(R^2*I1)*V*1/(Theta/(m*R^2*I1)) */
+    const double t63 = p[9]*t31; /* I3/(R^2*I1)*b*1/s*omega_n */
+    const double t64 = t11*t13; /* 1/(Theta/(m*R^2*I1)) = D/I1*b*s*1/(Theta/(m*R^2*I1)*D/I1*b*s) */
+    const double t65 = t63*t64; /* I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t66 = t62*t65; /* V*I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t67 = x[0]*t66; /* gamma3*V*I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t68 = JLT_FNMA(x[2], t24, t67); /* gamma3*V*I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) - omega_tau*1/s*omega_n */
+    const double t69 = t16*t16; /* 1/s*1/s */
+    const double t70 = t68*t69; /* t68*1/s*1/s */
+    const double t71 = t61 + p[13]; /* e + I3/(m*R) */
+    const double t72 = t64*t71; /* 1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t73 = x[2]*t72; /* omega_tau*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t74 = t27*t73; /* d(omega3)/d(gamma3)*omega_tau*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t75 = t62*t64; /* V*1/(Theta/(m*R^2*I1)) */
+    const double t76 = JLT_FNMA(t24, t75, t74); /* t74 - 1/s*omega_n*V*1/(Theta/(m*R^2*I1)) */
+    const double t77 = t21 + t63; /* (G_level/(R*I1) - s*omega_n)*1/b + I3/(R^2*I1)*b*1/s*omega_n */
+    const double t78 = x[2]*p[20]; /* omega_tau*1/2*a3 */
+    const double t79 = t77*t78; /* ((G_level/(R*I1) - s*omega_n)*1/b + I3/(R^2*I1)*b*1/s*omega_n)*omega_tau*1/2*a3 */
+    const double t80 = JLT_FMS(t1, p[19], x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = b*I3/(R*I1) - gamma3 */
+    const double t81 = JLT_FMA(t21, t73, t66); /* (G_level/(R*I1) - s*omega_n)*1/b*omega_tau*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) + V*I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t82 = JLT_FNMA(t80, t81, t79); /* t79 - d(Theta)/d(gamma3)/(2*m*R^2*I1)*t81 */
+    const double t83 = 2.0*t64; /* 2*1/(Theta/(m*R^2*I1)) */
+    const double t84 = JLT_FMS(p[19], t76, t70); /* I3/(R*I1)*(t74 - 1/s*omega_n*V*1/(Theta/(m*R^2*I1))) - t68*1/s*1/s */
+    const double t85 = JLT_FNMA(t82, t83, t84); /* t84 - (t79 - d(Theta)/d(gamma3)/(2*m*R^2*I1)*t81)*2*1/(Theta/(m*R^2*I1)) */
+    out[12] = t85;
+    const double t86 = -t65; /* -I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
+    out[13] = t86;
+    const double t87 = JLT_FNMA(t21, t72, t25); /* gamma3*1/s*omega_n - (G_level/(R*I1) - s*omega_n)*1/b*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t88 = JLT_FNMA(t61, t65, t87); /* t87 - e*I3/(R^2*I1)*b*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
+    out[14] = t88;
+    const double t89 = t6*t75; /* b*I3/(R^2*I1)*V*1/(Theta/(m*R^2*I1)) */
+    const double t90 = JLT_FNMA(t16, t89, t17); /* gamma3*omega_tau*1/s - 1/s*b*I3/(R^2*I1)*V*1/(Theta/(m*R^2*I1)) */
+    const double t91 = JLT_FMA(t34, t73, t90); /* s*1/b*omega_tau*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) + t90 */
     out[15] = t91;
 }
 
@@ -310,9 +304,9 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     out[6] = t3;
     const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = JLT_FMA(p[23], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t6 = JLT_FMA(p[25], t2, p[24]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t7 = p[26]*t4; /* m*I3*b */
+    const double t5 = JLT_FMA(p[21], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t6 = JLT_FMA(p[23], t2, p[22]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t7 = p[24]*t4; /* m*I3*b */
     const double t8 = JLT_FMA(t4, t7, t6); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
     const double t9 = t3*t4; /* s*b */
     const double t10 = t5*t9; /* D*s*b */
@@ -324,99 +318,101 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t16 = t9*t13; /* 1/D = s*b*1/(s*b*D) */
     const double t17 = t4*t15; /* 1/s = b*1/(s*b) */
     const double t18 = t3*t15; /* 1/b = s*1/(s*b) */
-    const double t19 = x[3]*t3; /* omega_n*s */
-    const double t20 = x[3]*t17; /* omega_n*1/s */
-    const double t21 = JLT_FNMA(p[28], t19, p[6]); /* G_level - R*I1*omega_n*s */
-    const double t22 = t18*t21; /* 1/b*(G_level - R*I1*omega_n*s) */
-    const double t23 = t18*t19; /* 1/b*omega_n*s */
-    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t25 = t4*t20; /* b*omega_n*1/s */
-    const double t26 = p[13] + t24; /* I3/(m*R) + e */
-    const double t27 = x[0]*t17; /* gamma3*1/s */
-    const double t28 = p[27]*t22; /* R/I3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t29 = x[0]*t20; /* gamma3*omega_n*1/s */
-    const double t30 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
-    const double t31 = t7*t30; /* m*I3*b*V */
-    const double t32 = t17*t31; /* 1/s*m*I3*b*V */
-    const double t33 = p[26]*t25; /* m*I3*b*omega_n*1/s */
-    const double t34 = p[30]*t26; /* m*R*(I3/(m*R) + e) */
-    const double t35 = p[25]*t26; /* m*R^2*I1*(I3/(m*R) + e) */
-    const double t36 = t17*t27; /* 1/s*gamma3*1/s */
-    const double t37 = t33*t36; /* m*I3*b*omega_n*1/s*1/s*gamma3*1/s */
-    const double t38 = JLT_FMA(p[35], t20, t37); /* m*R*I3*omega_n*1/s + m*I3*b*omega_n*1/s*1/s*gamma3*1/s */
-    const double t39 = t30*t38; /* V*(m*R*I3*omega_n*1/s + m*I3*b*omega_n*1/s*1/s*gamma3*1/s) */
-    const double t40 = t30*t33; /* V*m*I3*b*omega_n*1/s */
-    const double t41 = x[2]*p[23]; /* omega_tau*m*a3^2 */
-    const double t42 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t43 = JLT_FNMA(t41, t42, p[29]); /* m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3 */
-    const double t44 = t22*t34; /* 1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) */
-    const double t45 = JLT_FMA(x[2], t44, t40); /* omega_tau*1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) + V*m*I3*b*omega_n*1/s */
-    const double t46 = JLT_FMA(t24, t33, t44); /* e*m*I3*b*omega_n*1/s + 1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) */
-    const double t47 = JLT_FNMA(t14, t46, t29); /* gamma3*omega_n*1/s - 1/Theta*t46 */
-    out[18] = t47;
-    const double t48 = t14*t45; /* 1/Theta*t45 */
-    const double t49 = t14*t33; /* 1/Theta*m*I3*b*omega_n*1/s */
-    const double t50 = -t49; /* -1/Theta*m*I3*b*omega_n*1/s */
-    out[17] = t50;
-    const double t51 = JLT_FMS(x[2], t29, t48); /* omega_tau*gamma3*omega_n*1/s - 1/Theta*t45 */
-    out[3] = t51;
-    const double t52 = JLT_FMS(p[14], t29, t28); /* R*I1/I3*gamma3*omega_n*1/s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t53 = t18*t52; /* 1/b*t52 */
-    const double t54 = p[33]*t22; /* m*R*a3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t55 = JLT_FMA(p[34], t25, t54); /* m*a3*I3*b*omega_n*1/s + m*R*a3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t56 = x[0]*p[36]; /* gamma3*2*m*R^2*I1 */
-    const double t57 = JLT_FMS(p[37], t4, t56); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
-    const double t58 = JLT_FNMA(t48, t57, t39); /* V*(m*R*I3*omega_n*1/s + m*I3*b*omega_n*1/s*1/s*gamma3*1/s) - 1/Theta*t45*d(Theta)/d(gamma3) */
-    const double t59 = x[2]*t3; /* omega_tau*s */
-    out[0] = t59;
-    const double t60 = t3*t43; /* s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
-    const double t61 = t27*t43; /* gamma3*1/s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
-    const double t62 = JLT_FMA(t41, t59, t61); /* omega_tau*m*a3^2*omega_tau*s + gamma3*1/s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
-    const double t63 = t35*t59; /* m*R^2*I1*(I3/(m*R) + e)*omega_tau*s */
-    const double t64 = JLT_FMS(t18, t63, t32); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/b*m*R^2*I1*(I3/(m*R) + e)*omega_tau*s - 1/s*m*I3*b*V */
-    const double t65 = x[2]*t27; /* omega_tau*gamma3*1/s */
-    const double t66 = JLT_FMA(t14, t64, t65); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + omega_tau*gamma3*1/s */
-    out[19] = t66;
-    const double t67 = -t65; /* -omega_tau*gamma3*1/s */
-    out[4] = t67;
-    const double t68 = JLT_FNMA(p[4], t29, t22); /* 1/b*(G_level - R*I1*omega_n*s) - I1*gamma3*omega_n*1/s */
-    const double t69 = JLT_FMS(x[3], t68, t60); /* numerator of d(omega_tau)/dt over D = omega_n*(1/b*(G_level - R*I1*omega_n*s) - I1*gamma3*omega_n*1/s) - s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
-    const double t70 = t16*t69; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t70;
-    const double t71 = JLT_FNMA(p[28], t23, t22); /* 1/b*(G_level - R*I1*omega_n*s) - R*I1*1/b*omega_n*s */
-    const double t72 = JLT_FMS(p[10], t23, t28); /* R^2*I1/I3*1/b*omega_n*s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t73 = JLT_FMA(2.0, t25, t72); /* 2*b*omega_n*1/s + t72 */
-    out[11] = t73;
-    const double t74 = t25 - t28; /* b*omega_n*1/s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
-    const double t75 = x[3]*t74; /* omega_n*(b*omega_n*1/s - R/I3*1/b*(G_level - R*I1*omega_n*s)) */
-    out[1] = t75;
-    const double t76 = JLT_FNMA(p[32], t29, t71); /* d(numerator of d(omega_tau)/dt over D)/d(omega_n) = 1/b*(G_level - R*I1*omega_n*s) - R*I1*1/b*omega_n*s - 2*I1*gamma3*omega_n*1/s */
-    const double t77 = t16*t76; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(omega_n) */
-    out[15] = t77;
-    const double t78 = t17*t29; /* 1/s*gamma3*omega_n*1/s */
-    const double t79 = p[5]*t53; /* I3*1/b*t52 */
-    const double t80 = JLT_FMA(t34, t79, t55); /* m*R*(I3/(m*R) + e)*I3*1/b*t52 + t55 */
-    const double t81 = JLT_FMA(x[2], t80, t58); /* omega_tau*(m*R*(I3/(m*R) + e)*I3*1/b*t52 + t55) + t58 */
-    const double t82 = t14*t81; /* 1/Theta*(omega_tau*(m*R*(I3/(m*R) + e)*I3*1/b*t52 + t55) + t58) */
-    const double t83 = t53 - t20; /* 1/b*t52 - omega_n*1/s */
-    const double t84 = x[0]*p[31]; /* gamma3*2*m*a3^2 */
-    const double t85 = t16*t84; /* 1/D*gamma3*2*m*a3^2 */
-    const double t86 = t59*t85; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
-    out[14] = t86;
-    const double t87 = t70*t85; /* 1/D*numerator of d(omega_tau)/dt over D*1/D*gamma3*2*m*a3^2 */
-    const double t88 = t17*t20; /* 1/s*omega_n*1/s */
-    const double t89 = p[4]*t20; /* I1*omega_n*1/s */
-    const double t90 = JLT_FNMA(t88, t89, t62); /* t62 - 1/s*omega_n*1/s*I1*omega_n*1/s */
-    const double t91 = JLT_FMA(x[3], t79, t90); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = omega_n*I3*1/b*t52 + t62 - 1/s*omega_n*1/s*I1*omega_n*1/s */
-    const double t92 = JLT_FMA(t16, t91, t87); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(gamma3) + 1/D*numerator of d(omega_tau)/dt over D*1/D*gamma3*2*m*a3^2 */
-    out[12] = t92;
-    const double t93 = x[2]*t17; /* omega_tau*1/s */
-    const double t94 = JLT_FMS(t88, t93, t82); /* 1/s*omega_n*1/s*omega_tau*1/s - t82 */
-    out[16] = t94;
-    const double t95 = x[3]*p[1]; /* omega_n*R */
-    const double t96 = t83*t95; /* (1/b*t52 - omega_n*1/s)*omega_n*R */
-    const double t97 = JLT_FMS(t25, t78, t96); /* b*omega_n*1/s*1/s*gamma3*omega_n*1/s - (1/b*t52 - omega_n*1/s)*omega_n*R */
-    out[8] = t97;
+    const double t19 = x[3]*t17; /* omega_n*1/s */
+    const double t20 = x[3]*t3; /* omega_n*s */
+    const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t22 = t4*t19; /* b*omega_n*1/s */
+    const double t23 = JLT_FNMA(p[26], t20, p[6]); /* G_level - R*I1*omega_n*s */
+    const double t24 = t18*t23; /* 1/b*(G_level - R*I1*omega_n*s) */
+    const double t25 = t18*t20; /* 1/b*omega_n*s */
+    const double t26 = x[2]*t21; /* omega_tau*e */
+    const double t27 = p[13] + t21; /* I3/(m*R) + e */
+    const double t28 = x[1] + t26; /* V = v_nu + omega_tau*e */
+    const double t29 = t7*t28; /* m*I3*b*V */
+    const double t30 = t17*t29; /* 1/s*m*I3*b*V */
+    const double t31 = p[24]*t22; /* m*I3*b*omega_n*1/s */
+    const double t32 = p[28]*t27; /* m*R*(I3/(m*R) + e) */
+    const double t33 = t24*t32; /* 1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) */
+    const double t34 = p[23]*t27; /* m*R^2*I1*(I3/(m*R) + e) */
+    const double t35 = JLT_FMA(t21, t31, t33); /* e*m*I3*b*omega_n*1/s + 1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) */
+    const double t36 = x[2]*t3; /* omega_tau*s */
+    out[0] = t36;
+    const double t37 = t34*t36; /* m*R^2*I1*(I3/(m*R) + e)*omega_tau*s */
+    const double t38 = JLT_FMS(t18, t37, t30); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/b*m*R^2*I1*(I3/(m*R) + e)*omega_tau*s - 1/s*m*I3*b*V */
+    const double t39 = p[25]*t24; /* R/I3*1/b*(G_level - R*I1*omega_n*s) */
+    const double t40 = x[2]*p[21]; /* omega_tau*m*a3^2 */
+    const double t41 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t42 = JLT_FNMA(t40, t41, p[27]); /* m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3 */
+    const double t43 = t36*t40; /* omega_tau*s*omega_tau*m*a3^2 */
+    const double t44 = t3*t42; /* s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
+    const double t45 = x[0]*t19; /* gamma3*omega_n*1/s */
+    const double t46 = JLT_FNMA(t14, t35, t45); /* gamma3*omega_n*1/s - 1/Theta*t35 */
+    out[18] = t46;
+    const double t47 = t28*t31; /* V*m*I3*b*omega_n*1/s */
+    const double t48 = JLT_FMA(x[2], t33, t47); /* omega_tau*1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) + V*m*I3*b*omega_n*1/s */
+    const double t49 = t14*t48; /* 1/Theta*t48 */
+    const double t50 = t19*t28; /* omega_n*1/s*V */
+    const double t51 = t14*t31; /* 1/Theta*m*I3*b*omega_n*1/s */
+    const double t52 = -t51; /* -1/Theta*m*I3*b*omega_n*1/s */
+    out[17] = t52;
+    const double t53 = JLT_FMS(x[2], t45, t49); /* omega_tau*gamma3*omega_n*1/s - 1/Theta*t48 */
+    out[3] = t53;
+    const double t54 = x[0]*t17; /* gamma3*1/s */
+    const double t55 = JLT_FMA(t42, t54, t43); /* (m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3)*gamma3*1/s + omega_tau*s*omega_tau*m*a3^2 */
+    const double t56 = JLT_FNMA(p[14], t45, t39); /* R/I3*1/b*(G_level - R*I1*omega_n*s) - R*I1/I3*gamma3*omega_n*1/s */
+    const double t57 = t18*t56; /* 1/b*t56 */
+    const double t58 = JLT_FNMA(t26, t57, t50); /* omega_n*1/s*V - omega_tau*e*1/b*t56 */
+    const double t59 = p[31]*t22; /* m*a3*I3*b*omega_n*1/s */
+    const double t60 = JLT_FMA(p[33], t24, t59); /* m*R*a3*1/b*(G_level - R*I1*omega_n*s) + m*a3*I3*b*omega_n*1/s */
+    const double t61 = JLT_FNMA(p[32], t57, t60); /* t60 - I3^2*1/b*t56 */
+    const double t62 = x[0]*p[34]; /* gamma3*2*m*R^2*I1 */
+    const double t63 = JLT_FMS(p[35], t4, t62); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
+    const double t64 = t49*t63; /* 1/Theta*t48*d(Theta)/d(gamma3) */
+    const double t65 = t17*t19; /* 1/s*omega_n*1/s */
+    const double t66 = p[4]*t19; /* I1*omega_n*1/s */
+    const double t67 = JLT_FNMA(t65, t66, t55); /* t55 - 1/s*omega_n*1/s*I1*omega_n*1/s */
+    const double t68 = t17*t65; /* 1/s*1/s*omega_n*1/s */
+    const double t69 = JLT_FNMA(t14, t61, t68); /* 1/s*1/s*omega_n*1/s - 1/Theta*(t60 - I3^2*1/b*t56) */
+    const double t70 = t19 + t57; /* omega_n*1/s + 1/b*t56 */
+    const double t71 = x[2]*t69; /* omega_tau*(1/s*1/s*omega_n*1/s - 1/Theta*(t60 - I3^2*1/b*t56)) */
+    const double t72 = JLT_FNMA(p[4], t45, t24); /* 1/b*(G_level - R*I1*omega_n*s) - I1*gamma3*omega_n*1/s */
+    const double t73 = JLT_FMS(x[3], t72, t44); /* numerator of d(omega_tau)/dt over D = omega_n*(1/b*(G_level - R*I1*omega_n*s) - I1*gamma3*omega_n*1/s) - s*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
+    const double t74 = JLT_FNMA(p[26], t25, t24); /* 1/b*(G_level - R*I1*omega_n*s) - R*I1*1/b*omega_n*s */
+    const double t75 = t16*t73; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t75;
+    const double t76 = JLT_FMS(p[10], t25, t39); /* R^2*I1/I3*1/b*omega_n*s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
+    const double t77 = JLT_FMA(2.0, t22, t76); /* 2*b*omega_n*1/s + t76 */
+    out[11] = t77;
+    const double t78 = t22 - t39; /* b*omega_n*1/s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
+    const double t79 = x[3]*t78; /* omega_n*(b*omega_n*1/s - R/I3*1/b*(G_level - R*I1*omega_n*s)) */
+    out[1] = t79;
+    const double t80 = JLT_FNMA(p[30], t45, t74); /* d(numerator of d(omega_tau)/dt over D)/d(omega_n) = 1/b*(G_level - R*I1*omega_n*s) - R*I1*1/b*omega_n*s - 2*I1*gamma3*omega_n*1/s */
+    const double t81 = t16*t80; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(omega_n) */
+    out[15] = t81;
+    const double t82 = t17*t45; /* 1/s*gamma3*omega_n*1/s */
+    const double t83 = t17*t54; /* 1/s*gamma3*1/s */
+    const double t84 = JLT_FNMA(t47, t83, t64); /* 1/Theta*t48*d(Theta)/d(gamma3) - V*m*I3*b*omega_n*1/s*1/s*gamma3*1/s */
+    const double t85 = JLT_FNMA(p[36], t58, t84); /* t84 - m*R*I3*(omega_n*1/s*V - omega_tau*e*1/b*t56) */
+    const double t86 = JLT_FMA(t14, t85, t71); /* 1/Theta*(t84 - m*R*I3*(omega_n*1/s*V - omega_tau*e*1/b*t56)) + t71 */
+    out[16] = t86;
+    const double t87 = x[2]*t54; /* omega_tau*gamma3*1/s */
+    const double t88 = JLT_FMA(t14, t38, t87); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + omega_tau*gamma3*1/s */
+    out[19] = t88;
+    const double t89 = -t87; /* -omega_tau*gamma3*1/s */
+    out[4] = t89;
+    const double t90 = x[3]*p[5]; /* omega_n*I3 */
+    const double t91 = JLT_FNMA(t57, t90, t67); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = t55 - 1/s*omega_n*1/s*I1*omega_n*1/s - 1/b*t56*omega_n*I3 */
+    const double t92 = t16*t91; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t93 = x[3]*p[1]; /* omega_n*R */
+    const double t94 = t70*t93; /* (omega_n*1/s + 1/b*t56)*omega_n*R */
+    const double t95 = JLT_FMA(t22, t82, t94); /* b*omega_n*1/s*1/s*gamma3*omega_n*1/s + (omega_n*1/s + 1/b*t56)*omega_n*R */
+    out[8] = t95;
+    const double t96 = x[0]*p[29]; /* gamma3*2*m*a3^2 */
+    const double t97 = t16*t96; /* 1/D*gamma3*2*m*a3^2 */
+    const double t98 = JLT_FMA(t75, t97, t92); /* 1/D*numerator of d(omega_tau)/dt over D*1/D*gamma3*2*m*a3^2 + 1/D*d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    out[12] = t98;
+    const double t99 = t36*t97; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
+    out[14] = t99;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -425,10 +421,10 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = p[26]*t3; /* m*I3*b */
-    const double t5 = JLT_FMA(p[25], t2, p[24]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t4 = p[24]*t3; /* m*I3*b */
+    const double t5 = JLT_FMA(p[23], t2, p[22]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
     const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t7 = JLT_FMA(p[23], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t7 = JLT_FMA(p[21], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
     const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t9 = t6*t7; /* Theta*D */
     const double t10 = t8*t9; /* s*Theta*D */
@@ -440,14 +436,14 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t16 = t4*t15; /* m*I3*b*V */
     const double t17 = t9*t16; /* Theta*D*m*I3*b*V */
     const double t18 = p[13] + t14; /* I3/(m*R) + e */
-    const double t19 = p[25]*t18; /* m*R^2*I1*(I3/(m*R) + e) */
+    const double t19 = p[23]*t18; /* m*R^2*I1*(I3/(m*R) + e) */
     const double t20 = t10*t19; /* s*Theta*D*m*R^2*I1*(I3/(m*R) + e) */
     const double t21 = t13*t17; /* 1/(D*Theta*s)*Theta*D*m*I3*b*V */
     const double t22 = t8*t13; /* s*1/(D*Theta*s) */
     const double t23 = x[2]*t8; /* omega_tau*s */
     const double t24 = t20*t23; /* s*Theta*D*m*R^2*I1*(I3/(m*R) + e)*omega_tau*s */
     const double t25 = JLT_FMS(t12, t24, t21); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/(b*s*Theta*D)*s*Theta*D*m*R^2*I1*(I3/(m*R) + e)*omega_tau*s - 1/(D*Theta*s)*Theta*D*m*I3*b*V */
-    const double t26 = x[0]*p[31]; /* gamma3*2*m*a3^2 */
+    const double t26 = x[0]*p[29]; /* gamma3*2*m*a3^2 */
     const double t27 = t6*t26; /* Theta*gamma3*2*m*a3^2 */
     const double t28 = t23*t27; /* omega_tau*s*Theta*gamma3*2*m*a3^2 */
     const double t29 = JLT_FMA(t7, t25, t28); /* D*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + omega_tau*s*Theta*gamma3*2*m*a3^2 */
@@ -461,24 +457,24 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(p[23], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t4 = JLT_FMA(p[21], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t6 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
     const double t7 = t6/t5; /* (G_level/(R*I1) - omega_n*s)/b */
     const double t8 = x[3]*t5; /* omega_n*b */
     const double t9 = p[10]*t3; /* R^2*I1/I3*s */
     const double t10 = JLT_FNMA(t7, t9, t8); /* v_tau = omega_n*b - (G_level/(R*I1) - omega_n*s)/b*R^2*I1/I3*s */
-    const double t11 = p[39]*x[0]; /* 2*g*a3*gamma3 */
+    const double t11 = p[38]*x[0]; /* 2*g*a3*gamma3 */
     const double t12 = JLT_FMA(x[1], x[1], t11); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t13 = p[40]*x[2]; /* 1/m*omega_tau */
+    const double t13 = p[39]*x[2]; /* 1/m*omega_tau */
     const double t14 = x[2]*t13; /* omega_tau*1/m*omega_tau */
-    const double t15 = p[41]*x[3]; /* I1/m*omega_n */
+    const double t15 = p[40]*x[3]; /* I1/m*omega_n */
     const double t16 = JLT_FMA(x[3], t15, t12); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t17 = JLT_FMA(t4, t14, t16); /* D*omega_tau*1/m*omega_tau + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t18 = p[42]*t7; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b */
+    const double t18 = p[41]*t7; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b */
     const double t19 = JLT_FMA(t7, t18, t17); /* (G_level/(R*I1) - omega_n*s)/b*R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b + t17 */
     const double t20 = JLT_FMA(t10, t10, t19); /* energy/(1/2*m) = v_tau*v_tau + t19 */
-    const double t21 = p[38]*t20; /* 1/2*m*energy/(1/2*m) */
+    const double t21 = p[37]*t20; /* 1/2*m*energy/(1/2*m) */
     out[0] = t21;
 }
 
@@ -493,19 +489,19 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t5 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t6 = t4*t5; /* b*s */
     const double t7 = 1.0/t6; /* 1/(b*s) */
-    const double t8 = x[3]*p[28]; /* omega_n*R*I1 */
+    const double t8 = x[3]*p[26]; /* omega_n*R*I1 */
     const double t9 = JLT_FNMA(t5, t8, p[6]); /* G_level - s*omega_n*R*I1 */
     const double t10 = t5*t7; /* 1/b = s*1/(b*s) */
     const double t11 = t9*t10; /* (G_level - s*omega_n*R*I1)*1/b */
     const double t12 = x[0]*t4; /* gamma3*b */
     const double t13 = t7*t12; /* 1/(b*s)*gamma3*b */
     const double t14 = p[14]*x[3]; /* R*I1/I3*omega_n */
-    const double t15 = p[27]*t11; /* R/I3*(G_level - s*omega_n*R*I1)*1/b */
+    const double t15 = p[25]*t11; /* R/I3*(G_level - s*omega_n*R*I1)*1/b */
     const double t16 = JLT_FMS(t13, t14, t15); /* 1/(b*s)*gamma3*b*R*I1/I3*omega_n - R/I3*(G_level - s*omega_n*R*I1)*1/b */
     const double t17 = t10*t16; /* 1/b*t16 */
-    const double t18 = p[23]*x[0]; /* m*a3^2*gamma3 */
+    const double t18 = p[21]*x[0]; /* m*a3^2*gamma3 */
     const double t19 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t20 = JLT_FNMA(t18, t19, p[29]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t20 = JLT_FNMA(t18, t19, p[27]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t21 = JLT_FMA(t11, t17, t20); /* (G_level - s*omega_n*R*I1)*1/b*1/b*t16 + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t22 = JLT_FNMA(t5, t17, x[3]); /* omega_n - s*1/b*t16 */
     const double t23 = p[1]*t22; /* R*(omega_n - s*1/b*t16) */
@@ -523,7 +519,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t34 = JLT_FMA(t10, t33, t4); /* d(v_tau)/d(omega_n) = 1/b*R^2*I1/I3*(1 - gamma3)*(gamma3 + 1) + b */
     const double t35 = JLT_FMA(t29, t34, t32); /* d(energy)/d(omega_n) = m*v_tau*d(v_tau)/d(omega_n) + omega_n*I1 - (G_level - s*omega_n*R*I1)*1/b*1/b*R*I1/I3*s */
     out[3] = t35;
-    const double t36 = JLT_FMA(p[23], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t36 = JLT_FMA(p[21], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t37 = x[2]*t36; /* omega_tau*D */
     out[2] = t37;
 }
@@ -535,8 +531,8 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
-    const double t5 = p[44] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t6 = p[43]/t5; /* (-I1/I3)/(b/R) */
+    const double t5 = p[43] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t6 = p[42]/t5; /* (-I1/I3)/(b/R) */
     const double t7 = t4*t6; /* (G_level/(R*I1) - omega_n*s)*(-I1/I3)/(b/R) */
     out[0] = t7;
 }
@@ -613,36 +609,36 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t28[k] = jlt_jet_product(t24, t26, k);
         t29[k] = jlt_jet_product(t19, t27, k);
         t30[k] = jlt_jet_product(t23, t27, k);
-        t31[k] = jlt_jet_product(x3, t18, k);
-        t32[k] = jlt_jet_product(t29, t31, k);
-        t33[k] = jlt_jet_product(t18, t32, k);
-        t34[k] = jlt_jet_product(x0, t32, k);
-        t35[k] = (k == 0 ? p[11] : 0) - jlt_jet_product(x3, t17, k);
-        t36[k] = jlt_jet_product(t17, t35, k);
-        t37[k] = jlt_jet_product(t29, t36, k);
-        t38[k] = x2[k]*p[7];
-        t39[k] = jlt_jet_product(x0, t38, k);
-        t40[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t41[k] = jlt_jet_product(x2, t17, k);
-        t42[k] = jlt_jet_product(t39, t41, k);
-        t43[k] = t42[k] - p[12]*t17[k];
-        t44[k] = (k == 0 ? p[13] : 0) + t40[k];
-        t45[k] = jlt_jet_product(t28, t44, k);
-        t46[k] = jlt_jet_product(x2, t40, k) + x1[k];
-        t47[k] = t34[k] - jlt_jet_product(t37, t45, k);
-        t48[k] = t34[k] - p[1]*t37[k];
-        t49[k] = t43[k] - jlt_jet_product(x3, t48, k);
-        t50[k] = jlt_jet_product(t30, t49, k);
-        t51[k] = p[9]*t46[k];
-        t52[k] = jlt_jet_product(t28, t51, k);
-        t53[k] = t33[k] - p[10]*t37[k];
-        t54[k] = jlt_jet_product(x3, t53, k);
-        t55[k] = jlt_jet_product(x2, t47, k);
-        t56[k] = t55[k] - jlt_jet_product(t33, t52, k);
+        t31[k] = (k == 0 ? p[11] : 0) - jlt_jet_product(x3, t17, k);
+        t32[k] = jlt_jet_product(t17, t31, k);
+        t33[k] = jlt_jet_product(t29, t32, k);
+        t34[k] = jlt_jet_product(x3, t18, k);
+        t35[k] = jlt_jet_product(t29, t34, k);
+        t36[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t37[k] = (k == 0 ? p[13] : 0) + t36[k];
+        t38[k] = jlt_jet_product(t28, t37, k);
+        t39[k] = jlt_jet_product(x2, t36, k) + x1[k];
+        t40[k] = jlt_jet_product(t21, t39, k);
+        t41[k] = jlt_jet_product(t28, t40, k);
+        t42[k] = jlt_jet_product(x2, t17, k);
+        t43[k] = p[12]*t17[k];
+        t44[k] = jlt_jet_product(x3, t35, k);
+        t45[k] = jlt_jet_product(t18, t44, k);
+        t46[k] = jlt_jet_product(x3, t33, k);
+        t47[k] = t45[k] - p[10]*t46[k];
+        t48[k] = p[1]*t46[k] - t43[k];
+        t49[k] = x2[k]*p[7];
+        t50[k] = jlt_jet_product(t42, t49, k) - t44[k];
+        t51[k] = jlt_jet_product(x0, t50, k) + t48[k];
+        t52[k] = jlt_jet_product(t30, t51, k);
+        t53[k] = jlt_jet_product(x0, t35, k);
+        t54[k] = t53[k] - jlt_jet_product(t33, t38, k);
+        t55[k] = jlt_jet_product(x2, t54, k);
+        t56[k] = t55[k] - jlt_jet_product(t35, t41, k);
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t41[k]/(k + 1);
-        next[1] = x1[k + 1] = t54[k]/(k + 1);
-        next[2] = x2[k + 1] = t50[k]/(k + 1);
+        next[0] = x0[k + 1] = t42[k]/(k + 1);
+        next[1] = x1[k + 1] = t47[k]/(k + 1);
+        next[2] = x2[k + 1] = t52[k]/(k + 1);
         next[3] = x3[k + 1] = t56[k]/(k + 1);
     }
 }
@@ -709,18 +705,18 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3 = {
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 45,
+    .state_count = 4, .param_count = 7, .block_count = 44,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 4, 25, 12, 1, 1, 0, 14, 10 }, { 15, 56, 0, 10, 1, 0, 12, 9 },
+    .rhs = { rhs, 4, { 4, 25, 12, 1, 1, 0, 14, 11 }, { 15, 56, 0, 10, 1, 0, 12, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 9, 53, 28, 1, 1, 0, 18, 21 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
+    .jacobian = { jacobian, 16, { 10, 52, 28, 1, 1, 0, 20, 22 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 7, 56, 33, 1, 1, 0, 20, 24 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 8, 57, 33, 1, 1, 0, 20, 22 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 3, 18, 8, 1, 1, 0, 13, 11 }, { 10, 39, 0, 4, 1, 0, 12, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   18    8    1    0    0      7    7   (49)
- *  jacobian            6   38    9    1    0    0     10    9   (130)
- *  rhs_jacobian        6   40   12    1    0    0     10   10   (168)
+ *  jacobian            5   38   10    1    0    0      9   10   (130)
+ *  rhs_jacobian        6   42   13    1    0    0     11   11   (168)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     1   11    6    0    0    0      6    5   (51)
  *  integral_gradients  3   16    3    0    0    0      6    5   (60)
@@ -57,7 +57,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = t2;
     const double t3 = params[0]*params[2]; /* m*g */
     const double t4 = params[3]*t3; /* a3*m*g */
-    out[15] = t4;
+    out[19] = t4;
     const double t5 = t4/params[4]; /* a3*m*g/I1 */
     out[7] = t5;
     const double t6 = 1.0/params[1]; /* 1/R */
@@ -71,24 +71,25 @@ static void prepare(const double *restrict params, double *restrict out)
     out[12] = t10;
     const double t11 = params[4]*(-2.0); /* I1*(-2) */
     out[13] = t11;
-    const double t12 = params[4]*t10; /* I1*a3*a3*m*2 */
-    out[14] = t12;
-    const double t13 = (-1.0)/params[1]; /* (-1)/R */
-    out[16] = t13;
-    const double t14 = t10/params[4]; /* a3*a3*m*2/I1 */
-    out[17] = t14;
-    const double t15 = params[2]*t9; /* g*m*2 */
-    const double t16 = params[3]*t15; /* a3*g*m*2 */
-    const double t17 = t16/params[4]; /* a3*g*m*2/I1 */
+    const double t12 = params[2]*t9; /* g*m*2 */
+    const double t13 = params[3]*t12; /* a3*g*m*2 */
+    out[14] = t13;
+    const double t14 = params[4]*t10; /* I1*a3*a3*m*2 */
+    out[15] = t14;
+    const double t15 = (-1.0)/params[1]; /* (-1)/R */
+    out[16] = t15;
+    const double t16 = t10/params[4]; /* a3*a3*m*2/I1 */
+    out[17] = t16;
+    const double t17 = t13/params[4]; /* a3*g*m*2/I1 */
     out[18] = t17;
     const double t18 = params[4]/2.0; /* I1/2 */
-    out[19] = t18;
+    out[20] = t18;
     const double t19 = params[0]/2.0; /* m/2 */
-    out[20] = t19;
+    out[21] = t19;
     const double t20 = params[4]*params[1]; /* I1*R */
-    out[21] = t20;
+    out[22] = t20;
     const double t21 = params[0]*params[1]; /* m*R */
-    out[22] = t21;
+    out[23] = t21;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -145,82 +146,82 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[31] = 0.0;
     out[33] = 0.0;
     out[34] = 0.0;
-    const double t0 = x[2]*x[3]; /* omega_tau*omega_n */
-    out[18] = t0;
-    const double t1 = x[5]*x[5]; /* s*s */
-    out[2] = t1;
-    const double t2 = JLT_FMA(p[11], t1, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t3 = x[5]*t2; /* s*D */
-    const double t4 = 1.0/t3; /* 1/(s*D) */
-    const double t5 = t2*t4; /* 1/s = D*1/(s*D) */
-    const double t6 = x[5]*t4; /* 1/D = s*1/(s*D) */
-    const double t7 = x[5]*t6; /* s*1/D */
-    const double t8 = x[3]*t6; /* omega_n*1/D */
-    const double t9 = x[5]*p[12]; /* s*2*m*a3^2 */
-    const double t10 = t7*t9; /* s*1/D*s*2*m*a3^2 */
-    const double t11 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[20] = t11;
-    const double t12 = p[14]*t11; /* 2*m*a3^2*I1*omega_n*gamma3 */
-    const double t13 = t8*t12; /* omega_n*1/D*2*m*a3^2*I1*omega_n*gamma3 */
-    const double t14 = x[5]*x[2]; /* s*omega_tau */
-    const double t15 = 2.0*t14; /* 2*s*omega_tau */
-    out[5] = t15;
-    const double t16 = -t14; /* -s*omega_tau */
-    out[30] = t16;
-    const double t17 = x[2]*p[11]; /* omega_tau*m*a3^2 */
-    const double t18 = t14*t17; /* s*omega_tau*omega_tau*m*a3^2 */
-    const double t19 = t7*t18; /* s*1/D*s*omega_tau*omega_tau*m*a3^2 */
-    const double t20 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[21] = t20;
-    out[28] = t20;
-    const double t21 = JLT_FNMA(t17, t20, p[15]); /* m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3 */
-    const double t22 = t10*t20; /* s*1/D*s*2*m*a3^2*omega_tau*gamma3 */
-    out[14] = t22;
-    const double t23 = -t20; /* -omega_tau*gamma3 */
-    out[35] = t23;
-    const double t24 = 2.0 - t10; /* 2 - s*1/D*s*2*m*a3^2 */
-    const double t25 = JLT_FNMA(t21, t24, t13); /* omega_n*1/D*2*m*a3^2*I1*omega_n*gamma3 - (m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3)*(2 - s*1/D*s*2*m*a3^2) */
-    const double t26 = t7*t25; /* s*1/D*t25 */
-    out[17] = t26;
-    const double t27 = x[3]*t5; /* omega_n*1/s */
-    const double t28 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t29 = p[10] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t30 = x[3]*p[9]; /* omega_n*2*R */
-    const double t31 = t29*t30; /* b/R*omega_n*2*R */
-    const double t32 = p[8]*t27; /* 1/R*omega_n*1/s */
-    const double t33 = JLT_FNMA(p[10], t27, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t34 = x[2]*t33; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[24] = t34;
-    const double t35 = -t32; /* -1/R*omega_n*1/s */
-    out[25] = t35;
-    const double t36 = JLT_FMA(x[2], t28, x[1]); /* V = omega_tau*e + v_nu */
-    const double t37 = t5*t36; /* 1/s*V */
-    const double t38 = t28*t32; /* e*1/R*omega_n*1/s */
-    const double t39 = JLT_FMS(x[0], x[4], t38); /* gamma3*omega3 - e*1/R*omega_n*1/s */
-    out[26] = t39;
-    const double t40 = t32*t37; /* 1/R*omega_n*1/s*1/s*V */
-    out[29] = t40;
-    const double t41 = p[16]*t37; /* (-1/R)*1/s*V */
-    out[27] = t41;
-    const double t42 = x[3]*p[1]; /* omega_n*R */
-    const double t43 = x[3]*t42; /* omega_n*omega_n*R */
-    out[6] = t43;
-    const double t44 = x[5]*t42; /* s*omega_n*R */
-    out[10] = t44;
-    const double t45 = x[4]*t42; /* omega3*omega_n*R */
-    out[11] = t45;
-    const double t46 = x[5]*p[1]; /* s*R */
-    const double t47 = JLT_FMA(x[4], t46, t31); /* omega3*s*R + b/R*omega_n*2*R */
-    out[9] = t47;
-    const double t48 = x[3]*p[4]; /* omega_n*I1 */
-    const double t49 = JLT_FNMA(t8, t48, t19); /* s*1/D*s*omega_tau*omega_tau*m*a3^2 - omega_n*1/D*omega_n*I1 */
-    out[12] = t49;
-    const double t50 = x[0]*p[13]; /* gamma3*(-2*I1) */
-    const double t51 = t8*t50; /* omega_n*1/D*gamma3*(-2*I1) */
-    out[15] = t51;
-    const double t52 = x[5]*x[0]; /* s*gamma3 */
-    const double t53 = -t52; /* -s*gamma3 */
-    out[32] = t53;
+    const double t0 = x[5]*x[5]; /* s*s */
+    out[2] = t0;
+    const double t1 = x[5]*x[2]; /* s*omega_tau */
+    const double t2 = 2.0*t1; /* 2*s*omega_tau */
+    out[5] = t2;
+    const double t3 = x[3]*p[1]; /* omega_n*R */
+    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
+    out[6] = t4;
+    const double t5 = p[10] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t6 = x[3]*p[9]; /* omega_n*2*R */
+    const double t7 = t5*t6; /* b/R*omega_n*2*R */
+    const double t8 = x[5]*p[1]; /* s*R */
+    const double t9 = JLT_FMA(x[4], t8, t7); /* omega3*s*R + b/R*omega_n*2*R */
+    out[9] = t9;
+    const double t10 = x[5]*t3; /* s*omega_n*R */
+    out[10] = t10;
+    const double t11 = t3*x[4]; /* omega_n*R*omega3 */
+    out[11] = t11;
+    const double t12 = t1*p[6]; /* s*omega_tau*m*a3^2/I1 */
+    const double t13 = t1*t12; /* s*omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t14 = JLT_FNMA(x[3], x[3], t13); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
+    const double t15 = JLT_FMA(t0, p[11], p[4]); /* D = s*s*m*a3^2 + I1 */
+    const double t16 = x[5]*t15; /* s*D */
+    const double t17 = 1.0/t16; /* 1/(s*D) */
+    const double t18 = x[5]*t17; /* 1/D = s*1/(s*D) */
+    const double t19 = p[4]*t14; /* I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
+    const double t20 = t18*t19; /* 1/D*I1*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
+    out[12] = t20;
+    const double t21 = t1*p[12]; /* s*omega_tau*2*m*a3^2 */
+    const double t22 = x[5]*t18; /* s*1/D */
+    const double t23 = x[0]*t21; /* gamma3*s*omega_tau*2*m*a3^2 */
+    const double t24 = t22*t23; /* s*1/D*gamma3*s*omega_tau*2*m*a3^2 */
+    out[14] = t24;
+    const double t25 = x[3]*x[0]; /* omega_n*gamma3 */
+    out[20] = t25;
+    const double t26 = p[13]*t25; /* (-2*I1)*omega_n*gamma3 */
+    const double t27 = t18*t26; /* 1/D*(-2*I1)*omega_n*gamma3 */
+    out[15] = t27;
+    const double t28 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[21] = t28;
+    out[28] = t28;
+    const double t29 = t21*t28; /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 */
+    const double t30 = JLT_FNMA(x[5], p[14], t29); /* d(numerator of d(omega_tau)/dt over D)/d(s) = s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 */
+    const double t31 = x[0]*t14; /* gamma3*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
+    const double t32 = JLT_FMS(t0, p[7], t31); /* s*s*m*g*a3/I1 - gamma3*(s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n) */
+    const double t33 = p[15]*t32; /* 2*m*a3^2*I1*t32 */
+    const double t34 = JLT_FMA(t22, t33, t30); /* s*1/D*2*m*a3^2*I1*t32 + d(numerator of d(omega_tau)/dt over D)/d(s) */
+    const double t35 = t18*t34; /* 1/D*t34 */
+    out[17] = t35;
+    const double t36 = x[2]*x[3]; /* omega_tau*omega_n */
+    out[18] = t36;
+    const double t37 = t15*t17; /* 1/s = D*1/(s*D) */
+    const double t38 = x[3]*t37; /* omega_n*1/s */
+    const double t39 = JLT_FNMA(p[10], t38, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t40 = x[2]*t39; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[24] = t40;
+    const double t41 = t38*p[8]; /* omega_n*1/s*1/R */
+    const double t42 = -t41; /* -omega_n*1/s*1/R */
+    out[25] = t42;
+    const double t43 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t44 = t41*t43; /* omega_n*1/s*1/R*e */
+    const double t45 = JLT_FMS(x[0], x[4], t44); /* gamma3*omega3 - omega_n*1/s*1/R*e */
+    out[26] = t45;
+    const double t46 = JLT_FMA(x[2], t43, x[1]); /* V = omega_tau*e + v_nu */
+    const double t47 = t37*t46; /* 1/s*V */
+    const double t48 = p[16]*t47; /* (-1/R)*1/s*V */
+    out[27] = t48;
+    const double t49 = t41*t47; /* omega_n*1/s*1/R*1/s*V */
+    out[29] = t49;
+    const double t50 = -t1; /* -s*omega_tau */
+    out[30] = t50;
+    const double t51 = x[5]*x[0]; /* s*gamma3 */
+    const double t52 = -t51; /* -s*gamma3 */
+    out[32] = t52;
+    const double t53 = -t28; /* -omega_tau*gamma3 */
+    out[35] = t53;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -241,91 +242,94 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[40] = 0.0;
     const double t0 = x[2]*x[3]; /* omega_tau*omega_n */
     out[24] = t0;
-    const double t1 = x[5]*x[5]; /* s*s */
-    out[8] = t1;
-    const double t2 = JLT_FMA(p[6], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
-    const double t3 = x[5]*x[2]; /* s*omega_tau */
-    const double t4 = x[5]*t3; /* s*s*omega_tau */
-    out[0] = t4;
-    const double t5 = 2.0*t3; /* 2*s*omega_tau */
-    out[11] = t5;
-    const double t6 = -t3; /* -s*omega_tau */
-    out[36] = t6;
-    const double t7 = x[5]*t2; /* s*D/I1 */
-    const double t8 = 1.0/t7; /* 1/(s*D/I1) */
-    const double t9 = t2*t8; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t10 = x[5]*t8; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t11 = p[6]*t3; /* m*a3^2/I1*s*omega_tau */
-    const double t12 = t3*t11; /* s*omega_tau*m*a3^2/I1*s*omega_tau */
-    const double t13 = JLT_FNMA(x[3], x[3], t12); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
-    const double t14 = t10*t13; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    out[18] = t14;
-    const double t15 = x[0]*t13; /* gamma3*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    const double t16 = JLT_FNMA(p[7], t1, t15); /* gamma3*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) - m*g*a3/I1*s*s */
-    const double t17 = t10*t16; /* 1/(D/I1)*t16 */
-    out[2] = t17;
-    const double t18 = x[5]*p[1]; /* s*R */
-    const double t19 = x[4]*t18; /* omega3*s*R */
-    const double t20 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t21 = x[3]*t20; /* omega_n*b */
-    const double t22 = JLT_FMA(2.0, t21, t19); /* 2*omega_n*b + omega3*s*R */
-    out[15] = t22;
-    const double t23 = t19 + t21; /* omega3*s*R + omega_n*b */
-    const double t24 = x[3]*t23; /* omega_n*(omega3*s*R + omega_n*b) */
-    out[1] = t24;
-    const double t25 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[27] = t25;
-    out[34] = t25;
-    const double t26 = JLT_FMS(x[2], t25, t17); /* omega_tau*omega_tau*gamma3 - 1/(D/I1)*t16 */
-    const double t27 = x[3]*t25; /* omega_n*omega_tau*gamma3 */
-    out[3] = t27;
-    const double t28 = -t25; /* -omega_tau*gamma3 */
-    out[41] = t28;
-    const double t29 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t30 = x[3]*t9; /* omega_n*1/s */
-    const double t31 = x[5]*t10; /* s*1/(D/I1) */
-    const double t32 = JLT_FMA(x[2], t29, x[1]); /* V = omega_tau*e + v_nu */
-    const double t33 = t9*t32; /* 1/s*V */
-    const double t34 = p[16]*t33; /* (-1/R)*1/s*V */
-    out[33] = t34;
-    const double t35 = p[8]*t30; /* 1/R*omega_n*1/s */
-    const double t36 = t33*t35; /* 1/s*V*1/R*omega_n*1/s */
-    out[35] = t36;
-    const double t37 = t32*t35; /* V*1/R*omega_n*1/s */
-    const double t38 = JLT_FMS(x[4], t25, t37); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
-    out[4] = t38;
-    const double t39 = x[5]*t25; /* s*omega_tau*gamma3 */
-    const double t40 = JLT_FNMA(p[10], t30, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t41 = x[2]*t40; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[30] = t41;
-    const double t42 = t29*t35; /* e*1/R*omega_n*1/s */
-    const double t43 = -t35; /* -1/R*omega_n*1/s */
-    out[31] = t43;
-    const double t44 = JLT_FMS(x[4], x[0], t42); /* omega3*gamma3 - e*1/R*omega_n*1/s */
-    out[32] = t44;
-    const double t45 = -t39; /* -s*omega_tau*gamma3 */
-    out[5] = t45;
-    const double t46 = p[17]*t31; /* 2*m*a3^2/I1*s*1/(D/I1) */
-    const double t47 = t39*t46; /* s*omega_tau*gamma3*2*m*a3^2/I1*s*1/(D/I1) */
-    out[20] = t47;
-    const double t48 = t26*t46; /* (omega_tau*omega_tau*gamma3 - 1/(D/I1)*t16)*2*m*a3^2/I1*s*1/(D/I1) */
-    const double t49 = JLT_FNMA(p[18], t31, t48); /* t48 - 2*m*g*a3/I1*s*1/(D/I1) */
-    out[23] = t49;
-    const double t50 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[26] = t50;
-    const double t51 = (-2.0)*t50; /* (-2)*omega_n*gamma3 */
-    const double t52 = t10*t51; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
-    out[21] = t52;
-    const double t53 = x[3]*p[1]; /* omega_n*R */
-    const double t54 = x[3]*t53; /* omega_n*omega_n*R */
-    out[12] = t54;
-    const double t55 = x[5]*t53; /* s*omega_n*R */
+    const double t1 = x[0]*x[3]; /* gamma3*omega_n */
+    out[26] = t1;
+    const double t2 = x[5]*x[5]; /* s*s */
+    out[8] = t2;
+    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
+    const double t4 = x[5]*t3; /* s*D/I1 */
+    const double t5 = 1.0/t4; /* 1/(s*D/I1) */
+    const double t6 = t3*t5; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t7 = x[5]*t5; /* 1/(D/I1) = s*1/(s*D/I1) */
+    const double t8 = x[5]*x[2]; /* s*omega_tau */
+    const double t9 = x[5]*t8; /* s*s*omega_tau */
+    out[0] = t9;
+    const double t10 = 2.0*t8; /* 2*s*omega_tau */
+    out[11] = t10;
+    const double t11 = -t8; /* -s*omega_tau */
+    out[36] = t11;
+    const double t12 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t13 = p[1]*t12; /* R*omega_n*omega_n */
+    out[12] = t13;
+    const double t14 = p[6]*t8; /* m*a3^2/I1*s*omega_tau */
+    const double t15 = JLT_FMS(t8, t14, t12); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
+    const double t16 = t7*t15; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
+    out[18] = t16;
+    const double t17 = x[0]*t7; /* gamma3*1/(D/I1) */
+    const double t18 = t15*t17; /* (s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n)*gamma3*1/(D/I1) */
+    const double t19 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[27] = t19;
+    out[34] = t19;
+    const double t20 = t8*t19; /* s*omega_tau*omega_tau*gamma3 */
+    const double t21 = t7*t20; /* 1/(D/I1)*s*omega_tau*omega_tau*gamma3 */
+    const double t22 = x[5]*t7; /* s*1/(D/I1) */
+    const double t23 = x[3]*t19; /* omega_n*omega_tau*gamma3 */
+    out[3] = t23;
+    const double t24 = -t19; /* -omega_tau*gamma3 */
+    out[41] = t24;
+    const double t25 = x[5]*p[7]; /* s*m*g*a3/I1 */
+    const double t26 = JLT_FNMA(t22, t25, t18); /* t18 - s*1/(D/I1)*s*m*g*a3/I1 */
+    out[2] = t26;
+    const double t27 = JLT_FNMA(t22, t26, t21); /* 1/(D/I1)*s*omega_tau*omega_tau*gamma3 - s*1/(D/I1)*(t18 - s*1/(D/I1)*s*m*g*a3/I1) */
+    const double t28 = p[17]*t27; /* 2*m*a3^2/I1*t27 */
+    const double t29 = JLT_FNMA(p[18], t22, t28); /* 2*m*a3^2/I1*t27 - 2*m*g*a3/I1*s*1/(D/I1) */
+    out[23] = t29;
+    const double t30 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t31 = x[3]*t6; /* omega_n*1/s */
+    const double t32 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t33 = t12*t32; /* omega_n*omega_n*b */
+    const double t34 = JLT_FMA(x[2], t30, x[1]); /* V = omega_tau*e + v_nu */
+    const double t35 = p[8]*t31; /* 1/R*omega_n*1/s */
+    const double t36 = JLT_FNMA(p[10], t31, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t37 = x[2]*t36; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[30] = t37;
+    const double t38 = t30*t35; /* e*1/R*omega_n*1/s */
+    const double t39 = JLT_FMS(x[0], x[4], t38); /* gamma3*omega3 - e*1/R*omega_n*1/s */
+    out[32] = t39;
+    const double t40 = -t35; /* -1/R*omega_n*1/s */
+    out[31] = t40;
+    const double t41 = t34*t35; /* V*1/R*omega_n*1/s */
+    const double t42 = p[16]*t34; /* (-1/R)*V */
+    const double t43 = t6*t42; /* 1/s*(-1/R)*V */
+    out[33] = t43;
+    const double t44 = t6*t41; /* 1/s*V*1/R*omega_n*1/s */
+    out[35] = t44;
+    const double t45 = JLT_FMS(x[4], t19, t41); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
+    out[4] = t45;
+    const double t46 = x[5]*t19; /* s*omega_tau*gamma3 */
+    const double t47 = -t46; /* -s*omega_tau*gamma3 */
+    out[5] = t47;
+    const double t48 = p[17]*t46; /* 2*m*a3^2/I1*s*omega_tau*gamma3 */
+    const double t49 = t22*t48; /* s*1/(D/I1)*2*m*a3^2/I1*s*omega_tau*gamma3 */
+    out[20] = t49;
+    const double t50 = x[3]*2.0; /* omega_n*2 */
+    const double t51 = t32*t50; /* b*omega_n*2 */
+    const double t52 = t17*t50; /* gamma3*1/(D/I1)*omega_n*2 */
+    const double t53 = -t52; /* -gamma3*1/(D/I1)*omega_n*2 */
+    out[21] = t53;
+    const double t54 = x[5]*x[3]; /* s*omega_n */
+    const double t55 = p[1]*t54; /* R*s*omega_n */
     out[16] = t55;
-    const double t56 = x[4]*t53; /* omega3*omega_n*R */
-    out[17] = t56;
-    const double t57 = x[5]*x[0]; /* s*gamma3 */
-    const double t58 = -t57; /* -s*gamma3 */
-    out[38] = t58;
+    const double t56 = p[1]*x[4]; /* R*omega3 */
+    const double t57 = JLT_FMA(t54, t56, t33); /* s*omega_n*R*omega3 + omega_n*omega_n*b */
+    out[1] = t57;
+    const double t58 = JLT_FMA(x[5], t56, t51); /* s*R*omega3 + b*omega_n*2 */
+    out[15] = t58;
+    const double t59 = x[3]*t56; /* omega_n*R*omega3 */
+    out[17] = t59;
+    const double t60 = x[5]*x[0]; /* s*gamma3 */
+    const double t61 = -t60; /* -s*gamma3 */
+    out[38] = t61;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -342,12 +346,12 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[15]*x[0]; /* m*g*a3*gamma3 */
+    const double t0 = p[19]*x[0]; /* m*g*a3*gamma3 */
     const double t1 = p[11]*x[5]; /* m*a3^2*s */
     const double t2 = JLT_FMA(x[5], t1, p[4]); /* D = s*m*a3^2*s + I1 */
     const double t3 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
     const double t4 = x[2]*t3; /* omega_tau*1/2*omega_tau */
-    const double t5 = p[19]*x[3]; /* 1/2*I1*omega_n */
+    const double t5 = p[20]*x[3]; /* 1/2*I1*omega_n */
     const double t6 = JLT_FMA(x[3], t5, t0); /* omega_n*1/2*I1*omega_n + m*g*a3*gamma3 */
     const double t7 = JLT_FMA(t2, t4, t6); /* D*omega_tau*1/2*omega_tau + omega_n*1/2*I1*omega_n + m*g*a3*gamma3 */
     out[3] = t7;
@@ -357,18 +361,18 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t11 = x[5]*p[1]; /* s*R */
     const double t12 = JLT_FMA(x[4], t11, t10); /* v_tau = omega3*s*R + omega_n*b */
     const double t13 = JLT_FMA(t12, t12, t8); /* v_tau*v_tau + v_nu*v_nu */
-    const double t14 = p[20]*t13; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t14 = p[21]*t13; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[2] = t14;
     const double t15 = t7 + t14; /* energy = t7 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[0] = t15;
-    const double t16 = x[5]*p[21]; /* s*R*I1 */
+    const double t16 = x[5]*p[22]; /* s*R*I1 */
     const double t17 = x[3]*t16; /* omega_n*s*R*I1 */
     out[1] = t17;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    out[18] = p[15];
+    out[18] = p[19];
     out[6] = 0.0;
     out[7] = 0.0;
     out[8] = 0.0;
@@ -379,9 +383,9 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t0 = p[0]*x[1]; /* m*v_nu */
     out[1] = t0;
     out[13] = t0;
-    const double t1 = x[5]*p[21]; /* s*R*I1 */
+    const double t1 = x[5]*p[22]; /* s*R*I1 */
     out[9] = t1;
-    const double t2 = x[3]*p[21]; /* omega_n*R*I1 */
+    const double t2 = x[3]*p[22]; /* omega_n*R*I1 */
     out[11] = t2;
     const double t3 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t4 = x[3]*t3; /* omega_n*b */
@@ -390,7 +394,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t7 = JLT_FMA(x[5], t6, t4); /* v_tau = s*R*omega3 + omega_n*b */
     const double t8 = t5*t7; /* m*b*v_tau */
     out[15] = t8;
-    const double t9 = p[22]*t7; /* m*R*v_tau */
+    const double t9 = p[23]*t7; /* m*R*v_tau */
     const double t10 = x[5]*t9; /* s*m*R*v_tau */
     out[4] = t10;
     out[16] = t10;
@@ -404,7 +408,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[20] = t15;
     const double t16 = x[3]*t9; /* omega_n*m*R*v_tau */
     out[12] = t16;
-    const double t17 = p[15] + t16; /* d(energy)/d(gamma3) = m*g*a3 + omega_n*m*R*v_tau */
+    const double t17 = p[19] + t16; /* d(energy)/d(gamma3) = m*g*a3 + omega_n*m*R*v_tau */
     out[0] = t17;
     const double t18 = x[4]*t9; /* omega3*m*R*v_tau */
     out[17] = t18;
@@ -575,19 +579,19 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 6, .param_count = 6, .block_count = 23,
+    .state_count = 6, .param_count = 6, .block_count = 24,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 6, { 1, 18, 8, 1, 0, 0, 7, 7 }, { 9, 36, 0, 4, 0, 0, 8, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .jacobian = { jacobian, 36, { 6, 38, 9, 1, 0, 0, 10, 9 }, { 17, 99, 0, 14, 0, 0, 11, 5 },
+    .jacobian = { jacobian, 36, { 5, 38, 10, 1, 0, 0, 9, 10 }, { 17, 99, 0, 14, 0, 0, 11, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 6, 40, 12, 1, 0, 0, 10, 10 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
+    .rhs_jacobian = { rhs_jacobian, 42, { 6, 42, 13, 1, 0, 0, 11, 11 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },
