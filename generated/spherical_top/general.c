@@ -1006,10 +1006,10 @@ static void family1_trace(const double *restrict x, const double *restrict param
 
 static void family1_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (1 + gamma3)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
@@ -1070,10 +1070,10 @@ static void family1_matrix(const double *restrict x, const double *restrict para
     out[20] = 0.0;
     out[21] = 0.0;
     out[24] = 0.0;
-    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     out[2] = t3;
     const double t4 = params[1]*x[4]; /* R*omega3 */
     out[8] = t4;
