@@ -4,11 +4,34 @@
 #include "prove_kernels.h"
 
 #include <jansson.h>
+#include <string.h>
+
+static bool is_proved_kernel(const ttc_proof *proof)
+{
+    return proof->status == TTC_PROVED && strcmp(proof->kind, "kernel") == 0;
+}
+
+/* The proved kernels of one field, which stand together, on one line. Returns the index of the last of them. */
+static size_t print_kernels(const ttc_proof_report *report, size_t first)
+{
+    const char *name = report->proofs[first].name;
+    size_t stem = strcspn(name, " "), i = first;
+    printf("%-8s %-11s %.*s:", ttc_proof_status_name(TTC_PROVED), "kernel", (int)stem, name);
+    while (i < report->proof_count && is_proved_kernel(&report->proofs[i])
+           && strncmp(report->proofs[i].name, name, stem + 1) == 0)
+        printf(" %s", report->proofs[i++].name + stem + 1);
+    printf("\n");
+    return i - 1;
+}
 
 static void print_text(const ttc_proof_report *report)
 {
     for (size_t i = 0; i < report->proof_count; i++) {
         const ttc_proof *proof = &report->proofs[i];
+        if (is_proved_kernel(proof)) {
+            i = print_kernels(report, i);
+            continue;
+        }
         printf("%-8s %-11s %s", ttc_proof_status_name(proof->status), proof->kind, proof->name);
         if (proof->status == TTC_PROVED && proof->remainder != NULL) printf("  (%s)", proof->remainder);
         if (proof->status != TTC_PROVED)

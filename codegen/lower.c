@@ -65,8 +65,9 @@ static ttc_value lower_difference_of_squares(lowering *l, ttc_id id)
         if (base != TTC_NO_VALUE) {
             ttc_value constant = ttc_program_constant(l->program, p);
             ttc_value scaled = ttc_program_multiply(l->program, ttc_program_constant(l->program, q), base);
-            product = ttc_program_multiply(l->program, ttc_program_subtract(l->program, constant, scaled),
-                                           ttc_program_add(l->program, constant, scaled));
+            ttc_value difference = ttc_program_subtract(l->program, constant, scaled);
+            ttc_value sum = ttc_program_add(l->program, constant, scaled);
+            product = ttc_program_multiply(l->program, difference, sum);
         }
     }
     fmpq_clear(q);

@@ -233,7 +233,8 @@ static bool solve(ttc_task *task, branch *b, const fmpz_mpoly_t factor)
         if (b->spares == TTC_SPARE_SYMBOLS) return false;
         uint32_t spare = (uint32_t)(task->model->symbol_count + b->spares++);
         ttc_id middle = ttc_divide(graph, coefficients[1], ttc_multiply(graph, ttc_integer(graph, 2), lead));
-        ttc_id square = ttc_subtract(graph, ttc_power(graph, middle, 2), ttc_divide(graph, coefficients[0], lead));
+        ttc_id square = ttc_power(graph, middle, 2);
+        square = ttc_subtract(graph, square, ttc_divide(graph, coefficients[0], lead));
         ttc_id value = ttc_subtract(graph, ttc_symbol(graph, spare), middle);
         b->solutions[b->solution_count++] = (solution){ spare, square, true };
         b->solutions[b->solution_count++] = (solution){ symbol, value, false };

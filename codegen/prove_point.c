@@ -34,7 +34,7 @@ static void choose(point *w, unsigned attempt)
     for (uint32_t i = 0; i < model->symbol_count; i++) {
         ttc_symbol_kind kind = model->symbols[i].kind;
         w->chosen[i] = TTC_NONE;
-        if ((kind != TTC_PARAM && kind != TTC_STATE && kind != TTC_LEVEL) || ttc_valuation_is_bound(w->task->field, i))
+        if ((kind != TTC_PARAM && kind != TTC_STATE) || ttc_valuation_is_bound(w->task->field, i))
             continue;
         bool by_default = attempt % 2 == 0 && kind == TTC_PARAM && model->symbols[i].value != TTC_NONE;
         w->chosen[i] = by_default ? model->symbols[i].value : candidate(w->task, attempt, i);

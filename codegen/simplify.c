@@ -22,9 +22,14 @@ static bool identities_of(ttc_field *field, uint32_t symbol, identity *list)
                             : ttc_scale(graph, first.id, first.coefficient);
     ttc_id b = ttc_scale(graph, last.id, last.coefficient);
     ttc_id square = ttc_power(graph, s->node, 2);
-    list[0] = (identity){ ttc_divide(graph, b, a), ttc_divide(graph, square, a) };
-    list[1] = (identity){ minus(graph, ttc_divide(graph, square, a)), minus(graph, ttc_divide(graph, b, a)) };
-    list[2] = (identity){ minus(graph, ttc_divide(graph, square, b)), minus(graph, ttc_divide(graph, a, b)) };
+    /* One new node a statement: C leaves the order within an expression open, and ids follow it. */
+    ttc_id b_over_a = ttc_divide(graph, b, a), square_over_a = ttc_divide(graph, square, a);
+    ttc_id a_over_b = ttc_divide(graph, a, b), square_over_b = ttc_divide(graph, square, b);
+    list[0] = (identity){ b_over_a, square_over_a };
+    list[1].ratio = minus(graph, square_over_a);
+    list[1].factor = minus(graph, b_over_a);
+    list[2].ratio = minus(graph, square_over_b);
+    list[2].factor = minus(graph, a_over_b);
     return true;
 }
 
@@ -44,9 +49,10 @@ static ttc_id merge_once(ttc_graph *graph, ttc_id sum, const identity *list)
             ttc_id t = term_at(graph, sum, i), other = term_at(graph, sum, j);
             ttc_id ratio = ttc_divide(graph, other, t);
             for (size_t k = 0; k < IDENTITIES && ratio != TTC_NONE; k++)
-                if (ratio == list[k].ratio)
-                    return ttc_add(graph, ttc_subtract(graph, ttc_subtract(graph, sum, t), other),
-                                   ttc_multiply(graph, t, list[k].factor));
+                if (ratio == list[k].ratio) {
+                    ttc_id rest = ttc_subtract(graph, ttc_subtract(graph, sum, t), other);
+                    return ttc_add(graph, rest, ttc_multiply(graph, t, list[k].factor));
+                }
         }
     return sum;
 }

@@ -145,7 +145,8 @@ void ttc_polynomial_merge(ttc_system *system, ttc_polynomial *p, const ttc_cube 
 {
     for (uint32_t i = 0; i < p->count; i++) {
         if (!ttc_cube_same_factors(p->cubes + i, cube)) continue;
-        ttc_id sum = ttc_add(system->field->graph, signed_scale(system, p->cubes + i), signed_scale(system, cube));
+        ttc_id mine = signed_scale(system, p->cubes + i), other = signed_scale(system, cube);
+        ttc_id sum = ttc_add(system->field->graph, mine, other);
         system->failed |= sum == TTC_NONE;
         if (system->failed) return;
         if (ttc_is_number(system->field->graph, sum, 0)) {

@@ -727,10 +727,10 @@ static void family0_impose(const double *restrict x, const double *restrict para
     out[1] = params[1];
     out[3] = params[3];
     const double t0 = params[0]*params[3]; /* m*a3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = t1*t2; /* (1 + gamma3)*(1 - gamma3) */
-    const double t4 = sqrt(t3); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(1 + gamma3) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t5 = t4*t4; /* s*s */
     const double t6 = t0*t5; /* m*a3*s*s */
     out[4] = params[4];
@@ -785,10 +785,10 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t3 = params[3] + t2; /* b = a3 + R*gamma3 */
     const double t4 = x[2]*t3; /* omega_n*b */
     const double t5 = params[1]*x[3]; /* R*omega3 */
-    const double t6 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t7 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t8 = t6*t7; /* (1 + gamma3)*(1 - gamma3) */
-    const double t9 = sqrt(t8); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t7 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t8 = t6*t7; /* (1 - gamma3)*(1 + gamma3) */
+    const double t9 = sqrt(t8); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t10 = t5*t9; /* R*omega3*s */
     const double t11 = t4 + t10; /* v_tau = omega_n*b + R*omega3*s */
     const double t12 = params[1]*x[2]; /* R*omega_n */

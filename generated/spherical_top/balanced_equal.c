@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I1 = I3
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -497,10 +497,10 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[5]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
-    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t6 = t4*t5; /* (1 - gamma3)*(1 + gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t8 = params[5]*params[5]; /* I3*I3 */
     const double t9 = params[1]*params[1]; /* R*R */
     const double t10 = params[0]*t9; /* m*R*R */
@@ -519,10 +519,10 @@ static void family0_trace(const double *restrict x, const double *restrict param
 
 static void family0_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (1 + gamma3)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = params[5]*t3; /* I3*s */
     out[3] = 0.0;
     out[4] = 0.0;
@@ -573,10 +573,10 @@ static void family0_matrix(const double *restrict x, const double *restrict para
     out[21] = 0.0;
     out[22] = 0.0;
     out[24] = 0.0;
-    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     out[2] = t3;
     const double t4 = params[1]*x[4]; /* R*omega3 */
     out[8] = t4;
@@ -620,10 +620,10 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     out[13] = 0.0;
     out[14] = 0.0;
     const double t0 = params[1]*x[4]; /* R*omega3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = t1*t2; /* (1 + gamma3)*(1 - gamma3) */
-    const double t4 = sqrt(t3); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(1 + gamma3) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t5 = t0*t4; /* v_tau = R*omega3*s */
     const double t6 = params[1]*x[0]; /* R*gamma3 */
     const double t7 = params[0]*t5; /* m*v_tau */
@@ -713,7 +713,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 5, .param_count = 6, .block_count = 21,

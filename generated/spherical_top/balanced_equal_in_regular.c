@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I1 = I3
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -446,21 +446,21 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x5[JLT_JET_ORDER_MAX + 1];
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
     double t8[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
+    double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
-    double t19[JLT_JET_ORDER_MAX + 1];
-    double t21[JLT_JET_ORDER_MAX + 1];
+    double t20[JLT_JET_ORDER_MAX + 1];
+    double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
@@ -502,9 +502,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t35[k] = -t34[k];
         double *restrict next = coefficients + (k + 1)*7;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t12[k]/(k + 1);
-        next[2] = x2[k + 1] = t13[k]/(k + 1);
-        next[3] = x3[k + 1] = t31[k]/(k + 1);
+        next[1] = x1[k + 1] = t11[k]/(k + 1);
+        next[2] = x2[k + 1] = t12[k]/(k + 1);
+        next[3] = x3[k + 1] = t30[k]/(k + 1);
         next[4] = x4[k + 1] = t33[k]/(k + 1);
         next[5] = x5[k + 1] = t35[k]/(k + 1);
         next[6] = x5[k]/(k + 1);
@@ -580,7 +580,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 24,

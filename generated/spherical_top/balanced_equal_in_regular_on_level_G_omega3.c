@@ -4,7 +4,7 @@
  *  Variant:    balanced_equal: a3 = 0, I1 = I3
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -479,8 +479,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x4, x2, k);
         t3[k] = jlt_jet_product(x4, t2, k);
-        t9[k] = jlt_jet_product(x4, x3, k);
-        t10[k] = (k == 0 ? p[6] : 0) - p[9]*t9[k];
+        t9[k] = x4[k]*p[9];
+        t10[k] = (k == 0 ? p[6] : 0) - jlt_jet_product(x3, t9, k);
         t13[k] = jlt_jet_product(x4, x4, k);
         t15[k] = jlt_jet_product(x0, x0, k) + t13[k];
         t16[k] = p[11]*t15[k] + (k == 0 ? p[10] : 0);
@@ -489,9 +489,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t20[k] = p[8]*t10[k];
         t21[k] = jlt_jet_product(t16, t20, k);
         t22[k] = jlt_jet_product(t19, t21, k);
-        t23[k] = jlt_jet_product(t9, t22, k);
-        t24[k] = jlt_jet_product(x3, x0, k);
-        t25[k] = t23[k] - jlt_jet_product(x3, t24, k);
+        t23[k] = jlt_jet_product(x3, x0, k);
+        t24[k] = jlt_jet_product(x4, t22, k) - t23[k];
+        t25[k] = jlt_jet_product(x3, t24, k);
         t26[k] = p[7]*t25[k];
         t30[k] = x2[k]*p[1] + x1[k];
         t31[k] = jlt_jet_product(x0, t19, k);
@@ -579,7 +579,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 5, .param_count = 7, .block_count = 29,

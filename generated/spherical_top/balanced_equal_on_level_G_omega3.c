@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I1 = I3
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -228,43 +228,43 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t20 = JLT_FNMA(t8, t19, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
     const double t21 = x[3]*t14; /* omega_n*1/s */
     const double t22 = t14*t14; /* 1/s*1/s */
-    const double t23 = JLT_FMS(t13, t15, t21); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s */
-    const double t24 = t21*t22; /* omega_n*1/s*1/s*1/s */
-    const double t25 = x[3]*t17; /* omega_n*gamma3*1/s */
-    const double t26 = t15 - t25; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*gamma3*1/s */
+    const double t23 = t17*t22; /* omega_n*1/s*1/s*1/s */
+    const double t24 = x[0]*t17; /* gamma3*omega_n*1/s */
+    const double t25 = x[0]*t14; /* gamma3*1/s */
+    const double t26 = t15 - t24; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - gamma3*omega_n*1/s */
     const double t27 = x[3]*t26; /* omega_n*t26 */
     out[2] = t27;
     const double t28 = p[7]*t27; /* (-R)*omega_n*t26 */
     out[1] = t28;
     const double t29 = p[10]*t8; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t30 = t8*t25; /* 1/Theta*omega_n*gamma3*1/s */
-    const double t31 = p[13]*t30; /* (-m*R*I3)*1/Theta*omega_n*gamma3*1/s */
+    const double t30 = t8*t24; /* 1/Theta*gamma3*omega_n*1/s */
+    const double t31 = p[13]*t30; /* (-m*R*I3)*1/Theta*gamma3*omega_n*1/s */
     out[17] = t31;
-    const double t32 = t23 + t24; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
+    const double t32 = t18 + t23; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
     const double t33 = x[3]*t32; /* omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
-    const double t34 = t20*t24; /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
+    const double t34 = t21*t23; /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
     const double t35 = p[1]*t33; /* R*omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
     out[8] = t35;
     const double t36 = -t33; /* -omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
     out[12] = t36;
     const double t37 = JLT_FNMA(x[3], t16, t15); /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*s*1/gamma3 */
-    const double t38 = JLT_FNMA(2.0, t25, t37); /* t37 - 2*omega_n*gamma3*1/s */
+    const double t38 = JLT_FNMA(2.0, t24, t37); /* t37 - 2*gamma3*omega_n*1/s */
     out[15] = t38;
-    const double t39 = p[7]*t38; /* (-R)*(t37 - 2*omega_n*gamma3*1/s) */
+    const double t39 = p[7]*t38; /* (-R)*(t37 - 2*gamma3*omega_n*1/s) */
     out[11] = t39;
-    const double t40 = t20*t25; /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*gamma3*1/s */
-    const double t41 = JLT_FNMA(t15, t29, t25); /* omega_n*gamma3*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t42 = JLT_FNMA(p[14], t30, t41); /* t41 - m*R^2*I3*1/Theta*omega_n*gamma3*1/s */
+    const double t40 = t21*t24; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*omega_n*1/s */
+    const double t41 = JLT_FNMA(t15, t29, t24); /* gamma3*omega_n*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t42 = JLT_FNMA(p[14], t30, t41); /* t41 - m*R^2*I3*1/Theta*gamma3*omega_n*1/s */
     out[18] = t42;
     const double t43 = x[2]*t29; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t44 = JLT_FNMA(t15, t43, t40); /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*gamma3*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t44 = JLT_FNMA(t15, t43, t40); /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*omega_n*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
     out[3] = t44;
-    const double t45 = JLT_FMA(t23, t43, t34); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
+    const double t45 = JLT_FMA(t18, t43, t34); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
     out[16] = t45;
-    const double t46 = t17*t20; /* gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t47 = JLT_FMA(t16, t43, t46); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t46 = t21*t25; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s */
+    const double t47 = JLT_FMA(t16, t43, t46); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s */
     out[19] = t47;
-    const double t48 = x[2]*t17; /* omega_tau*gamma3*1/s */
+    const double t48 = x[2]*t25; /* omega_tau*gamma3*1/s */
     const double t49 = -t48; /* -omega_tau*gamma3*1/s */
     out[4] = t49;
 }
@@ -517,7 +517,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3 
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 4, .param_count = 7, .block_count = 26,

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -195,8 +195,8 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
     out[5] = t2;
-    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
+    const double t3 = x[3]*p[1]; /* omega_n*R */
+    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
     out[6] = t4;
     const double t5 = x[5]*x[4]; /* s*omega3 */
     const double t6 = p[1]*t5; /* R*s*omega3 */
@@ -527,11 +527,11 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
+    double t8[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
-    double t14[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
@@ -561,13 +561,13 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x5, x2, k);
         t3[k] = jlt_jet_product(x5, t2, k);
-        t7[k] = jlt_jet_product(x3, x0, k);
-        t9[k] = jlt_jet_product(x5, x4, k);
-        t10[k] = t7[k] + t9[k];
-        t11[k] = p[1]*x3[k];
-        t12[k] = jlt_jet_product(t10, t11, k);
-        t14[k] = t9[k]*p[6] + t7[k];
-        t15[k] = jlt_jet_product(x3, t14, k);
+        t7[k] = jlt_jet_product(x5, x3, k);
+        t8[k] = jlt_jet_product(x4, t7, k);
+        t10[k] = jlt_jet_product(x3, x0, k);
+        t11[k] = jlt_jet_product(x3, t10, k);
+        t12[k] = t8[k] + t11[k];
+        t13[k] = p[1]*t12[k];
+        t15[k] = t8[k]*p[6] + t11[k];
         t16[k] = -t15[k];
         t18[k] = x0[k]*p[6];
         t19[k] = jlt_jet_product(x5, x5, k) + (k == 0 ? p[7] : 0);
@@ -588,7 +588,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t39[k] = -t38[k];
         double *restrict next = coefficients + (k + 1)*7;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t12[k]/(k + 1);
+        next[1] = x1[k + 1] = t13[k]/(k + 1);
         next[2] = x2[k + 1] = t16[k]/(k + 1);
         next[3] = x3[k + 1] = t32[k]/(k + 1);
         next[4] = x4[k + 1] = t37[k]/(k + 1);
@@ -665,7 +665,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 35,

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced: a3 = 0
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -70,14 +70,12 @@ static void prepare(const double *restrict params, double *restrict out)
     out[11] = t8;
     const double t9 = 1.0/params[1]; /* 1/R */
     out[12] = t9;
-    const double t10 = params[4]*params[5]; /* I1*I3 */
+    const double t10 = 1.0/params[4]; /* 1/I1 */
     out[13] = t10;
-    const double t11 = params[4]*t4; /* I1*m*R*R */
-    out[14] = t11;
-    const double t12 = params[5]*t4; /* I3*m*R*R */
-    out[15] = t12;
-    const double t13 = 1.0/params[4]; /* 1/I1 */
-    out[16] = t13;
+    const double t11 = params[4]*params[4]; /* I1*I1 */
+    const double t12 = params[1]*t11; /* R*I1*I1 */
+    const double t13 = 1.0/t12; /* 1/(R*I1*I1) */
+    out[14] = t13;
     const double t14 = t2/params[4]; /* R*I3/I1 */
     out[17] = t14;
     const double t15 = params[1]*2.0; /* R*2 */
@@ -192,14 +190,14 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
-    const double t4 = JLT_FMA(x[0], t3, p[13]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t3 = x[0]*p[10]; /* gamma3*I3/I1 */
+    const double t4 = p[9] + t2; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
     const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     out[2] = t6;
-    const double t7 = t5*t6; /* Theta*s */
-    const double t8 = 1.0/t7; /* 1/(Theta*s) */
-    const double t9 = t5*t8; /* 1/s = Theta*1/(Theta*s) */
+    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*s */
+    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*s) */
+    const double t9 = t5*t8; /* 1/s = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
     const double t10 = x[0]*t9; /* gamma3*1/s */
     const double t11 = x[2]*t10; /* omega_tau*gamma3*1/s */
     const double t12 = -t11; /* -omega_tau*gamma3*1/s */
@@ -618,7 +616,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G = {
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 4, .param_count = 7, .block_count = 44,

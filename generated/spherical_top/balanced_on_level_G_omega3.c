@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced: a3 = 0
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -73,7 +73,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[20] = t10;
     const double t11 = t10/t8; /* (I3*m*R*R + I3*I3)/(I3*m*R*R) */
     out[12] = t11;
-    const double t12 = params[5]/t2; /* I3/(R*I1) */
+    const double t12 = params[4]*params[5]; /* I1*I3 */
     out[13] = t12;
     const double t13 = params[4]*params[5]; /* I1*I3 */
     out[14] = t13;
@@ -138,11 +138,11 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = p[10] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t4 = p[9] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
     const double t5 = x[2]*t3; /* omega_tau*s */
     out[0] = t5;
     const double t6 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t7 = JLT_FMA(p[11], t6, t4); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
+    const double t7 = JLT_FMA(p[10], t6, t4); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
     const double t8 = x[3]*t6; /* omega_n*gamma3*gamma3 */
     const double t9 = x[0]*t3; /* gamma3*s */
     const double t10 = t7*t9; /* Theta/(m*R^2*I1)*gamma3*s */
@@ -150,28 +150,45 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t12 = t7*t11; /* 1/(gamma3*s) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*gamma3*s) */
     const double t13 = t9*t11; /* gamma3*s*1/(Theta/(m*R^2*I1)*gamma3*s) */
     const double t14 = t8*t12; /* omega_n*gamma3*gamma3*1/(gamma3*s) */
-    const double t15 = JLT_FNMA(x[3], t3, p[9]); /* G_level/(R*I1) - omega_n*s */
+    const double t15 = JLT_FNMA(x[3], t3, p[8]); /* G_level/(R*I1) - omega_n*s */
     const double t16 = t3*t15; /* s*(G_level/(R*I1) - omega_n*s) */
     const double t17 = t12*t16; /* 1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
-    const double t18 = x[2]*p[12]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
+    const double t18 = x[2]*p[11]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
     const double t19 = t17*t18; /* 1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s)*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
-    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t21 = p[13]*t20; /* I3/(R*I1)*V */
-    const double t22 = JLT_FMA(t14, t21, t19); /* omega_n*gamma3*gamma3*1/(gamma3*s)*I3/(R*I1)*V + t19 */
-    const double t23 = JLT_FMS(p[8], t17, t14); /* I1/I3*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) - omega_n*gamma3*gamma3*1/(gamma3*s) */
-    const double t24 = t17 - t14; /* 1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) - omega_n*gamma3*gamma3*1/(gamma3*s) */
-    const double t25 = x[3]*t24; /* omega_n*t24 */
-    out[2] = t25;
-    const double t26 = x[2]*t14; /* omega_tau*omega_n*gamma3*gamma3*1/(gamma3*s) */
-    const double t27 = JLT_FNMA(t13, t22, t26); /* omega_tau*omega_n*gamma3*gamma3*1/(gamma3*s) - gamma3*s*1/(Theta/(m*R^2*I1)*gamma3*s)*(omega_n*gamma3*gamma3*1/(gamma3*s)*I3/(R*I1)*V + t19) */
-    out[3] = t27;
-    const double t28 = p[7]*x[3]; /* (-R)*omega_n */
-    const double t29 = t23*t28; /* t23*(-R)*omega_n */
-    out[1] = t29;
+    const double t20 = x[3]*t17; /* omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
+    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t22 = p[12]*t21; /* I3/(R*I1)*V */
+    const double t23 = JLT_FMA(t14, t22, t19); /* omega_n*gamma3*gamma3*1/(gamma3*s)*I3/(R*I1)*V + t19 */
+    const double t24 = p[7]*t20; /* R*I1/I3*omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
+    const double t25 = x[3]*t14; /* omega_n*omega_n*gamma3*gamma3*1/(gamma3*s) */
+    const double t26 = JLT_FMS(p[1], t25, t24); /* R*omega_n*omega_n*gamma3*gamma3*1/(gamma3*s) - R*I1/I3*omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
+    out[1] = t26;
+    const double t27 = t20 - t25; /* omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) - omega_n*omega_n*gamma3*gamma3*1/(gamma3*s) */
+    out[2] = t27;
+    const double t28 = x[2]*t14; /* omega_tau*omega_n*gamma3*gamma3*1/(gamma3*s) */
+    const double t29 = JLT_FNMA(t13, t23, t28); /* omega_tau*omega_n*gamma3*gamma3*1/(gamma3*s) - gamma3*s*1/(Theta/(m*R^2*I1)*gamma3*s)*(omega_n*gamma3*gamma3*1/(gamma3*s)*I3/(R*I1)*V + t19) */
+    out[3] = t29;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
+    const double t4 = JLT_FMA(x[0], t3, p[13]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[2] = t6;
+    const double t7 = x[0]*t6; /* gamma3*s */
+    const double t8 = t5*t7; /* Theta*gamma3*s */
+    const double t9 = 1.0/t8; /* 1/(Theta*gamma3*s) */
+    const double t10 = t5*t9; /* 1/(s*gamma3) = Theta*1/(Theta*gamma3*s) */
+    const double t11 = x[0]*t10; /* 1/s = gamma3*1/(s*gamma3) */
+    const double t12 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t13 = t11*t12; /* 1/s*gamma3*omega_tau */
+    const double t14 = -t13; /* -1/s*gamma3*omega_tau */
+    out[0] = t14;
     out[1] = 0.0;
     out[3] = 0.0;
     out[5] = 0.0;
@@ -368,8 +385,8 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t3 = x[0] + 1.0; /* gamma3 + 1 */
     const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
     const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t6 = JLT_FNMA(x[3], t5, p[9]); /* G_level/(R*I1) - omega_n*s */
-    const double t7 = p[8]/x[0]; /* I1/I3/gamma3 */
+    const double t6 = JLT_FNMA(x[3], t5, p[8]); /* G_level/(R*I1) - omega_n*s */
+    const double t7 = p[16]/x[0]; /* I1/I3/gamma3 */
     const double t8 = t6*t7; /* (G_level/(R*I1) - omega_n*s)*I1/I3/gamma3 */
     const double t9 = t8*t8; /* (G_level/(R*I1) - omega_n*s)*I1/I3/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3/gamma3 */
     const double t10 = t5*t8; /* s*(G_level/(R*I1) - omega_n*s)*I1/I3/gamma3 */
@@ -377,15 +394,15 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t12 = p[27]*t11; /* m*R^2/I1*v_tau/R */
     const double t13 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t14 = JLT_FMA(x[1], t0, t13); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
-    const double t15 = JLT_FMA(p[11], t9, t14); /* I3/I1*t9 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
+    const double t15 = JLT_FMA(p[10], t9, t14); /* I3/I1*t9 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t16 = JLT_FMA(t11, t12, t15); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t15 */
     const double t17 = p[25]*t16; /* 1/2*I1*energy/(1/2*I1) */
     out[0] = t17;
     const double t18 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     const double t19 = p[28]*t18; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t20 = t18*t19; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
-    const double t21 = p[11]*x[0]; /* I3/I1*gamma3 */
-    const double t22 = t4 + p[10]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t21 = p[10]*x[0]; /* I3/I1*gamma3 */
+    const double t22 = t4 + p[9]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
     const double t23 = JLT_FMA(x[0], t21, t22); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
     const double t24 = p[29]*t23; /* m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) */
     const double t25 = JLT_FMA(t9, t24, t20); /* t9*m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
@@ -406,14 +423,14 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t7 = 1.0/t6; /* 1/(gamma3*s) */
     const double t8 = t5*t7; /* 1/gamma3 = s*1/(gamma3*s) */
     const double t9 = x[0]*t7; /* 1/s = gamma3*1/(gamma3*s) */
-    const double t10 = JLT_FNMA(x[3], t5, p[9]); /* G_level/(R*I1) - omega_n*s */
-    const double t11 = p[8]*t8; /* I1/I3*1/gamma3 */
+    const double t10 = JLT_FNMA(x[3], t5, p[8]); /* G_level/(R*I1) - omega_n*s */
+    const double t11 = p[16]*t8; /* I1/I3*1/gamma3 */
     const double t12 = t10*t11; /* (G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
     const double t13 = JLT_FMA(t4, t11, x[0]); /* d(v_tau)/d(omega_n)/R = (1 - gamma3)*(1 + gamma3)*I1/I3*1/gamma3 + gamma3 */
     const double t14 = p[10] + t4; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
     const double t15 = p[27]*t13; /* m*R^2/I1*d(v_tau)/d(omega_n)/R */
     const double t16 = t8*t12; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
-    const double t17 = x[3]*p[8]; /* omega_n*I1/I3 */
+    const double t17 = x[3]*p[16]; /* omega_n*I1/I3 */
     const double t18 = JLT_FNMA(t9, t17, t16); /* d(omega3)/d(gamma3) = 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 - 1/s*omega_n*I1/I3 */
     const double t19 = t5*t12; /* s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
     const double t20 = t8*t19; /* 1/gamma3*s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
@@ -424,7 +441,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t25 = t12*t18; /* (G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*d(omega3)/d(gamma3) */
     const double t26 = p[31]*t12; /* (-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3))*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
     const double t27 = t22*t26; /* gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*t26 */
-    const double t28 = x[0]*p[11]; /* gamma3*I3/I1 */
+    const double t28 = x[0]*p[10]; /* gamma3*I3/I1 */
     const double t29 = JLT_FMA(x[0], t28, t14); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
     const double t30 = x[3] - t20; /* omega_n - 1/gamma3*s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
     const double t31 = JLT_FMA(t15, t21, t30); /* d(energy)/d(omega_n)/I1 = m*R^2/I1*d(v_tau)/d(omega_n)/R*v_tau/R + t30 */
@@ -466,6 +483,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
@@ -495,47 +513,46 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
-    double t42[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = x3[0] = x[3];
     for (unsigned k = 0; k < order; k++) {
-        t13[k] = (k == 0 ? 1.0 : 0) - x0[k];
-        t14[k] = (k == 0 ? 1.0 : 0) + x0[k];
-        t15[k] = jlt_jet_product(t13, t14, k);
-        t16[k] = jlt_jet_root(t15[k], t16, k);
-        t17[k] = (k == 0 ? p[10] : 0) + t15[k];
-        t18[k] = jlt_jet_product(x2, t16, k);
-        t19[k] = jlt_jet_product(x0, x0, k);
-        t20[k] = p[11]*t19[k] + t17[k];
-        t21[k] = jlt_jet_product(x3, t19, k);
-        t22[k] = jlt_jet_product(x0, t16, k);
-        t23[k] = jlt_jet_product(t20, t22, k);
-        t24[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t23, t24, k);
-        t25[k] = jlt_jet_product(t20, t24, k);
-        t26[k] = jlt_jet_product(t22, t24, k);
-        t27[k] = jlt_jet_product(t21, t25, k);
-        t28[k] = (k == 0 ? p[9] : 0) - jlt_jet_product(x3, t16, k);
-        t29[k] = jlt_jet_product(t16, t28, k);
-        t30[k] = jlt_jet_product(t25, t29, k);
-        t31[k] = x2[k]*p[12];
-        t32[k] = jlt_jet_product(t30, t31, k);
+        t12[k] = (k == 0 ? 1.0 : 0) - x0[k];
+        t13[k] = (k == 0 ? 1.0 : 0) + x0[k];
+        t14[k] = jlt_jet_product(t12, t13, k);
+        t15[k] = jlt_jet_root(t14[k], t15, k);
+        t16[k] = (k == 0 ? p[9] : 0) + t14[k];
+        t17[k] = jlt_jet_product(x2, t15, k);
+        t18[k] = jlt_jet_product(x0, x0, k);
+        t19[k] = p[10]*t18[k] + t16[k];
+        t20[k] = jlt_jet_product(x3, t18, k);
+        t21[k] = jlt_jet_product(x0, t15, k);
+        t22[k] = jlt_jet_product(t19, t21, k);
+        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t22, t23, k);
+        t24[k] = jlt_jet_product(t19, t23, k);
+        t25[k] = jlt_jet_product(t21, t23, k);
+        t26[k] = jlt_jet_product(t20, t24, k);
+        t27[k] = (k == 0 ? p[8] : 0) - jlt_jet_product(x3, t15, k);
+        t28[k] = jlt_jet_product(t15, t27, k);
+        t29[k] = jlt_jet_product(t24, t28, k);
+        t30[k] = x2[k]*p[11];
+        t31[k] = jlt_jet_product(t29, t30, k);
+        t32[k] = jlt_jet_product(x3, t29, k);
         t33[k] = x2[k]*p[1] + x1[k];
-        t34[k] = p[13]*t33[k];
-        t35[k] = jlt_jet_product(t27, t34, k) + t32[k];
-        t36[k] = p[8]*t30[k] - t27[k];
-        t37[k] = t30[k] - t27[k];
-        t38[k] = jlt_jet_product(x3, t37, k);
-        t39[k] = jlt_jet_product(x2, t27, k);
-        t40[k] = t39[k] - jlt_jet_product(t26, t35, k);
-        t41[k] = p[7]*x3[k];
-        t42[k] = jlt_jet_product(t36, t41, k);
+        t34[k] = p[12]*t33[k];
+        t35[k] = jlt_jet_product(t26, t34, k) + t31[k];
+        t36[k] = p[7]*t32[k];
+        t37[k] = jlt_jet_product(x3, t26, k);
+        t38[k] = p[1]*t37[k] - t36[k];
+        t39[k] = t32[k] - t37[k];
+        t40[k] = jlt_jet_product(x2, t26, k);
+        t41[k] = t40[k] - jlt_jet_product(t25, t35, k);
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t18[k]/(k + 1);
-        next[1] = x1[k + 1] = t42[k]/(k + 1);
-        next[2] = x2[k + 1] = t38[k]/(k + 1);
-        next[3] = x3[k + 1] = t40[k]/(k + 1);
+        next[0] = x0[k + 1] = t17[k]/(k + 1);
+        next[1] = x1[k + 1] = t38[k]/(k + 1);
+        next[2] = x2[k + 1] = t39[k]/(k + 1);
+        next[3] = x3[k + 1] = t41[k]/(k + 1);
     }
 }
 
@@ -602,7 +619,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3 = {
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 4, .param_count = 7, .block_count = 37,
@@ -610,7 +627,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3 = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 4, 18, 6, 1, 1, 0, 11, 6 }, { 11, 44, 0, 8, 1, 0, 11, 8 },
+    .rhs = { rhs, 4, { 4, 18, 6, 1, 1, 0, 11, 7 }, { 11, 44, 0, 8, 1, 0, 11, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .jacobian = { jacobian, 16, { 6, 33, 15, 1, 1, 0, 14, 11 }, { 34, 149, 0, 32, 1, 0, 16, 11 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

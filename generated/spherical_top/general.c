@@ -1,7 +1,7 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -734,10 +734,10 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[5]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
-    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t6 = t4*t5; /* (1 - gamma3)*(1 + gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t8 = params[5]*params[4]; /* I3*I1 */
     const double t9 = params[1]*params[1]; /* R*R */
     const double t10 = params[0]*t9; /* m*R*R */
@@ -759,10 +759,10 @@ static void family0_trace(const double *restrict x, const double *restrict param
 
 static void family0_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
 {
-    const double t0 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (1 + gamma3)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t4 = params[4]*t3; /* I1*s */
     out[3] = 0.0;
     out[4] = 0.0;
@@ -817,10 +817,10 @@ static void family0_matrix(const double *restrict x, const double *restrict para
     out[20] = 0.0;
     out[21] = 0.0;
     out[24] = 0.0;
-    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     out[2] = t3;
     const double t4 = params[1]*x[4]; /* R*omega3 */
     out[8] = t4;
@@ -878,10 +878,10 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t2 = x[0]*params[1]; /* gamma3*R */
     const double t3 = params[3] + t2; /* b = a3 + gamma3*R */
     const double t4 = params[1]*x[4]; /* R*omega3 */
-    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t7 = t5*t6; /* (1 + gamma3)*(1 - gamma3) */
-    const double t8 = sqrt(t7); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t7 = t5*t6; /* (1 - gamma3)*(1 + gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t9 = t4*t8; /* v_tau = R*omega3*s */
     const double t10 = params[0]*t9; /* m*v_tau */
     const double t11 = t2*x[4]; /* gamma3*R*omega3 */
@@ -980,10 +980,10 @@ static void family1_trace(const double *restrict x, const double *restrict param
 {
     const double t0 = params[0]*params[5]; /* m*I3 */
     const double t1 = t0*x[1]; /* m*I3*v_nu */
-    const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t4 = t2*t3; /* (1 + gamma3)*(1 - gamma3) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t6 = x[0]*params[1]; /* gamma3*R */
     const double t7 = params[3] + t6; /* b = a3 + gamma3*R */
     const double t8 = t1*t7; /* m*I3*v_nu*b */
@@ -1003,6 +1003,130 @@ static void family1_trace(const double *restrict x, const double *restrict param
     out[0] = t21;
 }
 
+static void family1_charpoly(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    const double t4 = params[3]*params[3]; /* a3*a3 */
+    const double t5 = params[0]*t4; /* m*a3*a3 */
+    const double t6 = t3*t3; /* s*s */
+    const double t7 = t5*t6; /* m*a3*a3*s*s */
+    const double t8 = params[4] + t7; /* D = I1 + m*a3*a3*s*s */
+    const double t9 = t3*t8; /* s*D */
+    const double t10 = params[4]*params[5]; /* I1*I3 */
+    const double t11 = params[1]*params[1]; /* R*R */
+    const double t12 = params[0]*t11; /* m*R*R */
+    const double t13 = params[4]*t12; /* I1*m*R*R */
+    const double t14 = t6*t13; /* s*s*I1*m*R*R */
+    const double t15 = t10 + t14; /* I1*I3 + s*s*I1*m*R*R */
+    const double t16 = params[0]*params[5]; /* m*I3 */
+    const double t17 = x[0]*params[1]; /* gamma3*R */
+    const double t18 = params[3] + t17; /* b = a3 + gamma3*R */
+    const double t19 = t18*t18; /* b*b */
+    const double t20 = t16*t19; /* m*I3*b*b */
+    const double t21 = t15 + t20; /* Theta = I1*I3 + s*s*I1*m*R*R + m*I3*b*b */
+    const double t22 = t9*t21; /* s*D*Theta */
+    out[0] = t22;
+    const double t23 = t16*x[1]; /* m*I3*v_nu */
+    const double t24 = t18*t23; /* b*m*I3*v_nu */
+    const double t25 = t8*t24; /* D*b*m*I3*v_nu */
+    out[1] = t25;
+    const double t26 = params[5]*params[5]; /* I3*I3 */
+    const double t27 = x[4]*x[4]; /* omega3*omega3 */
+    const double t28 = t26*t27; /* I3*I3*omega3*omega3 */
+    const double t29 = t3*t28; /* s*I3*I3*omega3*omega3 */
+    const double t30 = params[0]*params[1]; /* m*R */
+    const double t31 = x[0]*params[3]; /* gamma3*a3 */
+    const double t32 = params[1] + t31; /* e = R + gamma3*a3 */
+    const double t33 = t30*t32; /* m*R*e */
+    const double t34 = params[5] + t33; /* I3 + m*R*e */
+    const double t35 = t29*t34; /* s*I3*I3*omega3*omega3*(I3 + m*R*e) */
+    out[2] = t35;
+}
+
+static void family1_matrix(const double *restrict x, const double *restrict params, double *restrict out)
+{
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[11] = 0.0;
+    out[12] = 0.0;
+    out[14] = 0.0;
+    out[15] = 0.0;
+    out[16] = 0.0;
+    out[19] = 0.0;
+    out[20] = 0.0;
+    out[21] = 0.0;
+    out[24] = 0.0;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[2] = t3;
+    const double t4 = params[1]*x[4]; /* R*omega3 */
+    out[8] = t4;
+    const double t5 = x[4]*params[5]; /* omega3*I3 */
+    const double t6 = params[3]*params[3]; /* a3*a3 */
+    const double t7 = params[0]*t6; /* m*a3*a3 */
+    const double t8 = t3*t3; /* s*s */
+    const double t9 = t7*t8; /* m*a3*a3*s*s */
+    const double t10 = params[4] + t9; /* D = I1 + m*a3*a3*s*s */
+    const double t11 = t5/t10; /* omega3*I3/D */
+    const double t12 = -t11; /* -omega3*I3/D */
+    out[13] = t12;
+    const double t13 = params[5]*params[4]; /* I3*I1 */
+    const double t14 = params[1]*params[1]; /* R*R */
+    const double t15 = params[0]*t14; /* m*R*R */
+    const double t16 = params[4]*t15; /* I1*m*R*R */
+    const double t17 = t8*t16; /* s*s*I1*m*R*R */
+    const double t18 = t13 + t17; /* I3*I1 + s*s*I1*m*R*R */
+    const double t19 = params[5]*params[0]; /* I3*m */
+    const double t20 = x[0]*params[1]; /* gamma3*R */
+    const double t21 = params[3] + t20; /* b = a3 + gamma3*R */
+    const double t22 = t21*t21; /* b*b */
+    const double t23 = t19*t22; /* I3*m*b*b */
+    const double t24 = t18 + t23; /* Theta = I3*I1 + s*s*I1*m*R*R + I3*m*b*b */
+    const double t25 = params[1]*params[0]; /* R*m */
+    const double t26 = x[0]*params[3]; /* gamma3*a3 */
+    const double t27 = params[1] + t26; /* e = R + gamma3*a3 */
+    const double t28 = t25*t27; /* R*m*e */
+    const double t29 = params[5] + t28; /* I3 + R*m*e */
+    const double t30 = t5*t29; /* omega3*I3*(I3 + R*m*e) */
+    const double t31 = t30/t24; /* omega3*I3*(I3 + R*m*e)/Theta */
+    out[17] = t31;
+    const double t32 = t19*x[1]; /* I3*m*v_nu */
+    const double t33 = t21*t32; /* b*I3*m*v_nu */
+    const double t34 = t3*t24; /* s*Theta */
+    const double t35 = t33/t34; /* b*I3*m*v_nu/(s*Theta) */
+    const double t36 = -t35; /* -b*I3*m*v_nu/(s*Theta) */
+    out[18] = t36;
+    const double t37 = x[4]*t25; /* omega3*R*m */
+    const double t38 = t3*t37; /* s*omega3*R*m */
+    const double t39 = params[4] - params[5]; /* I1 - I3 */
+    const double t40 = t20*t39; /* gamma3*R*(I1 - I3) */
+    const double t41 = params[5]*params[3]; /* I3*a3 */
+    const double t42 = t40 - t41; /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t43 = t38*t42; /* s*omega3*R*m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t44 = t43/t24; /* s*omega3*R*m*(gamma3*R*(I1 - I3) - I3*a3)/Theta */
+    out[22] = t44;
+    const double t45 = params[4]*t25; /* I1*R*m */
+    const double t46 = x[1]*t45; /* v_nu*I1*R*m */
+    const double t47 = t46/t24; /* v_nu*I1*R*m/Theta */
+    const double t48 = -t47; /* -v_nu*I1*R*m/Theta */
+    out[23] = t48;
+}
+
 static void family1_left_null_gradients(const double *restrict x, const double *restrict params, double *restrict out)
 {
     out[2] = 0.0;
@@ -1013,10 +1137,10 @@ static void family1_left_null_gradients(const double *restrict x, const double *
     const double t2 = x[0]*params[1]; /* gamma3*R */
     const double t3 = params[3] + t2; /* b = a3 + gamma3*R */
     const double t4 = params[1]*x[4]; /* R*omega3 */
-    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t7 = t5*t6; /* (1 + gamma3)*(1 - gamma3) */
-    const double t8 = sqrt(t7); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t7 = t5*t6; /* (1 - gamma3)*(1 + gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t9 = t4*t8; /* v_tau = R*omega3*s */
     const double t10 = params[0]*t9; /* m*v_tau */
     const double t11 = t2*x[4]; /* gamma3*R*omega3 */
@@ -1062,10 +1186,10 @@ static void family2_impose(const double *restrict x, const double *restrict para
     out[3] = params[3];
     const double t1 = t0*params[3]; /* m*R*a3 */
     const double t2 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t5 = t3*t4; /* (1 + gamma3)*(1 - gamma3) */
-    const double t6 = sqrt(t5); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t5 = t3*t4; /* (1 - gamma3)*(1 + gamma3) */
+    const double t6 = sqrt(t5); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t7 = t6*t6; /* s*s */
     const double t8 = t1*t7; /* m*R*a3*s*s */
     out[5] = params[5];
@@ -1087,10 +1211,10 @@ static void family2_point(const double *restrict x, const double *restrict param
     out[1] = 0.0;
     out[2] = 0.0;
     out[3] = x[3];
-    const double t0 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = t0*t1; /* (gamma3 + 1)*(1 - gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = params[1]*t3; /* R*s */
     const double t5 = x[0]*params[1]; /* gamma3*R */
     const double t6 = params[3] + t5; /* b = a3 + gamma3*R */
@@ -1118,10 +1242,10 @@ static void family2_left_null_gradients(const double *restrict x, const double *
     const double t2 = x[0]*params[1]; /* gamma3*R */
     const double t3 = params[3] + t2; /* b = a3 + gamma3*R */
     const double t4 = x[3]*t3; /* omega_n*b */
-    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t6 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t7 = t5*t6; /* (1 + gamma3)*(1 - gamma3) */
-    const double t8 = sqrt(t7); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t6 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t7 = t5*t6; /* (1 - gamma3)*(1 + gamma3) */
+    const double t8 = sqrt(t7); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t9 = params[1]*t8; /* R*s */
     const double t10 = t4/t9; /* omega_n*b/(R*s) */
     const double t11 = params[1]*t10; /* R*omega_n*b/(R*s) */
@@ -1182,6 +1306,8 @@ static const jlt_equilibria equilibria[] = {
       .impose = family1_impose,
       .point = family1_point,
       .trace = family1_trace,
+      .charpoly = family1_charpoly,
+      .matrix = family1_matrix,
       .left_null = family1_left_null,
       .left_null_gradients = family1_left_null_gradients,
       .left_null_count = 2, .obstructs = 1 },
@@ -1224,7 +1350,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 5, .param_count = 6, .block_count = 45,

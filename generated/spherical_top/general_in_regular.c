@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -202,14 +202,14 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
     out[5] = t2;
-    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
+    const double t3 = x[3]*p[1]; /* omega_n*R */
+    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
     out[6] = t4;
-    const double t5 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t6 = x[3]*t5; /* omega_n*b */
-    const double t7 = 2.0*t6; /* 2*omega_n*b */
+    const double t5 = p[17] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t6 = x[3]*p[16]; /* omega_n*2*R */
+    const double t7 = t5*t6; /* b/R*omega_n*2*R */
     const double t8 = x[5]*x[4]; /* s*omega3 */
-    const double t9 = JLT_FMA(p[1], t8, t7); /* R*s*omega3 + 2*omega_n*b */
+    const double t9 = JLT_FMA(p[1], t8, t7); /* R*s*omega3 + b/R*omega_n*2*R */
     out[9] = t9;
     const double t10 = x[5]*x[3]; /* s*omega_n */
     const double t11 = p[1]*t10; /* R*s*omega_n */
@@ -772,7 +772,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 45,
@@ -781,7 +781,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .prepare = prepare,
     .rhs = { rhs, 6, { 3, 23, 13, 1, 0, 0, 7, 10 }, { 17, 78, 0, 10, 0, 0, 10, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .jacobian = { jacobian, 36, { 8, 70, 32, 1, 0, 0, 9, 19 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
+    .jacobian = { jacobian, 36, { 11, 64, 33, 1, 0, 0, 13, 19 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .rhs_jacobian = { rhs_jacobian, 42, { 14, 72, 34, 1, 0, 0, 10, 27 }, { 67, 437, 0, 59, 0, 0, 14, 9 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },

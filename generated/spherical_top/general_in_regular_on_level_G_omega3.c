@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -552,9 +552,6 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
     double x4[JLT_JET_ORDER_MAX + 1];
-    double t15[JLT_JET_ORDER_MAX + 1];
-    double t16[JLT_JET_ORDER_MAX + 1];
-    double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
@@ -591,6 +588,10 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t51[JLT_JET_ORDER_MAX + 1];
     double t52[JLT_JET_ORDER_MAX + 1];
     double t53[JLT_JET_ORDER_MAX + 1];
+    double t54[JLT_JET_ORDER_MAX + 1];
+    double t55[JLT_JET_ORDER_MAX + 1];
+    double t56[JLT_JET_ORDER_MAX + 1];
+    double t57[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -598,51 +599,52 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[4] = x4[0] = x[4];
     coefficients[5] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t15[k] = jlt_jet_product(x4, x4, k);
-        t16[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
-        t17[k] = p[9]*t15[k] + (k == 0 ? 1.0 : 0);
-        t18[k] = p[11]*t16[k];
-        t19[k] = (k == 0 ? p[10] : 0) + t15[k];
-        t20[k] = jlt_jet_product(t16, t18, k) + t19[k];
-        t21[k] = jlt_jet_product(x3, t18, k);
-        t22[k] = jlt_jet_product(t16, t17, k);
-        t23[k] = jlt_jet_product(t20, t22, k);
-        t24[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t23, t24, k);
-        t25[k] = jlt_jet_product(t20, t24, k);
-        t26[k] = jlt_jet_product(t22, t24, k);
-        t27[k] = (k == 0 ? p[8] : 0) - jlt_jet_product(x4, x3, k);
-        t28[k] = jlt_jet_product(x4, t27, k);
-        t29[k] = jlt_jet_product(t17, t28, k);
-        t30[k] = jlt_jet_product(t25, t29, k);
-        t31[k] = jlt_jet_product(t16, t25, k);
-        t32[k] = jlt_jet_product(x3, t16, k);
-        t33[k] = t32[k] - p[7]*t30[k];
-        t34[k] = jlt_jet_product(x3, t33, k);
-        t35[k] = jlt_jet_product(x2, x0, k);
-        t36[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
-        t37[k] = jlt_jet_product(x2, t15, k);
-        t38[k] = p[9]*t35[k];
-        t39[k] = jlt_jet_product(t37, t38, k);
-        t40[k] = t39[k] - p[12]*t15[k];
-        t41[k] = (k == 0 ? p[13] : 0) + t36[k];
-        t42[k] = jlt_jet_product(x2, t41, k);
-        t43[k] = jlt_jet_product(t30, t42, k);
-        t44[k] = jlt_jet_product(x2, t36, k) + x1[k];
-        t45[k] = jlt_jet_product(t21, t44, k) + t43[k];
-        t46[k] = jlt_jet_product(x3, x0, k);
-        t47[k] = t46[k] - p[1]*t30[k];
-        t48[k] = t40[k] - jlt_jet_product(x3, t47, k);
-        t49[k] = jlt_jet_product(t31, t48, k);
-        t50[k] = jlt_jet_product(x3, t35, k);
-        t51[k] = t50[k] - jlt_jet_product(t26, t45, k);
-        t52[k] = jlt_jet_product(x4, t35, k);
-        t53[k] = -t52[k];
+        t18[k] = jlt_jet_product(x4, x4, k);
+        t19[k] = (k == 0 ? p[16] : 0) + x0[k];
+        t20[k] = p[9]*t18[k] + (k == 0 ? 1.0 : 0);
+        t21[k] = p[15]*t19[k];
+        t22[k] = (k == 0 ? p[10] : 0) + t18[k];
+        t23[k] = jlt_jet_product(t19, t21, k) + t22[k];
+        t24[k] = jlt_jet_product(t19, t20, k);
+        t25[k] = jlt_jet_product(t23, t24, k);
+        t26[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t25, t26, k);
+        t27[k] = jlt_jet_product(t23, t26, k);
+        t28[k] = p[24]*t24[k];
+        t29[k] = jlt_jet_product(t26, t28, k);
+        t30[k] = (k == 0 ? p[8] : 0) - jlt_jet_product(x4, x3, k);
+        t31[k] = jlt_jet_product(x4, t30, k);
+        t32[k] = jlt_jet_product(t20, t31, k);
+        t33[k] = jlt_jet_product(t27, t32, k);
+        t34[k] = jlt_jet_product(t19, t27, k);
+        t35[k] = jlt_jet_product(x3, t19, k);
+        t36[k] = jlt_jet_product(x2, x0, k);
+        t37[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t38[k] = jlt_jet_product(x2, t18, k);
+        t39[k] = p[9]*t36[k];
+        t40[k] = jlt_jet_product(t38, t39, k);
+        t41[k] = t40[k] - p[12]*t18[k];
+        t42[k] = (k == 0 ? p[13] : 0) + t37[k];
+        t43[k] = jlt_jet_product(x2, t42, k);
+        t44[k] = jlt_jet_product(x2, t37, k) + x1[k];
+        t45[k] = p[14]*t33[k];
+        t46[k] = jlt_jet_product(x3, x0, k) - t33[k];
+        t47[k] = t41[k] - jlt_jet_product(x3, t46, k);
+        t48[k] = jlt_jet_product(t34, t47, k);
+        t49[k] = jlt_jet_product(t43, t45, k);
+        t50[k] = jlt_jet_product(t35, t44, k) + t49[k];
+        t51[k] = t45[k] - t35[k];
+        t52[k] = p[40]*x3[k];
+        t53[k] = jlt_jet_product(t51, t52, k);
+        t54[k] = jlt_jet_product(x3, t36, k);
+        t55[k] = t54[k] - jlt_jet_product(t29, t50, k);
+        t56[k] = jlt_jet_product(x4, t36, k);
+        t57[k] = -t56[k];
         double *restrict next = coefficients + (k + 1)*6;
-        next[0] = x0[k + 1] = t37[k]/(k + 1);
-        next[1] = x1[k + 1] = t34[k]/(k + 1);
-        next[2] = x2[k + 1] = t49[k]/(k + 1);
-        next[3] = x3[k + 1] = t51[k]/(k + 1);
-        next[4] = x4[k + 1] = t53[k]/(k + 1);
+        next[0] = x0[k + 1] = t38[k]/(k + 1);
+        next[1] = x1[k + 1] = t53[k]/(k + 1);
+        next[2] = x2[k + 1] = t48[k]/(k + 1);
+        next[3] = x3[k + 1] = t55[k]/(k + 1);
+        next[4] = x4[k + 1] = t57[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -711,7 +713,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_ome
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 5, .param_count = 7, .block_count = 42,

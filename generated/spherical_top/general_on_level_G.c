@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -555,7 +555,7 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     const double t4 = x[0] + p[30]; /* b/R = gamma3 + a3/R */
     const double t5 = p[32]*x[3]; /* R*I3*omega3 */
     const double t6 = JLT_FMA(t4, t5, p[6]); /* b/R*R*I3*omega3 + G_level */
-    const double t7 = p[7]*t6; /* 1/(R*I1)*(b/R*R*I3*omega3 + G_level) */
+    const double t7 = p[13]*t6; /* 1/(R*I1)*(b/R*R*I3*omega3 + G_level) */
     const double t8 = t7/t3; /* 1/(R*I1)*(b/R*R*I3*omega3 + G_level)/s */
     out[0] = t8;
 }
@@ -567,9 +567,15 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t4[JLT_JET_ORDER_MAX + 1];
+    double t5[JLT_JET_ORDER_MAX + 1];
+    double t6[JLT_JET_ORDER_MAX + 1];
+    double t7[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
-    double t19[JLT_JET_ORDER_MAX + 1];
-    double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
@@ -579,7 +585,6 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
-    double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
@@ -587,23 +592,16 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
-    double t38[JLT_JET_ORDER_MAX + 1];
     double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
-    double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
     double t44[JLT_JET_ORDER_MAX + 1];
     double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
-    double t47[JLT_JET_ORDER_MAX + 1];
-    double t48[JLT_JET_ORDER_MAX + 1];
     double t49[JLT_JET_ORDER_MAX + 1];
     double t50[JLT_JET_ORDER_MAX + 1];
     double t51[JLT_JET_ORDER_MAX + 1];
-    double t52[JLT_JET_ORDER_MAX + 1];
-    double t53[JLT_JET_ORDER_MAX + 1];
-    double t54[JLT_JET_ORDER_MAX + 1];
     double t55[JLT_JET_ORDER_MAX + 1];
     double t56[JLT_JET_ORDER_MAX + 1];
     double t57[JLT_JET_ORDER_MAX + 1];
@@ -721,7 +719,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G = {
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 4, .param_count = 7, .block_count = 56,

@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -41,7 +41,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = params[6];
     const double t0 = params[3]*params[3]; /* a3*a3 */
     const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[23] = t1;
+    out[21] = t1;
     const double t2 = t1/params[4]; /* m*a3*a3/I1 */
     out[7] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
@@ -54,16 +54,16 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t8 = t6/params[5]; /* I1*R*R/I3 */
     out[10] = t8;
     const double t9 = params[4]*params[1]; /* I1*R */
-    out[28] = t9;
+    out[26] = t9;
     const double t10 = params[6]/t9; /* G_level/(I1*R) */
     out[11] = t10;
     const double t11 = params[0]*params[2]; /* m*g */
     const double t12 = params[3]*t11; /* a3*m*g */
-    out[29] = t12;
+    out[27] = t12;
     const double t13 = t12/params[4]; /* a3*m*g/I1 */
     out[12] = t13;
     const double t14 = params[0]*params[1]; /* m*R */
-    out[30] = t14;
+    out[28] = t14;
     const double t15 = params[5]/t14; /* I3/(m*R) */
     out[13] = t15;
     const double t16 = t9/params[5]; /* I1*R/I3 */
@@ -188,26 +188,26 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = JLT_FMA(p[7], t3, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
-    const double t5 = t0*p[9]; /* b*I3/(R^2*I1) */
-    const double t6 = t3 + p[8]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
-    const double t7 = JLT_FMA(t0, t5, t6); /* Theta/(m*R^2*I1) = b*b*I3/(R^2*I1) + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
-    const double t8 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t8;
-    const double t9 = t0*t8; /* b*s */
-    const double t10 = t4*t9; /* D/I1*b*s */
-    const double t11 = t7*t10; /* Theta/(m*R^2*I1)*D/I1*b*s */
-    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*D/I1*b*s) */
-    const double t13 = t7*t12; /* 1/(s*b*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*b*s) */
-    const double t14 = t4*t13; /* 1/(s*b) = D/I1*1/(s*b*(D/I1)) */
-    const double t15 = t0*t14; /* 1/s = b*1/(s*b) */
-    const double t16 = x[0]*t15; /* gamma3*1/s */
-    const double t17 = x[2]*t16; /* omega_tau*gamma3*1/s */
-    const double t18 = -t17; /* -omega_tau*gamma3*1/s */
+    const double t0 = x[0]*x[2]; /* gamma3*omega_tau */
+    const double t1 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = JLT_FMA(p[7], t4, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
+    const double t6 = t1*p[9]; /* b*I3/(R^2*I1) */
+    const double t7 = t4 + p[8]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t8 = JLT_FMA(t1, t6, t7); /* Theta/(m*R^2*I1) = b*b*I3/(R^2*I1) + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t9 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    out[2] = t9;
+    const double t10 = t1*t9; /* b*s */
+    const double t11 = t5*t10; /* D/I1*b*s */
+    const double t12 = t8*t11; /* Theta/(m*R^2*I1)*D/I1*b*s */
+    const double t13 = 1.0/t12; /* 1/(Theta/(m*R^2*I1)*D/I1*b*s) */
+    const double t14 = t8*t13; /* 1/(s*b*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*b*s) */
+    const double t15 = t5*t14; /* 1/(s*b) = D/I1*1/(s*b*(D/I1)) */
+    const double t16 = t1*t15; /* 1/s = b*1/(s*b) */
+    const double t17 = t0*t16; /* gamma3*omega_tau*1/s */
+    const double t18 = -t17; /* -gamma3*omega_tau*1/s */
     out[0] = t18;
     out[1] = 0.0;
     out[3] = 0.0;
@@ -310,9 +310,9 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     out[6] = t3;
     const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = JLT_FMA(p[23], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t6 = JLT_FMA(p[25], t2, p[24]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t7 = p[26]*t4; /* m*I3*b */
+    const double t5 = JLT_FMA(p[21], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t6 = JLT_FMA(p[23], t2, p[22]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t7 = p[24]*t4; /* m*I3*b */
     const double t8 = JLT_FMA(t4, t7, t6); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
     const double t9 = t3*t4; /* s*b */
     const double t10 = t5*t9; /* D*s*b */
@@ -463,24 +463,24 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(p[23], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t4 = JLT_FMA(p[21], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t6 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
     const double t7 = t6/t5; /* (G_level/(R*I1) - omega_n*s)/b */
     const double t8 = x[3]*t5; /* omega_n*b */
     const double t9 = p[10]*t3; /* R^2*I1/I3*s */
     const double t10 = JLT_FNMA(t7, t9, t8); /* v_tau = omega_n*b - (G_level/(R*I1) - omega_n*s)/b*R^2*I1/I3*s */
-    const double t11 = p[39]*x[0]; /* 2*g*a3*gamma3 */
+    const double t11 = p[38]*x[0]; /* 2*g*a3*gamma3 */
     const double t12 = JLT_FMA(x[1], x[1], t11); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t13 = p[40]*x[2]; /* 1/m*omega_tau */
+    const double t13 = p[39]*x[2]; /* 1/m*omega_tau */
     const double t14 = x[2]*t13; /* omega_tau*1/m*omega_tau */
-    const double t15 = p[41]*x[3]; /* I1/m*omega_n */
+    const double t15 = p[40]*x[3]; /* I1/m*omega_n */
     const double t16 = JLT_FMA(x[3], t15, t12); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t17 = JLT_FMA(t4, t14, t16); /* D*omega_tau*1/m*omega_tau + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t18 = p[42]*t7; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b */
+    const double t18 = p[41]*t7; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b */
     const double t19 = JLT_FMA(t7, t18, t17); /* (G_level/(R*I1) - omega_n*s)/b*R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b + t17 */
     const double t20 = JLT_FMA(t10, t10, t19); /* energy/(1/2*m) = v_tau*v_tau + t19 */
-    const double t21 = p[38]*t20; /* 1/2*m*energy/(1/2*m) */
+    const double t21 = p[37]*t20; /* 1/2*m*energy/(1/2*m) */
     out[0] = t21;
 }
 
@@ -495,19 +495,19 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t5 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t6 = t4*t5; /* b*s */
     const double t7 = 1.0/t6; /* 1/(b*s) */
-    const double t8 = x[3]*p[28]; /* omega_n*R*I1 */
+    const double t8 = x[3]*p[26]; /* omega_n*R*I1 */
     const double t9 = JLT_FNMA(t5, t8, p[6]); /* G_level - s*omega_n*R*I1 */
     const double t10 = t5*t7; /* 1/b = s*1/(b*s) */
     const double t11 = t9*t10; /* (G_level - s*omega_n*R*I1)*1/b */
     const double t12 = x[0]*t4; /* gamma3*b */
     const double t13 = t7*t12; /* 1/(b*s)*gamma3*b */
     const double t14 = p[14]*x[3]; /* R*I1/I3*omega_n */
-    const double t15 = p[27]*t11; /* R/I3*(G_level - s*omega_n*R*I1)*1/b */
+    const double t15 = p[25]*t11; /* R/I3*(G_level - s*omega_n*R*I1)*1/b */
     const double t16 = JLT_FMS(t13, t14, t15); /* 1/(b*s)*gamma3*b*R*I1/I3*omega_n - R/I3*(G_level - s*omega_n*R*I1)*1/b */
     const double t17 = t10*t16; /* 1/b*t16 */
-    const double t18 = p[23]*x[0]; /* m*a3^2*gamma3 */
+    const double t18 = p[21]*x[0]; /* m*a3^2*gamma3 */
     const double t19 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t20 = JLT_FNMA(t18, t19, p[29]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t20 = JLT_FNMA(t18, t19, p[27]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t21 = JLT_FMA(t11, t17, t20); /* (G_level - s*omega_n*R*I1)*1/b*1/b*t16 + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t22 = JLT_FNMA(t5, t17, x[3]); /* omega_n - s*1/b*t16 */
     const double t23 = p[1]*t22; /* R*(omega_n - s*1/b*t16) */
@@ -525,7 +525,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t34 = JLT_FMA(t10, t33, t4); /* d(v_tau)/d(omega_n) = 1/b*R^2*I1/I3*(1 - gamma3)*(gamma3 + 1) + b */
     const double t35 = JLT_FMA(t29, t34, t32); /* d(energy)/d(omega_n) = m*v_tau*d(v_tau)/d(omega_n) + omega_n*I1 - (G_level - s*omega_n*R*I1)*1/b*1/b*R*I1/I3*s */
     out[3] = t35;
-    const double t36 = JLT_FMA(p[23], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t36 = JLT_FMA(p[21], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t37 = x[2]*t36; /* omega_tau*D */
     out[2] = t37;
 }
@@ -537,8 +537,8 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
-    const double t5 = p[44] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t6 = p[43]/t5; /* (-I1/I3)/(b/R) */
+    const double t5 = p[43] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t6 = p[42]/t5; /* (-I1/I3)/(b/R) */
     const double t7 = t4*t6; /* (G_level/(R*I1) - omega_n*s)*(-I1/I3)/(b/R) */
     out[0] = t7;
 }
@@ -711,10 +711,10 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3 = {
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 45,
+    .state_count = 4, .param_count = 7, .block_count = 44,
     .states = states,
     .params = params,
     .prepare = prepare,

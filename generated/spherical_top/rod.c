@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    rod: I3 = 0
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -67,9 +67,9 @@ static void prepare(const double *restrict params, double *restrict out)
     out[14] = t8;
     const double t9 = t8/params[4]; /* a3*a3*m*2/I1 */
     out[9] = t9;
-    const double t10 = params[3]/params[1]; /* a3/R */
+    const double t10 = 2.0/params[1]; /* 2/R */
     out[10] = t10;
-    const double t11 = 2.0/params[1]; /* 2/R */
+    const double t11 = params[3]/2.0; /* a3/2 */
     out[11] = t11;
     const double t12 = (-1.0)/params[1]; /* (-1)/R */
     out[12] = t12;
@@ -132,15 +132,6 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    out[1] = 0.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[6] = 0.0;
-    out[7] = 0.0;
-    out[11] = 0.0;
-    out[14] = 0.0;
-    out[16] = 0.0;
-    out[19] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
@@ -582,7 +573,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 5, .param_count = 6, .block_count = 23,

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -83,11 +83,11 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t17 = t13/params[4]; /* a3*g*m*2/I1 */
     out[18] = t17;
     const double t18 = params[4]/2.0; /* I1/2 */
-    out[19] = t18;
+    out[20] = t18;
     const double t19 = params[0]/2.0; /* m/2 */
-    out[20] = t19;
+    out[21] = t19;
     const double t20 = params[4]*params[1]; /* I1*R */
-    out[21] = t20;
+    out[22] = t20;
     const double t21 = params[0]*params[1]; /* m*R */
     out[23] = t21;
 }
@@ -379,9 +379,9 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t0 = p[0]*x[1]; /* m*v_nu */
     out[1] = t0;
     out[13] = t0;
-    const double t1 = x[5]*p[21]; /* s*R*I1 */
+    const double t1 = x[5]*p[22]; /* s*R*I1 */
     out[9] = t1;
-    const double t2 = x[3]*p[21]; /* omega_n*R*I1 */
+    const double t2 = x[3]*p[22]; /* omega_n*R*I1 */
     out[11] = t2;
     const double t3 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t4 = x[3]*t3; /* omega_n*b */
@@ -575,7 +575,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 24,

@@ -1,7 +1,7 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top, SHA-256 f235475cc9bd793cf139eaa42e6fbc171d82d0b88e9697d68dbc128bc28e14fd
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
@@ -207,14 +207,14 @@ static void general_jacobian(arb_ptr out, arb_srcptr x, arb_srcptr params, slong
     arb_mul(t + 97, x + 2, t + 96, prec);
     arb_mul(t + 98, t + 6, t + 97, prec);
     arb_div(t + 99, t + 98, t + 40, prec);
-    arb_mul(t + 100, x + 0, params + 4, prec);
-    arb_mul(t + 101, x + 3, t + 100, prec);
-    arb_div(t + 102, t + 101, t + 44, prec);
-    arb_mul(t + 103, t + 28, t + 102, prec);
-    arb_neg(t + 104, t + 103);
-    arb_mul(t + 105, x + 4, params + 5, prec);
-    arb_div(t + 106, t + 105, t + 40, prec);
-    arb_sub(t + 107, t + 104, t + 106, prec);
+    arb_mul(t + 100, x + 4, params + 5, prec);
+    arb_div(t + 101, t + 100, t + 40, prec);
+    arb_neg(t + 102, t + 101);
+    arb_mul(t + 103, x + 0, params + 4, prec);
+    arb_mul(t + 104, x + 3, t + 103, prec);
+    arb_div(t + 105, t + 104, t + 44, prec);
+    arb_mul(t + 106, t + 28, t + 105, prec);
+    arb_sub(t + 107, t + 102, t + 106, prec);
     arb_mul(t + 108, x + 3, params + 5, prec);
     arb_div(t + 109, t + 108, t + 40, prec);
     arb_neg(t + 110, t + 109);
@@ -1612,14 +1612,14 @@ static void general_on_level_G_omega3_jacobian(arb_ptr out, arb_srcptr x, arb_sr
     arb_mul(t + 126, x + 2, t + 125, prec);
     arb_mul(t + 127, t + 6, t + 126, prec);
     arb_div(t + 128, t + 127, t + 66, prec);
-    arb_mul(t + 129, x + 0, params + 4, prec);
-    arb_mul(t + 130, x + 3, t + 129, prec);
-    arb_div(t + 131, t + 130, t + 70, prec);
-    arb_mul(t + 132, t + 50, t + 131, prec);
-    arb_neg(t + 133, t + 132);
-    arb_mul(t + 134, params + 5, t + 46, prec);
-    arb_div(t + 135, t + 134, t + 66, prec);
-    arb_sub(t + 136, t + 133, t + 135, prec);
+    arb_mul(t + 129, params + 5, t + 46, prec);
+    arb_div(t + 130, t + 129, t + 66, prec);
+    arb_neg(t + 131, t + 130);
+    arb_mul(t + 132, x + 0, params + 4, prec);
+    arb_mul(t + 133, x + 3, t + 132, prec);
+    arb_div(t + 134, t + 133, t + 70, prec);
+    arb_mul(t + 135, t + 50, t + 134, prec);
+    arb_sub(t + 136, t + 131, t + 135, prec);
     arb_mul(t + 137, t + 20, t + 66, prec);
     arb_div(t + 138, t + 32, t + 137, prec);
     arb_sub(t + 139, t + 136, t + 138, prec);

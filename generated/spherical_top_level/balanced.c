@@ -648,10 +648,10 @@ static void family0_point(const double *restrict x, const double *restrict param
     out[1] = x[1];
     out[2] = 0.0;
     const double t0 = x[0]*params[4]; /* gamma3*I3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = t1*t2; /* (gamma3 + 1)*(1 - gamma3) */
-    const double t4 = sqrt(t3); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t5 = params[6]*t4; /* G*s */
     const double t6 = t5/t0; /* G*s/(gamma3*I3) */
     const double t7 = -t6; /* v_tau = -G*s/(gamma3*I3) */
@@ -664,10 +664,10 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[4]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
-    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t6 = t4*t5; /* (1 - gamma3)*(1 + gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t8 = params[1]*params[1]; /* R*R */
     const double t9 = t8*params[3]; /* R*R*I1 */
     const double t10 = t7*t7; /* s*s */
@@ -689,10 +689,10 @@ static void family0_left_null_gradients(const double *restrict x, const double *
 {
     out[2] = 0.0;
     const double t0 = params[4]*x[0]; /* I3*gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = t1*t2; /* (1 + gamma3)*(1 - gamma3) */
-    const double t4 = sqrt(t3); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(1 + gamma3) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t5 = params[6]*t4; /* G*s */
     const double t6 = t5/t0; /* G*s/(I3*gamma3) */
     const double t7 = t6*t6; /* G*s/(I3*gamma3)*G*s/(I3*gamma3) */

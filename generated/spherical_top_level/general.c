@@ -695,10 +695,10 @@ static void family0_point(const double *restrict x, const double *restrict param
     out[1] = x[1];
     out[2] = 0.0;
     const double t0 = params[1]*params[6]; /* R*G */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = t1*t2; /* (gamma3 + 1)*(1 - gamma3) */
-    const double t4 = sqrt(t3); /* s = sqrt((gamma3 + 1)*(1 - gamma3)) */
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t5 = t0*t4; /* R*G*s */
     const double t6 = x[0]*params[1]; /* gamma3*R */
     const double t7 = params[5] + t6; /* b = a3 + gamma3*R */
@@ -714,10 +714,10 @@ static void family0_trace(const double *restrict x, const double *restrict param
     const double t1 = t0*params[4]; /* m*R*I3 */
     const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
     const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
-    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t5 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t6 = t4*t5; /* (1 + gamma3)*(1 - gamma3) */
-    const double t7 = sqrt(t6); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t6 = t4*t5; /* (1 - gamma3)*(1 + gamma3) */
+    const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t8 = params[1]*params[1]; /* R*R */
     const double t9 = t8*params[3]; /* R*R*I1 */
     const double t10 = t7*t7; /* s*s */
@@ -742,10 +742,10 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t0 = params[0]*params[2]; /* m*g */
     const double t1 = params[5]*t0; /* a3*m*g */
     const double t2 = params[1]*params[6]; /* R*G */
-    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t5 = t3*t4; /* (1 + gamma3)*(1 - gamma3) */
-    const double t6 = sqrt(t5); /* s = sqrt((1 + gamma3)*(1 - gamma3)) */
+    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t4 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t5 = t3*t4; /* (1 - gamma3)*(1 + gamma3) */
+    const double t6 = sqrt(t5); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t7 = t2*t6; /* R*G*s */
     const double t8 = x[0]*params[1]; /* gamma3*R */
     const double t9 = params[5] + t8; /* b = a3 + gamma3*R */

@@ -1,6 +1,7 @@
 #include "analysis/deflation.h"
 
 #include "analysis/charpoly.h"
+#include "analysis/deflation_problem.h"
 #include "analysis/quadratic.h"
 #include "ext/arpack.h"
 #include "ext/eigen.h"
@@ -11,263 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIZE = JLT_DEFLATION_SIZE_MAX, CHOICES_MAX = 20000 };
+enum { SIZE = JLT_DEFLATION_SIZE_MAX };
 
 static const double roundoff = DBL_EPSILON / 2;
 
-/* The problem, scaled by a power of two so that the largest entry of a is near one. */
-typedef struct {
-    size_t n, rank;
-    double a[SIZE * SIZE], error[SIZE * SIZE];
-    double w[SIZE * SIZE]; /* independent gradients, rows scaled near one, shape (rank, n) */
-    double w_error[SIZE * SIZE];
-    int row[SIZE];         /* which gradient each is */
-    int exponent;
-} problem;
-
-typedef struct {
-    size_t pivots[SIZE], others[SIZE];
-    double follow[SIZE * SIZE], follow_error[SIZE * SIZE]; /* W_p^(-1) W_f, shape (rank, n - rank) */
-    double inverse[SIZE * SIZE];                           /* |W_p^(-1)|, shape (rank, rank) */
-    double block[SIZE * SIZE], error[SIZE * SIZE];
-    double merit;               /* largest error that the elimination adds to B, relative to its largest entry */
-} choice;
-
-/* [W_p W_f E] by elimination with row pivoting to [E X W_p^(-1)]; false when W_p is singular. The error of X is bounded by
- * |W_p^(-1)| (|error of W_f| + |error of W_p| |X|), roundings of the elimination counted with those of W. */
-static bool eliminate(choice *c, const problem *p)
-{
-    const size_t k = p->rank, rest = p->n - k, width = p->n + k;
-    double m[SIZE * 2 * SIZE] = { 0 };
-
-    for (size_t i = 0; i < k; i++) {
-        for (size_t j = 0; j < k; j++) m[i * width + j] = p->w[i * p->n + c->pivots[j]];
-        for (size_t j = 0; j < rest; j++) m[i * width + k + j] = p->w[i * p->n + c->others[j]];
-        m[i * width + p->n + i] = 1.0;
-    }
-    for (size_t j = 0; j < k; j++) {
-        size_t best = j;
-        for (size_t i = j + 1; i < k; i++)
-            if (fabs(m[i * width + j]) > fabs(m[best * width + j])) best = i;
-        if (m[best * width + j] == 0.0) return false;
-        for (size_t l = 0; l < width; l++) {
-            const double held = m[j * width + l];
-            m[j * width + l] = m[best * width + l];
-            m[best * width + l] = held;
-        }
-        for (size_t i = 0; i < k; i++) {
-            const double factor = m[i * width + j] / m[j * width + j];
-            if (i == j || factor == 0.0) continue;
-            for (size_t l = j; l < width; l++) m[i * width + l] -= factor * m[j * width + l];
-        }
-    }
-    for (size_t i = 0; i < k; i++) {
-        for (size_t j = 0; j < rest; j++) c->follow[i * rest + j] = m[i * width + k + j] / m[i * width + i];
-        for (size_t j = 0; j < k; j++) c->inverse[i * k + j] = fabs(m[i * width + p->n + j] / m[i * width + i]);
-    }
-    for (size_t i = 0; i < k * rest; i++)
-        if (!isfinite(c->follow[i])) return false;
-    return true;
-}
-
-static void bound_follow(choice *c, const problem *p)
-{
-    const size_t n = p->n, k = p->rank, rest = n - k;
-    const double elimination = (double)(k + 2) * roundoff;
-
-    for (size_t j = 0; j < rest; j++) {
-        double side[SIZE];
-        for (size_t q = 0; q < k; q++) {
-            const size_t f = q * n + c->others[j];
-            side[q] = p->w_error[f] + elimination * fabs(p->w[f]);
-            for (size_t l = 0; l < k; l++) {
-                const size_t at = q * n + c->pivots[l];
-                side[q] += (p->w_error[at] + elimination * fabs(p->w[at])) * fabs(c->follow[l * rest + j]);
-            }
-        }
-        for (size_t i = 0; i < k; i++) {
-            double sum = 0.0;
-            for (size_t q = 0; q < k; q++)
-                if (side[q] != 0.0) sum += c->inverse[i * k + q] * side[q];
-            c->follow_error[i * rest + j] = sum;
-        }
-    }
-}
-
-/* B and its error bound for one choice of pivots. */
-static bool reduce(choice *c, const problem *p)
-{
-    const size_t n = p->n, k = p->rank, rest = n - k;
-    double largest = 0.0, worst = 0.0;
-
-    if (!eliminate(c, p)) return false;
-    bound_follow(c, p);
-    for (size_t i = 0; i < rest; i++)
-        for (size_t j = 0; j < rest; j++) {
-            const size_t row = c->others[i] * n;
-            double sum = 0.0, added = 0.0;
-            for (size_t l = 0; l < k; l++) {
-                const double x = c->follow[l * rest + j], before = p->a[row + c->pivots[l]];
-                const double x_error = c->follow_error[l * rest + j], before_error = p->error[row + c->pivots[l]];
-                if (before == 0.0 && before_error == 0.0) continue; /* whatever x is */
-                sum += before * x;
-                added += before_error * (fabs(x) + x_error) +
-                         fabs(before) * (x_error + (double)(k + 1) * roundoff * fabs(x));
-            }
-            c->block[i * rest + j] = p->a[row + c->others[j]] - sum;
-            if (sum != 0.0) added += roundoff * fabs(c->block[i * rest + j]);
-            c->error[i * rest + j] = p->error[row + c->others[j]] + added;
-            if (!isfinite(c->block[i * rest + j]) || !isfinite(c->error[i * rest + j])) return false;
-            largest = fmax(largest, fabs(c->block[i * rest + j]));
-            worst = fmax(worst, added);
-        }
-    c->merit = largest > 0.0 ? worst / largest : worst;
-    return true;
-}
-
-/* The next ascending choice of k out of n; false after the last. */
-static bool advance(size_t *pivots, size_t k, size_t n)
-{
-    for (size_t i = k; i-- > 0;)
-        if (pivots[i] < n - k + i) {
-            pivots[i]++;
-            for (size_t j = i + 1; j < k; j++) pivots[j] = pivots[j - 1] + 1;
-            return true;
-        }
-    return false;
-}
-
-static bool choose(choice *best, const problem *p)
-{
-    choice c;
-    bool found = false;
-    long tried = 0;
-
-    for (size_t i = 0; i < p->rank; i++) c.pivots[i] = i;
-    do {
-        size_t count = 0, next = 0;
-        for (size_t i = 0; i < p->n; i++) {
-            if (next < p->rank && c.pivots[next] == i) next++;
-            else c.others[count++] = i;
-        }
-        if (reduce(&c, p) && (!found || c.merit < best->merit)) {
-            *best = c;
-            found = true;
-        }
-    } while (++tried < CHOICES_MAX && advance(c.pivots, p->rank, p->n));
-    return found;
-}
-
-/* At a relative equilibrium gradients are dependent, and what elimination leaves of one is rounding. A true left null
- * vector stays one; rounding does not: r A, r = `row` times the columns' scales, must stay below a thousandth of its terms'
- * sizes in every column. */
-static bool annihilates(const double *row, const double *columns, const problem *p)
-{
-    const size_t n = p->n;
-    double largest = 0.0;
-
-    for (size_t i = 0; i < n; i++) largest = fmax(largest, fabs(row[i]));
-    for (size_t j = 0; j < n; j++) {
-        double sum = 0.0, size = 0.0;
-        for (size_t i = 0; i < n; i++) {
-            sum += row[i] * columns[i] * p->a[i * n + j];
-            size += largest * columns[i] * fabs(p->a[i * n + j]);
-        }
-        if (fabs(sum) > 1e-3 * size) return false;
-    }
-    return true;
-}
-
-/* Keep gradients that are independent of those before them: rows and columns are scaled near one, and a row is left out
- * whose remainder after elimination falls below 1e-10, below its own error, or is rounding by what it does to A. */
-static void independent(problem *p, const double *gradients, const double *errors, size_t count)
-{
-    const size_t n = p->n;
-    double m[SIZE * SIZE], e[SIZE * SIZE], columns[SIZE] = { 0 };
-    size_t lead[SIZE];
-
-    p->rank = 0;
-    for (size_t r = 0; r < count; r++) {
-        const int exponent = jlt_charpoly_exponent(gradients + r * n, n);
-        for (size_t j = 0; j < n; j++) columns[j] = fmax(columns[j], fabs(ldexp(gradients[r * n + j], -exponent)));
-    }
-    for (size_t r = 0; r < count && p->rank < n; r++) {
-        double *row = m + p->rank * n, *error = e + p->rank * n, *w = p->w + p->rank * n, *w_error = p->w_error + p->rank * n;
-        const int exponent = jlt_charpoly_exponent(gradients + r * n, n);
-        double largest = 0.0, left = 0.0;
-        for (size_t j = 0; j < n; j++) {
-            w[j] = ldexp(gradients[r * n + j], -exponent);
-            w_error[j] = errors == NULL ? 8 * roundoff * fabs(w[j]) : ldexp(errors[r * n + j], -exponent);
-            row[j] = columns[j] > 0.0 ? w[j] / columns[j] : 0.0;
-            error[j] = columns[j] > 0.0 ? w_error[j] / columns[j] : 0.0;
-            largest = fmax(largest, fabs(row[j]));
-        }
-        for (size_t i = 0; i < p->rank; i++) {
-            const double factor = row[lead[i]] / m[i * n + lead[i]];
-            const double slack = (error[lead[i]] + fabs(factor) * e[i * n + lead[i]]) / fabs(m[i * n + lead[i]]);
-            for (size_t j = 0; j < n; j++) {
-                error[j] += fabs(factor) * e[i * n + j] + slack * fabs(m[i * n + j]) + 2 * roundoff * fabs(row[j]);
-                row[j] -= factor * m[i * n + j];
-            }
-            row[lead[i]] = 0.0;
-        }
-        for (size_t j = 0; j < n; j++)
-            if (fabs(row[j]) > fmax(left, 4 * error[j])) {
-                left = fabs(row[j]);
-                lead[p->rank] = j;
-            }
-        if (left > 1e-10 * largest && annihilates(row, columns, p)) p->row[p->rank++] = (int)r;
-    }
-}
-
-static double defect(const problem *p)
-{
-    double worst = 0.0;
-
-    for (size_t i = 0; i < p->rank; i++)
-        for (size_t j = 0; j < p->n; j++) {
-            double sum = 0.0, size = 0.0;
-            for (size_t l = 0; l < p->n; l++) {
-                sum += p->w[i * p->n + l] * p->a[l * p->n + j];
-                size += fabs(p->w[i * p->n + l] * p->a[l * p->n + j]);
-            }
-            if (size > 0.0) worst = fmax(worst, fabs(sum) / size);
-        }
-    return worst;
-}
-
-/* Rank of a by elimination with complete pivoting. */
-static size_t rank_of(const double *a, size_t n)
-{
-    double m[SIZE * SIZE], first = 0.0;
-    size_t rank = 0;
-
-    memcpy(m, a, n * n * sizeof *m);
-    for (; rank < n; rank++) {
-        size_t row = rank, column = rank;
-        for (size_t i = rank; i < n; i++)
-            for (size_t j = rank; j < n; j++)
-                if (fabs(m[i * n + j]) > fabs(m[row * n + column])) row = i, column = j;
-        const double pivot = m[row * n + column];
-        if (rank == 0) first = fabs(pivot);
-        if (fabs(pivot) <= 32 * roundoff * first) break;
-        for (size_t j = 0; j < n; j++) {
-            const double held = m[rank * n + j];
-            m[rank * n + j] = m[row * n + j];
-            m[row * n + j] = held;
-        }
-        for (size_t i = 0; i < n; i++) {
-            const double held = m[i * n + rank];
-            m[i * n + rank] = m[i * n + column];
-            m[i * n + column] = held;
-        }
-        for (size_t i = rank + 1; i < n; i++) {
-            const double factor = m[i * n + rank] / pivot;
-            for (size_t j = rank; j < n; j++) m[i * n + j] -= factor * m[rank * n + j];
-        }
-    }
-    return rank;
-}
+/* A block B that elimination has spoilt by more than this, relative to its largest entry, is not used. */
+static const double merit_limit = 1e-12;
 
 static double norm(const double *values, size_t count)
 {
@@ -278,7 +28,7 @@ static double norm(const double *values, size_t count)
 
 /* |x| |y| / |v u| of the whole matrix for an eigenvalue of B: u, v from the adjugate of B,
  * x = ((A_pf - A_pp W_p^(-1) W_f) u / lambda, u) and y = A_f^T v / lambda. */
-static double condition(const problem *p, const choice *c, double re, double im)
+static double condition(const jlt_deflation_problem *p, const jlt_deflation_choice *c, double re, double im)
 {
     const size_t n = p->n, k = p->rank, rest = n - k;
     double adjugate[2 * SIZE * SIZE], x2 = 0.0, y2 = 0.0, product_re = 0.0, product_im = 0.0;
@@ -330,7 +80,7 @@ typedef struct {
     size_t count, index[SIZE];
 } coupled;
 
-static bool isolated(const choice *c, const coupled *active, size_t rest, size_t at)
+static bool isolated(const jlt_deflation_choice *c, const coupled *active, size_t rest, size_t at)
 {
     bool row = true, column = true;
 
@@ -344,7 +94,7 @@ static bool isolated(const choice *c, const coupled *active, size_t rest, size_t
 }
 
 /* Eigenvalues on the diagonal, as many as there are, to the front of re, im, error; returns how many. */
-static size_t take_isolated(double *re, double *im, double *error, coupled *active, const choice *c, size_t rest)
+static size_t take_isolated(double *re, double *im, double *error, coupled *active, const jlt_deflation_choice *c, size_t rest)
 {
     size_t taken = 0;
 
@@ -385,7 +135,7 @@ static jlt_status solve_large(double *re, double *im, double *error, const doubl
 }
 
 /* Eigenvalues of B with error bounds, those on the diagonal of a triangular part as they are, pairs in closed form. */
-static jlt_status solve_block(double *re, double *im, double *error, const problem *p, const choice *c)
+static jlt_status solve_block(double *re, double *im, double *error, const jlt_deflation_problem *p, const jlt_deflation_choice *c)
 {
     const size_t rest = p->n - p->rank;
     double block[SIZE * SIZE], block_error[SIZE * SIZE];
@@ -432,7 +182,7 @@ static double farthest(const double *re, const double *im, size_t count, const d
 }
 
 /* The same eigenvalues by other routes. */
-static jlt_status cross_check(jlt_deflation *result, const problem *p, const choice *c)
+static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem *p, const jlt_deflation_choice *c)
 {
     const size_t n = p->n, rest = n - p->rank;
     const double size = fmax(norm(p->a, n * n), DBL_MIN);
@@ -465,53 +215,59 @@ static jlt_status cross_check(jlt_deflation *result, const problem *p, const cho
     return JLT_OK;
 }
 
-static jlt_status set_up(problem *p, const double *a, const double *error, size_t n, const double *gradients,
-                         const double *gradient_error, size_t count)
+/* Eigenvalues of B, or of A itself when no choice of pivots gives a usable B: those that the integrals make zero must then
+ * show on the diagonal of A's triangular part, as exact zeros. Out: the others, ascending; *zeros attributed. */
+static jlt_status solve_problem(double *re, double *im, double *errors, size_t *attributed, jlt_deflation_problem *p, jlt_deflation_choice *best)
 {
-    p->n = n;
-    p->exponent = jlt_charpoly_exponent(a, n * n);
-    for (size_t i = 0; i < n * n; i++) {
-        if (!isfinite(a[i]) || (error != NULL && !isfinite(error[i]))) return JLT_ERR_NONFINITE;
-        p->a[i] = ldexp(a[i], -p->exponent);
-        if (a[i] != 0.0 && !isnormal(p->a[i])) return JLT_ERR_NONFINITE;
-        p->error[i] = error == NULL ? 4 * roundoff * fabs(p->a[i]) : ldexp(error[i], -p->exponent);
+    const size_t n = p->n, rank = p->rank;
+    size_t kept = 0, exact = 0;
+    jlt_status st;
+
+    *attributed = rank;
+    if (jlt_deflation_problem_choose(best, p) && best->merit <= merit_limit) {
+        st = solve_block(re, im, errors, p, best);
+        if (st == JLT_OK) sort_ascending(re, im, errors, n - rank);
+        return st;
     }
-    for (size_t i = 0; i < count * n; i++)
-        if (!isfinite(gradients[i]) || (gradient_error != NULL && !isfinite(gradient_error[i]))) return JLT_ERR_NONFINITE;
-    independent(p, gradients, gradient_error, count);
-    for (size_t i = 0; i < p->rank; i++)
-        for (size_t j = 0; j < n; j++)
-            if (gradients[(size_t)p->row[i] * n + j] != 0.0 && !isnormal(p->w[i * n + j])) return JLT_ERR_NONFINITE;
-    return JLT_OK;
+    p->rank = 0;
+    if (!jlt_deflation_problem_choose(best, p)) return JLT_ERR_NONFINITE;
+    st = solve_block(re, im, errors, p, best);
+    if (st != JLT_OK) return st;
+    for (size_t i = 0; i < n; i++) {
+        if (re[i] == 0.0 && im[i] == 0.0 && errors[i] == 0.0 && exact < rank) {
+            exact++;
+            continue;
+        }
+        re[kept] = re[i], im[kept] = im[i], errors[kept++] = errors[i];
+    }
+    sort_ascending(re, im, errors, kept);
+    *attributed = exact;
+    return exact == rank ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
 jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
                                  const double *gradients, const double *gradient_error, size_t count)
 {
-    problem p = { 0 };
-    choice best = { 0 };
+    jlt_deflation_problem p = { 0 };
+    jlt_deflation_choice best = { 0 };
     jlt_deflation r = { 0 };
     double re[SIZE], im[SIZE], errors[SIZE];
-    size_t rest, zeros;
+    size_t attributed, zeros;
     jlt_status st;
 
     if (n == 0 || n > SIZE || count > SIZE) return JLT_ERR_ARG;
-    JLT_TRY(set_up(&p, a, error, n, gradients, gradient_error, count));
-    if (!choose(&best, &p)) return JLT_ERR_NONFINITE;
-    rest = n - p.rank;
-    JLT_TRY(solve_block(re, im, errors, &p, &best));
-    sort_ascending(re, im, errors, rest);
+    JLT_TRY(jlt_deflation_problem_set(&p, a, error, n, gradients, gradient_error, count));
+    r.defect = jlt_deflation_problem_defect(&p);
+    JLT_TRY(solve_problem(re, im, errors, &attributed, &p, &best));
     r.n = n;
-    r.kept = rest;
-    zeros = p.rank;
-    for (size_t i = 0; i < p.rank; i++) r.values[i] = (jlt_eigenvalue){ 0.0, 0.0, NAN, 0.0, p.row[i] };
-    for (size_t i = 0; i < rest; i++) {
-        r.values[p.rank + i] = (jlt_eigenvalue){ re[i], im[i], condition(&p, &best, re[i], im[i]), errors[i], -1 };
+    r.kept = n - attributed;
+    zeros = attributed;
+    for (size_t i = 0; i < attributed; i++) r.values[i] = (jlt_eigenvalue){ 0.0, 0.0, NAN, 0.0, p.row[i] };
+    for (size_t i = 0; i < r.kept; i++) {
+        r.values[attributed + i] = (jlt_eigenvalue){ re[i], im[i], condition(&p, &best, re[i], im[i]), errors[i], -1 };
         zeros += hypot(re[i], im[i]) <= errors[i];
-        r.coordinates[i] = best.others[i];
     }
-    r.defective_zero = zeros > p.rank && n - rank_of(p.a, n) < zeros;
-    r.defect = defect(&p);
+    r.defective_zero = zeros > attributed && n - jlt_deflation_problem_rank(&p) < zeros;
     JLT_TRY(cross_check(&r, &p, &best));
     for (size_t i = 0; i < n; i++) {
         jlt_eigenvalue *value = &r.values[i];
@@ -522,10 +278,6 @@ jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const d
         if (!isfinite(value->re) || !isfinite(value->im) || (!small && !isnormal(hypot(value->re, value->im))))
             st = JLT_ERR_NONFINITE;
         if (small && value->source < 0 && r.defective_zero) value->condition = INFINITY;
-    }
-    for (size_t i = 0; i < rest * rest; i++) {
-        r.block[i] = ldexp(best.block[i], p.exponent);
-        r.block_error[i] = ldexp(best.error[i], p.exponent);
     }
     if (st == JLT_OK) *result = r;
 done:

@@ -7,7 +7,8 @@
  *      B = A_ff - A_fp W_p^(-1) W_f,
  *
  *  and k eigenvalues are zero, attributed to the integrals. Of all choices of p the one that adds the
- *  least rounding error to B is taken: columns that vanish in A cost nothing, so B is then a block of A itself, unrounded. */
+ *  least rounding error to B is taken: columns that vanish in A cost nothing, so B is then a block of A itself, unrounded. Where every
+ *  choice would spoil B, the zeros must show exactly in the triangular part of A. */
 #ifndef JLT_ANALYSIS_DEFLATION_H
 #define JLT_ANALYSIS_DEFLATION_H
 
@@ -25,10 +26,7 @@ typedef struct {
 } jlt_eigenvalue;
 
 typedef struct {
-    size_t n, kept;                              /* size of A; of B, n - zeros */
-    size_t coordinates[JLT_DEFLATION_SIZE_MAX]; /* the coordinates f, ascending, shape (kept,) */
-    double block[JLT_DEFLATION_SIZE_MAX * JLT_DEFLATION_SIZE_MAX]; /* B, shape (kept, kept) */
-    double block_error[JLT_DEFLATION_SIZE_MAX * JLT_DEFLATION_SIZE_MAX]; /* bound on |error of B| */
+    size_t n, kept; /* size of A; n less the zeros attributed to integrals */
     jlt_eigenvalue values[JLT_DEFLATION_SIZE_MAX]; /* shape (n,): first the zeros attributed, then the rest, ascending */
     double defect;      /* largest |W A| / (|W| |A|), entry by entry; about 2^-53 for true integrals */
     double gsl_difference;    /* largest distance from B's eigenvalues to GSL's for B; relative to |B| */

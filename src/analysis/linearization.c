@@ -15,6 +15,9 @@ enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256, NEWTON_STEPS = 60, H
 
 static const double roundoff = DBL_EPSILON / 2;
 
+/* Beside the largest state, what may be an exact zero. */
+static const double snapped = 1e-8;
+
 const char *jlt_linearization_verdict(jlt_verdict verdict)
 {
     static const char *const texts[] = { "stable", "unstable", "centre" };
@@ -258,6 +261,20 @@ done:
     return st;
 }
 
+/* States that Newton's method leaves at rounding level become exact zeros where that makes a better equilibrium: a term
+ * that is linear in them has nothing beside it that would show them to be small. Together, since one alone may not. */
+static void snap(jlt_linearization *r, double *x, const jlt_instance *instance, const unsigned char *fixed)
+{
+    double largest = 0.0, trial[SIZE];
+    jlt_linearization next;
+
+    for (size_t j = 0; j < r->n; j++) largest = fmax(largest, fabs(x[j]));
+    for (size_t j = 0; j < r->n; j++) trial[j] = !fixed[j] && fabs(x[j]) <= snapped * largest ? 0.0 : x[j];
+    if (measure_residual(&next, instance, trial) != JLT_OK || next.residual_ratio > r->residual_ratio) return;
+    *r = next;
+    memcpy(x, trial, r->n * sizeof *x);
+}
+
 static jlt_status newton(double *x, const jlt_instance *instance, const unsigned char *fixed)
 {
     jlt_linearization r;
@@ -266,6 +283,11 @@ static jlt_status newton(double *x, const jlt_instance *instance, const unsigned
 
     JLT_TRY(measure_residual(&r, instance, x));
     for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(&r, x, &settled, instance, fixed));
+    if (r.residual_ratio > JLT_LINEARIZATION_TOLERANCE) {
+        snap(&r, x, instance, fixed);
+        settled = false;
+        for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(&r, x, &settled, instance, fixed));
+    }
     if (r.residual_ratio > JLT_LINEARIZATION_TOLERANCE) st = JLT_ERR_NO_CONVERGENCE;
 done:
     return st;

@@ -32,6 +32,7 @@ static bool solve(solution *s, const double *b, const double *e)
     const double discriminant = sum_of_products(half, half, b[1], b[2]);
     const double middle_error = (e[0] + e[3]) / 2 + u * fabs(middle);
     const double discriminant_error = fabs(half) * (e[0] + e[3]) + fabs(b[2]) * e[1] + fabs(b[1]) * e[2] +
+                                      (e[0] + e[3]) * (e[0] + e[3]) / 4 + e[1] * e[2] +
                                       2 * u * (half * half + fabs(b[1] * b[2]));
     const double root = sqrt(fabs(discriminant));
     const double root_error = fmin(discriminant_error / fmax(root, DBL_MIN), sqrt(discriminant_error)) + u * root;
@@ -50,12 +51,12 @@ static bool solve(solution *s, const double *b, const double *e)
     const double larger_error = middle_error + root_error + u * fabs(larger);
     const double determinant = sum_of_products(b[0], b[3], -b[1], b[2]);
     const double determinant_error = fabs(b[3]) * e[0] + fabs(b[0]) * e[3] + fabs(b[2]) * e[1] + fabs(b[1]) * e[2] +
-                                     2 * u * fabs(determinant);
+                                     e[0] * e[3] + e[1] * e[2] + 2 * u * fabs(determinant);
     const double smaller = larger == 0.0 ? 0.0 : determinant / larger;
-    double smaller_error = larger_error;
-    if (larger != 0.0)
-        smaller_error = fmin(smaller_error, determinant_error / fabs(larger) +
-                                                fabs(smaller) * (larger_error / fabs(larger) + 2 * u));
+    const double least = fabs(larger) - larger_error;
+    double smaller_error = fabs(larger) + fabs(smaller) + larger_error;
+    if (least > 0.0)
+        smaller_error = (determinant_error + fabs(smaller) * larger_error) / least + 2 * u * fabs(smaller);
     const int first = larger < smaller ? 0 : 1;
     s->re[first] = larger;
     s->error[first] = larger_error;
@@ -63,6 +64,15 @@ static bool solve(solution *s, const double *b, const double *e)
     s->error[1 - first] = smaller_error;
     s->im[0] = s->im[1] = 0.0;
     return true;
+}
+
+/* *value *= 2^exponent; false when a nonzero value leaves the normal range. */
+static bool unscale(double *value, int exponent)
+{
+    const double scaled = *value;
+
+    *value = ldexp(scaled, exponent);
+    return scaled == 0.0 || isnormal(*value);
 }
 
 jlt_status jlt_quadratic_eigenvalues(double re[2], double im[2], double error[2], const double b[4],
@@ -94,11 +104,8 @@ jlt_status jlt_quadratic_eigenvalues(double re[2], double im[2], double error[2]
     if (above == 0.0 || below == 0.0) errors[1] = errors[2] = 0.0;
     if (!solve(&s, scaled, errors)) return JLT_ERR_NONFINITE;
     for (int i = 0; i < 2; i++) {
-        s.re[i] = ldexp(s.re[i], exponent);
-        s.im[i] = ldexp(s.im[i], exponent);
         s.error[i] = ldexp(s.error[i], exponent);
-        if ((s.re[i] != 0.0 && !isnormal(s.re[i])) || (s.im[i] != 0.0 && !isnormal(s.im[i])) || !isfinite(s.error[i]))
-            return JLT_ERR_NONFINITE;
+        if (!unscale(&s.re[i], exponent) || !unscale(&s.im[i], exponent) || !isfinite(s.error[i])) return JLT_ERR_NONFINITE;
     }
     memcpy(re, s.re, sizeof s.re);
     memcpy(im, s.im, sizeof s.im);

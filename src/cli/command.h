@@ -28,6 +28,10 @@ extern const jlt_command jlt_command_eigen;
 extern const jlt_command jlt_command_measure;
 extern const jlt_command jlt_command_models;
 extern const jlt_command jlt_command_simulate;
+extern const jlt_command jlt_command_run;
+extern const jlt_command jlt_command_plan;
+extern const jlt_command jlt_command_rod;
+extern const jlt_command jlt_command_portrait;
 extern const jlt_command jlt_command_section;
 extern const jlt_command jlt_command_orbits;
 extern const jlt_command jlt_command_fates;
@@ -36,6 +40,9 @@ extern const jlt_command jlt_command_lyapunov;
 extern const jlt_command jlt_command_continue;
 extern const jlt_command jlt_command_separation;
 extern const jlt_command jlt_command_bench;
+
+/* By name, from the table of main.c; NULL when there is none. */
+const jlt_command *jlt_command_find(const char *name);
 
 /* "jellett: " message, on standard error; returns `code`. */
 #if defined(__GNUC__)

@@ -109,7 +109,8 @@ static jlt_exit regular_times(jlt_simulate_request *r)
 static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
 {
     const jlt_session *s = &r->session;
-    const jlt_question question = { s->descriptor, s->params, s->x, r->track && r->course_count == 0, tier };
+    const jlt_question question = { s->descriptor, s->params, s->x, r->track && r->course_count == 0,
+                                    false, tier };
     const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt };
     jlt_plan *plan = &r->plans[r->course_count];
     jlt_status st;

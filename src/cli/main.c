@@ -13,7 +13,11 @@ static const jlt_command *const commands[] = {
     &jlt_command_eigen,
     &jlt_command_measure,
     &jlt_command_models,
+    &jlt_command_run,
+    &jlt_command_plan,
     &jlt_command_simulate,
+    &jlt_command_portrait,
+    &jlt_command_rod,
     &jlt_command_section,
     &jlt_command_orbits,
     &jlt_command_fates,
@@ -24,6 +28,13 @@ static const jlt_command *const commands[] = {
     &jlt_command_bench,
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };
+
+const jlt_command *jlt_command_find(const char *name)
+{
+    for (size_t i = 0; i < COMMANDS; i++)
+        if (strcmp(commands[i]->name, name) == 0) return commands[i];
+    return NULL;
+}
 
 /* What standard output still holds must arrive, also after --help of a command, which ends the program by itself. */
 static void close_output(void)

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STATES_MAX = JLT_MEASURE_STATES_MAX, TRIES = 200, PROBES = 8 };
+enum { STATES_MAX = JLT_MEASURE_STATES_MAX, TRIES = 20, PROBES = 8 };
 
 /* Part of a bounded interval that is tabulated; an unbounded state is tabulated from -2 to 2. */
 static const double covered = 0.98;

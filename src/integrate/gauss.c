@@ -5,7 +5,7 @@
  *
  * Error. Let a_k be the coefficients of f on the step in Legendre polynomials, n_k their size relative to the states times h.
  * For analytic solutions n_k falls like r^k, and the quadrature at the end errs by the aliased part, ~ n_0 r^16. With
- * r = (n_7/n_0)^(1/7) the estimate is n_7 (n_7/n_0)^(9/7), proportional to h^17. The polynomial inside the step errs by
+ * r = (n_7/n_0)^(1/7), where n_0 is the largest of the first three, the estimate is n_7 (n_7/n_0)^(9/7), proportional to h^17. The polynomial inside the step errs by
  * the part left out, n_8 ~ r n_7.
  *
  * Sweeps. They contract by a factor proportional to h. They end when what is left, change * rate/(1 - rate), is below a
@@ -29,7 +29,7 @@ typedef struct {
     jlt_gauss_nodes nodes;     /* of the step being tried */
     double *legendre;          /* (columns, N): of the last accepted step */
     double *trial;             /* (columns, N): of the step being tried */
-    double *partial;           /* (columns, N) */
+    double *partial;           /* (columns, N): of a partial step, or powers for the polynomial */
     double *end;               /* (stride,) */
     double *origin;            /* (dim,) */
     double *inverse_weight;    /* (dim,) */
@@ -159,9 +159,7 @@ static double error_norm(gauss *self, const jlt_stepper *stepper, double h)
     double size = 0, six = 0, seven = 0;
     for (unsigned c = 0; c < stepper->columns; c++) {
         const double *a = self->trial + c * N, unit = fabs(h) / jlt_larger(fabs(stepper->x[c]), stepper->scale[c]);
-        double most = 0;
-        for (unsigned k = 0; k < N; k++) most = jlt_larger(fabs(a[k]), most);
-        size = jlt_larger(size, unit * most);
+        size = jlt_larger(size, unit * jlt_larger(jlt_larger(fabs(a[0]), fabs(a[1])), fabs(a[2])));
         six = jlt_larger(six, unit * fabs(a[6]));
         seven = jlt_larger(seven, unit * fabs(a[7]));
     }
@@ -249,15 +247,12 @@ static jlt_status start(jlt_stepper *stepper)
 
 static jlt_status dense(jlt_stepper *stepper)
 {
-    const gauss *self = stepper->state;
+    gauss *self = stepper->state;
+    self->batch->transform(self->partial, self->legendre, jlt_gauss_power, stepper->columns);
     for (unsigned c = 0; c < stepper->columns; c++) {
-        const double *a = self->legendre + c * N;
         stepper->dense[c] = stepper->x_start[c];
-        for (unsigned m = 0; m < N; m++) {
-            double sum = 0;
-            for (unsigned k = m; k < N; k++) sum += a[k] * jlt_gauss_power[k][m];
-            stepper->dense[(m + 1) * (size_t)stepper->stride + c] = stepper->h * sum;
-        }
+        for (unsigned m = 0; m < N; m++)
+            stepper->dense[(m + 1) * (size_t)stepper->stride + c] = stepper->h * self->partial[c * N + m];
     }
     stepper->dense_degree = N;
     stepper->dense_error = self->dense_error;

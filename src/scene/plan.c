@@ -26,14 +26,19 @@ static const jlt_descriptor *kernel_of(const jlt_tier *tier, const jlt_top *top,
 
 static jlt_candidate judge(const jlt_tier *tier, const jlt_question *question, const jlt_top *top)
 {
+    static const double anywhere[JLT_TOP_STATES] = { 0 };
+    const double *start = question->start != NULL ? question->start : anywhere;
     jlt_candidate candidate = { .tier = tier };
 
-    if (tier->refuses != NULL) candidate.refusal = tier->refuses(top, question->start);
+    if (question->section && !tier->section)
+        candidate.refusal = "it has no chart (eta, gamma3) of the section on levels of E and G";
+    else if (tier->refuses != NULL) candidate.refusal = tier->refuses(top, start);
     if (candidate.refusal == NULL && question->attitude && !tier->attitude)
         candidate.refusal = "attitude and track are asked for";
-    if (tier->model != NULL) candidate.descriptor = kernel_of(tier, top, question->start);
+    if (tier->model != NULL) candidate.descriptor = kernel_of(tier, top, start);
     if (candidate.refusal == NULL && tier->model != NULL
-        && (candidate.descriptor == NULL || candidate.descriptor->rhs.call == NULL))
+        && (candidate.descriptor == NULL || candidate.descriptor->rhs.call == NULL
+            || candidate.descriptor->state_count != tier->columns))
         candidate.refusal = "its kernel is not built in";
     return candidate;
 }

@@ -13,8 +13,9 @@ enum { JLT_PLAN_CANDIDATES_MAX = 16, JLT_PLAN_PARAMS_MAX = 64, JLT_PLAN_STATES_M
 typedef struct {
     const jlt_descriptor *model; /* the general field that was asked about */
     const double *params;        /* shape (model->param_count,), checked */
-    const double *start;         /* shape (model->state_count,), checked */
+    const double *start;         /* shape (model->state_count,), checked; NULL: any */
     bool attitude;
+    bool section;                /* a chart of the section omega_tau = 0 on levels of E and G is needed */
     const char *tier;            /* override by name; NULL: the planner's choice. "model": the asked model's own kernel */
 } jlt_question;
 

@@ -5,7 +5,7 @@
  *      parameters = { m = 1; R = 1; g = 1; a3 = 0.51; I1 = "1/3"; I3 = "1/3"; };
  *      levels = { E = 2.15; G = -0.56; };
  *      accuracy = { tolerance = 1e-12; };
- *      compute = ( { what = "section"; returns = 300; grid = { eta = [-3, 3, 25]; gamma3 = [-0.9, 0.9, 19]; };
+ *      compute = ( { what = "section"; returns = 300; grid = { eta = (-3, 3, 25); gamma3 = (-0.9, 0.9, 19); };
  *                    output = "fig3a.csv"; plot = "fig3a.svg"; } );
  *
  *  Each entry of `compute` asks for one command with options; a key means the option of the same name. `parameters`,

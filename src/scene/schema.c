@@ -1,59 +1,84 @@
 #include "scene/schema.h"
 
-#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
-/* Where results go; every command that computes rows knows these. */
-#define OUTPUT_KEYS                                                                              \
-    { "output", "output", JLT_KEY_TEXT }, { "plot", "plot", JLT_KEY_TEXT }, { "keep", "keep", JLT_KEY_TEXT }
+/* A key that is spelled as its option. */
+#define KEY(name, kind, allowed) { name, name, JLT_KEY_##kind, allowed }
+#define LAST { NULL, NULL, JLT_KEY_TEXT, NULL }
+/* Where results go. */
+#define OUTPUT KEY("output", TEXT, NULL), KEY("plot", TEXT, NULL), KEY("keep", TEXT, NULL)
+#define SECTION_COORDINATES "eta|gamma3"
+#define LEVELS_AND_PARAMETERS "m|R|g|I1|I3|a3|E|G"
+#define SECTION_OPTIONS                                                                                \
+    KEY("direction", TEXT, "up|down|both"), KEY("contact", TEXT, "ignore|report|end"), OUTPUT
 
 static const jlt_key simulate_keys[] = {
-    { "start", "start", JLT_KEY_GROUP },   { "times", "times", JLT_KEY_NUMBERS }, { "until", "until", JLT_KEY_NUMBER },
-    { "every", "every", JLT_KEY_NUMBER },  { "track", "track", JLT_KEY_FLAG },    { "compare", "compare", JLT_KEY_TEXT },
-    OUTPUT_KEYS,                           { NULL, NULL, JLT_KEY_TEXT },
+    KEY("start", GROUP, JLT_KEY_STATES), KEY("times", NUMBERS, NULL), KEY("until", NUMBER, NULL),
+    KEY("every", NUMBER, NULL), KEY("compare", TEXT, NULL), KEY("track", FLAG, NULL), OUTPUT, LAST,
 };
 static const jlt_key portrait_keys[] = {
-    { "orbits", "orbits", JLT_KEY_COUNT }, { "until", "until", JLT_KEY_NUMBER }, OUTPUT_KEYS, { NULL, NULL, JLT_KEY_TEXT },
+    KEY("start", GROUP, JLT_KEY_STATES), KEY("orbits", COUNT, NULL), KEY("until", NUMBER, NULL),
+    KEY("trajectories", TEXT, NULL), OUTPUT, LAST,
 };
 static const jlt_key rod_keys[] = {
-    { "start", "start", JLT_KEY_GROUP }, OUTPUT_KEYS, { NULL, NULL, JLT_KEY_TEXT },
+    KEY("start", GROUP, JLT_KEY_STATES), KEY("sweep", RANGES, JLT_KEY_QUANTITIES), KEY("check", FLAG, NULL), OUTPUT, LAST,
 };
 static const jlt_key section_keys[] = {
-    { "start", "start", JLT_KEY_GROUP },   { "grid", "grid", JLT_KEY_RANGES },      { "returns", "returns", JLT_KEY_COUNT },
-    { "direction", "direction", JLT_KEY_TEXT }, OUTPUT_KEYS,                        { NULL, NULL, JLT_KEY_TEXT },
+    KEY("start", GROUP, SECTION_COORDINATES), KEY("grid", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
+    KEY("backward", FLAG, NULL), SECTION_OPTIONS, LAST,
 };
 static const jlt_key orbits_keys[] = {
-    { "period", "period", JLT_KEY_COUNT }, { "grid", "grid", JLT_KEY_RANGES }, OUTPUT_KEYS, { NULL, NULL, JLT_KEY_TEXT },
+    KEY("period", COUNT, NULL), KEY("grid", RANGES, SECTION_COORDINATES), KEY("near", NUMBER, NULL),
+    KEY("settle", SEED, NULL), KEY("samples", SEED, NULL), KEY("start", GROUP, SECTION_COORDINATES), SECTION_OPTIONS, LAST,
 };
 static const jlt_key manifolds_keys[] = {
-    { "start", "start", JLT_KEY_GROUP }, { "length", "length", JLT_KEY_NUMBER }, OUTPUT_KEYS, { NULL, NULL, JLT_KEY_TEXT },
+    KEY("start", GROUP, SECTION_COORDINATES), KEY("period", COUNT, NULL), KEY("length", NUMBER, NULL),
+    KEY("spacing", NUMBER, NULL), KEY("turn", NUMBER, NULL), KEY("count", COUNT, NULL), KEY("seed", NUMBER, NULL),
+    KEY("crossings", TEXT, NULL), KEY("no-crossings", FLAG, NULL), SECTION_OPTIONS, LAST,
 };
 static const jlt_key fates_keys[] = {
-    { "grid", "grid", JLT_KEY_RANGES }, { "returns", "returns", JLT_KEY_COUNT }, { "direction", "direction", JLT_KEY_TEXT },
-    OUTPUT_KEYS,                        { NULL, NULL, JLT_KEY_TEXT },
+    KEY("start", GROUP, SECTION_COORDINATES), KEY("grid", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
+    KEY("sweep", RANGES, LEVELS_AND_PARAMETERS), SECTION_OPTIONS, LAST,
 };
-static const jlt_key verify_keys[] = {
-    { "seed", "seed", JLT_KEY_SEED }, { "samples", "samples", JLT_KEY_COUNT }, { NULL, NULL, JLT_KEY_TEXT },
+static const jlt_key continue_keys[] = {
+    KEY("along", INTERVAL, LEVELS_AND_PARAMETERS), KEY("start", GROUP, SECTION_COORDINATES), KEY("period", COUNT, NULL),
+    KEY("step", NUMBER, NULL), KEY("count", COUNT, NULL), KEY("decreasing", FLAG, NULL), KEY("branches", FLAG, NULL),
+    SECTION_OPTIONS, LAST,
 };
+static const jlt_key lyapunov_keys[] = {
+    KEY("start", GROUP, SECTION_COORDINATES), KEY("grid", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
+    SECTION_OPTIONS, LAST,
+};
+static const jlt_key separation_keys[] = {
+    KEY("grid", RANGES, SECTION_COORDINATES), KEY("cells", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
+    KEY("settle", SEED, NULL), SECTION_OPTIONS, LAST,
+};
+static const jlt_key verify_keys[] = { KEY("seed", SEED, NULL), KEY("samples", COUNT, NULL), LAST };
 static const jlt_key eigen_keys[] = {
-    { "at", "at", JLT_KEY_GROUP }, { "sweep", "sweep", JLT_KEY_RANGES }, OUTPUT_KEYS, { NULL, NULL, JLT_KEY_TEXT },
+    KEY("at", GROUP, JLT_KEY_STATES), KEY("sweep", RANGES, JLT_KEY_QUANTITIES), KEY("output", TEXT, NULL),
+    KEY("plot", TEXT, NULL), LAST,
 };
 
 static const jlt_schema schemas[] = {
-    { "simulate", simulate_keys, true, false, { "tolerance", "method", "tier", NULL }, true },
-    { "portrait", portrait_keys, true, true, { "tolerance", "method", NULL }, false },
-    { "rod", rod_keys, true, false, { "tolerance", NULL }, false },
-    { "section", section_keys, true, true, { "tolerance", "method", NULL }, false },
-    { "orbits", orbits_keys, true, true, { "tolerance", "method", NULL }, false },
-    { "manifolds", manifolds_keys, true, true, { "tolerance", "method", NULL }, false },
-    { "fates", fates_keys, true, true, { "tolerance", "method", NULL }, false },
-    { "verify", verify_keys, false, false, { NULL }, true },
-    { "eigen", eigen_keys, true, false, { NULL }, true },
+    { "simulate", simulate_keys, true, NULL, "tolerance|method|tier", true },
+    { "portrait", portrait_keys, true, "E|G|F0", "tolerance|method", false },
+    { "rod", rod_keys, true, NULL, "", false },
+    { "section", section_keys, true, "E|G", "tolerance|method", false },
+    { "orbits", orbits_keys, true, "E|G", "tolerance|method", false },
+    { "manifolds", manifolds_keys, true, "E|G", "tolerance|method", false },
+    { "fates", fates_keys, true, "E|G", "tolerance|method", false },
+    { "continue", continue_keys, true, "E|G", "tolerance|method", false },
+    { "lyapunov", lyapunov_keys, true, "E|G", "tolerance|method", false },
+    { "separation", separation_keys, true, "E|G", "tolerance|method", false },
+    { "verify", verify_keys, false, NULL, "", true },
+    { "eigen", eigen_keys, true, NULL, "", true },
 };
 
 static const jlt_key accuracy_keys[] = {
-    { "tolerance", "tol", JLT_KEY_NUMBER }, { "method", "method", JLT_KEY_TEXT }, { "tier", "tier", JLT_KEY_TEXT },
+    { "tolerance", "tol", JLT_KEY_NUMBER, NULL },
+    { "method", "method", JLT_KEY_TEXT, "dop853|taylor|rk8pd|rkf45|msadams" },
+    { "tier", "tier", JLT_KEY_TEXT, NULL },
 };
 
 enum { SCHEMAS = sizeof schemas / sizeof *schemas, ACCURACY = sizeof accuracy_keys / sizeof *accuracy_keys };
@@ -79,13 +104,22 @@ const jlt_key *jlt_schema_accuracy(const char *name)
     return NULL;
 }
 
+bool jlt_schema_listed(const char *list, const char *word)
+{
+    const size_t length = strlen(word);
+
+    for (const char *at = list; *at != '\0'; at += at[strcspn(at, "|")] == '|' ? strcspn(at, "|") + 1 : strcspn(at, "|"))
+        if (strcspn(at, "|") == length && strncmp(at, word, length) == 0) return true;
+    return false;
+}
+
 static size_t add_name(char *out, size_t size, size_t used, const char *name)
 {
     const int more = snprintf(out + used, size - used, used > 0 ? ", %s" : "%s", name);
     return more < 0 || used + (size_t)more >= size ? used : used + (size_t)more;
 }
 
-void jlt_schema_names(char *out, unsigned long size)
+void jlt_schema_names(char *out, size_t size)
 {
     size_t used = 0;
 
@@ -93,7 +127,7 @@ void jlt_schema_names(char *out, unsigned long size)
     for (size_t i = 0; i < SCHEMAS; i++) used = add_name(out, size, used, schemas[i].what);
 }
 
-void jlt_schema_key_names(char *out, unsigned long size, const jlt_schema *schema)
+void jlt_schema_key_names(char *out, size_t size, const jlt_schema *schema)
 {
     size_t used = add_name(out, size, 0, "what");
 

@@ -30,7 +30,8 @@ typedef struct {
     const char *model, *time, *elimination; /* of its kernel; model NULL: none */
     bool by_name;                       /* a comparison: never chosen by the planner */
     bool attitude;                      /* gives attitude and track */
-    unsigned columns;                   /* of its kernel, with a lifted root */
+    bool section;                       /* has a chart of the section omega_tau = 0 on levels of E and G */
+    unsigned columns;                   /* states of its kernel, with a lifted root, as embed and extract know them */
     const char *(*refuses)(const jlt_top *top, const double *x); /* why it does not serve, NULL when it does; may be NULL */
     void (*embed)(const jlt_tier_view *view, double *y, const double *x);
     void (*extract)(const jlt_tier_view *view, double *x, const double *y);

@@ -24,7 +24,7 @@ jlt_status jlt_top_read(jlt_top *out, const jlt_descriptor *descriptor, const do
 
 double jlt_top_sine(double gamma3)
 {
-    return sqrt((1 - gamma3) * (1 + gamma3));
+    return sqrt(fmax(0, (1 - gamma3) * (1 + gamma3))); /* an integrated gamma3 may pass 1 by a rounding error */
 }
 
 double jlt_top_v_tau(const jlt_top *top, const double *x)

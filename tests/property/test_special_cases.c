@@ -34,7 +34,8 @@ static void random_state(double *x, jlt_random *random)
 static void integrate(double *out, const jlt_top *top, const double *start, double t)
 {
     const double params[] = { top->m, top->R, top->g, top->a3, top->I1, top->I3 };
-    const jlt_question question = { jlt_descriptor_find("spherical_top", NULL, NULL, NULL), params, start, false, "five" };
+    const jlt_question question = { jlt_descriptor_find("spherical_top", NULL, NULL, NULL), params, start, false, false,
+                                    "five" };
     jlt_plan plan;
     jlt_course *course = NULL;
     jlt_course_row row;

@@ -32,7 +32,7 @@ static const orbit equal_moments = { { 1, 1, 1, 0, 0.4, 0.4 }, { 0.3, 0.5, 0.2, 
 static void follow(double *states, jlt_attitude *attitudes, const orbit *o, const char *tier, double tolerance)
 {
     const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
-    const jlt_question question = { model, o->params, o->start, attitudes != NULL, tier };
+    const jlt_question question = { model, o->params, o->start, attitudes != NULL, false, tier };
     jlt_plan plan;
     jlt_course *course = NULL;
     jlt_course_row row;
@@ -158,13 +158,14 @@ static void the_planner_takes_the_smallest_tier_that_serves(void **unused)
 
     (void)unused;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const jlt_question question = { model, cases[i].orbit->params, cases[i].orbit->start, cases[i].attitude, NULL };
+        const jlt_question question = { model, cases[i].orbit->params, cases[i].orbit->start, cases[i].attitude, false,
+                                        NULL };
         assert_int_equal(jlt_plan_make(&plan, &question), JLT_OK);
         assert_string_equal(jlt_plan_tier(&plan), cases[i].tier);
     }
-    const jlt_question forced = { model, generic.params, generic.start, false, "plane" };
+    const jlt_question forced = { model, generic.params, generic.start, false, false, "plane" };
     assert_int_equal(jlt_plan_make(&plan, &forced), JLT_ERR_UNSUPPORTED);
-    const jlt_question unknown = { model, generic.params, generic.start, false, "six" };
+    const jlt_question unknown = { model, generic.params, generic.start, false, false, "six" };
     assert_int_equal(jlt_plan_make(&plan, &unknown), JLT_ERR_ARG);
 }
 

@@ -1,0 +1,176 @@
+#include <argp.h>
+#include <errno.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "cli/command.h"
+#include "scene/scene.h"
+
+typedef struct {
+    const char *scene, *into;
+    bool dry;
+} options;
+
+enum { DRY = 1000 };
+
+static const struct argp_option option_table[] = {
+    { "into", 'C', "FOLDER", 0, "Write the scene's files there; default the current folder", 0 },
+    { "dry-run", DRY, NULL, 0, "Show the commands, and run nothing", 0 },
+    { 0 },
+};
+
+static error_t parse(int key, char *value, struct argp_state *state)
+{
+    options *o = state->input;
+
+    switch (key) {
+    case 'C': o->into = value; return 0;
+    case DRY: o->dry = true; return 0;
+    case ARGP_KEY_ARG:
+        if (o->scene != NULL) argp_error(state, "one scene at a time: '%s' is too many", value);
+        o->scene = value;
+        return 0;
+    case ARGP_KEY_NO_ARGS: argp_error(state, "which scene?"); return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp parser = {
+    option_table, parse, "SCENE",
+    "Do what a scene file asks for: its commands one after the other, each with the scene's parameters and accuracy."
+    "\vA scene is a text of this form (tools/scenes has more):\n\n"
+    "  title = \"Poincare map of (5.1)\";\n"
+    "  parameters = { a3 = 0.51; I1 = \"1/3\"; I3 = \"1/3\"; };\n"
+    "  levels = { E = 2.15; G = -0.56; };\n"
+    "  accuracy = { tolerance = 1e-12; };\n"
+    "  compute = ( { what = \"section\"; grid = \"24x16\"; returns = 300;\n"
+    "                output = \"map.csv\"; plot = \"map.svg\"; } );\n\n"
+    "Keys of an entry are the options of its command. Whatever is unknown or of the wrong kind is an error with its line "
+    "(status 3), before anything is run. The first command that fails ends the run with its status.",
+    NULL, NULL, NULL,
+};
+
+/* The job as it would be typed: argv[0] is the command's name. For free_arguments. */
+static char **arguments_of(const jlt_scene_job *job, int *argc)
+{
+    char **argv = calloc(job->count + 4, sizeof *argv);
+    int count = 0;
+    bool whole = argv != NULL;
+
+    if (whole) whole = (argv[count++] = strdup(job->what)) != NULL;
+    if (whole && job->model != NULL) whole = (argv[count++] = strdup(job->model)) != NULL;
+    for (size_t i = 0; whole && i < job->count; i++) {
+        const jlt_scene_option *option = &job->options[i];
+        const size_t length = strlen(option->name) + (option->value != NULL ? strlen(option->value) : 0) + 4;
+        argv[count] = malloc(length);
+        whole = argv[count] != NULL;
+        if (whole)
+            snprintf(argv[count++], length, "--%s%s%s", option->name, option->value != NULL ? "=" : "",
+                     option->value != NULL ? option->value : "");
+    }
+    *argc = count;
+    if (whole) return argv;
+    for (int i = 0; argv != NULL && i < count; i++) free(argv[i]);
+    free(argv);
+    return NULL;
+}
+
+static void free_arguments(char **argv, int argc)
+{
+    for (int i = 0; argv != NULL && i < argc; i++) free(argv[i]);
+    free(argv);
+}
+
+static void show(const char *name, char **argv, int argc)
+{
+    char *line = jlt_command_line(argc, argv);
+
+    if (line != NULL) printf("jellett %s%s\n", name, line + strlen(argv[0]));
+    free(line);
+}
+
+/* Each command in a process of its own, so that whatever ends it leaves the others alone. Ctrl-C reaches the command, which
+ * finishes its row; the run then ends. */
+static jlt_exit run_job(const jlt_command *command, char **argv, int argc, bool *interrupted)
+{
+    struct sigaction ignore = { .sa_handler = SIG_IGN }, before;
+    int status = 0;
+    pid_t child;
+
+    fflush(stdout);
+    child = fork();
+    if (child < 0)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", command->name, strerror(errno));
+    if (child == 0) {
+        char name[64];
+        snprintf(name, sizeof name, "jellett %s", command->name);
+        char *first = argv[0];
+        argv[0] = name;
+        const jlt_exit code = command->run(argc, argv);
+        argv[0] = first;
+        exit((int)code);
+    }
+    sigemptyset(&ignore.sa_mask);
+    sigaction(SIGINT, &ignore, &before);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+    sigaction(SIGINT, &before, NULL);
+    *interrupted = WIFSIGNALED(status);
+    if (WIFSIGNALED(status))
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s was ended by signal %d", command->name, WTERMSIG(status));
+    return (jlt_exit)WEXITSTATUS(status);
+}
+
+static jlt_exit run_jobs(const jlt_scene *scene, const options *o)
+{
+    jlt_exit code = JLT_EXIT_DONE;
+    bool interrupted = false;
+
+    if (o->into != NULL && !o->dry && chdir(o->into) != 0)
+        return jlt_command_fail(JLT_EXIT_IO, "--into %s: %s", o->into, strerror(errno));
+    for (size_t k = 0; code == JLT_EXIT_DONE && !interrupted && k < scene->count; k++) {
+        const jlt_scene_job *job = &scene->jobs[k];
+        const jlt_command *command = jlt_command_find(job->what);
+        int argc = 0;
+        char **argv = arguments_of(job, &argc);
+        if (argv == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+        if (command == NULL)
+            code = jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: this program has no command '%s'", scene->file, job->line,
+                                    job->what);
+        else if (o->dry) show(command->name, argv, argc);
+        else {
+            if (isatty(STDERR_FILENO))
+                fprintf(stderr, "jellett: %s:%u: %s (%zu of %zu)\n", scene->file, job->line, job->what, k + 1, scene->count);
+            code = run_job(command, argv, argc, &interrupted);
+            if (code != JLT_EXIT_DONE)
+                (void)jlt_command_fail(code, "%s:%u: error: %s ended with status %d", scene->file, job->line, job->what,
+                                       (int)code);
+        }
+        free_arguments(argv, argc);
+    }
+    return code;
+}
+
+static jlt_exit run(int argc, char **argv)
+{
+    options o = { 0 };
+    char message[JLT_SCENE_MESSAGE_MAX];
+    jlt_scene *scene = NULL;
+    jlt_status st;
+    jlt_exit code;
+
+    argp_parse(&parser, argc, argv, 0, NULL, &o);
+    st = jlt_scene_read(&scene, message, o.scene);
+    if (st != JLT_OK) {
+        fprintf(stderr, "%s\n", message);
+        return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
+    }
+    code = run_jobs(scene, &o);
+    jlt_scene_destroy(scene);
+    return code;
+}
+
+const jlt_command jlt_command_run = { "run", "SCENE [OPTION...]", "Do what a scene file asks for", run };

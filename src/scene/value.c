@@ -1,0 +1,231 @@
+#include "scene/value.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ext/number.h"
+#include "kernel/descriptor.h"
+#include "scene/scene.h"
+
+jlt_status jlt_value_complain(const jlt_value_reader *r, int line, const char *format, ...)
+{
+    va_list arguments;
+    int used = line > 0 ? snprintf(r->message, JLT_SCENE_MESSAGE_MAX, "%s:%d: error: ", r->file, line)
+                        : snprintf(r->message, JLT_SCENE_MESSAGE_MAX, "%s: error: ", r->file);
+
+    if (used < 0 || used >= JLT_SCENE_MESSAGE_MAX) return JLT_ERR_ARG;
+    va_start(arguments, format);
+    vsnprintf(r->message + used, JLT_SCENE_MESSAGE_MAX - (size_t)used, format, arguments);
+    va_end(arguments);
+    return JLT_ERR_ARG;
+}
+
+int jlt_value_line(const config_setting_t *setting)
+{
+    return (int)config_setting_source_line(setting);
+}
+
+/* ---- words that must be known ---- */
+
+static bool is_allowed(const jlt_value_reader *r, const char *allowed, const char *word)
+{
+    size_t index;
+
+    if (strcmp(allowed, JLT_KEY_STATES) == 0) return jlt_descriptor_state(r->model, word, &index);
+    if (strcmp(allowed, JLT_KEY_PARAMS) == 0) return jlt_descriptor_param(r->model, word, &index);
+    if (strcmp(allowed, JLT_KEY_QUANTITIES) == 0)
+        return jlt_descriptor_state(r->model, word, &index) || jlt_descriptor_param(r->model, word, &index);
+    return jlt_schema_listed(allowed, word);
+}
+
+static void list_quantities(char *out, size_t size, const jlt_quantity *quantities, unsigned count)
+{
+    size_t used = strlen(out);
+
+    for (unsigned i = 0; i < count && used < size; i++) {
+        snprintf(out + used, size - used, "%s%s", used > 0 ? ", " : "", quantities[i].name);
+        used += strlen(out + used);
+    }
+}
+
+static jlt_status check_word(const jlt_value_reader *r, const config_setting_t *at, const char *allowed, const char *name,
+                             const char *word)
+{
+    char known[256] = "";
+
+    if (allowed == NULL || is_allowed(r, allowed, word)) return JLT_OK;
+    if (strcmp(allowed, JLT_KEY_STATES) == 0 || strcmp(allowed, JLT_KEY_QUANTITIES) == 0)
+        list_quantities(known, sizeof known, r->model->states, r->model->state_count);
+    if (strcmp(allowed, JLT_KEY_PARAMS) == 0 || strcmp(allowed, JLT_KEY_QUANTITIES) == 0)
+        list_quantities(known, sizeof known, r->model->params, r->model->param_count);
+    if (known[0] == '\0') {
+        snprintf(known, sizeof known, "%s", allowed);
+        for (char *c = known; *c != '\0'; c++)
+            if (*c == '|') *c = ' ';
+    }
+    return jlt_value_complain(r, jlt_value_line(at), "'%s' does not know '%s' (it knows %s)", name, word, known);
+}
+
+/* ---- values as a command line has them ---- */
+
+static jlt_status append(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *text)
+{
+    const size_t length = strlen(text);
+
+    if (v->used + length >= sizeof v->text) return jlt_value_complain(r, jlt_value_line(at), "value is too long");
+    memcpy(v->text + v->used, text, length + 1);
+    v->used += length;
+    return JLT_OK;
+}
+
+/* A double in the fewest digits that give it back. */
+static void print_double(char *out, size_t size, double number)
+{
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(out, size, "%.*g", digits, number);
+        if (strtod(out, NULL) == number) return;
+    }
+}
+
+static jlt_status append_number(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
+{
+    char text[64];
+    const char *string = text;
+    double ignored;
+
+    switch (config_setting_type(at)) {
+    case CONFIG_TYPE_INT:
+    case CONFIG_TYPE_INT64:
+        snprintf(text, sizeof text, "%lld", config_setting_get_int64(at));
+        break;
+    case CONFIG_TYPE_FLOAT:
+        print_double(text, sizeof text, config_setting_get_float(at));
+        break;
+    case CONFIG_TYPE_STRING:
+        string = config_setting_get_string(at);
+        break;
+    default:
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' takes a number (such as 0.51 or \"1/3\")", name);
+    }
+    switch (jlt_number_parse(&ignored, string, strlen(string))) {
+    case JLT_OK:
+        return append(r, at, v, string);
+    case JLT_ERR_NONFINITE:
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' is beyond the range of numbers: %s", name, string);
+    default:
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' is no number: \"%s\"", name, string);
+    }
+}
+
+static jlt_status append_whole(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name, long long least)
+{
+    char text[32];
+
+    if (config_setting_type(at) != CONFIG_TYPE_INT && config_setting_type(at) != CONFIG_TYPE_INT64)
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' takes a whole number", name);
+    if (config_setting_get_int64(at) < least)
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' must be at least %lld", name, least);
+    snprintf(text, sizeof text, "%lld", config_setting_get_int64(at));
+    return append(r, at, v, text);
+}
+
+static jlt_status append_list(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
+{
+    jlt_status st = JLT_OK;
+
+    if (config_setting_is_array(at) == CONFIG_FALSE && config_setting_is_list(at) == CONFIG_FALSE)
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' takes numbers in parentheses, (0, 0.5, 1)", name);
+    if (config_setting_length(at) == 0) return jlt_value_complain(r, jlt_value_line(at), "'%s' is empty", name);
+    for (int i = 0; i < config_setting_length(at); i++) {
+        if (i > 0) JLT_TRY(append(r, at, v, ","));
+        JLT_TRY(append_number(r, config_setting_get_elem(at, (unsigned)i), v, name));
+    }
+done:
+    return st;
+}
+
+/* An end of a range: a number, or pi. */
+static jlt_status append_end(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
+{
+    const char *string = config_setting_type(at) == CONFIG_TYPE_STRING ? config_setting_get_string(at) : "";
+
+    if (strcmp(string, "pi") == 0 || strcmp(string, "-pi") == 0) return append(r, at, v, string);
+    return append_number(r, at, v, name);
+}
+
+/* (first, last, how many) */
+static jlt_status append_range(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
+{
+    jlt_status st = JLT_OK;
+
+    if (config_setting_length(at) != 3)
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' takes one number or (first, last, how many)", name);
+    JLT_TRY(append_end(r, config_setting_get_elem(at, 0), v, name));
+    JLT_TRY(append(r, at, v, ":"));
+    JLT_TRY(append_end(r, config_setting_get_elem(at, 1), v, name));
+    JLT_TRY(append(r, at, v, ":"));
+    JLT_TRY(append_whole(r, config_setting_get_elem(at, 2), v, name, 1));
+done:
+    return st;
+}
+
+/* (low, high) */
+static jlt_status append_interval(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
+{
+    jlt_status st = JLT_OK;
+
+    if (config_setting_length(at) != 2) return jlt_value_complain(r, jlt_value_line(at), "'%s' takes (low, high)", name);
+    JLT_TRY(append_end(r, config_setting_get_elem(at, 0), v, name));
+    JLT_TRY(append(r, at, v, ":"));
+    JLT_TRY(append_end(r, config_setting_get_elem(at, 1), v, name));
+done:
+    return st;
+}
+
+static jlt_status append_group(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const jlt_key *key)
+{
+    const char *name = key->key;
+    jlt_status st = JLT_OK;
+
+    if (config_setting_is_group(at) == CONFIG_FALSE)
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' takes names and numbers in braces, { a = 1; b = 2; }", name);
+    for (int i = 0; i < config_setting_length(at); i++) {
+        const config_setting_t *member = config_setting_get_elem(at, (unsigned)i);
+        const bool several = config_setting_is_array(member) == CONFIG_TRUE || config_setting_is_list(member) == CONFIG_TRUE;
+        JLT_TRY(check_word(r, member, key->allowed, name, config_setting_name(member)));
+        if (i > 0) JLT_TRY(append(r, member, v, ","));
+        JLT_TRY(append(r, member, v, config_setting_name(member)));
+        JLT_TRY(append(r, member, v, "="));
+        if (key->kind == JLT_KEY_INTERVAL) JLT_TRY(append_interval(r, member, v, config_setting_name(member)));
+        else if (key->kind == JLT_KEY_RANGES && several) JLT_TRY(append_range(r, member, v, config_setting_name(member)));
+        else JLT_TRY(append_number(r, member, v, config_setting_name(member)));
+    }
+done:
+    return st;
+}
+
+jlt_status jlt_value_read(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const jlt_key *key)
+{
+    switch (key->kind) {
+    case JLT_KEY_NUMBER: return append_number(r, at, v, key->key);
+    case JLT_KEY_COUNT: return append_whole(r, at, v, key->key, 1);
+    case JLT_KEY_SEED: return append_whole(r, at, v, key->key, 0);
+    case JLT_KEY_NUMBERS: return append_list(r, at, v, key->key);
+    case JLT_KEY_GROUP:
+    case JLT_KEY_INTERVAL: return append_group(r, at, v, key);
+    case JLT_KEY_RANGES:
+        if (config_setting_type(at) == CONFIG_TYPE_STRING) return append(r, at, v, config_setting_get_string(at));
+        return append_group(r, at, v, key);
+    case JLT_KEY_FLAG:
+        if (config_setting_type(at) == CONFIG_TYPE_BOOL) return JLT_OK;
+        return jlt_value_complain(r, jlt_value_line(at), "'%s' takes true or false", key->key);
+    case JLT_KEY_TEXT:
+        if (config_setting_type(at) != CONFIG_TYPE_STRING)
+            return jlt_value_complain(r, jlt_value_line(at), "'%s' takes a text in quotation marks", key->key);
+        if (check_word(r, at, key->allowed, key->key, config_setting_get_string(at)) != JLT_OK) return JLT_ERR_ARG;
+        return append(r, at, v, config_setting_get_string(at));
+    }
+    return JLT_ERR_ARG;
+}

@@ -1,0 +1,34 @@
+/** Values of a scene file, checked and written as a command line has them. */
+#ifndef JLT_SCENE_VALUE_H
+#define JLT_SCENE_VALUE_H
+
+#include <libconfig.h>
+
+#include "core/status.h"
+#include "kernel_abi.h"
+#include "scene/schema.h"
+
+enum { JLT_VALUE_MAX = 4096 };
+
+typedef struct {
+    const char *file;
+    char *message;               /* shape (JLT_SCENE_MESSAGE_MAX,) */
+    const jlt_descriptor *model; /* what names of states and parameters are checked against */
+} jlt_value_reader;
+
+typedef struct {
+    char text[JLT_VALUE_MAX];
+    size_t used;
+} jlt_value;
+
+/** Put "FILE:LINE: error: ..." into the message (FILE: alone for line 0). Always returns ARG. */
+__attribute__((format(printf, 3, 4)))
+jlt_status jlt_value_complain(const jlt_value_reader *r, int line, const char *format, ...);
+
+int jlt_value_line(const config_setting_t *setting);
+
+/** Append a setting's value in the form that its key's option takes. Errors: ARG, with the message. */
+JLT_CHECKED jlt_status jlt_value_read(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v,
+                                      const jlt_key *key);
+
+#endif

@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# simulate, rod, portrait, run and plan as typed: the quadruple-precision orbits within 1e-11 at --tol 1e-13, ends at poles,
+# comparisons of tiers, quadratures against integration, scenes with every mistake at its line.
+set -euo pipefail
+cd "$JLT_SOURCE_DIR"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+fail() { echo "$*"; status=1; }
+
+# expect STATUS TEXT COMMAND...: the exit status, and TEXT somewhere in what is said on standard error.
+expect() {
+    local want=$1 text=$2 got=0
+    shift 2
+    "$@" > "$scratch/out" 2> "$scratch/err" || got=$?
+    [ "$got" = "$want" ] || fail "$*: status $got, not $want: $(cat "$scratch/err")"
+    grep -qF -- "$text" "$scratch/err" || fail "$*: does not say '$text': $(cat "$scratch/err")"
+}
+
+# largest difference of columns 2 to 6 of the rows of FILE from those of the reference with the same time; rows compared
+against() {
+    awk -F, 'FNR == 1 { file++ } /^#/ || $1 == "t" { next }
+        file == 1 { for (i = 2; i <= 6; i++) want[$1 + 0, i] = $i; known[$1 + 0]; next }
+        ($1 + 0) in known { rows++; for (i = 2; i <= 6; i++) { d = $i - want[$1 + 0, i]; if (d < 0) d = -d; if (d > worst) worst = d } }
+        END { printf "%d %.3g\n", rows, worst }' "$1" "$2"
+}
+
+generic=(jellett simulate --set m=1.3,R=0.7,g=9.81,I1=0.29,I3=0.21,a3=-0.12
+         --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3)
+rod=(jellett simulate --set I1=0.7,I3=0,a3=0.3 --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8)
+for method in dop853 taylor rk8pd msadams; do
+    "${generic[@]}" --times 0,0.5,1 --tol 1e-13 --method $method -o "$scratch/generic.csv"
+    read -r rows worst < <(against tests/reference/data/flow_generic.csv "$scratch/generic.csv")
+    awk -v r="$rows" -v w="$worst" 'BEGIN { exit !(r == 3 && w <= 1e-11) }' || fail "$method, generic orbit: $rows rows, error $worst"
+done
+for tier in quadrature level five track; do
+    "${rod[@]}" --times 0,1,3,10 --tol 1e-13 --tier $tier -o "$scratch/rod.csv"
+    read -r rows worst < <(against tests/reference/data/flow_rod.csv "$scratch/rod.csv")
+    awk -v r="$rows" -v w="$worst" 'BEGIN { exit !(r == 4 && w <= 1e-11) }' || fail "$tier, rod: $rows rows, error $worst"
+done
+
+# The pole at t = 1.74782627825...: a last row with its time and fate, and words about it.
+expect 0 'reaches the pole gamma3 = +1 at t = 1.74782627825' "${generic[@]}" --times 1,2,4 --tol 1e-13
+awk -F, '/^[0-9]/ { n++; t = $1; fate = $NF } END { exit !(n == 2 && t > 1.747826278 && t < 1.747826279 && fate == "pole+") }' \
+    "$scratch/out" || fail "no row for the pole"
+# A single chart loses where it divides by something small: b = 0 at gamma3 = -0.51.
+jellett simulate --start gamma3=-0.5,v_nu=0.3,omega_tau=-0.4,omega_n=0.8,omega3=1 --until 5 --every 1/10 --tol 1e-12 \
+    --compare level_omega_n,level_omega3,five -o "$scratch/charts.csv" 2> "$scratch/err" || fail "comparison of charts failed"
+awk -F, '/^t/ { next } /^[0-9]/ { good = $(NF - 1) > good ? $(NF - 1) : good; if ($(NF - 2) == "") lost = 1
+        else if ($(NF - 2) > bad) bad = $(NF - 2) } END { exit !(good < 1e-9 && (lost || bad > 100 * good)) }' \
+    "$scratch/charts.csv" || fail "the chart without omega3 is not seen to lose at b = 0"
+
+# Quadratures against integration to 1e-12; E1 = 0 is periodic in all states.
+jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.5:2:31 --check -o "$scratch/rod.csv"
+awk -F, '/^[0-9]/ { n++; if ($9 > 1e-12 || $10 > 1e-12) bad = 1 } END { exit !(n == 31 && !bad) }' "$scratch/rod.csv" ||
+    fail "quadratures and integration differ"
+jellett rod --set I1=0.7,a3=0.3 --start gamma3=0.6,v_nu=0,omega_tau=0.4,omega_n=1.2,omega3=-27/20 --check -o "$scratch/rod.csv"
+awk -F, '/^[0-9]/ { exit !($10 <= 1e-12) }' "$scratch/rod.csv" || fail "an orbit with E1 = 0 does not return"
+
+# M^2: two attracting and two repelling foci, as (4.5) has them.
+jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 -o "$scratch/m2.csv" \
+    --trajectories "$scratch/orbits.csv" --orbits 6
+[ "$(grep -c 'attracting focus' "$scratch/m2.csv")$(grep -c 'repelling focus' "$scratch/m2.csv")" = 22 ] || fail "fixed points on M^2"
+[ "$(grep -c '^5,' "$scratch/orbits.csv")" -gt 100 ] || fail "orbits on M^2"
+
+expect 3 'omega_n as well' jellett simulate --start gamma3=0,v_nu=0,omega_tau=0 --times 1
+expect 3 'strictly between -1 and 1' jellett simulate --start gamma3=1,v_nu=0,omega_tau=0,omega_n=0,omega3=0 --times 1
+expect 3 "no tier 'six'" "${generic[@]}" --times 1 --tier six
+expect 3 'a3 is not 0' "${generic[@]}" --times 1 --tier plane
+expect 3 'in one direction' "${generic[@]}" --times 1,0.5
+expect 2 'say when' "${generic[@]}"
+expect 3 'a3 = 0' jellett portrait --set a3=0.1 --level E=1,G=0,F0=0
+expect 3 'no state has these levels' jellett portrait --level E=0.1,G=5,F0=0
+expect 3 'I3 = 0' jellett rod --set I3=1 --start gamma3=0,v_nu=0,omega_tau=0,omega_n=1,omega3=0
+expect 3 'G = 0' jellett rod --start gamma3=0,v_nu=0,omega_tau=0,omega_n=0,omega3=0
+
+# Scenes: shipped ones are read and planned; a mistake has its line; a job's failure is the run's.
+for scene in tools/scenes/*.scene; do
+    jellett plan "$scene" > "$scratch/plan" || fail "jellett plan $scene"
+    jellett run --dry-run "$scene" > /dev/null || fail "jellett run --dry-run $scene"
+done
+jellett plan tools/scenes/rod.scene | grep -q '^  \* quadrature .*the smallest' || fail "rod: not by quadratures"
+jellett plan tools/scenes/balanced.scene | grep -q '^  \* plane .*the smallest' || fail "balanced: not on M^2"
+jellett plan tools/scenes/fig3a.scene | grep -q '^  \* level .*the smallest' || fail "fig3a: not on a level of G"
+jellett plan tools/scenes/full.scene | grep -q '^  \* track .*the smallest' || fail "full: not by quadratures for attitude and track"
+for scene in rod full; do
+    jellett run "tools/scenes/$scene.scene" --into "$scratch" > /dev/null 2> "$scratch/err" || fail "jellett run $scene: $(cat "$scratch/err")"
+done
+for file in rod_orbit.csv rod_orbit.svg rod.csv rod.svg rod_periodic.csv full.csv full_track.svg full_states.csv full_states.svg; do
+    [ -s "$scratch/$file" ] || fail "no $file"
+done
+awk -F, '/^[0-9]/ { if ($(NF - 1) > 1e-9) bad = 1 } END { exit bad }' "$scratch/full.csv" || fail "quadratures and the full system differ"
+printf 'title = "x";\ncompute = ( { what = "simulate"; start = { gamma4 = 1; }; until = 1; } );\n' > "$scratch/bad.scene"
+expect 3 "bad.scene:2: error: 'start' does not know 'gamma4'" jellett run "$scratch/bad.scene"
+expect 3 "bad.scene:2: error: 'start' does not know 'gamma4'" jellett plan "$scratch/bad.scene"
+printf 'compute = (\n { what = "simulate"; until = 1; } );\n' > "$scratch/bad.scene"
+expect 3 'bad.scene:2: error: simulate ended with status 3' jellett run "$scratch/bad.scene"
+expect 5 'No such file' jellett run "$scratch/none.scene"
+exit $status
