@@ -8,7 +8,7 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   14    3    1    1    0      9    5   (61)
  *  jacobian            8   25    4    1    1    0     10    6   (143)
- *  rhs_jacobian        13   28    6    1    1    0     11    8   (186)
+ *  rhs_jacobian        11   30    5    1    1    0     11   10   (186)
  *  divergence          2    7    1    1    1    0      7    5   (25)
  *  integral_values     2   10    7    0    1    0      8    5   (42)
  *  integral_gradients  2   13    6    1    1    0      7    5   (53)
@@ -188,6 +188,44 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    out[7] = t3;
+    const double t4 = x[2]*t3; /* omega_tau*s */
+    out[0] = t4;
+    const double t5 = t3*p[6]; /* s*(I3^2 + m*R^2*I3) */
+    const double t6 = 1.0/t5; /* 1/(s*(I3^2 + m*R^2*I3)) */
+    const double t7 = p[6]*t6; /* 1/s = (I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
+    const double t8 = x[3]*t7; /* omega_n*1/s */
+    const double t9 = x[0]*t8; /* gamma3*omega_n*1/s */
+    const double t10 = x[4] + t9; /* omega3 + gamma3*omega_n*1/s */
+    const double t11 = x[3]*p[1]; /* omega_n*R */
+    out[14] = t11;
+    const double t12 = t10*t11; /* (omega3 + gamma3*omega_n*1/s)*omega_n*R */
+    out[1] = t12;
+    const double t13 = x[3]*t10; /* omega_n*(omega3 + gamma3*omega_n*1/s) */
+    const double t14 = -t13; /* -omega_n*(omega3 + gamma3*omega_n*1/s) */
+    out[2] = t14;
+    const double t15 = t3*t6; /* 1/Theta = s*1/(s*(I3^2 + m*R^2*I3)) */
+    const double t16 = p[6]*t15; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t17 = x[2]*t16; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[24] = t17;
+    const double t18 = x[4]*t17; /* omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t20 = p[7]*t19; /* m*R*I3*V */
+    const double t21 = t15*t20; /* 1/Theta*m*R*I3*V */
+    const double t22 = x[2] - t21; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t23 = JLT_FMA(t9, t22, t18); /* gamma3*omega_n*1/s*(omega_tau - 1/Theta*m*R*I3*V) + omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[3] = t23;
+    const double t24 = x[3]*t21; /* omega_n*1/Theta*m*R*I3*V */
+    const double t25 = -t24; /* -omega_n*1/Theta*m*R*I3*V */
+    out[4] = t25;
+    const double t26 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t27 = t7*t26; /* 1/s*omega_tau*gamma3 */
+    const double t28 = -t27; /* -1/s*omega_tau*gamma3 */
+    out[5] = t28;
     out[6] = 0.0;
     out[8] = 0.0;
     out[9] = 0.0;
@@ -197,76 +235,37 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[17] = 0.0;
     out[25] = 0.0;
     out[29] = 0.0;
-    const double t0 = p[1]*x[3]; /* R*omega_n */
-    out[14] = t0;
-    const double t1 = -x[3]; /* -omega_n */
-    out[19] = t1;
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[7] = t5;
-    const double t6 = x[2]*t5; /* omega_tau*s */
-    out[0] = t6;
-    const double t7 = p[6]*t5; /* (I3^2 + m*R^2*I3)*s */
-    const double t8 = 1.0/t7; /* 1/((I3^2 + m*R^2*I3)*s) */
-    const double t9 = t5*t8; /* 1/Theta = s*1/((I3^2 + m*R^2*I3)*s) */
-    const double t10 = p[6]*t8; /* 1/s = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
-    const double t11 = x[3]*t10; /* omega_n*1/s */
-    const double t12 = x[0]*t11; /* gamma3*omega_n*1/s */
-    const double t13 = p[6]*t9; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t14 = x[2]*t13; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[24] = t14;
-    const double t15 = JLT_FMA(x[4], t13, t12); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/s */
-    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t17 = p[7]*t9; /* m*R*I3*1/Theta */
-    const double t18 = t16*t17; /* V*m*R*I3*1/Theta */
-    const double t19 = p[9]*t9; /* m*R^2*I3*1/Theta */
-    const double t20 = JLT_FNMA(t12, t19, t15); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/s - gamma3*omega_n*1/s*m*R^2*I3*1/Theta */
-    out[22] = t20;
-    const double t21 = x[2]*t15; /* omega_tau*(omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/s) */
-    const double t22 = JLT_FNMA(t12, t18, t21); /* t21 - gamma3*omega_n*1/s*V*m*R*I3*1/Theta */
-    out[3] = t22;
-    const double t23 = x[3]*t19; /* omega_n*m*R^2*I3*1/Theta */
-    const double t24 = -t23; /* -omega_n*m*R^2*I3*1/Theta */
-    out[27] = t24;
-    const double t25 = -t18; /* -V*m*R*I3*1/Theta */
-    out[28] = t25;
-    const double t26 = x[4] + t12; /* omega3 + gamma3*omega_n*1/s */
-    const double t27 = x[3]*t26; /* omega_n*(omega3 + gamma3*omega_n*1/s) */
-    const double t28 = p[1]*t27; /* R*omega_n*(omega3 + gamma3*omega_n*1/s) */
-    out[1] = t28;
-    const double t29 = -t27; /* -omega_n*(omega3 + gamma3*omega_n*1/s) */
-    out[2] = t29;
-    const double t30 = x[2]*t10; /* omega_tau*1/s */
-    const double t31 = t10*t11; /* 1/s*omega_n*1/s */
-    const double t32 = t11*t31; /* omega_n*1/s*1/s*omega_n*1/s */
-    const double t33 = JLT_FNMA(t10, t18, t30); /* omega_tau*1/s - 1/s*V*m*R*I3*1/Theta */
-    const double t34 = t31*t33; /* 1/s*omega_n*1/s*(omega_tau*1/s - 1/s*V*m*R*I3*1/Theta) */
-    out[20] = t34;
-    const double t35 = x[0]*t33; /* gamma3*(omega_tau*1/s - 1/s*V*m*R*I3*1/Theta) */
-    out[23] = t35;
-    const double t36 = x[3]*t18; /* omega_n*V*m*R*I3*1/Theta */
-    const double t37 = -t36; /* -omega_n*V*m*R*I3*1/Theta */
-    out[4] = t37;
-    const double t38 = x[0]*t30; /* gamma3*omega_tau*1/s */
-    const double t39 = -t38; /* -gamma3*omega_tau*1/s */
-    out[5] = t39;
-    const double t40 = p[1]*t32; /* R*omega_n*1/s*1/s*omega_n*1/s */
-    out[10] = t40;
-    const double t41 = -t32; /* -omega_n*1/s*1/s*omega_n*1/s */
-    out[15] = t41;
-    const double t42 = JLT_FMA(2.0, t12, x[4]); /* 2*gamma3*omega_n*1/s + omega3 */
-    const double t43 = t12*t17; /* gamma3*omega_n*1/s*m*R*I3*1/Theta */
-    const double t44 = -t43; /* -gamma3*omega_n*1/s*m*R*I3*1/Theta */
-    out[21] = t44;
-    const double t45 = x[3]*t17; /* omega_n*m*R*I3*1/Theta */
-    const double t46 = -t45; /* -omega_n*m*R*I3*1/Theta */
-    out[26] = t46;
-    const double t47 = p[1]*t42; /* R*(2*gamma3*omega_n*1/s + omega3) */
-    out[13] = t47;
-    const double t48 = -t42; /* -(2*gamma3*omega_n*1/s + omega3) */
-    out[18] = t48;
+    const double t29 = t7*t8; /* 1/s*omega_n*1/s */
+    const double t30 = t8*t29; /* omega_n*1/s*1/s*omega_n*1/s */
+    const double t31 = p[1]*t30; /* R*omega_n*1/s*1/s*omega_n*1/s */
+    out[10] = t31;
+    const double t32 = JLT_FMA(t9, 2.0, x[4]); /* gamma3*omega_n*1/s*2 + omega3 */
+    const double t33 = p[1]*t32; /* R*(gamma3*omega_n*1/s*2 + omega3) */
+    out[13] = t33;
+    const double t34 = -t30; /* -omega_n*1/s*1/s*omega_n*1/s */
+    out[15] = t34;
+    const double t35 = -t32; /* -(gamma3*omega_n*1/s*2 + omega3) */
+    out[18] = t35;
+    const double t36 = -x[3]; /* -omega_n */
+    out[19] = t36;
+    const double t37 = t7*t22; /* 1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t38 = t29*t37; /* 1/s*omega_n*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[20] = t38;
+    const double t39 = t9*t15; /* gamma3*omega_n*1/s*1/Theta */
+    const double t40 = p[8]*t39; /* (-m*R*I3)*gamma3*omega_n*1/s*1/Theta */
+    out[21] = t40;
+    const double t41 = JLT_FMA(x[4], t16, t9); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/s */
+    const double t42 = JLT_FNMA(t39, p[9], t41); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/s - gamma3*omega_n*1/s*1/Theta*m*R^2*I3 */
+    out[22] = t42;
+    const double t43 = x[0]*t37; /* gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[23] = t43;
+    const double t44 = x[3]*t15; /* omega_n*1/Theta */
+    const double t45 = p[8]*t44; /* (-m*R*I3)*omega_n*1/Theta */
+    out[26] = t45;
+    const double t46 = t44*p[10]; /* omega_n*1/Theta*(-m*R^2*I3) */
+    out[27] = t46;
+    const double t47 = -t21; /* -1/Theta*m*R*I3*V */
+    out[28] = t47;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -725,7 +724,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .jacobian = { jacobian, 25, { 8, 25, 4, 1, 1, 0, 10, 6 }, { 24, 95, 0, 23, 1, 0, 10, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 13, 28, 6, 1, 1, 0, 11, 8 }, { 31, 124, 0, 30, 1, 0, 10, 7 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 11, 30, 5, 1, 1, 0, 11, 10 }, { 31, 124, 0, 30, 1, 0, 10, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 7, 1, 1, 1, 0, 7, 5 }, { 5, 18, 0, 1, 1, 0, 9, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -10,7 +10,7 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   15    6    1    0    0     10    6   (47)
  *  jacobian            6   30    8    1    0    0     12    6   (180)
- *  rhs_jacobian        9   36    9    1    0    0     14    9   (205)
+ *  rhs_jacobian        10   36    8    1    0    0     12    7   (205)
  *  divergence          2    3    3    1    0    0      7    3   (23)
  *  integral_values     0    9    7    1    0    0      8    4   (39)
  *  integral_gradients  0   15   10    1    0    0      7    8   (72)
@@ -96,7 +96,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[21] = t22;
     const double t23 = -t17; /* -R*m */
     out[22] = t23;
-    const double t24 = (-2.0)/params[5]; /* (-2)/I3 */
+    const double t24 = -params[1]; /* -R */
     out[23] = t24;
     const double t25 = params[1]*t5; /* R*R*R */
     const double t26 = t20*t25; /* 2*m*m*R*R*R */
@@ -247,66 +247,66 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t4 = 1.0/t3; /* 1/(s*Theta) */
     const double t5 = t2*t4; /* 1/s = Theta*1/(s*Theta) */
     const double t6 = x[4]*t4; /* 1/Theta = s*1/(s*Theta) */
-    const double t7 = p[8]*x[0]; /* R*I3*gamma3 */
-    const double t8 = JLT_FMA(x[3], t7, p[6]); /* omega3*R*I3*gamma3 + G_level */
-    const double t9 = t5*t8; /* 1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t10 = p[17]*t9; /* 1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t11 = x[0]*t10; /* gamma3*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t12 = t5*t11; /* 1/s*gamma3*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t13 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t14 = t6*t13; /* 1/Theta*V */
-    const double t15 = x[4]*t10; /* s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t16 = t6*t15; /* 1/Theta*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t17 = p[25]*t16; /* (-m*R*I3)*1/Theta*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    out[21] = t17;
-    const double t18 = p[26]*t16; /* (-m*R^2*I3)*1/Theta*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    out[22] = t18;
-    const double t19 = JLT_FMA(2.0, t12, x[3]); /* 2*1/s*gamma3*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3 */
-    const double t20 = t9*t12; /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/s*gamma3*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t21 = p[23]*t20; /* (-2/I3)*t20 */
+    const double t7 = x[0]*p[8]; /* gamma3*R*I3 */
+    const double t8 = JLT_FMA(x[3], t7, p[6]); /* omega3*gamma3*R*I3 + G_level */
+    const double t9 = t5*t8; /* 1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t10 = x[0]*p[15]; /* gamma3*2/(R*I3) */
+    const double t11 = t5*t10; /* 1/s*gamma3*2/(R*I3) */
+    const double t12 = t9*t11; /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/s*gamma3*2/(R*I3) */
+    const double t13 = p[16]*t9; /* 1/(R^2*I3^2)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t14 = t9*t13; /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/(R^2*I3^2)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t15 = p[17]*t9; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t17 = t6*t16; /* 1/Theta*V */
+    const double t18 = x[4]*t15; /* s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t19 = t6*t18; /* 1/Theta*s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t20 = t12*t15; /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/s*gamma3*2/(R*I3)*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    out[19] = t20;
+    const double t21 = p[23]*t20; /* (-R)*t20 */
     out[14] = t21;
-    const double t22 = p[15]*t20; /* 2/(R*I3)*t20 */
-    out[19] = t22;
-    const double t23 = x[4]*x[2]; /* s*omega_tau */
-    const double t24 = x[4]*t23; /* s*s*omega_tau */
-    out[0] = t24;
-    const double t25 = 2.0*t23; /* 2*s*omega_tau */
-    out[9] = t25;
-    const double t26 = -t23; /* -s*omega_tau */
-    out[25] = t26;
-    const double t27 = x[0]*t23; /* gamma3*s*omega_tau */
-    const double t28 = -t27; /* -gamma3*s*omega_tau */
-    out[4] = t28;
-    const double t29 = x[3]*t15; /* omega3*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t30 = JLT_FMA(t10, t11, t29); /* 1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level)*gamma3*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t31 = p[1]*t30; /* R*t30 */
-    out[1] = t31;
-    const double t32 = -t30; /* -t30 */
-    out[2] = t32;
-    const double t33 = p[20]*t14; /* m*R*I3*1/Theta*V */
-    const double t34 = p[24]*t14; /* 2*m^2*R^3*I3^2*1/Theta*V */
-    const double t35 = t16*t34; /* 1/Theta*s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level)*2*m^2*R^3*I3^2*1/Theta*V */
-    const double t36 = x[4]*t35; /* s*t35 */
-    out[24] = t36;
-    const double t37 = x[3]*t19; /* omega3*t19 */
-    const double t38 = JLT_FMA(x[0], t19, t15); /* gamma3*t19 + s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t39 = t15*t33; /* s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level)*m*R*I3*1/Theta*V */
-    const double t40 = -t39; /* -t39 */
-    out[3] = t40;
-    const double t41 = p[1]*t38; /* R*(gamma3*t19 + s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level)) */
-    out[13] = t41;
-    const double t42 = -t38; /* -(gamma3*t19 + s*1/(R*I3)*1/s*(omega3*R*I3*gamma3 + G_level)) */
-    out[18] = t42;
-    const double t43 = p[16]*t9; /* 1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) */
-    const double t44 = JLT_FMA(t9, t43, t37); /* 1/s*(omega3*R*I3*gamma3 + G_level)*1/(R^2*I3^2)*1/s*(omega3*R*I3*gamma3 + G_level) + omega3*t19 */
-    const double t45 = p[1]*t44; /* R*t44 */
-    out[10] = t45;
-    const double t46 = -t44; /* -t44 */
-    out[15] = t46;
-    const double t47 = x[3]*t33; /* omega3*m*R*I3*1/Theta*V */
-    const double t48 = JLT_FMS(x[0], t35, t47); /* gamma3*t35 - omega3*m*R*I3*1/Theta*V */
+    const double t22 = x[3] + t12; /* omega3 + 1/s*(omega3*gamma3*R*I3 + G_level)*1/s*gamma3*2/(R*I3) */
+    const double t23 = p[25]*t19; /* (-m*R*I3)*1/Theta*s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    out[21] = t23;
+    const double t24 = p[26]*t19; /* (-m*R^2*I3)*1/Theta*s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    out[22] = t24;
+    const double t25 = x[4]*x[2]; /* s*omega_tau */
+    const double t26 = x[4]*t25; /* s*s*omega_tau */
+    out[0] = t26;
+    const double t27 = 2.0*t25; /* 2*s*omega_tau */
+    out[9] = t27;
+    const double t28 = -t25; /* -s*omega_tau */
+    out[25] = t28;
+    const double t29 = x[0]*t25; /* gamma3*s*omega_tau */
+    const double t30 = -t29; /* -gamma3*s*omega_tau */
+    out[4] = t30;
+    const double t31 = x[0]*t14; /* gamma3*t14 */
+    const double t32 = JLT_FMA(x[3], t18, t31); /* omega3*s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) + gamma3*t14 */
+    const double t33 = JLT_FMA(x[3], t22, t14); /* omega3*t22 + t14 */
+    const double t34 = JLT_FMA(x[0], t22, t18); /* gamma3*t22 + s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t35 = p[1]*t32; /* R*t32 */
+    out[1] = t35;
+    const double t36 = -t32; /* -t32 */
+    out[2] = t36;
+    const double t37 = p[1]*t33; /* R*(omega3*t22 + t14) */
+    out[10] = t37;
+    const double t38 = -t33; /* -(omega3*t22 + t14) */
+    out[15] = t38;
+    const double t39 = p[1]*t34; /* R*(gamma3*t22 + s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)) */
+    out[13] = t39;
+    const double t40 = -t34; /* -(gamma3*t22 + s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)) */
+    out[18] = t40;
+    const double t41 = p[20]*t17; /* m*R*I3*1/Theta*V */
+    const double t42 = p[24]*t17; /* 2*m^2*R^3*I3^2*1/Theta*V */
+    const double t43 = t19*t42; /* 1/Theta*s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*2*m^2*R^3*I3^2*1/Theta*V */
+    const double t44 = t18*t41; /* s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*m*R*I3*1/Theta*V */
+    const double t45 = -t44; /* -t44 */
+    out[3] = t45;
+    const double t46 = x[4]*t43; /* s*t43 */
+    out[24] = t46;
+    const double t47 = x[3]*t41; /* omega3*m*R*I3*1/Theta*V */
+    const double t48 = JLT_FMS(x[0], t43, t47); /* gamma3*t43 - omega3*m*R*I3*1/Theta*V */
     out[20] = t48;
-    const double t49 = x[0]*t33; /* gamma3*m*R*I3*1/Theta*V */
+    const double t49 = x[0]*t41; /* gamma3*m*R*I3*1/Theta*V */
     const double t50 = -t49; /* -gamma3*m*R*I3*1/Theta*V */
     out[23] = t50;
     const double t51 = x[4]*x[0]; /* s*gamma3 */
@@ -563,7 +563,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .jacobian = { jacobian, 25, { 6, 30, 8, 1, 0, 0, 12, 6 }, { 32, 131, 0, 17, 0, 0, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 9, 36, 9, 1, 0, 0, 14, 9 }, { 37, 150, 0, 18, 0, 0, 11, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 10, 36, 8, 1, 0, 0, 12, 7 }, { 37, 150, 0, 18, 0, 0, 11, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .divergence = { divergence, 1, { 2, 3, 3, 1, 0, 0, 7, 3 }, { 5, 17, 0, 1, 0, 0, 8, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },

@@ -9,8 +9,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   17    7    1    0    0      9    6   (63)
- *  jacobian            5   36   14    1    0    0     13   12   (278)
- *  rhs_jacobian        6   39   17    1    0    0     16   13   (319)
+ *  jacobian            5   35   14    1    0    0     12   13   (278)
+ *  rhs_jacobian        5   39   18    1    0    0     15   10   (319)
  *  divergence          0    9    4    1    0    0      7    5   (36)
  *  integral_values     0    9    7    1    0    0      9    4   (39)
  *  integral_gradients  0   15   10    1    0    0      9    7   (72)
@@ -68,32 +68,32 @@ static void prepare(const double *restrict params, double *restrict out)
     out[24] = t5;
     const double t6 = params[5]*t5; /* I3*m*R*R */
     out[11] = t6;
-    const double t7 = t3 + t6; /* I3*I3 + I3*m*R*R */
-    out[12] = t7;
-    const double t8 = params[1]*params[0]; /* R*m */
-    const double t9 = params[5]*t8; /* I3*R*m */
+    const double t7 = params[1]*params[0]; /* R*m */
+    const double t8 = params[5]*t7; /* I3*R*m */
+    out[12] = t8;
+    const double t9 = t3 + t6; /* I3*I3 + I3*m*R*R */
     out[13] = t9;
-    const double t10 = params[5]*t3; /* I3*I3*I3 */
-    const double t11 = t5*t10; /* m*R*R*I3*I3*I3 */
-    const double t12 = params[0]*params[0]; /* m*m */
-    const double t13 = t4*t4; /* R*R*R*R */
-    const double t14 = t12*t13; /* m*m*R*R*R*R */
-    const double t15 = t3*t14; /* I3*I3*m*m*R*R*R*R */
-    const double t16 = t11 + t15; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
-    const double t17 = 2.0*t16; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
-    const double t18 = t17/t1; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(R*I3) */
-    out[14] = t18;
-    const double t19 = 2.0*t12; /* 2*m*m */
-    const double t20 = params[1]*t4; /* R*R*R */
-    const double t21 = t19*t20; /* 2*m*m*R*R*R */
-    const double t22 = t3*t21; /* I3*I3*2*m*m*R*R*R */
+    const double t10 = params[0]*params[0]; /* m*m */
+    const double t11 = 2.0*t10; /* 2*m*m */
+    const double t12 = params[1]*t4; /* R*R*R */
+    const double t13 = t11*t12; /* 2*m*m*R*R*R */
+    const double t14 = t3*t13; /* I3*I3*2*m*m*R*R*R */
+    out[14] = t14;
+    const double t15 = params[5]*t3; /* I3*I3*I3 */
+    const double t16 = t5*t15; /* m*R*R*I3*I3*I3 */
+    const double t17 = t4*t4; /* R*R*R*R */
+    const double t18 = t10*t17; /* m*m*R*R*R*R */
+    const double t19 = t3*t18; /* I3*I3*m*m*R*R*R*R */
+    const double t20 = t16 + t19; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t21 = 2.0*t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t22 = t21/t1; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(R*I3) */
     out[15] = t22;
     const double t23 = params[5]/params[1]; /* I3/R */
-    const double t24 = t8 + t23; /* R*m + I3/R */
+    const double t24 = t7 + t23; /* R*m + I3/R */
     out[16] = t24;
-    const double t25 = -t9; /* -I3*R*m */
+    const double t25 = -t8; /* -I3*R*m */
     out[17] = t25;
-    const double t26 = t7/t1; /* (I3*I3 + I3*m*R*R)/(R*I3) */
+    const double t26 = t9/t1; /* (I3*I3 + I3*m*R*R)/(R*I3) */
     out[18] = t26;
     const double t27 = params[0]*2.0; /* m*2 */
     const double t28 = t4*t27; /* R*R*m*2 */
@@ -118,37 +118,37 @@ static void prepare(const double *restrict params, double *restrict out)
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t2 = JLT_FMA(p[11], t1, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t3 = x[0]*t2; /* gamma3*Theta */
-    const double t4 = 1.0/t3; /* 1/(gamma3*Theta) */
-    const double t5 = x[4]*x[3]; /* s*omega_n */
-    const double t6 = JLT_FNMA(p[9], t5, p[6]); /* G_level - R*I3*s*omega_n */
-    const double t7 = p[8]*t6; /* 1/(R*I3)*(G_level - R*I3*s*omega_n) */
-    const double t8 = t2*t7; /* Theta*1/(R*I3)*(G_level - R*I3*s*omega_n) */
-    const double t9 = t4*t8; /* 1/(gamma3*Theta)*Theta*1/(R*I3)*(G_level - R*I3*s*omega_n) */
-    const double t10 = t5*t9; /* s*omega_n*1/(gamma3*Theta)*Theta*1/(R*I3)*(G_level - R*I3*s*omega_n) */
-    const double t11 = x[0]*t4; /* gamma3*1/(gamma3*Theta) */
-    const double t12 = x[4]*x[2]; /* s*omega_tau */
-    const double t13 = x[4]*t12; /* s*s*omega_tau */
-    out[0] = t13;
-    const double t14 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t15 = JLT_FNMA(x[3], t14, t10); /* t10 - omega_n*omega_n*gamma3 */
-    out[2] = t15;
-    const double t16 = p[7]*t15; /* (-R)*(t10 - omega_n*omega_n*gamma3) */
-    out[1] = t16;
-    const double t17 = p[12]*t12; /* (I3^2 + m*R^2*I3)*s*omega_tau */
-    const double t18 = t9*t17; /* 1/(gamma3*Theta)*Theta*1/(R*I3)*(G_level - R*I3*s*omega_n)*(I3^2 + m*R^2*I3)*s*omega_tau */
-    const double t19 = x[0]*t12; /* gamma3*s*omega_tau */
-    const double t20 = -t19; /* -gamma3*s*omega_tau */
-    out[4] = t20;
-    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t22 = p[13]*t14; /* m*R*I3*omega_n*gamma3 */
-    const double t23 = JLT_FMA(t21, t22, t18); /* V*m*R*I3*omega_n*gamma3 + t18 */
-    const double t24 = x[2]*t14; /* omega_tau*omega_n*gamma3 */
-    const double t25 = JLT_FNMA(t11, t23, t24); /* omega_tau*omega_n*gamma3 - gamma3*1/(gamma3*Theta)*(V*m*R*I3*omega_n*gamma3 + t18) */
-    out[3] = t25;
+    const double t0 = x[4]*x[2]; /* s*omega_tau */
+    const double t1 = x[4]*t0; /* s*s*omega_tau */
+    out[0] = t1;
+    const double t2 = x[4]*x[3]; /* s*omega_n */
+    const double t3 = JLT_FNMA(p[9], t2, p[6]); /* G_level - R*I3*s*omega_n */
+    const double t4 = x[4]*x[4]; /* s*s */
+    const double t5 = JLT_FMA(x[0], x[0], t4); /* gamma3*gamma3 + s*s */
+    const double t6 = JLT_FMA(p[11], t5, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t7 = x[0]*t6; /* gamma3*Theta */
+    const double t8 = 1.0/t7; /* 1/(gamma3*Theta) */
+    const double t9 = p[8]*t3; /* 1/(R*I3)*(G_level - R*I3*s*omega_n) */
+    const double t10 = t6*t9; /* Theta*1/(R*I3)*(G_level - R*I3*s*omega_n) */
+    const double t11 = t8*t10; /* 1/(gamma3*Theta)*Theta*1/(R*I3)*(G_level - R*I3*s*omega_n) */
+    const double t12 = t2*t11; /* s*omega_n*1/(gamma3*Theta)*Theta*1/(R*I3)*(G_level - R*I3*s*omega_n) */
+    const double t13 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t14 = JLT_FNMA(x[3], t13, t12); /* t12 - omega_n*omega_n*gamma3 */
+    out[2] = t14;
+    const double t15 = p[7]*t14; /* (-R)*(t12 - omega_n*omega_n*gamma3) */
+    out[1] = t15;
+    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t17 = x[0]*t8; /* 1/Theta = gamma3*1/(gamma3*Theta) */
+    const double t18 = p[12]*t16; /* m*R*I3*V */
+    const double t19 = JLT_FNMA(t17, t18, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t20 = t13*t19; /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t21 = t0*p[13]; /* s*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t22 = t11*t21; /* 1/(gamma3*Theta)*Theta*1/(R*I3)*(G_level - R*I3*s*omega_n)*s*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t23 = JLT_FNMA(t17, t22, t20); /* omega_n*gamma3*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*t22 */
+    out[3] = t23;
+    const double t24 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t25 = -t24; /* -s*omega_tau*gamma3 */
+    out[4] = t25;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -164,76 +164,75 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[2] = t0;
-    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t2 = JLT_FMA(p[11], t1, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t3 = x[0]*t2; /* gamma3*Theta */
-    const double t4 = 1.0/t3; /* 1/(gamma3*Theta) */
-    const double t5 = t2*t4; /* 1/gamma3 = Theta*1/(gamma3*Theta) */
-    const double t6 = x[0]*t4; /* 1/Theta = gamma3*1/(gamma3*Theta) */
-    const double t7 = x[4]*x[2]; /* s*omega_tau */
-    const double t8 = 2.0*t7; /* 2*s*omega_tau */
-    out[4] = t8;
-    const double t9 = -t7; /* -s*omega_tau */
-    out[20] = t9;
-    const double t10 = t5*t7; /* 1/gamma3*s*omega_tau */
-    const double t11 = t6*t10; /* 1/Theta*1/gamma3*s*omega_tau */
-    const double t12 = x[4]*x[3]; /* s*omega_n */
-    const double t13 = JLT_FNMA(p[9], t12, p[6]); /* G_level - R*I3*s*omega_n */
-    const double t14 = t5*t12; /* 1/gamma3*s*omega_n */
-    const double t15 = t5*t13; /* 1/gamma3*(G_level - R*I3*s*omega_n) */
-    const double t16 = p[14]*t13; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(R*I3)*(G_level - R*I3*s*omega_n) */
-    const double t17 = t11*t16; /* 1/Theta*1/gamma3*s*omega_tau*t16 */
+    const double t1 = x[4]*x[2]; /* s*omega_tau */
+    const double t2 = 2.0*t1; /* 2*s*omega_tau */
+    out[4] = t2;
+    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t4 = x[4]*x[3]; /* s*omega_n */
+    const double t5 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t6 = JLT_FMA(p[11], t5, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t7 = x[0]*t6; /* gamma3*Theta */
+    const double t8 = 1.0/t7; /* 1/(gamma3*Theta) */
+    const double t9 = t6*t8; /* 1/gamma3 = Theta*1/(gamma3*Theta) */
+    const double t10 = t4*t9; /* s*omega_n*1/gamma3 */
+    const double t11 = JLT_FNMA(t4, p[9], p[6]); /* G_level - s*omega_n*R*I3 */
+    const double t12 = p[8]*t11; /* 1/(R*I3)*(G_level - s*omega_n*R*I3) */
+    const double t13 = t9*t12; /* 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3) */
+    const double t14 = JLT_FMA(t10, t13, t3); /* s*omega_n*1/gamma3*1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3) + omega_n*omega_n */
+    const double t15 = p[1]*t14; /* R*t14 */
+    out[5] = t15;
+    const double t16 = t13 - t10; /* 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3) - s*omega_n*1/gamma3 */
+    const double t17 = x[4]*t16; /* s*t16 */
     const double t18 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t20 = p[8]*t15; /* 1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) */
-    const double t21 = p[16]*t15; /* (m*R + I3/R)*1/gamma3*(G_level - R*I3*s*omega_n) */
-    const double t22 = p[13]*t19; /* m*R*I3*V */
-    const double t23 = p[15]*t19; /* 2*m^2*R^3*I3^2*V */
-    const double t24 = JLT_FNMA(t6, t22, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t25 = t6*t18; /* 1/Theta*omega_n*gamma3 */
-    const double t26 = JLT_FMA(t23, t25, t17); /* 2*m^2*R^3*I3^2*V*1/Theta*omega_n*gamma3 + 1/Theta*1/gamma3*s*omega_tau*t16 */
-    const double t27 = t6*t26; /* 1/Theta*t26 */
-    const double t28 = p[17]*t25; /* (-m*R*I3)*1/Theta*omega_n*gamma3 */
-    out[16] = t28;
-    const double t29 = JLT_FNMA(p[11], t25, t18); /* omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 */
-    const double t30 = t20 - t14; /* 1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) - 1/gamma3*s*omega_n */
-    const double t31 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t32 = JLT_FMA(t14, t20, t31); /* 1/gamma3*s*omega_n*1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) + omega_n*omega_n */
-    const double t33 = p[1]*t32; /* R*t32 */
-    out[5] = t33;
-    const double t34 = -t32; /* -t32 */
-    out[10] = t34;
-    const double t35 = x[4]*t30; /* s*t30 */
-    const double t36 = JLT_FNMA(2.0, t18, t35); /* s*t30 - 2*omega_n*gamma3 */
-    out[13] = t36;
-    const double t37 = p[7]*t36; /* (-R)*(s*t30 - 2*omega_n*gamma3) */
-    out[8] = t37;
-    const double t38 = x[3]*t24; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t39 = JLT_FMA(t11, t21, t38); /* 1/Theta*1/gamma3*s*omega_tau*(m*R + I3/R)*1/gamma3*(G_level - R*I3*s*omega_n) + omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t40 = JLT_FMA(x[0], t27, t39); /* gamma3*1/Theta*t26 + t39 */
-    out[15] = t40;
-    const double t41 = x[0]*t24; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t42 = x[4]*t27; /* s*1/Theta*t26 */
-    const double t43 = x[4]*p[12]; /* s*(I3^2 + m*R^2*I3) */
-    const double t44 = JLT_FMA(t11, t43, t41); /* 1/Theta*1/gamma3*s*omega_tau*s*(I3^2 + m*R^2*I3) + gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[18] = t44;
-    const double t45 = t6*t43; /* 1/Theta*s*(I3^2 + m*R^2*I3) */
-    const double t46 = JLT_FNMA(t20, t45, t29); /* omega_n*gamma3 - m*R^2*I3*1/Theta*omega_n*gamma3 - 1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n)*1/Theta*s*(I3^2 + m*R^2*I3) */
-    out[17] = t46;
-    const double t47 = x[2]*p[12]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t48 = t6*t47; /* 1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t49 = JLT_FNMA(t30, t48, t42); /* s*1/Theta*t26 - t30*1/Theta*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t19 = JLT_FNMA(2.0, t18, t17); /* s*t16 - 2*omega_n*gamma3 */
+    out[13] = t19;
+    const double t20 = p[7]*t19; /* (-R)*(s*t16 - 2*omega_n*gamma3) */
+    out[8] = t20;
+    const double t21 = x[3]*t16; /* omega_n*t16 */
+    out[14] = t21;
+    const double t22 = p[7]*t21; /* (-R)*omega_n*t16 */
+    out[9] = t22;
+    const double t23 = -t14; /* -t14 */
+    out[10] = t23;
+    const double t24 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t25 = x[0]*t8; /* 1/Theta = gamma3*1/(gamma3*Theta) */
+    const double t26 = p[12]*t24; /* m*R*I3*V */
+    const double t27 = JLT_FNMA(t25, t26, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t28 = x[3]*t27; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t29 = t18*t25; /* omega_n*gamma3*1/Theta */
+    const double t30 = t24*p[14]; /* V*2*m^2*R^3*I3^2 */
+    const double t31 = t29*t30; /* omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2 */
+    const double t32 = t1*t9; /* s*omega_tau*1/gamma3 */
+    const double t33 = t11*t25; /* (G_level - s*omega_n*R*I3)*1/Theta */
+    const double t34 = t32*t33; /* s*omega_tau*1/gamma3*(G_level - s*omega_n*R*I3)*1/Theta */
+    const double t35 = JLT_FMA(p[15], t34, t31); /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(R*I3)*s*omega_tau*1/gamma3*(G_level - s*omega_n*R*I3)*1/Theta + omega_n*gamma3*1/Theta*V*2*m^2*R^3*I3^2 */
+    const double t36 = t25*t35; /* 1/Theta*t35 */
+    const double t37 = t9*p[16]; /* 1/gamma3*(m*R + I3/R) */
+    const double t38 = JLT_FMA(t34, t37, t28); /* s*omega_tau*1/gamma3*(G_level - s*omega_n*R*I3)*1/Theta*1/gamma3*(m*R + I3/R) + omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t39 = JLT_FMA(x[0], t36, t38); /* gamma3*1/Theta*t35 + t38 */
+    out[15] = t39;
+    const double t40 = t29*p[17]; /* omega_n*gamma3*1/Theta*(-m*R*I3) */
+    out[16] = t40;
+    const double t41 = t25*p[13]; /* 1/Theta*(I3^2 + m*R^2*I3) */
+    const double t42 = x[4]*t41; /* s*1/Theta*(I3^2 + m*R^2*I3) */
+    const double t43 = JLT_FNMA(p[11], t29, t18); /* omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta */
+    const double t44 = JLT_FNMA(t13, t42, t43); /* omega_n*gamma3 - m*R^2*I3*omega_n*gamma3*1/Theta - 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*s*1/Theta*(I3^2 + m*R^2*I3) */
+    out[17] = t44;
+    const double t45 = x[0]*t27; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t46 = JLT_FMA(t32, t42, t45); /* s*omega_tau*1/gamma3*s*1/Theta*(I3^2 + m*R^2*I3) + gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[18] = t46;
+    const double t47 = x[4]*t36; /* s*1/Theta*t35 */
+    const double t48 = x[2]*t41; /* omega_tau*1/Theta*(I3^2 + m*R^2*I3) */
+    const double t49 = JLT_FNMA(t16, t48, t47); /* s*1/Theta*t35 - t16*omega_tau*1/Theta*(I3^2 + m*R^2*I3) */
     out[19] = t49;
-    const double t50 = x[3]*t30; /* omega_n*t30 */
-    out[14] = t50;
-    const double t51 = p[7]*t50; /* (-R)*omega_n*t30 */
-    out[9] = t51;
-    const double t52 = x[4]*x[0]; /* s*gamma3 */
-    const double t53 = -t52; /* -s*gamma3 */
-    out[22] = t53;
-    const double t54 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t55 = -t54; /* -omega_tau*gamma3 */
-    out[24] = t55;
+    const double t50 = -t1; /* -s*omega_tau */
+    out[20] = t50;
+    const double t51 = x[4]*x[0]; /* s*gamma3 */
+    const double t52 = -t51; /* -s*gamma3 */
+    out[22] = t52;
+    const double t53 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t54 = -t53; /* -omega_tau*gamma3 */
+    out[24] = t54;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -249,82 +248,82 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[28] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[7] = t0;
-    const double t1 = x[2]*t0; /* omega_tau*s*s */
-    out[0] = t1;
-    const double t2 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t3 = JLT_FMA(p[11], t2, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t4 = x[0]*t3; /* gamma3*Theta */
-    const double t5 = 1.0/t4; /* 1/(gamma3*Theta) */
-    const double t6 = t3*t5; /* 1/gamma3 = Theta*1/(gamma3*Theta) */
-    const double t7 = x[0]*t5; /* 1/Theta = gamma3*1/(gamma3*Theta) */
-    const double t8 = x[4]*x[3]; /* s*omega_n */
-    const double t9 = JLT_FNMA(p[9], t8, p[6]); /* G_level - R*I3*s*omega_n */
-    const double t10 = JLT_FMS(p[8], t9, t8); /* 1/(R*I3)*(G_level - R*I3*s*omega_n) - s*omega_n */
-    const double t11 = x[4]*t6; /* s*1/gamma3 */
-    const double t12 = t9*t11; /* (G_level - R*I3*s*omega_n)*s*1/gamma3 */
-    const double t13 = t10*t11; /* (1/(R*I3)*(G_level - R*I3*s*omega_n) - s*omega_n)*s*1/gamma3 */
-    const double t14 = p[18]*t12; /* (I3^2 + m*R^2*I3)/(R*I3)*(G_level - R*I3*s*omega_n)*s*1/gamma3 */
-    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t16 = p[13]*t15; /* m*R*I3*V */
-    const double t17 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t18 = JLT_FNMA(2.0, t17, t13); /* (1/(R*I3)*(G_level - R*I3*s*omega_n) - s*omega_n)*s*1/gamma3 - 2*omega_n*gamma3 */
-    out[18] = t18;
-    const double t19 = p[7]*t18; /* (-R)*t18 */
-    out[13] = t19;
-    const double t20 = x[2]*t14; /* omega_tau*t14 */
-    const double t21 = JLT_FMA(t16, t17, t20); /* m*R*I3*V*omega_n*gamma3 + omega_tau*t14 */
-    const double t22 = t7*t21; /* 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
-    const double t23 = JLT_FMA(p[11], t17, t14); /* m*R^2*I3*omega_n*gamma3 + t14 */
-    const double t24 = JLT_FNMA(t7, t23, t17); /* omega_n*gamma3 - 1/Theta*(m*R^2*I3*omega_n*gamma3 + t14) */
-    out[22] = t24;
-    const double t25 = JLT_FMS(x[2], t17, t22); /* omega_tau*omega_n*gamma3 - 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
-    out[3] = t25;
-    const double t26 = p[19]*t22; /* 2*m*R^2*I3*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
-    const double t27 = x[2]*t6; /* omega_tau*1/gamma3 */
-    const double t28 = x[3]*t6; /* omega_n*1/gamma3 */
-    const double t29 = p[8]*t12; /* 1/(R*I3)*(G_level - R*I3*s*omega_n)*s*1/gamma3 */
-    const double t30 = x[3]*t16; /* omega_n*m*R*I3*V */
-    const double t31 = x[0]*t16; /* gamma3*m*R*I3*V */
-    const double t32 = p[16]*t27; /* (m*R + I3/R)*omega_tau*1/gamma3 */
-    const double t33 = JLT_FMS(t12, t32, t30); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = (G_level - R*I3*s*omega_n)*s*1/gamma3*(m*R + I3/R)*omega_tau*1/gamma3 - omega_n*m*R*I3*V */
-    const double t34 = p[12]*t27; /* (I3^2 + m*R^2*I3)*omega_tau*1/gamma3 */
-    const double t35 = JLT_FMS(t0, t34, t31); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = s*s*(I3^2 + m*R^2*I3)*omega_tau*1/gamma3 - gamma3*m*R*I3*V */
-    const double t36 = JLT_FMA(x[0], t26, t33); /* gamma3*2*m*R^2*I3*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) + d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
-    const double t37 = x[4]*t26; /* s*2*m*R^2*I3*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
-    const double t38 = JLT_FNMA(t10, t34, t37); /* t37 - (1/(R*I3)*(G_level - R*I3*s*omega_n) - s*omega_n)*(I3^2 + m*R^2*I3)*omega_tau*1/gamma3 */
-    const double t39 = t7*t38; /* 1/Theta*t38 */
-    out[24] = t39;
-    const double t40 = t10*t28; /* (1/(R*I3)*(G_level - R*I3*s*omega_n) - s*omega_n)*omega_n*1/gamma3 */
-    out[19] = t40;
-    const double t41 = p[7]*t40; /* (-R)*t40 */
-    out[14] = t41;
-    const double t42 = t29 - t17; /* 1/(R*I3)*(G_level - R*I3*s*omega_n)*s*1/gamma3 - omega_n*gamma3 */
-    const double t43 = x[3]*t42; /* omega_n*t42 */
-    out[2] = t43;
-    const double t44 = p[7]*t43; /* (-R)*omega_n*t42 */
-    out[1] = t44;
-    const double t45 = p[17]*t17; /* (-m*R*I3)*omega_n*gamma3 */
-    const double t46 = t7*t45; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
-    out[21] = t46;
-    const double t47 = x[2]*x[4]; /* omega_tau*s */
-    const double t48 = 2.0*t47; /* 2*omega_tau*s */
-    out[9] = t48;
-    const double t49 = -t47; /* -omega_tau*s */
-    out[25] = t49;
-    const double t50 = x[0]*t47; /* gamma3*omega_tau*s */
-    const double t51 = -t50; /* -gamma3*omega_tau*s */
-    out[4] = t51;
-    const double t52 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t53 = JLT_FMA(t28, t29, t52); /* omega_n*1/gamma3*1/(R*I3)*(G_level - R*I3*s*omega_n)*s*1/gamma3 + omega_n*omega_n */
-    const double t54 = p[1]*t53; /* R*t53 */
-    out[10] = t54;
-    const double t55 = -t53; /* -t53 */
-    out[15] = t55;
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t2 = JLT_FMA(p[11], t1, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t3 = x[0]*t2; /* gamma3*Theta */
+    const double t4 = 1.0/t3; /* 1/(gamma3*Theta) */
+    const double t5 = t2*t4; /* 1/gamma3 = Theta*1/(gamma3*Theta) */
+    const double t6 = x[0]*t4; /* 1/Theta = gamma3*1/(gamma3*Theta) */
+    const double t7 = x[4]*x[3]; /* s*omega_n */
+    const double t8 = JLT_FNMA(p[9], t7, p[6]); /* G_level - R*I3*s*omega_n */
+    const double t9 = t5*t8; /* 1/gamma3*(G_level - R*I3*s*omega_n) */
+    const double t10 = x[4]*t9; /* s*1/gamma3*(G_level - R*I3*s*omega_n) */
+    const double t11 = p[8]*t9; /* 1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) */
+    const double t12 = JLT_FNMA(t5, t7, t11); /* 1/(R*I3)*1/gamma3*(G_level - R*I3*s*omega_n) - 1/gamma3*s*omega_n */
+    const double t13 = p[18]*t10; /* (I3^2 + m*R^2*I3)/(R*I3)*s*1/gamma3*(G_level - R*I3*s*omega_n) */
+    const double t14 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t15 = p[12]*t14; /* m*R*I3*V */
+    const double t16 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t17 = x[2]*t13; /* omega_tau*t13 */
+    const double t18 = JLT_FMA(t15, t16, t17); /* m*R*I3*V*omega_n*gamma3 + omega_tau*t13 */
+    const double t19 = t6*t18; /* 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t13) */
+    const double t20 = JLT_FMA(p[11], t16, t13); /* m*R^2*I3*omega_n*gamma3 + t13 */
+    const double t21 = JLT_FNMA(t6, t20, t16); /* omega_n*gamma3 - 1/Theta*(m*R^2*I3*omega_n*gamma3 + t13) */
+    out[22] = t21;
+    const double t22 = JLT_FMS(x[2], t16, t19); /* omega_tau*omega_n*gamma3 - 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t13) */
+    out[3] = t22;
+    const double t23 = p[19]*t19; /* 2*m*R^2*I3*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t13) */
+    const double t24 = x[4]*x[2]; /* s*omega_tau */
+    const double t25 = 2.0*t24; /* 2*s*omega_tau */
+    out[9] = t25;
+    const double t26 = -t24; /* -s*omega_tau */
+    out[25] = t26;
+    const double t27 = x[4]*t24; /* s*s*omega_tau */
+    out[0] = t27;
+    const double t28 = p[13]*t27; /* (I3^2 + m*R^2*I3)*s*s*omega_tau */
+    const double t29 = x[0]*t24; /* gamma3*s*omega_tau */
+    const double t30 = -t29; /* -gamma3*s*omega_tau */
+    out[4] = t30;
+    const double t31 = t5*t10; /* 1/gamma3*s*1/gamma3*(G_level - R*I3*s*omega_n) */
+    const double t32 = JLT_FMS(p[8], t10, t16); /* 1/(R*I3)*s*1/gamma3*(G_level - R*I3*s*omega_n) - omega_n*gamma3 */
+    const double t33 = x[3]*t32; /* omega_n*t32 */
+    out[2] = t33;
+    const double t34 = p[7]*t33; /* (-R)*omega_n*t32 */
+    out[1] = t34;
+    const double t35 = x[3]*t15; /* omega_n*m*R*I3*V */
+    const double t36 = x[0]*t15; /* gamma3*m*R*I3*V */
+    const double t37 = JLT_FMS(t5, t28, t36); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/gamma3*(I3^2 + m*R^2*I3)*s*s*omega_tau - gamma3*m*R*I3*V */
+    const double t38 = x[2]*p[16]; /* omega_tau*(m*R + I3/R) */
+    const double t39 = JLT_FMS(t31, t38, t35); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = 1/gamma3*s*1/gamma3*(G_level - R*I3*s*omega_n)*omega_tau*(m*R + I3/R) - omega_n*m*R*I3*V */
+    const double t40 = JLT_FMA(p[8], t31, x[3]); /* 1/(R*I3)*1/gamma3*s*1/gamma3*(G_level - R*I3*s*omega_n) + omega_n */
+    const double t41 = x[3]*t40; /* omega_n*t40 */
+    const double t42 = JLT_FMA(x[0], t23, t39); /* gamma3*2*m*R^2*I3*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t13) + d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
+    const double t43 = p[1]*t41; /* R*omega_n*t40 */
+    out[10] = t43;
+    const double t44 = -t41; /* -omega_n*t40 */
+    out[15] = t44;
+    const double t45 = x[2]*p[13]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t46 = t12*t45; /* t12*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t47 = JLT_FMS(x[4], t23, t46); /* s*2*m*R^2*I3*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t13) - t12*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t48 = t6*t47; /* 1/Theta*t47 */
+    out[24] = t48;
+    const double t49 = x[4]*t12; /* s*t12 */
+    const double t50 = JLT_FNMA(2.0, t16, t49); /* s*t12 - 2*omega_n*gamma3 */
+    out[18] = t50;
+    const double t51 = p[7]*t50; /* (-R)*(s*t12 - 2*omega_n*gamma3) */
+    out[13] = t51;
+    const double t52 = x[3]*t12; /* omega_n*t12 */
+    out[19] = t52;
+    const double t53 = p[7]*t52; /* (-R)*omega_n*t12 */
+    out[14] = t53;
+    const double t54 = p[17]*t16; /* (-m*R*I3)*omega_n*gamma3 */
+    const double t55 = t6*t54; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
+    out[21] = t55;
     const double t56 = x[2]*x[3]; /* omega_tau*omega_n */
-    const double t57 = JLT_FMA(t7, t36, t56); /* 1/Theta*t36 + omega_tau*omega_n */
+    const double t57 = JLT_FMA(t6, t42, t56); /* 1/Theta*t42 + omega_tau*omega_n */
     out[20] = t57;
     const double t58 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t59 = JLT_FMA(t7, t35, t58); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + omega_tau*gamma3 */
+    const double t59 = JLT_FMA(t6, t37, t58); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + omega_tau*gamma3 */
     out[23] = t59;
     const double t60 = -t58; /* -omega_tau*gamma3 */
     out[29] = t60;
@@ -340,11 +339,11 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t2 = JLT_FMA(p[11], t1, p[10]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
     const double t3 = x[0]*t2; /* gamma3*Theta */
     const double t4 = 1.0/t3; /* 1/(gamma3*Theta) */
-    const double t5 = x[2]*p[12]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t5 = x[2]*p[13]; /* omega_tau*(I3^2 + m*R^2*I3) */
     const double t6 = t0*t5; /* s*s*omega_tau*(I3^2 + m*R^2*I3) */
     const double t7 = t2*t6; /* Theta*s*s*omega_tau*(I3^2 + m*R^2*I3) */
     const double t8 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t9 = x[0]*p[13]; /* gamma3*m*R*I3 */
+    const double t9 = x[0]*p[12]; /* gamma3*m*R*I3 */
     const double t10 = t8*t9; /* V*gamma3*m*R*I3 */
     const double t11 = JLT_FMS(t4, t7, t10); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/(gamma3*Theta)*Theta*s*s*omega_tau*(I3^2 + m*R^2*I3) - V*gamma3*m*R*I3 */
     const double t12 = x[0]*t4; /* gamma3*1/(gamma3*Theta) */
@@ -444,14 +443,10 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
     double x4[JLT_JET_ORDER_MAX + 1];
-    double t2[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
+    double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
@@ -460,11 +455,15 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
+    double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
     double t37[JLT_JET_ORDER_MAX + 1];
     double t38[JLT_JET_ORDER_MAX + 1];
@@ -477,38 +476,38 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[4] = x4[0] = x[4];
     coefficients[5] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t2[k] = jlt_jet_product(x4, x2, k);
-        t3[k] = jlt_jet_product(x4, t2, k);
-        t9[k] = x4[k]*p[9];
-        t10[k] = (k == 0 ? p[6] : 0) - jlt_jet_product(x3, t9, k);
-        t13[k] = jlt_jet_product(x4, x4, k);
-        t15[k] = jlt_jet_product(x0, x0, k) + t13[k];
-        t16[k] = p[11]*t15[k] + (k == 0 ? p[10] : 0);
-        t17[k] = jlt_jet_product(x0, t16, k);
-        t19[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t17, t19, k);
-        t20[k] = p[8]*t10[k];
-        t21[k] = jlt_jet_product(t16, t20, k);
-        t22[k] = jlt_jet_product(t19, t21, k);
-        t23[k] = jlt_jet_product(x3, x0, k);
-        t24[k] = jlt_jet_product(x4, t22, k) - t23[k];
-        t25[k] = jlt_jet_product(x3, t24, k);
-        t26[k] = p[7]*t25[k];
-        t30[k] = x2[k]*p[1] + x1[k];
-        t31[k] = jlt_jet_product(x0, t19, k);
-        t32[k] = p[13]*t30[k];
-        t33[k] = x2[k] - jlt_jet_product(t31, t32, k);
-        t34[k] = jlt_jet_product(t24, t33, k);
-        t36[k] = t2[k]*p[12];
-        t37[k] = jlt_jet_product(t22, t36, k);
-        t38[k] = t34[k] - jlt_jet_product(t31, t37, k);
-        t39[k] = jlt_jet_product(t2, x0, k);
-        t40[k] = -t39[k];
+        t15[k] = jlt_jet_product(x4, x4, k);
+        t16[k] = jlt_jet_product(x0, x0, k) + t15[k];
+        t17[k] = p[11]*t16[k] + (k == 0 ? p[10] : 0);
+        t18[k] = jlt_jet_product(x0, t17, k);
+        t19[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t18, t19, k);
+        t20[k] = jlt_jet_product(x4, x3, k);
+        t21[k] = (k == 0 ? p[6] : 0) - p[9]*t20[k];
+        t22[k] = p[8]*t21[k];
+        t23[k] = jlt_jet_product(t17, t22, k);
+        t24[k] = jlt_jet_product(t19, t23, k);
+        t25[k] = jlt_jet_product(t20, t24, k);
+        t26[k] = jlt_jet_product(x0, t19, k);
+        t27[k] = jlt_jet_product(x4, x2, k);
+        t28[k] = jlt_jet_product(x4, t27, k);
+        t29[k] = jlt_jet_product(x3, x0, k);
+        t30[k] = t25[k] - jlt_jet_product(x3, t29, k);
+        t31[k] = p[7]*t30[k];
+        t32[k] = p[13]*t27[k];
+        t33[k] = jlt_jet_product(t24, t32, k);
+        t34[k] = jlt_jet_product(x0, t27, k);
+        t35[k] = -t34[k];
+        t36[k] = x2[k]*p[1] + x1[k];
+        t37[k] = p[12]*t29[k];
+        t38[k] = jlt_jet_product(t36, t37, k) + t33[k];
+        t39[k] = jlt_jet_product(x2, t29, k);
+        t40[k] = t39[k] - jlt_jet_product(t26, t38, k);
         double *restrict next = coefficients + (k + 1)*6;
-        next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t26[k]/(k + 1);
-        next[2] = x2[k + 1] = t25[k]/(k + 1);
-        next[3] = x3[k + 1] = t38[k]/(k + 1);
-        next[4] = x4[k + 1] = t40[k]/(k + 1);
+        next[0] = x0[k + 1] = t28[k]/(k + 1);
+        next[1] = x1[k + 1] = t31[k]/(k + 1);
+        next[2] = x2[k + 1] = t30[k]/(k + 1);
+        next[3] = x3[k + 1] = t40[k]/(k + 1);
+        next[4] = x4[k + 1] = t35[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -589,9 +588,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 17, 7, 1, 0, 0, 9, 6 }, { 11, 48, 0, 4, 0, 0, 11, 7 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .jacobian = { jacobian, 25, { 5, 36, 14, 1, 0, 0, 13, 12 }, { 41, 210, 0, 27, 0, 0, 14, 8 },
+    .jacobian = { jacobian, 25, { 5, 35, 14, 1, 0, 0, 12, 13 }, { 41, 210, 0, 27, 0, 0, 14, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 6, 39, 17, 1, 0, 0, 16, 13 }, { 48, 241, 0, 30, 0, 0, 14, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 5, 39, 18, 1, 0, 0, 15, 10 }, { 48, 241, 0, 30, 0, 0, 14, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .divergence = { divergence, 1, { 0, 9, 4, 1, 0, 0, 7, 5 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },

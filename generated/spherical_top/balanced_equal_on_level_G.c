@@ -12,7 +12,7 @@
  *  rhs_jacobian        9   28    5    1    1    0     13    9   (143)
  *  divergence          2    7    2    1    1    0      7    4   (28)
  *  integral_values     2   10    7    1    1    0      8    4   (42)
- *  integral_gradients  2   14    8    1    1    0     13    8   (68)
+ *  integral_gradients  2   15    7    1    1    0     14    8   (68)
  *  eliminated          2    3    1    1    1    0      4    3   (10)
  *
  *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
@@ -202,9 +202,9 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t9 = x[0]*p[8]; /* gamma3*R*I3 */
     const double t10 = JLT_FMA(x[3], t9, p[6]); /* omega3*gamma3*R*I3 + G_level */
     const double t11 = t8*t10; /* 1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t12 = x[0]*t8; /* gamma3*1/s */
-    const double t13 = p[7]*t11; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t14 = t12*t13; /* gamma3*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t12 = p[7]*t11; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t13 = x[0]*t8; /* gamma3*1/s */
+    const double t14 = t12*t13; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s */
     const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t16 = t7*t15; /* 1/Theta*V */
     const double t17 = t7*t11; /* 1/Theta*1/s*(omega3*gamma3*R*I3 + G_level) */
@@ -216,22 +216,22 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[17] = t21;
     const double t22 = p[13]*t17; /* (-m*R)*1/Theta*1/s*(omega3*gamma3*R*I3 + G_level) */
     out[18] = t22;
-    const double t23 = t8*t13; /* 1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t24 = x[3] + t14; /* omega3 + gamma3*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t25 = JLT_FMA(2.0, t14, x[3]); /* 2*gamma3*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) + omega3 */
+    const double t23 = t8*t12; /* 1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t24 = x[3] + t14; /* omega3 + 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s */
+    const double t25 = JLT_FMA(2.0, t14, x[3]); /* 2*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s + omega3 */
     const double t26 = t8*t23; /* 1/s*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
     const double t27 = t23*t26; /* 1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*1/s*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
     const double t28 = t8*t24; /* d(omega_n)/d(gamma3) = 1/s*t24 */
-    const double t29 = t13*t24; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*t24 */
+    const double t29 = t12*t24; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*t24 */
     const double t30 = JLT_FMA(t25, t28, t27); /* t25*d(omega_n)/d(gamma3) + t27 */
-    const double t31 = JLT_FMA(t12, t25, t13); /* gamma3*1/s*t25 + 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t31 = JLT_FMA(t13, t25, t12); /* gamma3*1/s*t25 + 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
     const double t32 = t20*t28; /* m*R*I3*1/Theta*V*d(omega_n)/d(gamma3) */
     const double t33 = -t32; /* -m*R*I3*1/Theta*V*d(omega_n)/d(gamma3) */
     out[16] = t33;
-    const double t34 = t12*t20; /* gamma3*1/s*m*R*I3*1/Theta*V */
+    const double t34 = t13*t20; /* gamma3*1/s*m*R*I3*1/Theta*V */
     const double t35 = -t34; /* -gamma3*1/s*m*R*I3*1/Theta*V */
     out[19] = t35;
-    const double t36 = x[2]*t12; /* omega_tau*gamma3*1/s */
+    const double t36 = x[2]*t13; /* omega_tau*gamma3*1/s */
     const double t37 = -t36; /* -omega_tau*gamma3*1/s */
     out[4] = t37;
     const double t38 = p[1]*t29; /* R*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*t24 */
@@ -297,42 +297,42 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[9] = 1.0;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = 1.0/t3; /* 1/s */
+    const double t5 = x[0]*p[8]; /* gamma3*R*I3 */
+    const double t6 = JLT_FMA(x[3], t5, p[6]); /* omega3*gamma3*R*I3 + G_level */
+    const double t7 = t4*t6; /* 1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t8 = p[7]*t7; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t9 = x[0]*t8; /* gamma3*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t10 = JLT_FMA(t3, x[3], t9); /* s*omega3 + gamma3*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t11 = p[19]*t10; /* m*R^2*t10 */
+    const double t12 = t4*t11; /* 1/s*m*R^2*t10 */
+    const double t13 = x[0]*t9; /* gamma3*gamma3*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t14 = t12*t13; /* 1/s*m*R^2*t10*gamma3*gamma3*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
+    const double t15 = JLT_FMA(t4, t9, x[3]); /* 1/s*gamma3*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) + omega3 */
+    const double t16 = t7*p[20]; /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/R */
+    const double t17 = JLT_FMA(t15, t16, t14); /* t15*1/s*(omega3*gamma3*R*I3 + G_level)*1/R + t14 */
+    const double t18 = t4*t17; /* 1/s*(t15*1/s*(omega3*gamma3*R*I3 + G_level)*1/R + t14) */
+    const double t19 = JLT_FMA(t8, t11, t18); /* d(energy)/d(gamma3) = 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*m*R^2*t10 + 1/s*(t15*1/s*(omega3*gamma3*R*I3 + G_level)*1/R + t14) */
+    out[0] = t19;
+    const double t20 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t20;
+    const double t21 = p[5]*x[2]; /* I3*omega_tau */
+    out[2] = t21;
+    const double t22 = JLT_FMA(t15, p[5], t12); /* d(energy)/d(omega3) = t15*I3 + 1/s*m*R^2*t10 */
+    out[3] = t22;
     out[4] = 0.0;
     out[7] = 0.0;
     out[8] = 0.0;
     out[11] = 0.0;
     out[10] = p[1];
-    const double t0 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t0;
-    const double t1 = p[5]*x[2]; /* I3*omega_tau */
-    out[2] = t1;
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t6 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t7 = 1.0/t5; /* 1/s */
-    const double t8 = JLT_FMA(p[8], t6, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t9 = t7*t8; /* 1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t10 = p[7]*t9; /* 1/(R*I3)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t11 = x[0]*t10; /* gamma3*1/(R*I3)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t12 = JLT_FMA(x[3], t5, t11); /* omega3*s + gamma3*1/(R*I3)*1/s*(R*I3*gamma3*omega3 + G_level) */
-    const double t13 = p[19]*t12; /* m*R^2*t12 */
-    const double t14 = JLT_FMA(t7, t11, x[3]); /* 1/s*gamma3*1/(R*I3)*1/s*(R*I3*gamma3*omega3 + G_level) + omega3 */
-    const double t15 = t7*t13; /* 1/s*m*R^2*t12 */
-    const double t16 = p[20]*t7; /* 1/R*1/s */
-    const double t17 = t6*t15; /* gamma3*omega3*1/s*m*R^2*t12 */
-    const double t18 = JLT_FMS(t10, t13, t17); /* 1/(R*I3)*1/s*(R*I3*gamma3*omega3 + G_level)*m*R^2*t12 - gamma3*omega3*1/s*m*R^2*t12 */
-    const double t19 = JLT_FMA(p[5], t14, t15); /* d(energy)/d(omega3) = I3*t14 + 1/s*m*R^2*t12 */
-    out[3] = t19;
-    const double t20 = x[0]*t15; /* gamma3*1/s*m*R^2*t12 */
-    const double t21 = JLT_FMA(t9, t16, t20); /* 1/s*(R*I3*gamma3*omega3 + G_level)*1/R*1/s + gamma3*1/s*m*R^2*t12 */
-    const double t22 = JLT_FMA(t14, t21, t18); /* d(energy)/d(gamma3) = t14*t21 + t18 */
-    out[0] = t22;
     const double t23 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     const double t24 = p[21]*t23; /* 2*m*I3^2*(omega_tau*R + v_nu) */
     out[5] = t24;
-    const double t25 = p[22]*t23; /* 2*m*R*I3^2*(omega_tau*R + v_nu) */
+    const double t25 = t23*p[22]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
     out[6] = t25;
 }
 
@@ -494,7 +494,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G = {
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .integral_values = { integral_values, 3, { 2, 10, 7, 1, 1, 0, 8, 4 }, { 9, 31, 0, 1, 1, 0, 13, 6 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 12, { 2, 14, 8, 1, 1, 0, 13, 8 }, { 13, 48, 0, 6, 1, 0, 12, 9 },
+    .integral_gradients = { integral_gradients, 12, { 2, 15, 7, 1, 1, 0, 14, 8 }, { 13, 48, 0, 6, 1, 0, 12, 9 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

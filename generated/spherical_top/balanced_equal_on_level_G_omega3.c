@@ -8,7 +8,7 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   18    5    1    1    0     11    5   (62)
- *  jacobian            5   27   10    1    1    0     13   10   (171)
+ *  jacobian            5   27   10    1    1    0     13    9   (171)
  *  rhs_jacobian        6   31   11    1    1    0     13   11   (208)
  *  divergence          2   11    2    1    1    0      9    6   (38)
  *  integral_values     2   10    7    1    1    0     10    4   (42)
@@ -67,14 +67,14 @@ static void prepare(const double *restrict params, double *restrict out)
     out[14] = t6;
     const double t7 = t3 + t6; /* I3*I3 + I3*m*R*R */
     out[10] = t7;
-    const double t8 = params[1]*params[0]; /* R*m */
-    const double t9 = params[5]*t8; /* I3*R*m */
-    out[11] = t9;
-    const double t10 = t7/t1; /* (I3*I3 + I3*m*R*R)/(R*I3) */
+    const double t8 = t7/t1; /* (I3*I3 + I3*m*R*R)/(R*I3) */
+    out[11] = t8;
+    const double t9 = params[1]*params[0]; /* R*m */
+    const double t10 = params[5]*t9; /* I3*R*m */
     out[12] = t10;
-    const double t11 = -t9; /* -I3*R*m */
+    const double t11 = -t10; /* -I3*R*m */
     out[13] = t11;
-    const double t12 = t7*t9; /* (I3*I3 + I3*m*R*R)*I3*R*m */
+    const double t12 = t7*t10; /* (I3*I3 + I3*m*R*R)*I3*R*m */
     out[15] = t12;
     const double t13 = t7*t7; /* (I3*I3 + I3*m*R*R)*(I3*I3 + I3*m*R*R) */
     out[16] = t13;
@@ -107,7 +107,7 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t5 = x[0]*t3; /* gamma3*s */
     const double t6 = p[10]*t5; /* (I3^2 + m*R^2*I3)*gamma3*s */
     const double t7 = 1.0/t6; /* 1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t8 = t5*t7; /* 1/Theta = gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
+    const double t8 = t5*t7; /* gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
     const double t9 = p[10]*t7; /* 1/(gamma3*s) = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
     const double t10 = x[3]*p[9]; /* omega_n*R*I3 */
     const double t11 = JLT_FNMA(t3, t10, p[6]); /* G_level - s*omega_n*R*I3 */
@@ -116,18 +116,18 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t14 = x[0]*x[0]; /* gamma3*gamma3 */
     const double t15 = x[3]*t14; /* omega_n*gamma3*gamma3 */
     const double t16 = t9*t15; /* 1/(gamma3*s)*omega_n*gamma3*gamma3 */
-    const double t17 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t18 = p[11]*t17; /* m*R*I3*V */
-    const double t19 = JLT_FNMA(t8, t18, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t20 = t16*t19; /* 1/(gamma3*s)*omega_n*gamma3*gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t21 = JLT_FMS(p[8], t13, t16); /* 1/(R*I3)*1/(gamma3*s)*s*(G_level - s*omega_n*R*I3) - 1/(gamma3*s)*omega_n*gamma3*gamma3 */
-    const double t22 = x[3]*t21; /* omega_n*t21 */
-    out[2] = t22;
-    const double t23 = p[7]*t22; /* (-R)*omega_n*t21 */
-    out[1] = t23;
-    const double t24 = x[2]*p[12]; /* omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
-    const double t25 = t8*t24; /* 1/Theta*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
-    const double t26 = JLT_FNMA(t13, t25, t20); /* t20 - 1/(gamma3*s)*s*(G_level - s*omega_n*R*I3)*1/Theta*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
+    const double t17 = x[2]*p[11]; /* omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
+    const double t18 = t13*t17; /* 1/(gamma3*s)*s*(G_level - s*omega_n*R*I3)*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
+    const double t19 = JLT_FMS(p[8], t13, t16); /* 1/(R*I3)*1/(gamma3*s)*s*(G_level - s*omega_n*R*I3) - 1/(gamma3*s)*omega_n*gamma3*gamma3 */
+    const double t20 = x[3]*t19; /* omega_n*t19 */
+    out[2] = t20;
+    const double t21 = p[7]*t20; /* (-R)*omega_n*t19 */
+    out[1] = t21;
+    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t23 = p[12]*t22; /* m*R*I3*V */
+    const double t24 = JLT_FMA(t16, t23, t18); /* 1/(gamma3*s)*omega_n*gamma3*gamma3*m*R*I3*V + t18 */
+    const double t25 = x[2]*t16; /* omega_tau*1/(gamma3*s)*omega_n*gamma3*gamma3 */
+    const double t26 = JLT_FNMA(t8, t24, t25); /* omega_tau*1/(gamma3*s)*omega_n*gamma3*gamma3 - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*(1/(gamma3*s)*omega_n*gamma3*gamma3*m*R*I3*V + t18) */
     out[3] = t26;
 }
 
@@ -161,37 +161,37 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t18 = t12*t12; /* 1/s*1/s */
     const double t19 = t16*t18; /* omega_n*1/s*1/s*1/s */
     const double t20 = x[0]*t12; /* gamma3*1/s */
-    const double t21 = x[0]*t16; /* gamma3*omega_n*1/s */
-    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t23 = p[11]*t22; /* m*R*I3*V */
-    const double t24 = JLT_FNMA(t7, t23, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t25 = t17 + t19; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
-    const double t26 = x[3]*t25; /* omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
-    const double t27 = t19*t24; /* omega_n*1/s*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t28 = t20*t24; /* gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t29 = x[2]*t20; /* omega_tau*gamma3*1/s */
-    const double t30 = -t29; /* -omega_tau*gamma3*1/s */
-    out[0] = t30;
-    const double t31 = p[1]*t26; /* R*omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
-    out[4] = t31;
-    const double t32 = -t26; /* -omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
-    out[8] = t32;
+    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t22 = p[12]*t21; /* m*R*I3*V */
+    const double t23 = JLT_FNMA(t7, t22, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t24 = t17 + t19; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
+    const double t25 = x[3]*t24; /* omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    const double t26 = t19*t23; /* omega_n*1/s*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t27 = t20*t23; /* gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t28 = p[1]*t25; /* R*omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    out[4] = t28;
+    const double t29 = -t25; /* -omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    out[8] = t29;
+    const double t30 = x[3]*t20; /* omega_n*gamma3*1/s */
+    const double t31 = x[2]*t20; /* omega_tau*gamma3*1/s */
+    const double t32 = -t31; /* -omega_tau*gamma3*1/s */
+    out[0] = t32;
     const double t33 = JLT_FNMA(x[3], t15, t14); /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*s*1/gamma3 */
-    const double t34 = JLT_FNMA(2.0, t21, t33); /* t33 - 2*gamma3*omega_n*1/s */
+    const double t34 = JLT_FNMA(2.0, t30, t33); /* t33 - 2*omega_n*gamma3*1/s */
     out[11] = t34;
-    const double t35 = p[7]*t34; /* (-R)*(t33 - 2*gamma3*omega_n*1/s) */
+    const double t35 = p[7]*t34; /* (-R)*(t33 - 2*omega_n*gamma3*1/s) */
     out[7] = t35;
     const double t36 = p[10]*t7; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t37 = t7*t21; /* 1/Theta*gamma3*omega_n*1/s */
-    const double t38 = JLT_FNMA(t14, t36, t21); /* gamma3*omega_n*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t39 = JLT_FNMA(p[14], t37, t38); /* t38 - m*R^2*I3*1/Theta*gamma3*omega_n*1/s */
+    const double t37 = t7*t30; /* 1/Theta*omega_n*gamma3*1/s */
+    const double t38 = JLT_FNMA(t14, t36, t30); /* omega_n*gamma3*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t39 = JLT_FNMA(p[14], t37, t38); /* t38 - m*R^2*I3*1/Theta*omega_n*gamma3*1/s */
     out[14] = t39;
-    const double t40 = p[13]*t37; /* (-m*R*I3)*1/Theta*gamma3*omega_n*1/s */
+    const double t40 = p[13]*t37; /* (-m*R*I3)*1/Theta*omega_n*gamma3*1/s */
     out[13] = t40;
     const double t41 = x[2]*t36; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t42 = JLT_FMA(t17, t41, t27); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + omega_n*1/s*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t42 = JLT_FMA(t17, t41, t26); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + omega_n*1/s*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
     out[12] = t42;
-    const double t43 = JLT_FMA(t15, t41, t28); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t43 = JLT_FMA(t15, t41, t27); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
     out[15] = t43;
 }
 
@@ -222,11 +222,11 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t14 = x[0]*t9; /* 1/s = gamma3*1/(gamma3*s) */
     const double t15 = t12*t13; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
     const double t16 = t3*t13; /* s*1/gamma3 */
-    const double t17 = x[0]*t14; /* gamma3*1/s */
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t19 = p[11]*t18; /* m*R*I3*V */
-    const double t20 = JLT_FNMA(t8, t19, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t21 = x[3]*t14; /* omega_n*1/s */
+    const double t17 = x[3]*t14; /* omega_n*1/s */
+    const double t18 = JLT_FMS(t13, t15, t17); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s */
+    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t20 = p[12]*t19; /* m*R*I3*V */
+    const double t21 = JLT_FNMA(t8, t20, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
     const double t22 = t14*t14; /* 1/s*1/s */
     const double t23 = t17*t22; /* omega_n*1/s*1/s*1/s */
     const double t24 = x[0]*t17; /* gamma3*omega_n*1/s */
@@ -435,20 +435,20 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t27[k] = jlt_jet_product(x0, x0, k);
         t28[k] = jlt_jet_product(x3, t27, k);
         t29[k] = jlt_jet_product(t22, t28, k);
-        t30[k] = x2[k]*p[1] + x1[k];
-        t31[k] = p[11]*t30[k];
-        t32[k] = x2[k] - jlt_jet_product(t21, t31, k);
-        t33[k] = jlt_jet_product(t29, t32, k);
-        t34[k] = p[8]*t26[k] - t29[k];
-        t35[k] = jlt_jet_product(x3, t34, k);
-        t36[k] = p[7]*t35[k];
-        t37[k] = x2[k]*p[12];
-        t38[k] = jlt_jet_product(t21, t37, k);
-        t39[k] = t33[k] - jlt_jet_product(t26, t38, k);
+        t30[k] = x2[k]*p[11];
+        t31[k] = jlt_jet_product(t26, t30, k);
+        t32[k] = p[8]*t26[k] - t29[k];
+        t33[k] = jlt_jet_product(x3, t32, k);
+        t34[k] = p[7]*t33[k];
+        t35[k] = x2[k]*p[1] + x1[k];
+        t36[k] = p[12]*t35[k];
+        t37[k] = jlt_jet_product(t29, t36, k) + t31[k];
+        t38[k] = jlt_jet_product(x2, t29, k);
+        t39[k] = t38[k] - jlt_jet_product(t21, t37, k);
         double *restrict next = coefficients + (k + 1)*4;
         next[0] = x0[k + 1] = t17[k]/(k + 1);
-        next[1] = x1[k + 1] = t36[k]/(k + 1);
-        next[2] = x2[k + 1] = t35[k]/(k + 1);
+        next[1] = x1[k + 1] = t34[k]/(k + 1);
+        next[2] = x2[k + 1] = t33[k]/(k + 1);
         next[3] = x3[k + 1] = t39[k]/(k + 1);
     }
 }
@@ -527,7 +527,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3 
     .prepare = prepare,
     .rhs = { rhs, 4, { 2, 18, 5, 1, 1, 0, 11, 5 }, { 11, 43, 0, 7, 1, 0, 11, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 5, 27, 10, 1, 1, 0, 13, 10 }, { 30, 113, 0, 27, 1, 0, 12, 9 },
+    .jacobian = { jacobian, 16, { 5, 27, 10, 1, 1, 0, 13, 9 }, { 30, 113, 0, 27, 1, 0, 12, 9 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .rhs_jacobian = { rhs_jacobian, 20, { 6, 31, 11, 1, 1, 0, 13, 11 }, { 36, 138, 0, 33, 1, 0, 12, 9 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

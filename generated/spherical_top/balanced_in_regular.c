@@ -8,7 +8,7 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3   16    7    1    0    0      7    7   (75)
- *  jacobian            7   46   16    1    0    0     10   15   (321)
+ *  jacobian            7   47   16    1    0    0     10   15   (321)
  *  rhs_jacobian        11   51   19    1    0    0     10   18   (381)
  *  divergence          1    5    3    1    0    0      5    4   (30)
  *  integral_values     0   13   10    0    0    0      6    6   (55)
@@ -72,20 +72,20 @@ static void prepare(const double *restrict params, double *restrict out)
     out[11] = t12;
     const double t13 = -t0; /* -I3/I1 */
     out[12] = t13;
-    const double t14 = params[0]*params[0]; /* m*m */
-    const double t15 = t1*t1; /* R*R*R*R */
-    const double t16 = t14*t15; /* m*m*R*R*R*R */
-    const double t17 = params[4]*params[4]; /* I1*I1 */
-    const double t18 = t16*t17; /* m*m*R*R*R*R*I1*I1 */
-    const double t19 = params[5]*t6; /* I3*I3*I3 */
-    const double t20 = t2*t19; /* m*R*R*I3*I3*I3 */
-    const double t21 = t6*t16; /* I3*I3*m*m*R*R*R*R */
-    const double t22 = t20 + t21; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
-    const double t23 = 2.0*t22; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
-    const double t24 = t23/t18; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
-    out[13] = t24;
-    const double t25 = t6*2.0; /* I3*I3*2 */
-    const double t26 = t25/t17; /* I3*I3*2/(I1*I1) */
+    const double t14 = params[4]*params[4]; /* I1*I1 */
+    const double t15 = t6*2.0; /* I3*I3*2 */
+    const double t16 = t15/t14; /* I3*I3*2/(I1*I1) */
+    out[13] = t16;
+    const double t17 = params[0]*params[0]; /* m*m */
+    const double t18 = t1*t1; /* R*R*R*R */
+    const double t19 = t17*t18; /* m*m*R*R*R*R */
+    const double t20 = t14*t19; /* I1*I1*m*m*R*R*R*R */
+    const double t21 = params[5]*t6; /* I3*I3*I3 */
+    const double t22 = t2*t21; /* m*R*R*I3*I3*I3 */
+    const double t23 = t6*t19; /* I3*I3*m*m*R*R*R*R */
+    const double t24 = t22 + t23; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t25 = 2.0*t24; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t26 = t25/t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
     out[14] = t26;
     const double t27 = params[4]*params[1]; /* I1*R */
     out[25] = t27;
@@ -94,17 +94,17 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t29 = -t28; /* -I3/(I1*R) */
     out[15] = t29;
     const double t30 = t5*t6; /* I1*m*R*R*I3*I3 */
-    const double t31 = params[4]*t16; /* I1*m*m*R*R*R*R */
+    const double t31 = params[4]*t19; /* I1*m*m*R*R*R*R */
     const double t32 = params[5]*t31; /* I3*I1*m*m*R*R*R*R */
     const double t33 = t30 + t32; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
     const double t34 = 2.0*t33; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
-    const double t35 = t34/t18; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
+    const double t35 = t34/t20; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
     out[16] = t35;
     const double t36 = params[5]*2.0; /* I3*2 */
     const double t37 = t36/params[4]; /* I3*2/I1 */
     out[17] = t37;
     const double t38 = t10*t36; /* (I1 - I3)*I3*2 */
-    const double t39 = t38/t17; /* (I1 - I3)*I3*2/(I1*I1) */
+    const double t39 = t38/t14; /* (I1 - I3)*I3*2/(I1*I1) */
     out[18] = t39;
     const double t40 = (-1.0)/params[1]; /* (-1)/R */
     out[19] = t40;
@@ -119,7 +119,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[24] = t45;
     const double t46 = params[5]*params[1]; /* I3*R */
     out[26] = t46;
-    const double t47 = params[0]*t17; /* m*I1*I1 */
+    const double t47 = params[0]*t14; /* m*I1*I1 */
     out[27] = t47;
     const double t48 = t5*t10; /* I1*m*R*R*(I1 - I3) */
     out[28] = t48;
@@ -130,10 +130,10 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t52 = params[5]*t51; /* I3*R*R*m*2 */
     const double t53 = t10*t52; /* (I1 - I3)*I3*R*R*m*2 */
     out[31] = t53;
-    const double t54 = t17*t50; /* I1*I1*m*2 */
+    const double t54 = t14*t50; /* I1*I1*m*2 */
     out[32] = t54;
     const double t55 = params[1]*t50; /* R*m*2 */
-    const double t56 = t17*t55; /* I1*I1*R*m*2 */
+    const double t56 = t14*t55; /* I1*I1*R*m*2 */
     out[33] = t56;
     const double t57 = params[4]*t51; /* I1*R*R*m*2 */
     const double t58 = t10*t57; /* (I1 - I3)*I1*R*R*m*2 */
@@ -163,17 +163,17 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t15 = t13*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
     const double t16 = JLT_FNMA(p[6], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
     const double t17 = t2*t16; /* omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t18 = x[4]*t13; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t19 = t0*p[9]; /* s*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t20 = JLT_FMA(t18, t19, t17); /* omega3*1/(Theta/(m*R^2*I1))*s*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t18 = t0*x[4]; /* s*omega_tau*omega3 */
+    const double t19 = t13*t18; /* 1/(Theta/(m*R^2*I1))*s*omega_tau*omega3 */
+    const double t20 = JLT_FMA(p[9], t19, t17); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*s*omega_tau*omega3 + omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
     out[3] = t20;
-    const double t21 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t21 = t4*t15; /* s*omega_n*1/(Theta/(m*R^2*I1))*V/R */
     const double t22 = x[5]*p[10]; /* s*(I1 - I3)/I1 */
-    const double t23 = t21*t22; /* s*omega_tau*gamma3*s*(I1 - I3)/I1 */
-    const double t24 = t18*t23; /* omega3*1/(Theta/(m*R^2*I1))*s*omega_tau*gamma3*s*(I1 - I3)/I1 */
-    const double t25 = JLT_FNMA(t4, t15, t24); /* t24 - s*omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    out[4] = t25;
-    const double t26 = -t21; /* -s*omega_tau*gamma3 */
+    const double t23 = x[0]*t22; /* gamma3*s*(I1 - I3)/I1 */
+    const double t24 = JLT_FMS(t19, t23, t21); /* 1/(Theta/(m*R^2*I1))*s*omega_tau*omega3*gamma3*s*(I1 - I3)/I1 - s*omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    out[4] = t24;
+    const double t25 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t26 = -t25; /* -s*omega_tau*gamma3 */
     out[5] = t26;
 }
 
@@ -192,99 +192,100 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[34] = 0.0;
     const double t0 = x[5]*x[5]; /* s*s */
     out[2] = t0;
-    const double t1 = x[5]*x[2]; /* s*omega_tau */
-    const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    out[5] = t2;
-    const double t3 = x[3]*p[1]; /* omega_n*R */
-    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
-    out[6] = t4;
-    const double t5 = x[5]*x[4]; /* s*omega3 */
-    const double t6 = p[1]*t5; /* R*s*omega3 */
+    const double t1 = p[7] + t0; /* I3/(m*R^2) + s*s */
+    const double t2 = x[0]*p[6]; /* gamma3*I3/I1 */
+    const double t3 = JLT_FMA(x[0], t2, t1); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
+    const double t4 = 1.0/t3; /* 1/(Theta/(m*R^2*I1)) */
+    const double t5 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t6 = x[5]*t4; /* s*1/(Theta/(m*R^2*I1)) */
     const double t7 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t8 = JLT_FMA(p[11], t7, t6); /* 2*R*omega_n*gamma3 + R*s*omega3 */
-    out[9] = t8;
-    const double t9 = x[5]*x[3]; /* s*omega_n */
-    const double t10 = p[1]*t9; /* R*s*omega_n */
-    out[10] = t10;
-    const double t11 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t12 = p[1]*t11; /* R*omega_n*omega3 */
-    out[11] = t12;
-    const double t13 = -t3; /* -omega_n*omega_n */
-    out[12] = t13;
-    const double t14 = t7*(-2.0); /* omega_n*gamma3*(-2) */
-    const double t15 = JLT_FMA(t5, p[12], t14); /* s*omega3*(-I3/I1) + omega_n*gamma3*(-2) */
-    out[15] = t15;
-    const double t16 = t9*p[12]; /* s*omega_n*(-I3/I1) */
-    out[16] = t16;
-    const double t17 = t11*p[12]; /* omega_n*omega3*(-I3/I1) */
-    out[17] = t17;
-    const double t18 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t19 = t0 + p[7]; /* s*s + I3/(m*R^2) */
-    const double t20 = JLT_FMA(p[6], t18, t19); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
-    const double t21 = 1.0/t20; /* 1/(Theta/(m*R^2*I1)) */
-    const double t22 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t23 = t21*t22; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t24 = JLT_FNMA(p[6], t23, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t25 = x[3]*t24; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t26 = x[5]*t21; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t27 = x[0]*t26; /* gamma3*s*1/(Theta/(m*R^2*I1)) */
-    const double t28 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t29 = t27*t28; /* gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
-    const double t30 = p[13]*t29; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
-    const double t31 = x[3]*t23; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t32 = t18*p[14]; /* gamma3*gamma3*2*I3^2/I1^2 */
-    const double t33 = JLT_FNMA(t31, t32, t30); /* t30 - omega_n*1/(Theta/(m*R^2*I1))*V/R*gamma3*gamma3*2*I3^2/I1^2 */
-    const double t34 = JLT_FNMA(t21, t33, t25); /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) - 1/(Theta/(m*R^2*I1))*t33 */
-    out[18] = t34;
-    const double t35 = t7*t21; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t36 = p[15]*t35; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[19] = t36;
-    const double t37 = t26*p[9]; /* s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t38 = JLT_FNMA(p[6], t35, t7); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t39 = JLT_FMA(x[4], t37, t38); /* omega3*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[20] = t39;
-    const double t40 = x[0]*t24; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[21] = t40;
-    const double t41 = x[2]*t37; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    out[22] = t41;
-    const double t42 = t21*p[9]; /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t43 = t26*p[16]; /* s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) */
-    const double t44 = JLT_FNMA(t26, t43, t42); /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) - s*1/(Theta/(m*R^2*I1))*t43 */
-    const double t45 = t27*p[17]; /* gamma3*s*1/(Theta/(m*R^2*I1))*2*I3/I1 */
-    const double t46 = t31*t45; /* omega_n*1/(Theta/(m*R^2*I1))*V/R*gamma3*s*1/(Theta/(m*R^2*I1))*2*I3/I1 */
-    const double t47 = JLT_FMA(t28, t44, t46); /* omega_tau*omega3*t44 + t46 */
-    out[23] = t47;
-    const double t48 = x[5]*t26; /* s*s*1/(Theta/(m*R^2*I1)) */
-    const double t49 = t28*p[10]; /* omega_tau*omega3*(I1 - I3)/I1 */
-    const double t50 = t27*p[18]; /* gamma3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
-    const double t51 = JLT_FMA(t48, t49, t46); /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 + t46 */
-    const double t52 = JLT_FNMA(t29, t50, t51); /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 + t46 - gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*2*I3*(I1 - I3)/I1^2 */
-    out[24] = t52;
-    const double t53 = x[3]*t26; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t54 = p[19]*t53; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[25] = t54;
-    const double t55 = t27*p[10]; /* gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t56 = JLT_FMS(t5, t55, t53); /* s*omega3*gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 - omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[26] = t56;
-    const double t57 = t22*t26; /* V/R*s*1/(Theta/(m*R^2*I1)) */
-    const double t58 = -t57; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
-    out[27] = t58;
-    const double t59 = t1*t55; /* s*omega_tau*gamma3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    out[28] = t59;
-    const double t60 = 1.0 - t48; /* 1 - s*s*1/(Theta/(m*R^2*I1)) */
-    const double t61 = p[20]*t60; /* 2*(I1 - I3)/I1*(1 - s*s*1/(Theta/(m*R^2*I1))) */
-    const double t62 = 2.0*t57; /* 2*V/R*s*1/(Theta/(m*R^2*I1)) */
-    const double t63 = JLT_FMS(t53, t62, t31); /* omega_n*s*1/(Theta/(m*R^2*I1))*2*V/R*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t64 = JLT_FMA(t29, t61, t63); /* gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*2*(I1 - I3)/I1*(1 - s*s*1/(Theta/(m*R^2*I1))) + t63 */
-    out[29] = t64;
-    const double t65 = -t1; /* -s*omega_tau */
-    out[30] = t65;
-    const double t66 = x[5]*x[0]; /* s*gamma3 */
-    const double t67 = -t66; /* -s*gamma3 */
-    out[32] = t67;
-    const double t68 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t69 = -t68; /* -omega_tau*gamma3 */
-    out[35] = t69;
+    const double t8 = t4*t5; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t9 = t5*t6; /* V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t10 = -t9; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
+    out[27] = t10;
+    const double t11 = 2.0*t9; /* 2*V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t12 = x[0]*t6; /* gamma3*s*1/(Theta/(m*R^2*I1)) */
+    const double t13 = JLT_FNMA(p[6], t8, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t14 = x[0]*t13; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[21] = t14;
+    const double t15 = x[3]*t13; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t16 = t4*t7; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t17 = p[15]*t16; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[19] = t17;
+    const double t18 = x[0]*p[13]; /* gamma3*2*I3^2/I1^2 */
+    const double t19 = t16*t18; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3*gamma3*2*I3^2/I1^2 */
+    const double t20 = JLT_FMA(t8, t19, t15); /* 1/(Theta/(m*R^2*I1))*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3*gamma3*2*I3^2/I1^2 + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t21 = x[3]*t8; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t22 = JLT_FNMA(p[6], t16, t7); /* omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t23 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t24 = p[17]*t12; /* 2*I3/I1*gamma3*s*1/(Theta/(m*R^2*I1)) */
+    const double t25 = t21*t24; /* omega_n*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1*gamma3*s*1/(Theta/(m*R^2*I1)) */
+    const double t26 = x[5]*t6; /* s*s*1/(Theta/(m*R^2*I1)) */
+    const double t27 = x[5]*x[4]; /* s*omega3 */
+    const double t28 = p[9]*t4; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t29 = p[14]*t4; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*1/(Theta/(m*R^2*I1)) */
+    const double t30 = p[16]*t6; /* 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*s*1/(Theta/(m*R^2*I1)) */
+    const double t31 = JLT_FNMA(t6, t30, t28); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) - s*1/(Theta/(m*R^2*I1))*t30 */
+    const double t32 = JLT_FMA(t23, t31, t25); /* omega_tau*omega3*t31 + t25 */
+    out[23] = t32;
+    const double t33 = p[10]*t23; /* (I1 - I3)/I1*omega_tau*omega3 */
+    const double t34 = JLT_FMA(t26, t33, t25); /* s*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega_tau*omega3 + t25 */
+    const double t35 = 1.0 - t26; /* 1 - s*s*1/(Theta/(m*R^2*I1)) */
+    const double t36 = t12*t23; /* gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t37 = JLT_FNMA(t29, t36, t20); /* t20 - t29*gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    out[18] = t37;
+    const double t38 = p[20]*t35; /* 2*(I1 - I3)/I1*(1 - s*s*1/(Theta/(m*R^2*I1))) */
+    const double t39 = x[3]*t6; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t40 = JLT_FMS(t11, t39, t21); /* 2*V/R*s*1/(Theta/(m*R^2*I1))*omega_n*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t41 = JLT_FMA(t36, t38, t40); /* gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*2*(I1 - I3)/I1*(1 - s*s*1/(Theta/(m*R^2*I1))) + t40 */
+    out[29] = t41;
+    const double t42 = p[9]*t6; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*1/(Theta/(m*R^2*I1)) */
+    const double t43 = JLT_FMA(x[4], t42, t22); /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1)*s*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[20] = t43;
+    const double t44 = x[2]*t42; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1)*s*1/(Theta/(m*R^2*I1)) */
+    out[22] = t44;
+    const double t45 = p[19]*t39; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[25] = t45;
+    const double t46 = x[5]*x[2]; /* s*omega_tau */
+    const double t47 = 2.0*t46; /* 2*s*omega_tau */
+    out[5] = t47;
+    const double t48 = -t46; /* -s*omega_tau */
+    out[30] = t48;
+    const double t49 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t50 = p[1]*t49; /* R*omega_n*omega_n */
+    out[6] = t50;
+    const double t51 = -t49; /* -omega_n*omega_n */
+    out[12] = t51;
+    const double t52 = p[1]*t27; /* R*s*omega3 */
+    const double t53 = JLT_FMA(p[11], t7, t52); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    out[9] = t53;
+    const double t54 = (-2.0)*t7; /* (-2)*omega_n*gamma3 */
+    const double t55 = JLT_FMA(p[12], t27, t54); /* (-I3/I1)*s*omega3 + (-2)*omega_n*gamma3 */
+    out[15] = t55;
+    const double t56 = x[5]*x[3]; /* s*omega_n */
+    const double t57 = p[1]*t56; /* R*s*omega_n */
+    out[10] = t57;
+    const double t58 = p[12]*t56; /* (-I3/I1)*s*omega_n */
+    out[16] = t58;
+    const double t59 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t60 = p[1]*t59; /* R*omega_n*omega3 */
+    out[11] = t60;
+    const double t61 = p[12]*t59; /* (-I3/I1)*omega_n*omega3 */
+    out[17] = t61;
+    const double t62 = p[18]*t12; /* 2*I3*(I1 - I3)/I1^2*gamma3*s*1/(Theta/(m*R^2*I1)) */
+    const double t63 = JLT_FNMA(t36, t62, t34); /* s*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega_tau*omega3 + t25 - gamma3*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*2*I3*(I1 - I3)/I1^2*gamma3*s*1/(Theta/(m*R^2*I1)) */
+    out[24] = t63;
+    const double t64 = p[10]*t12; /* (I1 - I3)/I1*gamma3*s*1/(Theta/(m*R^2*I1)) */
+    const double t65 = JLT_FMS(t27, t64, t39); /* s*omega3*(I1 - I3)/I1*gamma3*s*1/(Theta/(m*R^2*I1)) - omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[26] = t65;
+    const double t66 = t46*t64; /* s*omega_tau*(I1 - I3)/I1*gamma3*s*1/(Theta/(m*R^2*I1)) */
+    out[28] = t66;
+    const double t67 = x[5]*x[0]; /* s*gamma3 */
+    const double t68 = -t67; /* -s*gamma3 */
+    out[32] = t68;
+    const double t69 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t70 = -t69; /* -omega_tau*gamma3 */
+    out[35] = t70;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -361,34 +362,34 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t43 = -t42; /* -omega3*omega_n*I3/I1 */
     out[23] = t43;
     const double t44 = x[3]*t18; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t45 = t22*p[13]; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2) */
-    const double t46 = t4*t17; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
-    const double t47 = JLT_FNMA(p[14], t46, t45); /* t45 - 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
-    const double t48 = x[0]*t15; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t49 = JLT_FNMA(t47, t48, t44); /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) - (t45 - 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R)*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[24] = t49;
-    const double t50 = t4*t15; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t51 = p[15]*t50; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[25] = t51;
-    const double t52 = JLT_FNMA(p[6], t50, t4); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t53 = JLT_FMA(p[9], t21, t52); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*s*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[26] = t53;
-    const double t54 = x[0]*t18; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[27] = t54;
-    const double t55 = x[2]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t56 = t20*t55; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    out[28] = t56;
-    const double t57 = x[4]*t55; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t58 = t15*t57; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t59 = t46*p[17]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t60 = JLT_FMS(t22, p[16], t59); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t61 = JLT_FNMA(t20, t60, t58); /* t58 - s*1/(Theta/(m*R^2*I1))*t60 */
-    out[29] = t61;
-    const double t62 = t0*t25; /* s*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t63 = x[0]*t22; /* gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t45 = t4*t17; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
+    const double t46 = x[0]*p[13]; /* gamma3*2*I3^2/I1^2 */
+    const double t47 = t45*t46; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*gamma3*2*I3^2/I1^2 */
+    const double t48 = x[0]*t22; /* gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t49 = JLT_FNMA(p[14], t48, t47); /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*gamma3*2*I3^2/I1^2 - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t50 = JLT_FMA(t15, t49, t44); /* 1/(Theta/(m*R^2*I1))*t49 + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[24] = t50;
+    const double t51 = t4*t15; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t52 = p[15]*t51; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[25] = t52;
+    const double t53 = JLT_FNMA(p[6], t51, t4); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t54 = JLT_FMA(p[9], t21, t53); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*s*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[26] = t54;
+    const double t55 = x[0]*t18; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[27] = t55;
+    const double t56 = x[2]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t57 = t20*t56; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[28] = t57;
+    const double t58 = x[4]*t56; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t59 = t15*t58; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t60 = t45*p[17]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
+    const double t61 = JLT_FMS(t22, p[16], t60); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
+    const double t62 = JLT_FNMA(t20, t61, t59); /* t59 - s*1/(Theta/(m*R^2*I1))*t61 */
+    out[29] = t62;
+    const double t63 = t0*t25; /* s*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
     const double t64 = x[0]*p[18]; /* gamma3*2*I3*(I1 - I3)/I1^2 */
-    const double t65 = JLT_FMS(t63, t64, t59); /* gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*gamma3*2*I3*(I1 - I3)/I1^2 - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t66 = JLT_FNMA(t20, t65, t62); /* s*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 - s*1/(Theta/(m*R^2*I1))*t65 */
+    const double t65 = JLT_FMS(t48, t64, t60); /* gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*gamma3*2*I3*(I1 - I3)/I1^2 - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
+    const double t66 = JLT_FNMA(t20, t65, t63); /* s*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 - s*1/(Theta/(m*R^2*I1))*t65 */
     out[30] = t66;
     const double t67 = t27*p[19]; /* omega_n*s*1/(Theta/(m*R^2*I1))*(-1/R) */
     out[31] = t67;
@@ -403,7 +404,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[34] = t73;
     const double t74 = x[3]*t17; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
     const double t75 = t20*2.0; /* s*1/(Theta/(m*R^2*I1))*2 */
-    const double t76 = JLT_FMS(t63, p[20], t74); /* gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t76 = JLT_FMS(t48, p[20], t74); /* gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
     const double t77 = JLT_FNMA(t28, t75, t76); /* t76 - (t26 - V/R*omega_n*s*1/(Theta/(m*R^2*I1)))*s*1/(Theta/(m*R^2*I1))*2 */
     out[35] = t77;
     const double t78 = -t0; /* -s*omega_tau */
@@ -527,21 +528,21 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t2[JLT_JET_ORDER_MAX + 1];
     double t3[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
-    double t8[JLT_JET_ORDER_MAX + 1];
+    double t9[JLT_JET_ORDER_MAX + 1];
     double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
-    double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    double t22[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
+    double t23[JLT_JET_ORDER_MAX + 1];
+    double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
-    double t28[JLT_JET_ORDER_MAX + 1];
+    double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
@@ -561,37 +562,37 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t2[k] = jlt_jet_product(x5, x2, k);
         t3[k] = jlt_jet_product(x5, t2, k);
-        t7[k] = jlt_jet_product(x5, x3, k);
-        t8[k] = jlt_jet_product(x4, t7, k);
-        t10[k] = jlt_jet_product(x3, x0, k);
-        t11[k] = jlt_jet_product(x3, t10, k);
-        t12[k] = t8[k] + t11[k];
-        t13[k] = p[1]*t12[k];
-        t15[k] = t8[k]*p[6] + t11[k];
+        t7[k] = jlt_jet_product(x3, x0, k);
+        t9[k] = jlt_jet_product(x5, x4, k);
+        t10[k] = t7[k] + t9[k];
+        t11[k] = p[1]*x3[k];
+        t12[k] = jlt_jet_product(t10, t11, k);
+        t14[k] = t9[k]*p[6] + t7[k];
+        t15[k] = jlt_jet_product(x3, t14, k);
         t16[k] = -t15[k];
-        t18[k] = x0[k]*p[6];
-        t19[k] = jlt_jet_product(x5, x5, k) + (k == 0 ? p[7] : 0);
-        t20[k] = jlt_jet_product(x0, t18, k) + t19[k];
-        t22[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t20, t22, k);
-        t25[k] = p[8]*x1[k] + x2[k];
-        t26[k] = jlt_jet_product(t22, t25, k);
-        t27[k] = x2[k] - p[6]*t26[k];
-        t28[k] = jlt_jet_product(t7, t27, k);
-        t30[k] = jlt_jet_product(t2, x4, k);
-        t31[k] = jlt_jet_product(t22, t30, k);
-        t32[k] = p[9]*t31[k] + t28[k];
-        t34[k] = x0[k]*p[10];
-        t35[k] = jlt_jet_product(t31, t34, k);
-        t36[k] = t35[k] - jlt_jet_product(x3, t26, k);
-        t37[k] = jlt_jet_product(x5, t36, k);
-        t38[k] = jlt_jet_product(t2, x0, k);
-        t39[k] = -t38[k];
+        t19[k] = x0[k]*p[6];
+        t20[k] = jlt_jet_product(x5, x5, k) + (k == 0 ? p[7] : 0);
+        t21[k] = jlt_jet_product(x0, t19, k) + t20[k];
+        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t21, t23, k);
+        t24[k] = jlt_jet_product(t9, t23, k);
+        t25[k] = p[9]*t24[k] + t7[k];
+        t26[k] = jlt_jet_product(x2, t25, k);
+        t29[k] = p[8]*x1[k] + x2[k];
+        t30[k] = jlt_jet_product(t23, t29, k);
+        t31[k] = t7[k]*p[6];
+        t32[k] = t26[k] - jlt_jet_product(t30, t31, k);
+        t34[k] = jlt_jet_product(t2, x0, k);
+        t35[k] = p[10]*t34[k];
+        t36[k] = jlt_jet_product(t24, t35, k);
+        t37[k] = jlt_jet_product(x5, x3, k);
+        t38[k] = t36[k] - jlt_jet_product(t30, t37, k);
+        t39[k] = -t34[k];
         double *restrict next = coefficients + (k + 1)*7;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t13[k]/(k + 1);
+        next[1] = x1[k + 1] = t12[k]/(k + 1);
         next[2] = x2[k + 1] = t16[k]/(k + 1);
         next[3] = x3[k + 1] = t32[k]/(k + 1);
-        next[4] = x4[k + 1] = t37[k]/(k + 1);
+        next[4] = x4[k + 1] = t38[k]/(k + 1);
         next[5] = x5[k + 1] = t39[k]/(k + 1);
         next[6] = x5[k]/(k + 1);
     }
@@ -675,7 +676,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular = {
     .prepare = prepare,
     .rhs = { rhs, 6, { 3, 16, 7, 1, 0, 0, 7, 7 }, { 12, 57, 0, 6, 0, 0, 10, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 36, { 7, 46, 16, 1, 0, 0, 10, 15 }, { 40, 250, 0, 31, 0, 0, 13, 7 },
+    .jacobian = { jacobian, 36, { 7, 47, 16, 1, 0, 0, 10, 15 }, { 40, 250, 0, 31, 0, 0, 13, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .rhs_jacobian = { rhs_jacobian, 42, { 11, 51, 19, 1, 0, 0, 10, 18 }, { 49, 295, 0, 37, 0, 0, 13, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },

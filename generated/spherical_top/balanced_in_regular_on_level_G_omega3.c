@@ -9,11 +9,11 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3   17    6    1    0    0      8    7   (65)
- *  jacobian            7   39   16    1    0    0     14   13   (286)
+ *  jacobian            8   38   16    1    0    0     12   14   (286)
  *  rhs_jacobian        8   42   19    1    0    0     16   14   (329)
  *  divergence          0   10    4    1    0    0      7    5   (36)
  *  integral_values     0   11   10    1    0    0      8    6   (55)
- *  integral_gradients  1   23   14    1    0    0      7    8   (138)
+ *  integral_gradients  1   23   14    1    0    0      8    8   (138)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          0    1    1    1    0    0      3    2   (7)
  *
@@ -61,7 +61,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
     const double t4 = params[0]*t3; /* m*R*R */
-    out[32] = t4;
+    out[39] = t4;
     const double t5 = params[5]/t4; /* I3/(m*R*R) */
     out[9] = t5;
     const double t6 = params[5]/params[4]; /* I3/I1 */
@@ -69,82 +69,112 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t7 = params[5]/t0; /* I3/(R*I1) */
     out[11] = t7;
     const double t8 = params[5]*t4; /* I3*m*R*R */
-    out[15] = t8;
+    out[24] = t8;
     const double t9 = params[5]*params[5]; /* I3*I3 */
     const double t10 = t8 + t9; /* I3*m*R*R + I3*I3 */
     const double t11 = t10/t8; /* (I3*m*R*R + I3*I3)/(I3*m*R*R) */
     out[12] = t11;
-    const double t12 = params[4]*params[5]; /* I1*I3 */
+    const double t12 = params[1]*2.0; /* R*2 */
     out[13] = t12;
-    const double t13 = params[4]*t4; /* I1*m*R*R */
+    const double t13 = -t1; /* -R*I1/I3 */
     out[14] = t13;
-    const double t14 = params[1]*2.0; /* R*2 */
-    out[16] = t14;
-    const double t15 = -t1; /* -R*I1/I3 */
-    out[17] = t15;
-    const double t16 = params[0]*2.0; /* m*2 */
-    const double t17 = t3*t16; /* R*R*m*2 */
-    const double t18 = params[5]*t17; /* I3*R*R*m*2 */
-    out[18] = t18;
-    const double t19 = params[4]*t10; /* I1*(I3*m*R*R + I3*I3) */
-    const double t20 = t19/params[5]; /* I1*(I3*m*R*R + I3*I3)/I3 */
-    out[19] = t20;
-    const double t21 = params[1]*params[0]; /* R*m */
-    const double t22 = params[5]*t21; /* I3*R*m */
-    out[20] = t22;
-    const double t23 = params[5]/params[1]; /* I3/R */
-    const double t24 = t21 + t23; /* R*m + I3/R */
-    const double t25 = t0*t24; /* R*I1*(R*m + I3/R) */
-    out[21] = t25;
-    const double t26 = -t22; /* -I3*R*m */
-    out[22] = t26;
-    const double t27 = t12 + t13; /* I1*I3 + I1*m*R*R */
-    out[23] = t27;
-    const double t28 = params[4]*t17; /* I1*R*R*m*2 */
-    out[24] = t28;
-    const double t29 = t10/t18; /* (I3*m*R*R + I3*I3)/(I3*R*R*m*2) */
-    out[25] = t29;
-    const double t30 = params[4]/2.0; /* I1/2 */
-    out[26] = t30;
-    const double t31 = params[0]/params[4]; /* m/I1 */
-    out[27] = t31;
-    const double t32 = params[4]/params[5]; /* I1/I3 */
-    out[28] = t32;
-    const double t33 = t4/params[4]; /* m*R*R/I1 */
-    out[29] = t33;
-    const double t34 = params[4]*params[4]; /* I1*I1 */
-    const double t35 = params[0]*t34; /* m*I1*I1 */
-    out[30] = t35;
-    const double t36 = params[4] - params[5]; /* I1 - I3 */
-    const double t37 = t13*t36; /* I1*m*R*R*(I1 - I3) */
-    out[31] = t37;
-    const double t38 = t34/params[5]; /* I1*I1/I3 */
-    out[33] = t38;
-    const double t39 = t13/params[5]; /* I1*m*R*R/I3 */
-    out[34] = t39;
-    const double t40 = t17*t34; /* R*R*m*2*I1*I1 */
-    const double t41 = t36*t40; /* (I1 - I3)*R*R*m*2*I1*I1 */
-    const double t42 = t41/params[5]; /* (I1 - I3)*R*R*m*2*I1*I1/I3 */
-    out[35] = t42;
-    const double t43 = params[4]*t34; /* I1*I1*I1 */
-    const double t44 = t17*t43; /* R*R*m*2*I1*I1*I1 */
-    const double t45 = t36*t44; /* (I1 - I3)*R*R*m*2*I1*I1*I1 */
-    const double t46 = t45/t9; /* (I1 - I3)*R*R*m*2*I1*I1*I1/(I3*I3) */
-    out[36] = t46;
-    const double t47 = t16*t34; /* m*2*I1*I1 */
-    out[37] = t47;
-    const double t48 = params[1]*t16; /* R*m*2 */
-    const double t49 = t34*t48; /* I1*I1*R*m*2 */
-    out[38] = t49;
-    const double t50 = -t32; /* -I1/I3 */
-    out[39] = t50;
+    const double t14 = params[0]*params[0]; /* m*m */
+    const double t15 = t3*t3; /* R*R*R*R */
+    const double t16 = t14*t15; /* m*m*R*R*R*R */
+    const double t17 = params[4]*t16; /* I1*m*m*R*R*R*R */
+    const double t18 = params[5]*t17; /* I3*I1*m*m*R*R*R*R */
+    const double t19 = params[5]*t9; /* I3*I3*I3 */
+    const double t20 = t4*t19; /* m*R*R*I3*I3*I3 */
+    const double t21 = t9*t16; /* I3*I3*m*m*R*R*R*R */
+    const double t22 = t20 + t21; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t23 = 2.0*t22; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t24 = t23/t18; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I3*I1*m*m*R*R*R*R) */
+    out[15] = t24;
+    const double t25 = params[4]*params[4]; /* I1*I1 */
+    const double t26 = params[1]*t25; /* R*I1*I1 */
+    const double t27 = t9*2.0; /* I3*I3*2 */
+    const double t28 = t27/t26; /* I3*I3*2/(R*I1*I1) */
+    out[16] = t28;
+    const double t29 = params[1]*params[0]; /* R*m */
+    const double t30 = params[5]/params[1]; /* I3/R */
+    const double t31 = t29 + t30; /* R*m + I3/R */
+    const double t32 = t31/t29; /* (R*m + I3/R)/(R*m) */
+    out[17] = t32;
+    const double t33 = -t7; /* -I3/(R*I1) */
+    out[18] = t33;
+    const double t34 = params[4]*t4; /* I1*m*R*R */
+    out[23] = t34;
+    const double t35 = params[4]*params[5]; /* I1*I3 */
+    out[22] = t35;
+    const double t36 = t34 + t35; /* I1*m*R*R + I1*I3 */
+    out[30] = t36;
+    const double t37 = t36/t34; /* (I1*m*R*R + I1*I3)/(I1*m*R*R) */
+    out[19] = t37;
+    const double t38 = t9*t34; /* I3*I3*I1*m*R*R */
+    const double t39 = t18 + t38; /* I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R */
+    const double t40 = 2.0*t39; /* 2*(I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R) */
+    const double t41 = t40/t18; /* 2*(I3*I1*m*m*R*R*R*R + I3*I3*I1*m*R*R)/(I3*I1*m*m*R*R*R*R) */
+    out[20] = t41;
+    const double t42 = params[5]*2.0; /* I3*2 */
+    const double t43 = t42/t0; /* I3*2/(R*I1) */
+    out[21] = t43;
+    const double t44 = params[4]*t10; /* I1*(I3*m*R*R + I3*I3) */
+    const double t45 = t44/params[5]; /* I1*(I3*m*R*R + I3*I3)/I3 */
+    out[25] = t45;
+    const double t46 = params[5]*t29; /* I3*R*m */
+    out[26] = t46;
+    const double t47 = params[0]*2.0; /* m*2 */
+    const double t48 = t3*t47; /* R*R*m*2 */
+    const double t49 = params[5]*t48; /* I3*R*R*m*2 */
+    out[27] = t49;
+    const double t50 = t0*t31; /* R*I1*(R*m + I3/R) */
+    out[28] = t50;
+    const double t51 = -t46; /* -I3*R*m */
+    out[29] = t51;
+    const double t52 = params[4]*t48; /* I1*R*R*m*2 */
+    out[31] = t52;
+    const double t53 = t10/t49; /* (I3*m*R*R + I3*I3)/(I3*R*R*m*2) */
+    out[32] = t53;
+    const double t54 = params[4]/2.0; /* I1/2 */
+    out[33] = t54;
+    const double t55 = params[0]/params[4]; /* m/I1 */
+    out[34] = t55;
+    const double t56 = params[4]/params[5]; /* I1/I3 */
+    out[35] = t56;
+    const double t57 = t4/params[4]; /* m*R*R/I1 */
+    out[36] = t57;
+    const double t58 = params[0]*t25; /* m*I1*I1 */
+    out[37] = t58;
+    const double t59 = params[4] - params[5]; /* I1 - I3 */
+    const double t60 = t34*t59; /* I1*m*R*R*(I1 - I3) */
+    out[38] = t60;
+    const double t61 = t25/params[5]; /* I1*I1/I3 */
+    out[40] = t61;
+    const double t62 = t34/params[5]; /* I1*m*R*R/I3 */
+    out[41] = t62;
+    const double t63 = t25*t48; /* I1*I1*R*R*m*2 */
+    const double t64 = t59*t63; /* (I1 - I3)*I1*I1*R*R*m*2 */
+    const double t65 = t64/params[5]; /* (I1 - I3)*I1*I1*R*R*m*2/I3 */
+    out[42] = t65;
+    const double t66 = params[4]*t25; /* I1*I1*I1 */
+    const double t67 = t48*t66; /* R*R*m*2*I1*I1*I1 */
+    const double t68 = t59*t67; /* (I1 - I3)*R*R*m*2*I1*I1*I1 */
+    const double t69 = t68/t9; /* (I1 - I3)*R*R*m*2*I1*I1*I1/(I3*I3) */
+    out[43] = t69;
+    const double t70 = t25*t47; /* I1*I1*m*2 */
+    out[44] = t70;
+    const double t71 = params[1]*t47; /* R*m*2 */
+    const double t72 = t25*t71; /* I1*I1*R*m*2 */
+    out[45] = t72;
+    const double t73 = -t56; /* -I1/I3 */
+    out[46] = t73;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[10]*x[0]; /* I3/I1*gamma3 */
+    const double t0 = x[0]*p[10]; /* gamma3*I3/I1 */
     const double t1 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
-    const double t2 = JLT_FMA(x[0], t0, t1); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
+    const double t2 = JLT_FMA(x[0], t0, t1); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
     const double t3 = x[0]*t2; /* gamma3*Theta/(m*R^2*I1) */
     const double t4 = 1.0/t3; /* 1/(gamma3*Theta/(m*R^2*I1)) */
     const double t5 = x[4]*x[3]; /* s*omega_n */
@@ -164,8 +194,8 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t18 = x[3]*t16; /* omega_n*omega_n*gamma3 */
     const double t19 = t10 - t18; /* s*omega_n*t8 - omega_n*omega_n*gamma3 */
     out[2] = t19;
-    const double t20 = p[7]*t10; /* R*I1/I3*s*omega_n*t8 */
-    const double t21 = JLT_FMS(p[1], t18, t20); /* R*omega_n*omega_n*gamma3 - R*I1/I3*s*omega_n*t8 */
+    const double t20 = p[1]*t18; /* R*omega_n*omega_n*gamma3 */
+    const double t21 = JLT_FNMA(p[7], t10, t20); /* R*omega_n*omega_n*gamma3 - R*I1/I3*s*omega_n*t8 */
     out[1] = t21;
     const double t22 = p[12]*t14; /* (I3^2 + m*R^2*I3)/(m*R^2*I3)*s*omega_tau */
     const double t23 = t8*t22; /* t8*(I3^2 + m*R^2*I3)/(m*R^2*I3)*s*omega_tau */
@@ -189,83 +219,83 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[2] = t0;
-    const double t1 = JLT_FMA(p[14], t0, p[13]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t2 = p[15]*x[0]; /* m*R^2*I3*gamma3 */
-    const double t3 = JLT_FMA(x[0], t2, t1); /* Theta = gamma3*m*R^2*I3*gamma3 + m*R^2*I1*s*s + I1*I3 */
-    const double t4 = x[0]*t3; /* gamma3*Theta */
-    const double t5 = 1.0/t4; /* 1/(gamma3*Theta) */
-    const double t6 = t3*t5; /* 1/gamma3 = Theta*1/(gamma3*Theta) */
-    const double t7 = x[0]*t5; /* 1/Theta = gamma3*1/(gamma3*Theta) */
+    const double t1 = p[10]*x[0]; /* I3/I1*gamma3 */
+    const double t2 = p[9] + t0; /* I3/(m*R^2) + s*s */
+    const double t3 = JLT_FMA(x[0], t1, t2); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + I3/(m*R^2) + s*s */
+    const double t4 = x[0]*t3; /* gamma3*Theta/(m*R^2*I1) */
+    const double t5 = 1.0/t4; /* 1/(gamma3*Theta/(m*R^2*I1)) */
+    const double t6 = t3*t5; /* 1/gamma3 = Theta/(m*R^2*I1)*1/(gamma3*Theta/(m*R^2*I1)) */
+    const double t7 = x[0]*t5; /* 1/(Theta/(m*R^2*I1)) = gamma3*1/(gamma3*Theta/(m*R^2*I1)) */
     const double t8 = x[4]*x[3]; /* s*omega_n */
     const double t9 = p[8] - t8; /* G_level/(R*I1) - s*omega_n */
     const double t10 = t9 - t8; /* G_level/(R*I1) - s*omega_n - s*omega_n */
-    const double t11 = x[4]*t6; /* s*1/gamma3 */
-    const double t12 = t9*t11; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
-    const double t13 = p[19]*t9; /* I1*(I3^2 + m*R^2*I3)/I3*(G_level/(R*I1) - s*omega_n) */
-    const double t14 = p[19]*t12; /* I1*(I3^2 + m*R^2*I3)/I3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
-    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t16 = p[20]*t15; /* m*R*I3*V */
-    const double t17 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t18 = x[2]*t14; /* omega_tau*t14 */
-    const double t19 = JLT_FMA(t16, t17, t18); /* m*R*I3*V*omega_n*gamma3 + omega_tau*t14 */
-    const double t20 = t7*t19; /* 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
-    const double t21 = JLT_FMA(p[15], t17, t14); /* m*R^2*I3*omega_n*gamma3 + t14 */
-    const double t22 = JLT_FNMA(t7, t21, t17); /* omega_n*gamma3 - 1/Theta*(m*R^2*I3*omega_n*gamma3 + t14) */
-    out[17] = t22;
-    const double t23 = x[2]*t6; /* omega_tau*1/gamma3 */
-    const double t24 = x[3]*t6; /* omega_n*1/gamma3 */
-    const double t25 = t13*t23; /* I1*(I3^2 + m*R^2*I3)/I3*(G_level/(R*I1) - s*omega_n)*omega_tau*1/gamma3 */
-    const double t26 = p[21]*t23; /* R*I1*(m*R + I3/R)*omega_tau*1/gamma3 */
-    const double t27 = x[2]*x[3]; /* omega_tau*omega_n */
-    const double t28 = x[3]*t16; /* omega_n*m*R*I3*V */
-    const double t29 = JLT_FMS(t12, t26, t28); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = (G_level/(R*I1) - s*omega_n)*s*1/gamma3*R*I1*(m*R + I3/R)*omega_tau*1/gamma3 - omega_n*m*R*I3*V */
-    const double t30 = t12*t24; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3*omega_n*1/gamma3 */
-    const double t31 = x[0]*t16; /* gamma3*m*R*I3*V */
-    const double t32 = t10*t24; /* (G_level/(R*I1) - s*omega_n - s*omega_n)*omega_n*1/gamma3 */
-    out[14] = t32;
-    const double t33 = p[17]*t32; /* (-R*I1/I3)*(G_level/(R*I1) - s*omega_n - s*omega_n)*omega_n*1/gamma3 */
-    out[9] = t33;
-    const double t34 = t10*t11; /* (G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
-    const double t35 = p[23]*t11; /* (I1*I3 + m*R^2*I1)*s*1/gamma3 */
-    const double t36 = JLT_FMS(t27, t35, t25); /* d(numerator of d(omega_n)/dt over Theta)/d(s) = omega_tau*omega_n*(I1*I3 + m*R^2*I1)*s*1/gamma3 - t25 */
-    const double t37 = t7*t36; /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(s) */
-    const double t38 = JLT_FNMA(2.0, t17, t34); /* (G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 - 2*omega_n*gamma3 */
+    const double t11 = x[4]*x[2]; /* s*omega_tau */
+    const double t12 = 2.0*t11; /* 2*s*omega_tau */
+    out[4] = t12;
+    const double t13 = -t11; /* -s*omega_tau */
+    out[20] = t13;
+    const double t14 = t7*t11; /* 1/(Theta/(m*R^2*I1))*s*omega_tau */
+    const double t15 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t17 = t7*t16; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t18 = t7*t9; /* 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n) */
+    const double t19 = x[4]*t6; /* s*1/gamma3 */
+    const double t20 = t9*t19; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
+    const double t21 = p[19]*t19; /* (I1*I3 + m*R^2*I1)/(m*R^2*I1)*s*1/gamma3 */
+    const double t22 = p[15]*t18; /* 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1*I3)*1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n) */
+    const double t23 = t14*t22; /* 1/(Theta/(m*R^2*I1))*s*omega_tau*t22 */
+    const double t24 = p[12]*t18; /* (I3^2 + m*R^2*I3)/(m*R^2*I3)*1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n) */
+    const double t25 = t7*t15; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t26 = t7*t20; /* 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
+    const double t27 = p[18]*t25; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[16] = t27;
+    const double t28 = x[3]*t6; /* omega_n*1/gamma3 */
+    const double t29 = x[2]*t6; /* omega_tau*1/gamma3 */
+    const double t30 = JLT_FNMA(t0, t28, t20); /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3 - s*s*omega_n*1/gamma3 */
+    const double t31 = t20*t28; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3*omega_n*1/gamma3 */
+    const double t32 = t24*t29; /* t24*omega_tau*1/gamma3 */
+    const double t33 = t10*t28; /* (G_level/(R*I1) - s*omega_n - s*omega_n)*omega_n*1/gamma3 */
+    out[14] = t33;
+    const double t34 = p[14]*t33; /* (-R*I1/I3)*(G_level/(R*I1) - s*omega_n - s*omega_n)*omega_n*1/gamma3 */
+    out[9] = t34;
+    const double t35 = p[19]*t28; /* (I1*I3 + m*R^2*I1)/(m*R^2*I1)*omega_n*1/gamma3 */
+    const double t36 = p[17]*t29; /* (m*R + I3/R)/(m*R)*omega_tau*1/gamma3 */
+    const double t37 = JLT_FMA(p[20], t26, t35); /* 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1*I3)*1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + (I1*I3 + m*R^2*I1)/(m*R^2*I1)*omega_n*1/gamma3 */
+    const double t38 = JLT_FNMA(2.0, t15, t30); /* t30 - 2*omega_n*gamma3 */
     out[13] = t38;
-    const double t39 = p[7]*t34; /* R*I1/I3*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
-    const double t40 = JLT_FMS(p[16], t17, t39); /* 2*R*omega_n*gamma3 - R*I1/I3*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
+    const double t39 = p[7]*t30; /* R*I1/I3*t30 */
+    const double t40 = JLT_FMS(p[13], t15, t39); /* 2*R*omega_n*gamma3 - R*I1/I3*t30 */
     out[8] = t40;
-    const double t41 = p[22]*t17; /* (-m*R*I3)*omega_n*gamma3 */
-    const double t42 = t7*t41; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
-    out[16] = t42;
-    const double t43 = x[4]*x[2]; /* s*omega_tau */
-    const double t44 = JLT_FMS(t35, t43, t31); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = (I1*I3 + m*R^2*I1)*s*1/gamma3*s*omega_tau - gamma3*m*R*I3*V */
-    const double t45 = 2.0*t43; /* 2*s*omega_tau */
-    out[4] = t45;
-    const double t46 = -t43; /* -s*omega_tau */
-    out[20] = t46;
-    const double t47 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t48 = x[0]*p[18]; /* gamma3*2*m*R^2*I3 */
-    const double t49 = JLT_FMA(t20, t48, t29); /* 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14)*gamma3*2*m*R^2*I3 + d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
-    const double t50 = JLT_FMA(t7, t49, t27); /* 1/Theta*t49 + omega_tau*omega_n */
-    out[15] = t50;
-    const double t51 = x[4]*p[24]; /* s*2*m*R^2*I1 */
-    const double t52 = t7*t51; /* 1/Theta*s*2*m*R^2*I1 */
-    const double t53 = JLT_FMA(t20, t52, t37); /* 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14)*1/Theta*s*2*m*R^2*I1 + 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(s) */
-    out[19] = t53;
-    const double t54 = p[1]*t47; /* R*omega_n*omega_n */
-    const double t55 = JLT_FMA(p[7], t30, t54); /* R*I1/I3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3*omega_n*1/gamma3 + R*omega_n*omega_n */
-    out[5] = t55;
-    const double t56 = t30 + t47; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3*omega_n*1/gamma3 + omega_n*omega_n */
-    const double t57 = -t56; /* -t56 */
-    out[10] = t57;
-    const double t58 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t59 = JLT_FMA(t7, t44, t58); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + omega_tau*gamma3 */
-    out[18] = t59;
-    const double t60 = -t58; /* -omega_tau*gamma3 */
-    out[24] = t60;
-    const double t61 = x[4]*x[0]; /* s*gamma3 */
-    const double t62 = -t61; /* -s*gamma3 */
-    out[22] = t62;
+    const double t41 = JLT_FNMA(p[10], t25, t15); /* omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t42 = JLT_FNMA(p[12], t26, t41); /* omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 - (I3^2 + m*R^2*I3)/(m*R^2*I3)*1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
+    out[17] = t42;
+    const double t43 = t17*t25; /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t44 = JLT_FNMA(p[11], t17, x[2]); /* omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
+    const double t45 = x[0]*p[16]; /* gamma3*2*I3^2/(R*I1^2) */
+    const double t46 = JLT_FMA(t43, t45, t23); /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*omega_n*gamma3*gamma3*2*I3^2/(R*I1^2) + 1/(Theta/(m*R^2*I1))*s*omega_tau*t22 */
+    const double t47 = JLT_FMA(x[3], t44, t46); /* omega_n*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) + t46 */
+    const double t48 = JLT_FMA(t26, t36, t47); /* 1/(Theta/(m*R^2*I1))*(G_level/(R*I1) - s*omega_n)*s*1/gamma3*(m*R + I3/R)/(m*R)*omega_tau*1/gamma3 + omega_n*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) + t46 */
+    out[15] = t48;
+    const double t49 = x[0]*t44; /* gamma3*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) */
+    const double t50 = JLT_FMA(t14, t21, t49); /* 1/(Theta/(m*R^2*I1))*s*omega_tau*(I1*I3 + m*R^2*I1)/(m*R^2*I1)*s*1/gamma3 + gamma3*(omega_tau - I3/(R*I1)*1/(Theta/(m*R^2*I1))*V) */
+    out[18] = t50;
+    const double t51 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t52 = x[4]*p[21]; /* s*2*I3/(R*I1) */
+    const double t53 = JLT_FMS(t43, t52, t32); /* 1/(Theta/(m*R^2*I1))*V*1/(Theta/(m*R^2*I1))*omega_n*gamma3*s*2*I3/(R*I1) - t24*omega_tau*1/gamma3 */
+    const double t54 = JLT_FMA(t14, t37, t53); /* 1/(Theta/(m*R^2*I1))*s*omega_tau*t37 + t53 */
+    out[19] = t54;
+    const double t55 = p[1]*t51; /* R*omega_n*omega_n */
+    const double t56 = JLT_FMA(p[7], t31, t55); /* R*I1/I3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3*omega_n*1/gamma3 + R*omega_n*omega_n */
+    out[5] = t56;
+    const double t57 = t31 + t51; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3*omega_n*1/gamma3 + omega_n*omega_n */
+    const double t58 = -t57; /* -t57 */
+    out[10] = t58;
+    const double t59 = x[4]*x[0]; /* s*gamma3 */
+    const double t60 = -t59; /* -s*gamma3 */
+    out[22] = t60;
+    const double t61 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t62 = -t61; /* -omega_tau*gamma3 */
+    out[24] = t62;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -281,8 +311,8 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[28] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[7] = t0;
-    const double t1 = JLT_FMA(p[14], t0, p[13]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t2 = p[15]*x[0]; /* m*R^2*I3*gamma3 */
+    const double t1 = JLT_FMA(p[23], t0, p[22]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t2 = p[24]*x[0]; /* m*R^2*I3*gamma3 */
     const double t3 = JLT_FMA(x[0], t2, t1); /* Theta = gamma3*m*R^2*I3*gamma3 + m*R^2*I1*s*s + I1*I3 */
     const double t4 = x[0]*t3; /* gamma3*Theta */
     const double t5 = 1.0/t4; /* 1/(gamma3*Theta) */
@@ -293,15 +323,15 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t10 = t9 - t8; /* G_level/(R*I1) - s*omega_n - s*omega_n */
     const double t11 = x[4]*t6; /* s*1/gamma3 */
     const double t12 = t9*t11; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
-    const double t13 = p[25]*t9; /* 1/2*(I3^2 + m*R^2*I3)/(m*R^2*I3)*(G_level/(R*I1) - s*omega_n) */
-    const double t14 = p[19]*t12; /* I1*(I3^2 + m*R^2*I3)/I3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
+    const double t13 = p[32]*t9; /* 1/2*(I3^2 + m*R^2*I3)/(m*R^2*I3)*(G_level/(R*I1) - s*omega_n) */
+    const double t14 = p[25]*t12; /* I1*(I3^2 + m*R^2*I3)/I3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
     const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t16 = p[20]*t15; /* m*R*I3*V */
+    const double t16 = p[26]*t15; /* m*R*I3*V */
     const double t17 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t18 = x[2]*t14; /* omega_tau*t14 */
     const double t19 = JLT_FMA(t16, t17, t18); /* m*R*I3*V*omega_n*gamma3 + omega_tau*t14 */
     const double t20 = t7*t19; /* 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
-    const double t21 = JLT_FMA(p[15], t17, t14); /* m*R^2*I3*omega_n*gamma3 + t14 */
+    const double t21 = JLT_FMA(p[24], t17, t14); /* m*R^2*I3*omega_n*gamma3 + t14 */
     const double t22 = JLT_FNMA(t7, t21, t17); /* omega_n*gamma3 - 1/Theta*(m*R^2*I3*omega_n*gamma3 + t14) */
     out[22] = t22;
     const double t23 = JLT_FMS(x[2], t17, t20); /* omega_tau*omega_n*gamma3 - 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
@@ -310,46 +340,46 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t25 = x[2]*x[3]; /* omega_tau*omega_n */
     const double t26 = x[3]*t16; /* omega_n*m*R*I3*V */
     const double t27 = x[0]*t16; /* gamma3*m*R*I3*V */
-    const double t28 = p[21]*t24; /* R*I1*(m*R + I3/R)*omega_tau*1/gamma3 */
+    const double t28 = p[28]*t24; /* R*I1*(m*R + I3/R)*omega_tau*1/gamma3 */
     const double t29 = JLT_FMS(t12, t28, t26); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = (G_level/(R*I1) - s*omega_n)*s*1/gamma3*R*I1*(m*R + I3/R)*omega_tau*1/gamma3 - omega_n*m*R*I3*V */
     const double t30 = x[3]*t12; /* omega_n*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
-    const double t31 = p[23]*t11; /* (I1*I3 + m*R^2*I1)*s*1/gamma3 */
+    const double t31 = p[30]*t11; /* (I1*I3 + m*R^2*I1)*s*1/gamma3 */
     const double t32 = t10*t11; /* (G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
     const double t33 = x[3]*t10; /* omega_n*(G_level/(R*I1) - s*omega_n - s*omega_n) */
     const double t34 = t6*t33; /* 1/gamma3*omega_n*(G_level/(R*I1) - s*omega_n - s*omega_n) */
     out[19] = t34;
-    const double t35 = p[17]*t34; /* (-R*I1/I3)*1/gamma3*omega_n*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t35 = p[14]*t34; /* (-R*I1/I3)*1/gamma3*omega_n*(G_level/(R*I1) - s*omega_n - s*omega_n) */
     out[14] = t35;
     const double t36 = JLT_FNMA(2.0, t17, t32); /* (G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 - 2*omega_n*gamma3 */
     out[18] = t36;
     const double t37 = p[7]*t32; /* R*I1/I3*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
-    const double t38 = JLT_FMS(p[16], t17, t37); /* 2*R*omega_n*gamma3 - R*I1/I3*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
+    const double t38 = JLT_FMS(p[13], t17, t37); /* 2*R*omega_n*gamma3 - R*I1/I3*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/gamma3 */
     out[13] = t38;
     const double t39 = x[4]*t20; /* s*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) */
     const double t40 = JLT_FNMA(t13, t24, t39); /* s*1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14) - t13*omega_tau*1/gamma3 */
     const double t41 = x[4]*x[2]; /* s*omega_tau */
     const double t42 = JLT_FMS(t31, t41, t27); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = (I1*I3 + m*R^2*I1)*s*1/gamma3*s*omega_tau - gamma3*m*R*I3*V */
     const double t43 = t25*t31; /* omega_tau*omega_n*(I1*I3 + m*R^2*I1)*s*1/gamma3 */
-    const double t44 = JLT_FMA(p[24], t40, t43); /* 2*m*R^2*I1*t40 + omega_tau*omega_n*(I1*I3 + m*R^2*I1)*s*1/gamma3 */
+    const double t44 = JLT_FMA(p[31], t40, t43); /* 2*m*R^2*I1*t40 + omega_tau*omega_n*(I1*I3 + m*R^2*I1)*s*1/gamma3 */
     const double t45 = t7*t44; /* 1/Theta*t44 */
     out[24] = t45;
     const double t46 = x[4]*t41; /* s*s*omega_tau */
     out[0] = t46;
-    const double t47 = 2.0*t44; /* 2*s*omega_tau */
+    const double t47 = 2.0*t41; /* 2*s*omega_tau */
     out[9] = t47;
-    const double t48 = -t44; /* -s*omega_tau */
+    const double t48 = -t41; /* -s*omega_tau */
     out[25] = t48;
-    const double t49 = x[0]*t44; /* gamma3*s*omega_tau */
+    const double t49 = x[0]*t41; /* gamma3*s*omega_tau */
     const double t50 = -t49; /* -gamma3*s*omega_tau */
     out[4] = t50;
     const double t51 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t52 = x[0]*p[18]; /* gamma3*2*m*R^2*I3 */
+    const double t52 = x[0]*p[27]; /* gamma3*2*m*R^2*I3 */
     const double t53 = JLT_FMA(t20, t52, t29); /* 1/Theta*(m*R*I3*V*omega_n*gamma3 + omega_tau*t14)*gamma3*2*m*R^2*I3 + d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
     const double t54 = JLT_FMA(t7, t53, t25); /* 1/Theta*t53 + omega_tau*omega_n */
     out[20] = t54;
     const double t55 = p[7]*t30; /* R*I1/I3*omega_n*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
     const double t56 = x[3]*t17; /* omega_n*omega_n*gamma3 */
-    const double t57 = p[22]*t17; /* (-m*R*I3)*omega_n*gamma3 */
+    const double t57 = p[29]*t17; /* (-m*R*I3)*omega_n*gamma3 */
     const double t58 = t7*t57; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
     out[21] = t58;
     const double t59 = JLT_FMS(p[1], t56, t55); /* R*omega_n*omega_n*gamma3 - R*I1/I3*omega_n*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
@@ -375,16 +405,16 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
-    const double t2 = JLT_FMA(p[14], t0, p[13]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t1 = x[0]*p[24]; /* gamma3*m*R^2*I3 */
+    const double t2 = JLT_FMA(p[23], t0, p[22]); /* m*R^2*I1*s*s + I1*I3 */
     const double t3 = JLT_FMA(x[0], t1, t2); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
     const double t4 = x[0]*t3; /* gamma3*Theta */
     const double t5 = 1.0/t4; /* 1/(gamma3*Theta) */
-    const double t6 = x[2]*p[23]; /* omega_tau*(I1*I3 + m*R^2*I1) */
+    const double t6 = x[2]*p[30]; /* omega_tau*(I1*I3 + m*R^2*I1) */
     const double t7 = t0*t6; /* s*s*omega_tau*(I1*I3 + m*R^2*I1) */
     const double t8 = t3*t7; /* Theta*s*s*omega_tau*(I1*I3 + m*R^2*I1) */
     const double t9 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t10 = x[0]*p[20]; /* gamma3*m*R*I3 */
+    const double t10 = x[0]*p[26]; /* gamma3*m*R*I3 */
     const double t11 = t9*t10; /* V*gamma3*m*R*I3 */
     const double t12 = JLT_FMS(t5, t8, t11); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/(gamma3*Theta)*Theta*s*s*omega_tau*(I1*I3 + m*R^2*I1) - V*gamma3*m*R*I3 */
     const double t13 = x[0]*t5; /* gamma3*1/(gamma3*Theta) */
@@ -394,28 +424,28 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[27]*x[1]; /* m/I1*v_nu */
+    const double t0 = p[34]*x[1]; /* m/I1*v_nu */
     const double t1 = x[3]*x[3]; /* omega_n*omega_n */
     const double t2 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t3 = p[28]*t2; /* I1/I3*(G_level/(R*I1) - omega_n*s) */
+    const double t3 = p[35]*t2; /* I1/I3*(G_level/(R*I1) - omega_n*s) */
     const double t4 = t3/x[0]; /* I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
     const double t5 = t4*t4; /* I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3*I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
     const double t6 = x[4]*t4; /* s*I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
     const double t7 = JLT_FMS(x[3], x[0], t6); /* v_tau/R = omega_n*gamma3 - s*I1/I3*(G_level/(R*I1) - omega_n*s)/gamma3 */
-    const double t8 = p[29]*t7; /* m*R^2/I1*v_tau/R */
+    const double t8 = p[36]*t7; /* m*R^2/I1*v_tau/R */
     const double t9 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t10 = JLT_FMA(x[1], t0, t9); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t11 = JLT_FMA(p[10], t5, t10); /* I3/I1*t5 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t12 = JLT_FMA(t7, t8, t11); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t11 */
-    const double t13 = p[26]*t12; /* 1/2*I1*energy/(1/2*I1) */
+    const double t13 = p[33]*t12; /* 1/2*I1*energy/(1/2*I1) */
     out[0] = t13;
     const double t14 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t15 = p[30]*t14; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t15 = p[37]*t14; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t16 = t14*t15; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t17 = p[10]*x[0]; /* I3/I1*gamma3 */
     const double t18 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
     const double t19 = JLT_FMA(x[0], t17, t18); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
-    const double t20 = p[31]*t19; /* m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) */
+    const double t20 = p[38]*t19; /* m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) */
     const double t21 = JLT_FMA(t5, t20, t16); /* t5*m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[1] = t21;
 }
@@ -428,48 +458,48 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[2] = t1;
     const double t2 = 1.0/x[0]; /* 1/gamma3 */
     const double t3 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t4 = p[28]*x[4]; /* I1/I3*s */
-    const double t5 = t2*t3; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t4 = t2*t3; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t5 = x[4]*t4; /* s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
     const double t6 = x[0]*p[10]; /* gamma3*I3/I1 */
     const double t7 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
     const double t8 = JLT_FMA(x[0], t6, t7); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t9 = p[36]*t8; /* 2*m*R^2*I1^3*(I1 - I3)/I3^2*Theta/(m*R^2*I1) */
-    const double t10 = t4*t5; /* I1/I3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t11 = JLT_FMS(x[3], x[0], t10); /* v_tau/R = omega_n*gamma3 - I1/I3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t12 = t2*t5; /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t13 = x[4]*t2; /* s*1/gamma3 */
-    const double t14 = t9*t12; /* 2*m*R^2*I1^3*(I1 - I3)/I3^2*Theta/(m*R^2*I1)*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t15 = JLT_FMS(p[35], t3, t14); /* 2*m*R^2*I1^2*(I1 - I3)/I3*(G_level/(R*I1) - omega_n*s) - t14 */
-    const double t16 = t5*t15; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*(2*m*R^2*I1^2*(I1 - I3)/I3*(G_level/(R*I1) - omega_n*s) - t14) */
-    out[5] = t16;
-    const double t17 = x[4]*p[36]; /* s*2*m*R^2*I1^3*(I1 - I3)/I3^2 */
-    const double t18 = t5*t17; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*s*2*m*R^2*I1^3*(I1 - I3)/I3^2 */
-    const double t19 = t5*t18; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*t18 */
-    const double t20 = JLT_FNMA(x[3], t14, t19); /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*t18 - omega_n*t14 */
-    out[9] = t20;
-    const double t21 = x[4]*t14; /* s*t14 */
-    const double t22 = -t21; /* -s*t14 */
-    out[8] = t22;
-    const double t23 = JLT_FMA(t4, t12, x[3]); /* d(v_tau)/d(gamma3)/R = I1/I3*s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) + omega_n */
-    const double t24 = p[33]*t12; /* I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t25 = JLT_FMA(t4, t13, x[0]); /* d(v_tau)/d(omega_n)/R = I1/I3*s*s*1/gamma3 + gamma3 */
-    const double t26 = JLT_FMS(x[3], t13, t5); /* omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t27 = p[32]*t11; /* m*R^2*v_tau/R */
-    const double t28 = p[34]*t11; /* m*R^2*I1/I3*v_tau/R */
-    const double t29 = t26*t28; /* (omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s))*m*R^2*I1/I3*v_tau/R */
-    const double t30 = JLT_FNMA(x[3], t24, t29); /* d(energy)/d(s) = t29 - omega_n*I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    out[4] = t30;
-    const double t31 = t23*t27; /* d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R */
-    const double t32 = JLT_FNMA(t5, t24, t31); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    out[0] = t32;
+    const double t9 = p[43]*t8; /* 2*m*R^2*I1^3*(I1 - I3)/I3^2*Theta/(m*R^2*I1) */
+    const double t10 = x[4]*t2; /* s*1/gamma3 */
+    const double t11 = t2*t4; /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t12 = t9*t11; /* 2*m*R^2*I1^3*(I1 - I3)/I3^2*Theta/(m*R^2*I1)*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t13 = p[40]*t11; /* I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t14 = JLT_FMS(p[42], t3, t12); /* 2*m*R^2*I1^2*(I1 - I3)/I3*(G_level/(R*I1) - omega_n*s) - t12 */
+    const double t15 = t4*t14; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*(2*m*R^2*I1^2*(I1 - I3)/I3*(G_level/(R*I1) - omega_n*s) - t12) */
+    out[5] = t15;
+    const double t16 = p[35]*t5; /* I1/I3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t17 = JLT_FMS(x[3], x[0], t16); /* v_tau/R = omega_n*gamma3 - I1/I3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t18 = p[35]*t10; /* I1/I3*s*1/gamma3 */
+    const double t19 = JLT_FMS(x[3], t10, t4); /* omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t20 = p[41]*t19; /* m*R^2*I1/I3*(omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s)) */
+    const double t21 = t17*t20; /* v_tau/R*t20 */
+    const double t22 = JLT_FNMA(x[3], t13, t21); /* d(energy)/d(s) = v_tau/R*t20 - omega_n*I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    out[4] = t22;
+    const double t23 = p[39]*t17; /* m*R^2*v_tau/R */
+    const double t24 = JLT_FMA(t4, t18, x[3]); /* d(v_tau)/d(gamma3)/R = 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*s*1/gamma3 + omega_n */
+    const double t25 = t23*t24; /* m*R^2*v_tau/R*d(v_tau)/d(gamma3)/R */
+    const double t26 = JLT_FNMA(t4, t13, t25); /* d(energy)/d(gamma3) = m*R^2*v_tau/R*d(v_tau)/d(gamma3)/R - 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    out[0] = t26;
+    const double t27 = p[43]*t4; /* 2*m*R^2*I1^3*(I1 - I3)/I3^2*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t28 = t5*t27; /* s*1/gamma3*(G_level/(R*I1) - omega_n*s)*t27 */
+    const double t29 = JLT_FNMA(x[3], t12, t28); /* s*1/gamma3*(G_level/(R*I1) - omega_n*s)*t27 - omega_n*t12 */
+    out[9] = t29;
+    const double t30 = JLT_FMA(x[4], t18, x[0]); /* d(v_tau)/d(omega_n)/R = s*I1/I3*s*1/gamma3 + gamma3 */
+    const double t31 = x[4]*t12; /* s*t12 */
+    const double t32 = -t31; /* -s*t12 */
+    out[8] = t32;
     const double t33 = x[3]*p[4]; /* omega_n*I1 */
-    const double t34 = JLT_FNMA(x[4], t24, t33); /* omega_n*I1 - s*I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t35 = JLT_FMA(t25, t27, t34); /* d(energy)/d(omega_n) = d(v_tau)/d(omega_n)/R*m*R^2*v_tau/R + t34 */
+    const double t34 = JLT_FNMA(x[4], t13, t33); /* omega_n*I1 - s*I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t35 = JLT_FMA(t23, t30, t34); /* d(energy)/d(omega_n) = m*R^2*v_tau/R*d(v_tau)/d(omega_n)/R + t34 */
     out[3] = t35;
     const double t36 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t37 = p[37]*t36; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t37 = p[44]*t36; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[6] = t37;
-    const double t38 = p[38]*t36; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
+    const double t38 = p[45]*t36; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
     out[7] = t38;
 }
 
@@ -482,7 +512,7 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t1 = p[39]*t0; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
+    const double t1 = p[46]*t0; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
     const double t2 = t1/x[0]; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s)/gamma3 */
     out[0] = t2;
 }
@@ -552,8 +582,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t33[k] = p[7]*t23[k];
         t34[k] = p[1]*t31[k] - t33[k];
         t35[k] = p[12]*t27[k];
-        t36[k] = jlt_jet_product(t21, t35, k);
-        t37[k] = t30[k] - jlt_jet_product(t22, t36, k);
+        t36[k] = jlt_jet_product(t22, t35, k);
+        t37[k] = t30[k] - jlt_jet_product(t21, t36, k);
         t38[k] = jlt_jet_product(x0, t27, k);
         t39[k] = -t38[k];
         double *restrict next = coefficients + (k + 1)*6;
@@ -634,22 +664,22 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G_om
     .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 40,
+    .state_count = 5, .param_count = 7, .block_count = 47,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 3, 17, 6, 1, 0, 0, 8, 7 }, { 11, 49, 0, 5, 0, 0, 11, 7 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 25, { 7, 39, 16, 1, 0, 0, 14, 13 }, { 41, 216, 0, 29, 0, 0, 15, 8 },
+    .jacobian = { jacobian, 25, { 8, 38, 16, 1, 0, 0, 12, 14 }, { 41, 216, 0, 29, 0, 0, 15, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 8, 43, 19, 1, 0, 0, 14, 13 }, { 48, 248, 0, 33, 0, 0, 15, 8 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 8, 42, 19, 1, 0, 0, 16, 14 }, { 48, 248, 0, 33, 0, 0, 15, 8 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .divergence = { divergence, 1, { 0, 10, 4, 1, 0, 0, 7, 5 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .integral_values = { integral_values, 2, { 0, 11, 10, 1, 0, 0, 8, 6 }, { 11, 43, 0, 1, 0, 0, 13, 6 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes" },
-    .integral_gradients = { integral_gradients, 10, { 1, 23, 14, 1, 0, 0, 7, 8 }, { 23, 105, 0, 10, 0, 0, 12, 9 },
+    .integral_gradients = { integral_gradients, 10, { 1, 23, 14, 1, 0, 0, 8, 8 }, { 23, 105, 0, 10, 0, 0, 12, 9 },
         "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

@@ -5,9 +5,9 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   25   13    1    1    0     12    9   (99)
- *  jacobian            7   57   31    1    1    0     15   19   (373)
- *  rhs_jacobian        11   64   33    1    1    0     15   29   (447)
+ *  rhs                 4   25   13    1    1    0     12   10   (99)
+ *  jacobian            8   52   30    1    1    0     17   19   (373)
+ *  rhs_jacobian        11   65   33    1    1    0     17   25   (447)
  *  divergence          2   14    9    1    1    0     12    8   (54)
  *  integral_values     2   12    9    0    1    0      7    6   (43)
  *  integral_gradients  2   15    9    1    1    0      6    7   (53)
@@ -38,7 +38,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[3]*params[3]; /* a3*a3 */
     const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[16] = t1;
+    out[30] = t1;
     const double t2 = t1/params[4]; /* m*a3*a3/I1 */
     out[6] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
@@ -50,17 +50,17 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t7;
     const double t8 = params[0]*params[2]; /* m*g */
     const double t9 = params[3]*t8; /* a3*m*g */
-    out[21] = t9;
+    out[31] = t9;
     const double t10 = t9/params[4]; /* a3*m*g/I1 */
     out[9] = t10;
     const double t11 = params[5]/params[4]; /* I3/I1 */
     out[10] = t11;
     const double t12 = params[4]*params[1]; /* I1*R */
-    out[42] = t12;
+    out[43] = t12;
     const double t13 = params[5]/t12; /* I3/(I1*R) */
     out[11] = t13;
     const double t14 = params[0]*params[1]; /* m*R */
-    out[33] = t14;
+    out[32] = t14;
     const double t15 = params[5]/t14; /* I3/(m*R) */
     out[12] = t15;
     const double t16 = 1.0/params[1]; /* 1/R */
@@ -72,63 +72,64 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t20 = t19/t12; /* a3*I3/(I1*R) */
     out[15] = t20;
     const double t21 = params[4]*params[5]; /* I1*I3 */
-    out[17] = t21;
+    out[16] = t21;
     const double t22 = params[4]*t4; /* I1*m*R*R */
-    out[18] = t22;
+    out[17] = t22;
     const double t23 = params[0]*params[5]; /* m*I3 */
-    out[19] = t23;
+    out[18] = t23;
     const double t24 = params[0]*2.0; /* m*2 */
     const double t25 = t0*t24; /* a3*a3*m*2 */
-    out[20] = t25;
-    const double t26 = params[5]*t25; /* I3*a3*a3*m*2 */
-    const double t27 = t26/params[4]; /* I3*a3*a3*m*2/I1 */
-    out[22] = t27;
-    const double t28 = params[4]*(-2.0); /* I1*(-2) */
-    out[23] = t28;
+    out[33] = t25;
+    const double t26 = t25/params[4]; /* a3*a3*m*2/I1 */
+    out[19] = t26;
+    const double t27 = params[4]*2.0; /* I1*2 */
+    out[34] = t27;
+    const double t28 = params[5]/t27; /* I3/(I1*2) */
+    out[20] = t28;
     const double t29 = -params[5]; /* -I3 */
-    out[24] = t29;
-    const double t30 = t3*t24; /* R*R*m*2 */
-    const double t31 = params[4]*t30; /* I1*R*R*m*2 */
-    out[25] = t31;
-    const double t32 = params[1]*t24; /* R*m*2 */
-    const double t33 = params[5]*t32; /* I3*R*m*2 */
-    out[26] = t33;
-    const double t34 = params[5]*t14; /* I3*m*R */
-    out[27] = t34;
-    const double t35 = params[3]*t14; /* a3*m*R */
-    const double t36 = params[5]*t35; /* I3*a3*m*R */
-    out[28] = t36;
-    const double t37 = params[5]*params[5]; /* I3*I3 */
-    out[29] = t37;
-    const double t38 = params[4]*t14; /* I1*m*R */
-    out[30] = t38;
-    const double t39 = t4*t17; /* m*R*R*(I1 - I3) */
-    out[31] = t39;
-    const double t40 = -t38; /* -I1*m*R */
-    out[32] = t40;
-    const double t41 = params[4]*2.0; /* I1*2 */
-    out[34] = t41;
+    out[35] = t29;
+    const double t30 = -t11; /* -I3/I1 */
+    out[21] = t30;
+    const double t31 = params[5]*t14; /* I3*m*R */
+    out[22] = t31;
+    const double t32 = t3*t24; /* R*R*m*2 */
+    const double t33 = params[4]*t32; /* I1*R*R*m*2 */
+    out[23] = t33;
+    const double t34 = params[1]*t24; /* R*m*2 */
+    const double t35 = params[5]*t34; /* I3*R*m*2 */
+    out[24] = t35;
+    const double t36 = params[3]*t14; /* a3*m*R */
+    const double t37 = params[5]*t36; /* I3*a3*m*R */
+    out[25] = t37;
+    const double t38 = params[5]*params[5]; /* I3*I3 */
+    out[26] = t38;
+    const double t39 = params[4]*t14; /* I1*m*R */
+    out[27] = t39;
+    const double t40 = t4*t17; /* m*R*R*(I1 - I3) */
+    out[28] = t40;
+    const double t41 = -t39; /* -I1*m*R */
+    out[29] = t41;
     const double t42 = params[0]*params[3]; /* m*a3 */
     const double t43 = params[5]*t42; /* I3*m*a3 */
-    out[35] = t43;
-    const double t44 = params[4]*t35; /* I1*a3*m*R */
-    out[36] = t44;
+    out[36] = t43;
+    const double t44 = params[4]*t36; /* I1*a3*m*R */
+    out[37] = t44;
     const double t45 = params[0]/2.0; /* m/2 */
-    out[37] = t45;
+    out[38] = t45;
     const double t46 = params[2]*2.0; /* g*2 */
     const double t47 = params[3]*t46; /* a3*g*2 */
-    out[38] = t47;
+    out[39] = t47;
     const double t48 = 1.0/params[0]; /* 1/m */
-    out[39] = t48;
+    out[40] = t48;
     const double t49 = params[4]/params[0]; /* I1/m */
-    out[40] = t49;
+    out[41] = t49;
     const double t50 = params[5]/params[0]; /* I3/m */
-    out[41] = t50;
+    out[42] = t50;
     const double t51 = -t12; /* -I1*R */
-    out[43] = t51;
+    out[44] = t51;
     const double t52 = params[1]*params[5]; /* R*I3 */
     const double t53 = -t52; /* -R*I3 */
-    out[44] = t53;
+    out[45] = t53;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -150,37 +151,37 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t14 = t9*t12; /* 1/(Theta/(m*R^2*I1)) = s*D/I1*1/(Theta/(m*R^2*I1)*s*D/I1) */
     const double t15 = t10*t13; /* omega_n*D/I1*1/(s*(D/I1)) */
     const double t16 = t3*t15; /* b*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t17 = t7*t15; /* I3/(R^2*I1)*b*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t18 = x[0]*t15; /* gamma3*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t19 = JLT_FMA(p[1], x[4], t16); /* R*omega3 + b*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t20 = x[3]*t19; /* omega_n*(R*omega3 + b*omega_n*D/I1*1/(s*(D/I1))) */
-    out[1] = t20;
-    const double t21 = t4*t13; /* s*1/(s*(D/I1)) */
-    const double t22 = x[2]*t4; /* omega_tau*s */
-    out[0] = t22;
-    const double t23 = x[0]*t22; /* gamma3*omega_tau*s */
-    const double t24 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t25 = t23*t24; /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t26 = JLT_FNMA(p[9], t4, t25); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s */
-    const double t27 = p[14]*t23; /* (I1 - I3)/I1*gamma3*omega_tau*s */
-    const double t28 = JLT_FNMA(p[15], t22, t27); /* (I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s */
-    const double t29 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t30 = JLT_FMA(x[2], t29, x[1]); /* V = omega_tau*e + v_nu */
-    const double t31 = p[12] + t29; /* I3/(m*R) + e */
-    const double t32 = t14*t30; /* 1/(Theta/(m*R^2*I1))*V */
-    const double t33 = x[4]*t14; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t34 = p[11]*t31; /* I3/(R*I1)*(I3/(m*R) + e) */
-    const double t35 = t17*t32; /* I3/(R^2*I1)*b*omega_n*D/I1*1/(s*(D/I1))*1/(Theta/(m*R^2*I1))*V */
-    const double t36 = JLT_FMA(t33, t34, t18); /* omega3*1/(Theta/(m*R^2*I1))*I3/(R*I1)*(I3/(m*R) + e) + gamma3*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t37 = JLT_FMS(x[2], t36, t35); /* omega_tau*t36 - t35 */
-    out[3] = t37;
-    const double t38 = JLT_FMA(x[4], p[10], t18); /* omega3*I3/I1 + gamma3*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t39 = JLT_FNMA(x[3], t38, t26); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*omega_n*D/I1*1/(s*(D/I1))) */
-    const double t40 = t21*t39; /* s*1/(s*(D/I1))*t39 */
-    out[2] = t40;
+    const double t17 = JLT_FMA(p[1], x[4], t16); /* R*omega3 + b*omega_n*D/I1*1/(s*(D/I1)) */
+    const double t18 = x[3]*t17; /* omega_n*(R*omega3 + b*omega_n*D/I1*1/(s*(D/I1))) */
+    out[1] = t18;
+    const double t19 = t4*t13; /* s*1/(s*(D/I1)) */
+    const double t20 = x[2]*t4; /* omega_tau*s */
+    out[0] = t20;
+    const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t22 = x[0]*t20; /* gamma3*omega_tau*s */
+    const double t23 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t24 = t22*t23; /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t25 = JLT_FNMA(p[9], t4, t24); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s */
+    const double t26 = p[14]*t22; /* (I1 - I3)/I1*gamma3*omega_tau*s */
+    const double t27 = JLT_FNMA(p[15], t20, t26); /* (I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s */
+    const double t28 = p[12] + t21; /* I3/(m*R) + e */
+    const double t29 = p[11]*t28; /* I3/(R*I1)*(I3/(m*R) + e) */
+    const double t30 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
+    const double t31 = t14*t30; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t32 = x[4]*t14; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t33 = t7*t31; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
+    const double t34 = x[0]*t15; /* gamma3*omega_n*D/I1*1/(s*(D/I1)) */
+    const double t35 = JLT_FMA(t29, t32, t34); /* I3/(R*I1)*(I3/(m*R) + e)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*omega_n*D/I1*1/(s*(D/I1)) */
+    const double t36 = JLT_FMA(x[4], p[10], t34); /* omega3*I3/I1 + gamma3*omega_n*D/I1*1/(s*(D/I1)) */
+    const double t37 = JLT_FNMA(x[3], t36, t25); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*omega_n*D/I1*1/(s*(D/I1))) */
+    const double t38 = t19*t37; /* s*1/(s*(D/I1))*t37 */
+    out[2] = t38;
+    const double t39 = x[2]*t35; /* omega_tau*t35 */
+    const double t40 = JLT_FNMA(t15, t33, t39); /* omega_tau*t35 - omega_n*D/I1*1/(s*(D/I1))*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
+    out[3] = t40;
     const double t41 = x[3]*p[13]; /* omega_n*1/R */
-    const double t42 = t32*t41; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    const double t43 = JLT_FMS(t28, t33, t42); /* ((I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s)*omega3*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    const double t42 = t31*t41; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    const double t43 = JLT_FMS(t27, t32, t42); /* ((I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s)*omega3*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
     out[4] = t43;
 }
 
@@ -189,18 +190,18 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
     const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = t4*p[19]; /* b*m*I3 */
-    const double t6 = JLT_FMA(t2, p[18], p[17]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
+    const double t5 = t4*p[18]; /* b*m*I3 */
+    const double t6 = JLT_FMA(t2, p[17], p[16]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
     const double t7 = JLT_FMA(t4, t5, t6); /* Theta = b*b*m*I3 + (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
     const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     out[2] = t8;
-    const double t9 = t3*t8; /* D*s */
-    const double t10 = t7*t9; /* Theta*D*s */
-    const double t11 = 1.0/t10; /* 1/(Theta*D*s) */
-    const double t12 = t7*t11; /* 1/(s*D) = Theta*1/(Theta*D*s) */
-    const double t13 = t3*t12; /* 1/s = D*1/(s*D) */
+    const double t9 = t3*t8; /* D/I1*s */
+    const double t10 = t7*t9; /* Theta*D/I1*s */
+    const double t11 = 1.0/t10; /* 1/(Theta*D/I1*s) */
+    const double t12 = t7*t11; /* 1/(s*(D/I1)) = Theta*1/(Theta*D/I1*s) */
+    const double t13 = t3*t12; /* 1/s = D/I1*1/(s*(D/I1)) */
     const double t14 = x[0]*t13; /* gamma3*1/s */
     const double t15 = x[2]*t14; /* omega_tau*gamma3*1/s */
     const double t16 = -t15; /* -omega_tau*gamma3*1/s */
@@ -221,93 +222,88 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t22 = p[1]*x[4]; /* R*omega3 */
     const double t23 = JLT_FMA(t18, 2.0, t22); /* b*1/s*omega_n*2 + R*omega3 */
     out[8] = t23;
-    const double t24 = t8*t12; /* 1/D = s*1/(s*D) */
-    const double t25 = x[0]*t24; /* gamma3*1/D */
-    const double t26 = t13*t25; /* 1/s*gamma3*1/D */
-    const double t27 = t25*p[20]; /* gamma3*1/D*2*m*a3^2 */
-    const double t28 = t8*t24; /* s*1/D */
-    const double t29 = JLT_FNMA(t27, t28, t26); /* 1/s*gamma3*1/D - gamma3*1/D*2*m*a3^2*s*1/D */
-    const double t30 = JLT_FNMA(x[0], t29, t28); /* s*1/D - gamma3*(1/s*gamma3*1/D - gamma3*1/D*2*m*a3^2*s*1/D) */
-    const double t31 = x[2]*p[16]; /* omega_tau*m*a3^2 */
-    const double t32 = x[2]*t31; /* omega_tau*omega_tau*m*a3^2 */
-    const double t33 = t30*t32; /* (s*1/D - gamma3*(1/s*gamma3*1/D - gamma3*1/D*2*m*a3^2*s*1/D))*omega_tau*omega_tau*m*a3^2 */
-    const double t34 = t13*t24; /* 1/s*1/D */
-    const double t35 = t17*t17; /* 1/s*omega_n*1/s*omega_n */
-    const double t36 = t34*t35; /* 1/s*1/D*1/s*omega_n*1/s*omega_n */
-    const double t37 = t17*t27; /* 1/s*omega_n*gamma3*1/D*2*m*a3^2 */
-    const double t38 = x[4]*t24; /* omega3*1/D */
-    const double t39 = JLT_FMA(p[22], t38, t37); /* 2*m*a3^2*I3/I1*omega3*1/D + 1/s*omega_n*gamma3*1/D*2*m*a3^2 */
-    const double t40 = x[3]*t25; /* omega_n*gamma3*1/D */
-    const double t41 = JLT_FMA(t39, t40, t36); /* (2*m*a3^2*I3/I1*omega3*1/D + 1/s*omega_n*gamma3*1/D*2*m*a3^2)*omega_n*gamma3*1/D + 1/s*1/D*1/s*omega_n*1/s*omega_n */
-    const double t42 = JLT_FMA(t29, p[21], t33); /* (1/s*gamma3*1/D - gamma3*1/D*2*m*a3^2*s*1/D)*m*g*a3 + t33 */
-    const double t43 = JLT_FNMA(p[4], t41, t42); /* (1/s*gamma3*1/D - gamma3*1/D*2*m*a3^2*s*1/D)*m*g*a3 + t33 - I1*t41 */
-    out[10] = t43;
-    const double t44 = x[2]*t8; /* omega_tau*s */
-    const double t45 = t27*t44; /* gamma3*1/D*2*m*a3^2*omega_tau*s */
-    out[12] = t45;
-    const double t46 = t25*p[23]; /* gamma3*1/D*(-2*I1) */
-    const double t47 = t17*t46; /* 1/s*omega_n*gamma3*1/D*(-2*I1) */
-    const double t48 = JLT_FMA(t38, p[24], t47); /* omega3*1/D*(-I3) + 1/s*omega_n*gamma3*1/D*(-2*I1) */
-    out[13] = t48;
-    const double t49 = x[3]*p[24]; /* omega_n*(-I3) */
-    const double t50 = t24*t49; /* 1/D*omega_n*(-I3) */
-    out[14] = t50;
-    const double t51 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t52 = JLT_FMA(x[2], t51, x[1]); /* V = omega_tau*e + v_nu */
-    const double t53 = t9*t11; /* 1/Theta = D*s*1/(Theta*D*s) */
-    const double t54 = t52*t53; /* V*1/Theta */
-    const double t55 = x[0]*p[25]; /* gamma3*2*m*R^2*I1 */
-    const double t56 = JLT_FMS(t4, p[26], t55); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t57 = t53*t56; /* 1/Theta*d(Theta)/d(gamma3) */
-    const double t58 = t54*t57; /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) */
-    const double t59 = x[2]*t53; /* omega_tau*1/Theta */
-    const double t60 = JLT_FNMA(p[3], t59, t58); /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta */
-    const double t61 = t5*t17; /* b*m*I3*1/s*omega_n */
-    const double t62 = t60*t61; /* (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta)*b*m*I3*1/s*omega_n */
-    const double t63 = x[2]*t13; /* omega_tau*1/s */
-    const double t64 = t13*t63; /* 1/s*omega_tau*1/s */
-    const double t65 = t5*t13; /* b*m*I3*1/s */
-    const double t66 = JLT_FMA(t14, t65, p[27]); /* gamma3*1/s*b*m*I3*1/s + m*R*I3 */
-    const double t67 = JLT_FNMA(t54, t66, t64); /* 1/s*omega_tau*1/s - V*1/Theta*(gamma3*1/s*b*m*I3*1/s + m*R*I3) */
-    const double t68 = JLT_FMA(t51, p[27], p[29]); /* e*m*R*I3 + I3^2 */
-    const double t69 = JLT_FNMA(t57, t68, p[28]); /* m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(e*m*R*I3 + I3^2) */
-    const double t70 = x[4]*t53; /* omega3*1/Theta */
-    const double t71 = x[2]*t70; /* omega_tau*omega3*1/Theta */
-    const double t72 = JLT_FMA(t69, t71, t62); /* (m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(e*m*R*I3 + I3^2))*omega_tau*omega3*1/Theta + t62 */
-    const double t73 = JLT_FMA(t17, t67, t72); /* 1/s*omega_n*t67 + t72 */
-    out[15] = t73;
-    const double t74 = t53*t61; /* 1/Theta*b*m*I3*1/s*omega_n */
-    const double t75 = -t74; /* -1/Theta*b*m*I3*1/s*omega_n */
-    out[16] = t75;
-    const double t76 = x[0]*t17; /* gamma3*1/s*omega_n */
-    const double t77 = JLT_FMA(t68, t70, t76); /* (e*m*R*I3 + I3^2)*omega3*1/Theta + gamma3*1/s*omega_n */
-    const double t78 = JLT_FNMA(t51, t74, t77); /* (e*m*R*I3 + I3^2)*omega3*1/Theta + gamma3*1/s*omega_n - e*1/Theta*b*m*I3*1/s*omega_n */
-    out[17] = t78;
-    const double t79 = JLT_FNMA(t54, t65, t15); /* omega_tau*gamma3*1/s - V*1/Theta*b*m*I3*1/s */
-    out[18] = t79;
-    const double t80 = t59*t68; /* omega_tau*1/Theta*(e*m*R*I3 + I3^2) */
-    out[19] = t80;
-    const double t81 = x[3]*p[30]; /* omega_n*m*R*I1 */
-    const double t82 = t60*t81; /* (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta)*omega_n*m*R*I1 */
-    const double t83 = JLT_FNMA(x[0], p[31], p[28]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t84 = JLT_FMA(t57, t83, p[31]); /* 1/Theta*d(Theta)/d(gamma3)*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + m*R^2*(I1 - I3) */
-    const double t85 = t8*t84; /* s*t84 */
-    const double t86 = JLT_FMA(t14, t83, t85); /* gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*t84 */
-    const double t87 = JLT_FMA(t71, t86, t82); /* omega_tau*omega3*1/Theta*(gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*t84) + t82 */
-    out[20] = t87;
-    const double t88 = t53*t81; /* 1/Theta*omega_n*m*R*I1 */
-    const double t89 = -t88; /* -1/Theta*omega_n*m*R*I1 */
-    out[21] = t89;
-    const double t90 = t8*t83; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t91 = t70*t90; /* omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t92 = JLT_FMA(t51, t88, t91); /* e*1/Theta*omega_n*m*R*I1 + omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t93 = -t92; /* -t92 */
-    out[22] = t93;
-    const double t94 = t54*p[32]; /* V*1/Theta*(-m*R*I1) */
-    out[23] = t94;
-    const double t95 = t59*t90; /* omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t96 = -t95; /* -omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[24] = t96;
+    const double t24 = t8*t12; /* 1/(D/I1) = s*1/(s*(D/I1)) */
+    const double t25 = x[0]*p[19]; /* gamma3*2*m*a3^2/I1 */
+    const double t26 = t24*t25; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t27 = t8*t26; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t28 = t27 - t14; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s */
+    const double t29 = JLT_FMA(x[0], t28, t8); /* gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) + s */
+    const double t30 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t31 = x[2]*t30; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t32 = t29*t31; /* (gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) + s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t33 = t13*t17; /* 1/s*1/s*omega_n */
+    const double t34 = x[0]*t17; /* gamma3*1/s*omega_n */
+    const double t35 = JLT_FMA(x[4], p[10], t34); /* omega3*I3/I1 + gamma3*1/s*omega_n */
+    const double t36 = x[3]*t26; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t37 = JLT_FNMA(t17, t33, t32); /* t32 - 1/s*omega_n*1/s*1/s*omega_n */
+    const double t38 = JLT_FNMA(p[9], t28, t37); /* t32 - 1/s*omega_n*1/s*1/s*omega_n - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) */
+    const double t39 = JLT_FNMA(t35, t36, t38); /* t38 - (omega3*I3/I1 + gamma3*1/s*omega_n)*omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t40 = t24*t39; /* 1/(D/I1)*t39 */
+    out[10] = t40;
+    const double t41 = x[2]*t27; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[12] = t41;
+    const double t42 = JLT_FMA(x[4], p[20], t34); /* omega3*1/2*I3/I1 + gamma3*1/s*omega_n */
+    const double t43 = t24*(-2.0); /* 1/(D/I1)*(-2) */
+    const double t44 = t42*t43; /* (omega3*1/2*I3/I1 + gamma3*1/s*omega_n)*1/(D/I1)*(-2) */
+    out[13] = t44;
+    const double t45 = x[3]*p[21]; /* omega_n*(-I3/I1) */
+    const double t46 = t24*t45; /* 1/(D/I1)*omega_n*(-I3/I1) */
+    out[14] = t46;
+    const double t47 = x[2]*t13; /* omega_tau*1/s */
+    const double t48 = t13*t47; /* 1/s*omega_tau*1/s */
+    const double t49 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t50 = JLT_FMA(x[2], t49, x[1]); /* V = omega_tau*e + v_nu */
+    const double t51 = t9*t11; /* 1/Theta = D/I1*s*1/(Theta*D/I1*s) */
+    const double t52 = t50*t51; /* V*1/Theta */
+    const double t53 = JLT_FNMA(p[22], t52, t48); /* 1/s*omega_tau*1/s - m*R*I3*V*1/Theta */
+    const double t54 = t17*t53; /* 1/s*omega_n*(1/s*omega_tau*1/s - m*R*I3*V*1/Theta) */
+    const double t55 = t13*t52; /* 1/s*V*1/Theta */
+    const double t56 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
+    const double t57 = JLT_FMS(t4, p[24], t56); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t58 = t51*t57; /* 1/Theta*d(Theta)/d(gamma3) */
+    const double t59 = t52*t58; /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) */
+    const double t60 = x[2]*t51; /* omega_tau*1/Theta */
+    const double t61 = JLT_FNMA(p[3], t60, t59); /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta */
+    const double t62 = JLT_FMS(t14, t55, t61); /* gamma3*1/s*1/s*V*1/Theta - (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta) */
+    const double t63 = p[18]*t18; /* m*I3*b*1/s*omega_n */
+    const double t64 = x[4]*t60; /* omega3*omega_tau*1/Theta */
+    const double t65 = JLT_FMA(p[22], t49, p[26]); /* m*R*I3*e + I3^2 */
+    const double t66 = JLT_FNMA(t58, t65, p[25]); /* m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2) */
+    const double t67 = JLT_FMA(t64, t66, t54); /* omega3*omega_tau*1/Theta*(m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2)) + 1/s*omega_n*(1/s*omega_tau*1/s - m*R*I3*V*1/Theta) */
+    const double t68 = JLT_FNMA(t62, t63, t67); /* t67 - t62*m*I3*b*1/s*omega_n */
+    out[15] = t68;
+    const double t69 = t51*t63; /* 1/Theta*m*I3*b*1/s*omega_n */
+    const double t70 = -t69; /* -1/Theta*m*I3*b*1/s*omega_n */
+    out[16] = t70;
+    const double t71 = x[4]*t51; /* omega3*1/Theta */
+    const double t72 = JLT_FMA(t65, t71, t34); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*1/s*omega_n */
+    const double t73 = JLT_FNMA(t49, t69, t72); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*1/s*omega_n - e*1/Theta*m*I3*b*1/s*omega_n */
+    out[17] = t73;
+    const double t74 = JLT_FNMA(t5, t55, t15); /* omega_tau*gamma3*1/s - b*m*I3*1/s*V*1/Theta */
+    out[18] = t74;
+    const double t75 = t60*t65; /* omega_tau*1/Theta*(m*R*I3*e + I3^2) */
+    out[19] = t75;
+    const double t76 = x[3]*p[27]; /* omega_n*m*R*I1 */
+    const double t77 = t61*t76; /* (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta)*omega_n*m*R*I1 */
+    const double t78 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t79 = t8*p[28]; /* s*m*R^2*(I1 - I3) */
+    const double t80 = t8*t78; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t81 = JLT_FMA(t58, t80, t79); /* 1/Theta*d(Theta)/d(gamma3)*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*m*R^2*(I1 - I3) */
+    const double t82 = JLT_FMA(t14, t78, t81); /* gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t81 */
+    const double t83 = JLT_FMA(t64, t82, t77); /* omega3*omega_tau*1/Theta*(gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t81) + t77 */
+    out[20] = t83;
+    const double t84 = t51*t76; /* 1/Theta*omega_n*m*R*I1 */
+    const double t85 = -t84; /* -1/Theta*omega_n*m*R*I1 */
+    out[21] = t85;
+    const double t86 = t71*t80; /* omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t87 = JLT_FMA(t49, t84, t86); /* e*1/Theta*omega_n*m*R*I1 + omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t88 = -t87; /* -t87 */
+    out[22] = t88;
+    const double t89 = t52*p[29]; /* V*1/Theta*(-m*R*I1) */
+    out[23] = t89;
+    const double t90 = t60*t80; /* omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t91 = -t90; /* -omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[24] = t91;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -324,9 +320,9 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     out[7] = t4;
-    const double t5 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t6 = JLT_FMA(p[18], t2, p[17]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t7 = p[19]*t3; /* m*I3*b */
+    const double t5 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t6 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t7 = p[18]*t3; /* m*I3*b */
     const double t8 = JLT_FMA(t3, t7, t6); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
     const double t9 = t4*t5; /* s*D */
     const double t10 = t8*t9; /* Theta*s*D */
@@ -335,123 +331,124 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t13 = t9*t11; /* 1/Theta = s*D*1/(Theta*s*D) */
     const double t14 = t5*t12; /* 1/s = D*1/(s*D) */
     const double t15 = t4*t12; /* 1/D = s*1/(s*D) */
-    const double t16 = x[2]*t4; /* omega_tau*s */
-    out[0] = t16;
-    const double t17 = x[3]*t14; /* omega_n*1/s */
-    const double t18 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t19 = t3*t17; /* b*omega_n*1/s */
-    const double t20 = p[1]*x[4]; /* R*omega3 */
-    const double t21 = JLT_FMA(2.0, t19, t20); /* 2*b*omega_n*1/s + R*omega3 */
-    out[13] = t21;
-    const double t22 = x[0]*t16; /* gamma3*omega_tau*s */
-    const double t23 = x[2]*p[16]; /* omega_tau*m*a3^2 */
-    const double t24 = JLT_FMA(x[2], t18, x[1]); /* V = omega_tau*e + v_nu */
-    const double t25 = x[3]*p[30]; /* omega_n*m*R*I1 */
-    const double t26 = JLT_FNMA(x[0], p[31], p[28]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t27 = x[0]*t14; /* gamma3*1/s */
-    const double t28 = t14*t17; /* 1/s*omega_n*1/s */
-    const double t29 = x[2]*p[36]; /* omega_tau*m*R*a3*I1 */
-    const double t30 = x[3]*t29; /* omega_n*omega_tau*m*R*a3*I1 */
-    const double t31 = t22*t23; /* gamma3*omega_tau*s*omega_tau*m*a3^2 */
-    const double t32 = JLT_FNMA(p[21], t4, t31); /* gamma3*omega_tau*s*omega_tau*m*a3^2 - m*g*a3*s */
-    const double t33 = x[4]*p[5]; /* omega3*I3 */
-    const double t34 = x[0]*t17; /* gamma3*omega_n*1/s */
-    const double t35 = p[19]*t19; /* m*I3*b*omega_n*1/s */
-    const double t36 = JLT_FMA(p[33], t18, p[5]); /* m*R*e + I3 */
-    const double t37 = t24*t25; /* V*omega_n*m*R*I1 */
-    const double t38 = x[4]*t26; /* omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t39 = JLT_FMA(t16, t38, t37); /* omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*omega_n*m*R*I1 */
-    const double t40 = t13*t39; /* 1/Theta*t39 */
-    const double t41 = t16*t26; /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t42 = t13*t41; /* 1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t43 = -t42; /* -1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[29] = t43;
-    const double t44 = -t40; /* -1/Theta*t39 */
-    out[4] = t44;
-    const double t45 = x[2]*t27; /* omega_tau*gamma3*1/s */
-    const double t46 = -t45; /* -omega_tau*gamma3*1/s */
-    out[5] = t46;
-    const double t47 = p[21]*t27; /* m*g*a3*gamma3*1/s */
-    const double t48 = p[4]*t17; /* I1*omega_n*1/s */
-    const double t49 = JLT_FNMA(t28, t48, t47); /* m*g*a3*gamma3*1/s - 1/s*omega_n*1/s*I1*omega_n*1/s */
-    const double t50 = t14*t28; /* 1/s*1/s*omega_n*1/s */
-    const double t51 = t20 - t19; /* R*omega3 - b*omega_n*1/s */
-    const double t52 = t19 + t20; /* b*omega_n*1/s + R*omega3 */
-    const double t53 = x[3]*t52; /* omega_n*(b*omega_n*1/s + R*omega3) */
-    out[1] = t53;
-    const double t54 = p[35]*t13; /* m*a3*I3*1/Theta */
-    const double t55 = JLT_FMA(t51, t54, t50); /* (R*omega3 - b*omega_n*1/s)*m*a3*I3*1/Theta + 1/s*1/s*omega_n*1/s */
-    const double t56 = x[2]*t55; /* omega_tau*t55 */
-    const double t57 = t14*t27; /* 1/s*gamma3*1/s */
-    const double t58 = t35*t57; /* m*I3*b*omega_n*1/s*1/s*gamma3*1/s */
-    const double t59 = JLT_FMA(p[27], t17, t58); /* m*R*I3*omega_n*1/s + m*I3*b*omega_n*1/s*1/s*gamma3*1/s */
-    const double t60 = x[4]*p[31]; /* omega3*m*R^2*(I1 - I3) */
-    const double t61 = JLT_FMS(t16, t60, t30); /* omega_tau*s*omega3*m*R^2*(I1 - I3) - omega_n*omega_tau*m*R*a3*I1 */
-    const double t62 = JLT_FMS(x[0], t45, t16); /* gamma3*omega_tau*gamma3*1/s - omega_tau*s */
-    const double t63 = JLT_FNMA(t23, t62, t49); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = m*g*a3*gamma3*1/s - 1/s*omega_n*1/s*I1*omega_n*1/s - omega_tau*m*a3^2*(gamma3*omega_tau*gamma3*1/s - omega_tau*s) */
-    const double t64 = JLT_FMA(t38, t45, t61); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega_tau*gamma3*1/s + t61 */
-    const double t65 = JLT_FMA(p[4], t34, t33); /* I1*gamma3*omega_n*1/s + omega3*I3 */
-    const double t66 = JLT_FNMA(x[3], t65, t32); /* numerator of d(omega_tau)/dt over D = gamma3*omega_tau*s*omega_tau*m*a3^2 - m*g*a3*s - omega_n*(I1*gamma3*omega_n*1/s + omega3*I3) */
-    const double t67 = t15*t66; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t67;
-    const double t68 = t24*t35; /* V*m*I3*b*omega_n*1/s */
-    const double t69 = t13*t24; /* 1/Theta*V */
-    const double t70 = JLT_FNMA(t59, t69, t56); /* omega_tau*t55 - (m*R*I3*omega_n*1/s + m*I3*b*omega_n*1/s*1/s*gamma3*1/s)*1/Theta*V */
-    const double t71 = t7*t69; /* m*I3*b*1/Theta*V */
-    const double t72 = JLT_FNMA(t14, t71, t45); /* omega_tau*gamma3*1/s - 1/s*m*I3*b*1/Theta*V */
-    out[23] = t72;
-    const double t73 = p[32]*t69; /* (-m*R*I1)*1/Theta*V */
-    out[28] = t73;
-    const double t74 = x[2]*t36; /* omega_tau*(m*R*e + I3) */
-    const double t75 = JLT_FMS(t33, t74, t68); /* numerator of d(omega_n)/dt over Theta = omega3*I3*omega_tau*(m*R*e + I3) - V*m*I3*b*omega_n*1/s */
-    const double t76 = t13*t75; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t77 = p[5]*t74; /* I3*omega_tau*(m*R*e + I3) */
-    const double t78 = t13*t77; /* 1/Theta*I3*omega_tau*(m*R*e + I3) */
-    out[24] = t78;
-    const double t79 = JLT_FMA(x[2], t34, t76); /* omega_tau*gamma3*omega_n*1/s + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t79;
-    const double t80 = p[20]*t15; /* 2*m*a3^2*1/D */
-    const double t81 = t22*t80; /* gamma3*omega_tau*s*2*m*a3^2*1/D */
-    out[17] = t81;
-    const double t82 = x[0]*t80; /* gamma3*2*m*a3^2*1/D */
-    const double t83 = JLT_FMA(t66, t82, t63); /* numerator of d(omega_tau)/dt over D*gamma3*2*m*a3^2*1/D + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    const double t84 = t15*t83; /* 1/D*t83 */
-    out[15] = t84;
-    const double t85 = x[0]*p[25]; /* gamma3*2*m*R^2*I1 */
-    const double t86 = JLT_FMS(p[26], t3, t85); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
-    const double t87 = JLT_FMA(t40, t86, t64); /* 1/Theta*t39*d(Theta)/d(gamma3) + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
-    const double t88 = t13*t87; /* 1/Theta*t87 */
-    out[25] = t88;
-    const double t89 = t13*t86; /* 1/Theta*d(Theta)/d(gamma3) */
-    const double t90 = JLT_FNMA(t76, t89, t70); /* t70 - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*d(Theta)/d(gamma3) */
-    out[20] = t90;
-    const double t91 = t18*t25; /* e*omega_n*m*R*I1 */
-    const double t92 = JLT_FMA(t4, t38, t91); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1 */
-    const double t93 = t18*t35; /* e*m*I3*b*omega_n*1/s */
-    const double t94 = JLT_FMS(t33, t36, t93); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*(m*R*e + I3) - e*m*I3*b*omega_n*1/s */
-    const double t95 = JLT_FMA(t13, t94, t34); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + gamma3*omega_n*1/s */
-    out[22] = t95;
-    const double t96 = JLT_FMA(p[34], t34, t33); /* 2*I1*gamma3*omega_n*1/s + omega3*I3 */
-    const double t97 = t15*t96; /* 1/D*(2*I1*gamma3*omega_n*1/s + omega3*I3) */
-    const double t98 = -t97; /* -1/D*(2*I1*gamma3*omega_n*1/s + omega3*I3) */
-    out[18] = t98;
-    const double t99 = t13*t35; /* 1/Theta*m*I3*b*omega_n*1/s */
-    const double t100 = -t99; /* -1/Theta*m*I3*b*omega_n*1/s */
-    out[21] = t100;
-    const double t101 = t13*t25; /* 1/Theta*omega_n*m*R*I1 */
-    const double t102 = t13*t92; /* 1/Theta*t92 */
-    const double t103 = -t101; /* -1/Theta*omega_n*m*R*I1 */
-    out[26] = t103;
-    const double t104 = -t102; /* -1/Theta*t92 */
-    out[27] = t104;
-    const double t105 = x[3]*p[1]; /* omega_n*R */
-    out[14] = t105;
-    const double t106 = JLT_FMA(t19, t27, t105); /* b*omega_n*1/s*gamma3*1/s + omega_n*R */
-    const double t107 = t17*t106; /* omega_n*1/s*(b*omega_n*1/s*gamma3*1/s + omega_n*R) */
-    out[10] = t107;
-    const double t108 = x[3]*p[24]; /* omega_n*(-I3) */
-    const double t109 = t15*t108; /* 1/D*omega_n*(-I3) */
-    out[19] = t109;
+    const double t16 = x[3]*t14; /* omega_n*1/s */
+    const double t17 = t3*t16; /* b*omega_n*1/s */
+    const double t18 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t19 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t20 = x[2]*t4; /* omega_tau*s */
+    out[0] = t20;
+    const double t21 = p[1]*x[4]; /* R*omega3 */
+    const double t22 = JLT_FMA(2.0, t17, t21); /* 2*b*omega_n*1/s + R*omega3 */
+    out[13] = t22;
+    const double t23 = p[30]*t18; /* m*a3^2*omega_tau*gamma3 */
+    const double t24 = t20*t23; /* omega_tau*s*m*a3^2*omega_tau*gamma3 */
+    const double t25 = t14*t18; /* 1/s*omega_tau*gamma3 */
+    const double t26 = JLT_FNMA(p[31], t4, t24); /* omega_tau*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s */
+    const double t27 = -t25; /* -1/s*omega_tau*gamma3 */
+    out[5] = t27;
+    const double t28 = x[4]*p[5]; /* omega3*I3 */
+    const double t29 = JLT_FMA(x[2], t19, x[1]); /* V = omega_tau*e + v_nu */
+    const double t30 = p[18]*t17; /* m*I3*b*omega_n*1/s */
+    const double t31 = JLT_FMA(p[32], t19, p[5]); /* m*R*e + I3 */
+    const double t32 = x[0]*t16; /* gamma3*omega_n*1/s */
+    const double t33 = t29*t30; /* V*m*I3*b*omega_n*1/s */
+    const double t34 = t28*t31; /* omega3*I3*(m*R*e + I3) */
+    const double t35 = x[3]*p[27]; /* omega_n*m*R*I1 */
+    const double t36 = t17 - t21; /* b*omega_n*1/s - R*omega3 */
+    const double t37 = t17 + t21; /* b*omega_n*1/s + R*omega3 */
+    const double t38 = x[3]*t37; /* omega_n*(b*omega_n*1/s + R*omega3) */
+    out[1] = t38;
+    const double t39 = x[2]*p[36]; /* omega_tau*m*a3*I3 */
+    const double t40 = t36*t39; /* (b*omega_n*1/s - R*omega3)*omega_tau*m*a3*I3 */
+    const double t41 = t14*t14; /* 1/s*1/s */
+    const double t42 = x[2]*p[37]; /* omega_tau*m*R*a3*I1 */
+    const double t43 = x[3]*t42; /* omega_n*omega_tau*m*R*a3*I1 */
+    const double t44 = JLT_FMA(p[4], t32, t28); /* I1*gamma3*omega_n*1/s + omega3*I3 */
+    const double t45 = JLT_FNMA(x[3], t44, t26); /* numerator of d(omega_tau)/dt over D = omega_tau*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s - omega_n*(I1*gamma3*omega_n*1/s + omega3*I3) */
+    const double t46 = t15*t45; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t46;
+    const double t47 = JLT_FMA(p[34], t32, t28); /* 2*I1*gamma3*omega_n*1/s + omega3*I3 */
+    const double t48 = t15*t47; /* 1/D*(2*I1*gamma3*omega_n*1/s + omega3*I3) */
+    const double t49 = -t48; /* -1/D*(2*I1*gamma3*omega_n*1/s + omega3*I3) */
+    out[18] = t49;
+    const double t50 = JLT_FMS(x[2], t34, t33); /* numerator of d(omega_n)/dt over Theta = omega_tau*omega3*I3*(m*R*e + I3) - V*m*I3*b*omega_n*1/s */
+    const double t51 = t13*t50; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t52 = JLT_FNMA(t19, t30, t34); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*(m*R*e + I3) - e*m*I3*b*omega_n*1/s */
+    const double t53 = JLT_FMA(t13, t52, t32); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + gamma3*omega_n*1/s */
+    out[22] = t53;
+    const double t54 = t19*t35; /* e*omega_n*m*R*I1 */
+    const double t55 = t13*t30; /* 1/Theta*m*I3*b*omega_n*1/s */
+    const double t56 = -t55; /* -1/Theta*m*I3*b*omega_n*1/s */
+    out[21] = t56;
+    const double t57 = JLT_FMA(x[2], t32, t51); /* omega_tau*gamma3*omega_n*1/s + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t57;
+    const double t58 = t14*t32; /* 1/s*gamma3*omega_n*1/s */
+    const double t59 = t29*t35; /* V*omega_n*m*R*I1 */
+    const double t60 = t13*t29; /* 1/Theta*V */
+    const double t61 = t7*t60; /* m*I3*b*1/Theta*V */
+    const double t62 = JLT_FNMA(t14, t61, t25); /* 1/s*omega_tau*gamma3 - 1/s*m*I3*b*1/Theta*V */
+    out[23] = t62;
+    const double t63 = p[4]*t14; /* I1*1/s */
+    const double t64 = t13*t35; /* 1/Theta*omega_n*m*R*I1 */
+    const double t65 = -t64; /* -1/Theta*omega_n*m*R*I1 */
+    out[26] = t65;
+    const double t66 = p[29]*t60; /* (-m*R*I1)*1/Theta*V */
+    out[28] = t66;
+    const double t67 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t68 = x[4]*t20; /* omega3*omega_tau*s */
+    const double t69 = JLT_FMA(t67, t68, t59); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega3*omega_tau*s + V*omega_n*m*R*I1 */
+    const double t70 = JLT_FMS(p[28], t68, t43); /* m*R^2*(I1 - I3)*omega3*omega_tau*s - omega_n*omega_tau*m*R*a3*I1 */
+    const double t71 = t13*t69; /* 1/Theta*t69 */
+    const double t72 = -t71; /* -1/Theta*t69 */
+    out[4] = t72;
+    const double t73 = JLT_FMS(x[0], t25, t20); /* gamma3*1/s*omega_tau*gamma3 - omega_tau*s */
+    const double t74 = x[2]*p[30]; /* omega_tau*m*a3^2 */
+    const double t75 = t73*t74; /* (gamma3*1/s*omega_tau*gamma3 - omega_tau*s)*omega_tau*m*a3^2 */
+    const double t76 = x[0]*p[9]; /* gamma3*m*g*a3/I1 */
+    const double t77 = JLT_FNMA(t16, t16, t76); /* gamma3*m*g*a3/I1 - omega_n*1/s*omega_n*1/s */
+    const double t78 = JLT_FMS(t63, t77, t75); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = I1*1/s*(gamma3*m*g*a3/I1 - omega_n*1/s*omega_n*1/s) - (gamma3*1/s*omega_tau*gamma3 - omega_tau*s)*omega_tau*m*a3^2 */
+    const double t79 = x[0]*t41; /* gamma3*1/s*1/s */
+    const double t80 = JLT_FMA(t33, t79, t40); /* V*m*I3*b*omega_n*1/s*gamma3*1/s*1/s + (b*omega_n*1/s - R*omega3)*omega_tau*m*a3*I3 */
+    const double t81 = x[2]*t41; /* omega_tau*1/s*1/s */
+    const double t82 = JLT_FNMA(p[22], t60, t81); /* omega_tau*1/s*1/s - m*R*I3*1/Theta*V */
+    const double t83 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
+    const double t84 = JLT_FMS(p[24], t3, t83); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
+    const double t85 = JLT_FMA(t51, t84, t80); /* 1/Theta*numerator of d(omega_n)/dt over Theta*d(Theta)/d(gamma3) + t80 */
+    const double t86 = t13*t85; /* 1/Theta*t85 */
+    const double t87 = JLT_FMS(t16, t82, t86); /* omega_n*1/s*(omega_tau*1/s*1/s - m*R*I3*1/Theta*V) - 1/Theta*t85 */
+    out[20] = t87;
+    const double t88 = x[4]*t67; /* omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t89 = JLT_FMA(t25, t88, t70); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = 1/s*omega_tau*gamma3*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t70 */
+    const double t90 = JLT_FMA(t4, t88, t54); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1 */
+    const double t91 = JLT_FMA(t71, t84, t89); /* 1/Theta*t69*d(Theta)/d(gamma3) + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t92 = t13*t91; /* 1/Theta*t91 */
+    out[25] = t92;
+    const double t93 = t20*t67; /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t94 = t13*t90; /* 1/Theta*t90 */
+    const double t95 = -t94; /* -1/Theta*t90 */
+    out[27] = t95;
+    const double t96 = t13*t93; /* 1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t97 = -t96; /* -1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[29] = t97;
+    const double t98 = x[3]*p[1]; /* omega_n*R */
+    out[14] = t98;
+    const double t99 = t16*t98; /* omega_n*1/s*omega_n*R */
+    const double t100 = JLT_FMA(t17, t58, t99); /* b*omega_n*1/s*1/s*gamma3*omega_n*1/s + omega_n*1/s*omega_n*R */
+    out[10] = t100;
+    const double t101 = x[0]*p[33]; /* gamma3*2*m*a3^2 */
+    const double t102 = JLT_FMA(t46, t101, t78); /* 1/D*numerator of d(omega_tau)/dt over D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t103 = t20*t101; /* omega_tau*s*gamma3*2*m*a3^2 */
+    const double t104 = t15*t102; /* 1/D*t102 */
+    out[15] = t104;
+    const double t105 = t15*t103; /* 1/D*omega_tau*s*gamma3*2*m*a3^2 */
+    out[17] = t105;
+    const double t106 = x[2]*p[5]; /* omega_tau*I3 */
+    const double t107 = t31*t106; /* (m*R*e + I3)*omega_tau*I3 */
+    const double t108 = t13*t107; /* 1/Theta*(m*R*e + I3)*omega_tau*I3 */
+    out[24] = t108;
+    const double t109 = x[3]*p[35]; /* omega_n*(-I3) */
+    const double t110 = t15*t109; /* 1/D*omega_n*(-I3) */
+    out[19] = t110;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -460,10 +457,10 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = p[19]*t3; /* m*I3*b */
-    const double t5 = JLT_FMA(p[18], t2, p[17]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
+    const double t4 = p[18]*t3; /* m*I3*b */
+    const double t5 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
     const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t7 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t7 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
     const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
     const double t9 = t4*t7; /* m*I3*b*D */
     const double t10 = t6*t7; /* Theta*D */
@@ -476,11 +473,11 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t17 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t18 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
     const double t19 = t9*t18; /* m*I3*b*D*V */
-    const double t20 = p[31]*t16; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s */
-    const double t21 = JLT_FNMA(p[28], t15, t20); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s */
+    const double t20 = p[28]*t16; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s */
+    const double t21 = JLT_FNMA(p[25], t15, t20); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s */
     const double t22 = JLT_FNMA(t13, t19, t21); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s - 1/(D*s)*m*I3*b*D*V */
     const double t23 = t14*t22; /* D*1/(s*Theta*D)*t22 */
-    const double t24 = p[20]*t16; /* 2*m*a3^2*gamma3*omega_tau*s */
+    const double t24 = p[33]*t16; /* 2*m*a3^2*gamma3*omega_tau*s */
     const double t25 = JLT_FMA(t13, t24, t23); /* 1/(D*s)*2*m*a3^2*gamma3*omega_tau*s + D*1/(s*Theta*D)*t22 */
     const double t26 = t8*t25; /* s*(1/(D*s)*2*m*a3^2*gamma3*omega_tau*s + D*1/(s*Theta*D)*t22) */
     out[0] = t26;
@@ -491,25 +488,25 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = p[38]*x[0]; /* 2*g*a3*gamma3 */
+    const double t3 = p[39]*x[0]; /* 2*g*a3*gamma3 */
     const double t4 = JLT_FMA(x[1], x[1], t3); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t5 = p[40]*x[3]; /* I1/m*omega_n */
+    const double t5 = p[41]*x[3]; /* I1/m*omega_n */
     const double t6 = JLT_FMA(x[3], t5, t4); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t7 = p[39]*x[2]; /* 1/m*omega_tau */
+    const double t7 = p[40]*x[2]; /* 1/m*omega_tau */
     const double t8 = x[2]*t7; /* omega_tau*1/m*omega_tau */
-    const double t9 = p[41]*x[4]; /* I3/m*omega3 */
+    const double t9 = p[42]*x[4]; /* I3/m*omega3 */
     const double t10 = JLT_FMA(x[4], t9, t6); /* omega3*I3/m*omega3 + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t12 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t12 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t13 = JLT_FMA(t8, t12, t10); /* omega_tau*1/m*omega_tau*D + t10 */
     const double t14 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t15 = x[3]*t11; /* omega_n*b */
     const double t16 = x[4]*p[1]; /* omega3*R */
     const double t17 = JLT_FMA(t14, t16, t15); /* v_tau = s*omega3*R + omega_n*b */
     const double t18 = JLT_FMA(t17, t17, t13); /* energy/(1/2*m) = v_tau*v_tau + omega_tau*1/m*omega_tau*D + t10 */
-    const double t19 = p[37]*t18; /* 1/2*m*energy/(1/2*m) */
+    const double t19 = p[38]*t18; /* 1/2*m*energy/(1/2*m) */
     out[0] = t19;
-    const double t20 = x[3]*p[42]; /* omega_n*R*I1 */
+    const double t20 = x[3]*p[43]; /* omega_n*R*I1 */
     const double t21 = t14*t20; /* s*omega_n*R*I1 */
     const double t22 = x[4]*p[5]; /* omega3*I3 */
     const double t23 = JLT_FNMA(t11, t22, t21); /* s*omega_n*R*I1 - b*omega3*I3 */
@@ -526,28 +523,28 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
     const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
     const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = JLT_FMA(p[16], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t5 = JLT_FMA(p[30], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t6 = x[2]*t5; /* omega_tau*D */
     out[2] = t6;
-    const double t7 = p[42]*t4; /* R*I1*s */
+    const double t7 = p[43]*t4; /* R*I1*s */
     out[8] = t7;
     const double t8 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t9 = p[24]*t8; /* (-I3)*b */
+    const double t9 = p[35]*t8; /* (-I3)*b */
     out[9] = t9;
     const double t10 = x[3]*t8; /* omega_n*b */
     const double t11 = p[0]*t8; /* m*b */
     const double t12 = x[4]*p[1]; /* omega3*R */
     const double t13 = JLT_FMA(t4, t12, t10); /* v_tau = s*omega3*R + omega_n*b */
-    const double t14 = p[16]*x[0]; /* m*a3^2*gamma3 */
+    const double t14 = p[30]*x[0]; /* m*a3^2*gamma3 */
     const double t15 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t16 = JLT_FNMA(t14, t15, p[21]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t16 = JLT_FNMA(t14, t15, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t17 = x[0]/t4; /* gamma3/s */
-    const double t18 = x[3]*p[43]; /* omega_n*(-R*I1) */
+    const double t18 = x[3]*p[44]; /* omega_n*(-R*I1) */
     const double t19 = t17*t18; /* gamma3/s*omega_n*(-R*I1) */
-    const double t20 = JLT_FMA(x[4], p[44], t19); /* omega3*(-R*I3) + gamma3/s*omega_n*(-R*I1) */
+    const double t20 = JLT_FMA(x[4], p[45], t19); /* omega3*(-R*I3) + gamma3/s*omega_n*(-R*I1) */
     out[5] = t20;
     const double t21 = JLT_FNMA(x[4], t17, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*gamma3/s */
-    const double t22 = p[33]*t13; /* m*R*v_tau */
+    const double t22 = p[32]*t13; /* m*R*v_tau */
     const double t23 = JLT_FMA(t21, t22, t16); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R*v_tau + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     out[0] = t23;
     const double t24 = x[3]*p[4]; /* omega_n*I1 */
@@ -633,38 +630,38 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t32[k] = jlt_jet_product(t27, t30, k);
         t33[k] = jlt_jet_product(t28, t31, k);
         t34[k] = jlt_jet_product(t21, t33, k);
-        t35[k] = jlt_jet_product(t25, t33, k);
-        t36[k] = jlt_jet_product(x0, t33, k);
-        t37[k] = p[1]*x4[k] + t34[k];
-        t38[k] = jlt_jet_product(x3, t37, k);
-        t39[k] = jlt_jet_product(t22, t31, k);
-        t40[k] = jlt_jet_product(x2, t22, k);
-        t41[k] = jlt_jet_product(x0, t40, k);
-        t42[k] = x2[k]*p[6];
-        t43[k] = jlt_jet_product(t41, t42, k);
-        t44[k] = t43[k] - p[9]*t22[k];
-        t45[k] = p[14]*t41[k];
-        t46[k] = t45[k] - p[15]*t40[k];
-        t47[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t48[k] = jlt_jet_product(x2, t47, k) + x1[k];
-        t49[k] = (k == 0 ? p[12] : 0) + t47[k];
-        t50[k] = jlt_jet_product(t32, t48, k);
-        t51[k] = jlt_jet_product(x4, t32, k);
-        t52[k] = p[11]*t49[k];
-        t53[k] = jlt_jet_product(t35, t50, k);
-        t54[k] = jlt_jet_product(t51, t52, k) + t36[k];
-        t55[k] = jlt_jet_product(x2, t54, k) - t53[k];
-        t56[k] = x4[k]*p[10] + t36[k];
-        t57[k] = t44[k] - jlt_jet_product(x3, t56, k);
-        t58[k] = jlt_jet_product(t39, t57, k);
+        t35[k] = p[1]*x4[k] + t34[k];
+        t36[k] = jlt_jet_product(x3, t35, k);
+        t37[k] = jlt_jet_product(t22, t31, k);
+        t38[k] = jlt_jet_product(x2, t22, k);
+        t39[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t40[k] = jlt_jet_product(x0, t38, k);
+        t41[k] = x2[k]*p[6];
+        t42[k] = jlt_jet_product(t40, t41, k);
+        t43[k] = t42[k] - p[9]*t22[k];
+        t44[k] = p[14]*t40[k];
+        t45[k] = t44[k] - p[15]*t38[k];
+        t46[k] = (k == 0 ? p[12] : 0) + t39[k];
+        t47[k] = p[11]*t46[k];
+        t48[k] = jlt_jet_product(x2, t39, k) + x1[k];
+        t49[k] = jlt_jet_product(t32, t48, k);
+        t50[k] = jlt_jet_product(x4, t32, k);
+        t51[k] = jlt_jet_product(t25, t49, k);
+        t52[k] = jlt_jet_product(x0, t33, k);
+        t53[k] = jlt_jet_product(t47, t50, k) + t52[k];
+        t54[k] = x4[k]*p[10] + t52[k];
+        t55[k] = t43[k] - jlt_jet_product(x3, t54, k);
+        t56[k] = jlt_jet_product(t37, t55, k);
+        t57[k] = jlt_jet_product(x2, t53, k);
+        t58[k] = t57[k] - jlt_jet_product(t33, t51, k);
         t59[k] = x3[k]*p[13];
-        t60[k] = jlt_jet_product(t50, t59, k);
-        t61[k] = jlt_jet_product(t46, t51, k) - t60[k];
+        t60[k] = jlt_jet_product(t49, t59, k);
+        t61[k] = jlt_jet_product(t45, t50, k) - t60[k];
         double *restrict next = coefficients + (k + 1)*5;
-        next[0] = x0[k + 1] = t40[k]/(k + 1);
-        next[1] = x1[k + 1] = t38[k]/(k + 1);
-        next[2] = x2[k + 1] = t58[k]/(k + 1);
-        next[3] = x3[k + 1] = t55[k]/(k + 1);
+        next[0] = x0[k + 1] = t38[k]/(k + 1);
+        next[1] = x1[k + 1] = t36[k]/(k + 1);
+        next[2] = x2[k + 1] = t56[k]/(k + 1);
+        next[3] = x3[k + 1] = t58[k]/(k + 1);
         next[4] = x4[k + 1] = t61[k]/(k + 1);
     }
 }
@@ -1353,15 +1350,15 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 6, .block_count = 45,
+    .state_count = 5, .param_count = 6, .block_count = 46,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 4, 25, 13, 1, 1, 0, 12, 9 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
+    .rhs = { rhs, 5, { 4, 25, 13, 1, 1, 0, 12, 10 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 25, { 7, 57, 31, 1, 1, 0, 15, 19 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
+    .jacobian = { jacobian, 25, { 8, 52, 30, 1, 1, 0, 17, 19 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 64, 33, 1, 1, 0, 15, 29 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 11, 65, 33, 1, 1, 0, 17, 25 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 14, 9, 1, 1, 0, 12, 8 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },

@@ -8,8 +8,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   18    8    1    0    0      7    7   (49)
- *  jacobian            5   37   10    1    0    0     10   10   (130)
- *  rhs_jacobian        6   41   12    1    0    0      9    9   (168)
+ *  jacobian            5   37   10    1    0    0     10   12   (130)
+ *  rhs_jacobian        5   42   13    1    0    0     11   13   (168)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     1   10    6    0    0    0      6    5   (51)
  *  integral_gradients  3   16    3    0    0    0      6    5   (60)
@@ -52,12 +52,12 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[3]*params[3]; /* a3*a3 */
     const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[11] = t1;
+    out[15] = t1;
     const double t2 = t1/params[4]; /* m*a3*a3/I1 */
     out[6] = t2;
     const double t3 = params[0]*params[2]; /* m*g */
     const double t4 = params[3]*t3; /* a3*m*g */
-    out[22] = t4;
+    out[19] = t4;
     const double t5 = t4/params[4]; /* a3*m*g/I1 */
     out[7] = t5;
     const double t6 = 1.0/params[1]; /* 1/R */
@@ -68,28 +68,23 @@ static void prepare(const double *restrict params, double *restrict out)
     out[10] = t8;
     const double t9 = params[0]*2.0; /* m*2 */
     const double t10 = t0*t9; /* a3*a3*m*2 */
-    out[12] = t10;
-    const double t11 = params[4]*(-2.0); /* I1*(-2) */
-    out[13] = t11;
+    out[14] = t10;
+    const double t11 = t10/params[4]; /* a3*a3*m*2/I1 */
+    out[11] = t11;
     const double t12 = params[2]*t9; /* g*m*2 */
     const double t13 = params[3]*t12; /* a3*g*m*2 */
-    out[14] = t13;
-    const double t14 = params[4]*t10; /* I1*a3*a3*m*2 */
-    out[15] = t14;
+    const double t14 = t13/params[4]; /* a3*g*m*2/I1 */
+    out[12] = t14;
     const double t15 = (-1.0)/params[1]; /* (-1)/R */
-    out[16] = t15;
-    const double t16 = t10/params[4]; /* a3*a3*m*2/I1 */
-    out[17] = t16;
-    const double t17 = t13/params[4]; /* a3*g*m*2/I1 */
-    out[18] = t17;
-    const double t18 = params[4]/2.0; /* I1/2 */
-    out[20] = t18;
-    const double t19 = params[0]/2.0; /* m/2 */
-    out[21] = t19;
-    const double t20 = params[4]*params[1]; /* I1*R */
-    out[22] = t20;
-    const double t21 = params[0]*params[1]; /* m*R */
-    out[23] = t21;
+    out[13] = t15;
+    const double t16 = params[4]/2.0; /* I1/2 */
+    out[16] = t16;
+    const double t17 = params[0]/2.0; /* m/2 */
+    out[17] = t17;
+    const double t18 = params[4]*params[1]; /* I1*R */
+    out[18] = t18;
+    const double t19 = params[0]*params[1]; /* m*R */
+    out[20] = t19;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -164,62 +159,62 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[10] = t10;
     const double t11 = t3*x[4]; /* omega_n*R*omega3 */
     out[11] = t11;
-    const double t12 = JLT_FMA(t0, p[11], p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t13 = x[5]*t12; /* s*D */
-    const double t14 = 1.0/t13; /* 1/(s*D) */
-    const double t15 = x[5]*t14; /* 1/D = s*1/(s*D) */
-    const double t16 = t0*t15; /* s*s*1/D */
-    const double t17 = p[11]*t16; /* m*a3^2*s*s*1/D */
-    const double t18 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t19 = t17*t18; /* m*a3^2*s*s*1/D*omega_tau*omega_tau */
-    const double t20 = x[3]*t15; /* omega_n*1/D */
-    const double t21 = x[3]*p[4]; /* omega_n*I1 */
-    const double t22 = JLT_FNMA(t20, t21, t19); /* m*a3^2*s*s*1/D*omega_tau*omega_tau - omega_n*1/D*omega_n*I1 */
-    out[12] = t22;
-    const double t23 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[21] = t23;
-    out[28] = t23;
-    const double t24 = p[12]*t23; /* 2*m*a3^2*omega_tau*gamma3 */
-    const double t25 = t16*t24; /* s*s*1/D*2*m*a3^2*omega_tau*gamma3 */
-    out[14] = t25;
-    const double t26 = x[0]*t20; /* gamma3*omega_n*1/D */
-    const double t27 = p[13]*t26; /* (-2*I1)*gamma3*omega_n*1/D */
+    const double t12 = JLT_FMA(t0, p[6], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t13 = x[5]*t12; /* s*D/I1 */
+    const double t14 = 1.0/t13; /* 1/(s*D/I1) */
+    const double t15 = x[5]*t14; /* 1/(D/I1) = s*1/(s*D/I1) */
+    const double t16 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t17 = t15*t16; /* 1/(D/I1)*omega_n*omega_n */
+    const double t18 = p[6]*t15; /* m*a3^2/I1*1/(D/I1) */
+    const double t19 = t1*t1; /* s*omega_tau*s*omega_tau */
+    const double t20 = JLT_FMS(t18, t19, t17); /* m*a3^2/I1*1/(D/I1)*s*omega_tau*s*omega_tau - 1/(D/I1)*omega_n*omega_n */
+    out[12] = t20;
+    const double t21 = x[5]*x[0]; /* s*gamma3 */
+    const double t22 = t15*p[11]; /* 1/(D/I1)*2*m*a3^2/I1 */
+    const double t23 = t1*t22; /* s*omega_tau*1/(D/I1)*2*m*a3^2/I1 */
+    const double t24 = t21*t23; /* s*gamma3*s*omega_tau*1/(D/I1)*2*m*a3^2/I1 */
+    out[14] = t24;
+    const double t25 = x[3]*x[0]; /* omega_n*gamma3 */
+    out[20] = t25;
+    const double t26 = (-2.0)*t25; /* (-2)*omega_n*gamma3 */
+    const double t27 = t15*t26; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
     out[15] = t27;
-    const double t28 = JLT_FNMA(x[2], t24, p[14]); /* 2*m*g*a3 - omega_tau*2*m*a3^2*omega_tau*gamma3 */
-    const double t29 = x[3]*p[15]; /* omega_n*2*m*a3^2*I1 */
-    const double t30 = JLT_FMS(t17, t28, t28); /* m*a3^2*s*s*1/D*(2*m*g*a3 - omega_tau*2*m*a3^2*omega_tau*gamma3) - (2*m*g*a3 - omega_tau*2*m*a3^2*omega_tau*gamma3) */
-    const double t31 = JLT_FMA(t26, t29, t30); /* gamma3*omega_n*1/D*omega_n*2*m*a3^2*I1 + t30 */
-    const double t32 = x[5]*t15; /* s*1/D */
-    const double t33 = t31*t32; /* (gamma3*omega_n*1/D*omega_n*2*m*a3^2*I1 + t30)*s*1/D */
-    out[17] = t33;
-    const double t34 = x[2]*x[3]; /* omega_tau*omega_n */
-    out[18] = t34;
-    const double t35 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[20] = t35;
-    const double t36 = t12*t14; /* 1/s = D*1/(s*D) */
-    const double t37 = x[3]*t36; /* omega_n*1/s */
-    const double t38 = JLT_FNMA(p[10], t37, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t39 = x[2]*t38; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[24] = t39;
-    const double t40 = t37*p[8]; /* omega_n*1/s*1/R */
-    const double t41 = -t40; /* -omega_n*1/s*1/R */
-    out[25] = t41;
-    const double t42 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t43 = t40*t42; /* omega_n*1/s*1/R*e */
-    const double t44 = JLT_FMS(x[0], x[4], t43); /* gamma3*omega3 - omega_n*1/s*1/R*e */
-    out[26] = t44;
-    const double t45 = JLT_FMA(x[2], t42, x[1]); /* V = omega_tau*e + v_nu */
-    const double t46 = t36*t45; /* 1/s*V */
-    const double t47 = p[16]*t46; /* (-1/R)*1/s*V */
-    out[27] = t47;
-    const double t48 = t40*t46; /* omega_n*1/s*1/R*1/s*V */
-    out[29] = t48;
-    const double t49 = -t1; /* -s*omega_tau */
-    out[30] = t49;
-    const double t50 = x[5]*x[0]; /* s*gamma3 */
-    const double t51 = -t50; /* -s*gamma3 */
+    const double t28 = t21*t22; /* s*gamma3*1/(D/I1)*2*m*a3^2/I1 */
+    const double t29 = x[5]*p[12]; /* s*2*m*g*a3/I1 */
+    const double t30 = t15*t29; /* 1/(D/I1)*s*2*m*g*a3/I1 */
+    const double t31 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[21] = t31;
+    out[28] = t31;
+    const double t32 = JLT_FNMA(t23, t31, t30); /* 1/(D/I1)*s*2*m*g*a3/I1 - s*omega_tau*1/(D/I1)*2*m*a3^2/I1*omega_tau*gamma3 */
+    const double t33 = t0*t18; /* s*s*m*a3^2/I1*1/(D/I1) */
+    const double t34 = JLT_FMS(t17, t28, t32); /* 1/(D/I1)*omega_n*omega_n*s*gamma3*1/(D/I1)*2*m*a3^2/I1 - t32 */
+    const double t35 = JLT_FMA(t32, t33, t34); /* t32*s*s*m*a3^2/I1*1/(D/I1) + 1/(D/I1)*omega_n*omega_n*s*gamma3*1/(D/I1)*2*m*a3^2/I1 - t32 */
+    out[17] = t35;
+    const double t36 = x[2]*x[3]; /* omega_tau*omega_n */
+    out[18] = t36;
+    const double t37 = t12*t14; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t38 = x[3]*t37; /* omega_n*1/s */
+    const double t39 = JLT_FNMA(p[10], t38, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t40 = x[2]*t39; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[24] = t40;
+    const double t41 = t38*p[8]; /* omega_n*1/s*1/R */
+    const double t42 = -t41; /* -omega_n*1/s*1/R */
+    out[25] = t42;
+    const double t43 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t44 = t41*t43; /* omega_n*1/s*1/R*e */
+    const double t45 = JLT_FMS(x[0], x[4], t44); /* gamma3*omega3 - omega_n*1/s*1/R*e */
+    out[26] = t45;
+    const double t46 = JLT_FMA(x[2], t43, x[1]); /* V = omega_tau*e + v_nu */
+    const double t47 = t37*t46; /* 1/s*V */
+    const double t48 = p[13]*t47; /* (-1/R)*1/s*V */
+    out[27] = t48;
+    const double t49 = t41*t47; /* omega_n*1/s*1/R*1/s*V */
+    out[29] = t49;
+    const double t50 = -t1; /* -s*omega_tau */
+    out[30] = t50;
+    const double t51 = -t21; /* -s*gamma3 */
     out[32] = t51;
-    const double t52 = -t23; /* -omega_tau*gamma3 */
+    const double t52 = -t31; /* -omega_tau*gamma3 */
     out[35] = t52;
 }
 
@@ -248,93 +243,94 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t4 = 1.0/t3; /* 1/(s*D/I1) */
     const double t5 = t2*t4; /* 1/s = D/I1*1/(s*D/I1) */
     const double t6 = x[5]*t4; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t7 = x[5]*x[2]; /* s*omega_tau */
-    const double t8 = x[5]*t7; /* s*s*omega_tau */
-    out[0] = t8;
-    const double t9 = 2.0*t7; /* 2*s*omega_tau */
-    out[11] = t9;
-    const double t10 = -t7; /* -s*omega_tau */
-    out[36] = t10;
-    const double t11 = p[6]*t7; /* m*a3^2/I1*s*omega_tau */
-    const double t12 = t7*t11; /* s*omega_tau*m*a3^2/I1*s*omega_tau */
-    const double t13 = JLT_FNMA(x[3], x[3], t12); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
-    const double t14 = t6*t13; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    out[18] = t14;
-    const double t15 = x[0]*t13; /* gamma3*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    const double t16 = JLT_FNMA(p[7], t1, t15); /* gamma3*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) - m*g*a3/I1*s*s */
-    const double t17 = t6*t16; /* 1/(D/I1)*t16 */
-    out[2] = t17;
-    const double t18 = p[1]*x[4]; /* R*omega3 */
-    const double t19 = x[3]*t18; /* omega_n*R*omega3 */
-    out[17] = t19;
-    const double t20 = x[5]*t18; /* s*R*omega3 */
-    const double t21 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t22 = x[3]*t21; /* omega_n*b */
-    const double t23 = JLT_FMA(2.0, t22, t20); /* 2*omega_n*b + s*R*omega3 */
-    out[15] = t23;
-    const double t24 = t20 + t22; /* s*R*omega3 + omega_n*b */
-    const double t25 = x[3]*t24; /* omega_n*(s*R*omega3 + omega_n*b) */
-    out[1] = t25;
-    const double t26 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t27 = x[3]*t5; /* omega_n*1/s */
-    const double t28 = p[17]*t6; /* 2*m*a3^2/I1*1/(D/I1) */
-    const double t29 = JLT_FMA(t16, t28, p[18]); /* t16*2*m*a3^2/I1*1/(D/I1) + 2*m*g*a3/I1 */
-    const double t30 = t7*t28; /* s*omega_tau*2*m*a3^2/I1*1/(D/I1) */
-    const double t31 = x[0]*t7; /* gamma3*s*omega_tau */
-    const double t32 = -t31; /* -gamma3*s*omega_tau */
-    out[5] = t32;
-    const double t33 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
-    const double t34 = p[8]*t27; /* 1/R*omega_n*1/s */
-    const double t35 = JLT_FNMA(p[10], t27, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t36 = x[2]*t35; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[30] = t36;
-    const double t37 = t26*t34; /* e*1/R*omega_n*1/s */
-    const double t38 = JLT_FMS(x[4], x[0], t37); /* omega3*gamma3 - e*1/R*omega_n*1/s */
-    out[32] = t38;
-    const double t39 = -t34; /* -1/R*omega_n*1/s */
-    out[31] = t39;
-    const double t40 = t33*t34; /* V*1/R*omega_n*1/s */
-    const double t41 = p[16]*t33; /* (-1/R)*V */
-    const double t42 = t5*t41; /* 1/s*(-1/R)*V */
-    out[33] = t42;
-    const double t43 = t5*t40; /* 1/s*V*1/R*omega_n*1/s */
-    out[35] = t43;
-    const double t44 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[26] = t44;
-    const double t45 = (-2.0)*t44; /* (-2)*omega_n*gamma3 */
-    const double t46 = t6*t45; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
-    out[21] = t46;
-    const double t47 = x[5]*t6; /* s*1/(D/I1) */
-    const double t48 = t29*t47; /* (t16*2*m*a3^2/I1*1/(D/I1) + 2*m*g*a3/I1)*s*1/(D/I1) */
-    const double t49 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[27] = t49;
-    out[34] = t49;
-    const double t50 = JLT_FMS(x[4], t49, t40); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
-    out[4] = t50;
-    const double t51 = JLT_FMS(t30, t49, t48); /* s*omega_tau*2*m*a3^2/I1*1/(D/I1)*omega_tau*gamma3 - (t16*2*m*a3^2/I1*1/(D/I1) + 2*m*g*a3/I1)*s*1/(D/I1) */
-    out[23] = t51;
-    const double t52 = x[3]*t49; /* omega_n*omega_tau*gamma3 */
-    out[3] = t52;
-    const double t53 = -t49; /* -omega_tau*gamma3 */
-    out[41] = t53;
-    const double t54 = x[3]*p[1]; /* omega_n*R */
-    const double t55 = x[3]*t54; /* omega_n*omega_n*R */
-    out[12] = t55;
-    const double t56 = x[5]*t54; /* s*omega_n*R */
-    out[16] = t56;
-    const double t57 = x[5]*x[0]; /* s*gamma3 */
-    const double t58 = t30*t57; /* s*omega_tau*2*m*a3^2/I1*1/(D/I1)*s*gamma3 */
-    out[20] = t58;
-    const double t59 = -t57; /* -s*gamma3 */
-    out[38] = t59;
+    const double t7 = t1*t6; /* s*s*1/(D/I1) */
+    const double t8 = x[5]*x[2]; /* s*omega_tau */
+    const double t9 = x[5]*t8; /* s*s*omega_tau */
+    out[0] = t9;
+    const double t10 = 2.0*t8; /* 2*s*omega_tau */
+    out[11] = t10;
+    const double t11 = -t8; /* -s*omega_tau */
+    out[36] = t11;
+    const double t12 = t6*t8; /* 1/(D/I1)*s*omega_tau */
+    const double t13 = p[6]*t8; /* m*a3^2/I1*s*omega_tau */
+    const double t14 = t12*t13; /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau */
+    const double t15 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t16 = JLT_FNMA(t6, t15, t14); /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau - 1/(D/I1)*omega_n*omega_n */
+    out[18] = t16;
+    const double t17 = x[0]*t16; /* gamma3*t16 */
+    const double t18 = JLT_FNMA(p[7], t7, t17); /* gamma3*t16 - m*g*a3/I1*s*s*1/(D/I1) */
+    out[2] = t18;
+    const double t19 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[27] = t19;
+    out[34] = t19;
+    const double t20 = x[3]*t19; /* omega_n*omega_tau*gamma3 */
+    out[3] = t20;
+    const double t21 = -t19; /* -omega_tau*gamma3 */
+    out[41] = t21;
+    const double t22 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t23 = x[3]*t5; /* omega_n*1/s */
+    const double t24 = x[5]*t6; /* s*1/(D/I1) */
+    const double t25 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t26 = t15*t25; /* omega_n*omega_n*b */
+    const double t27 = p[1]*x[3]; /* R*omega_n */
+    const double t28 = x[3]*t27; /* omega_n*R*omega_n */
+    out[12] = t28;
+    const double t29 = x[4]*t27; /* omega3*R*omega_n */
+    out[17] = t29;
+    const double t30 = x[5]*t27; /* s*R*omega_n */
+    out[16] = t30;
+    const double t31 = JLT_FMA(x[4], t30, t26); /* omega3*s*R*omega_n + omega_n*omega_n*b */
+    out[1] = t31;
+    const double t32 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
+    const double t33 = p[8]*t23; /* 1/R*omega_n*1/s */
+    const double t34 = JLT_FNMA(p[10], t23, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t35 = x[2]*t34; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[30] = t35;
+    const double t36 = t22*t33; /* e*1/R*omega_n*1/s */
+    const double t37 = JLT_FMS(x[0], x[4], t36); /* gamma3*omega3 - e*1/R*omega_n*1/s */
+    out[32] = t37;
+    const double t38 = -t33; /* -1/R*omega_n*1/s */
+    out[31] = t38;
+    const double t39 = t32*t33; /* V*1/R*omega_n*1/s */
+    const double t40 = p[13]*t32; /* (-1/R)*V */
+    const double t41 = t5*t40; /* 1/s*(-1/R)*V */
+    out[33] = t41;
+    const double t42 = t5*t39; /* 1/s*V*1/R*omega_n*1/s */
+    out[35] = t42;
+    const double t43 = JLT_FMS(x[4], t19, t39); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
+    out[4] = t43;
+    const double t44 = x[3]*2.0; /* omega_n*2 */
+    const double t45 = t25*t44; /* b*omega_n*2 */
+    const double t46 = p[11]*t19; /* 2*m*a3^2/I1*omega_tau*gamma3 */
+    const double t47 = t7*t46; /* s*s*1/(D/I1)*2*m*a3^2/I1*omega_tau*gamma3 */
+    out[20] = t47;
+    const double t48 = x[5]*t19; /* s*omega_tau*gamma3 */
+    const double t49 = -t48; /* -s*omega_tau*gamma3 */
+    out[5] = t49;
+    const double t50 = x[0]*x[3]; /* gamma3*omega_n */
+    out[26] = t50;
+    const double t51 = (-2.0)*t50; /* (-2)*gamma3*omega_n */
+    const double t52 = t6*t51; /* 1/(D/I1)*(-2)*gamma3*omega_n */
+    out[21] = t52;
+    const double t53 = p[12]*t24; /* 2*m*g*a3/I1*s*1/(D/I1) */
+    const double t54 = JLT_FMS(t12, t46, t53); /* 1/(D/I1)*s*omega_tau*2*m*a3^2/I1*omega_tau*gamma3 - 2*m*g*a3/I1*s*1/(D/I1) */
+    const double t55 = p[11]*t24; /* 2*m*a3^2/I1*s*1/(D/I1) */
+    const double t56 = JLT_FNMA(t18, t55, t54); /* t54 - (gamma3*t16 - m*g*a3/I1*s*s*1/(D/I1))*2*m*a3^2/I1*s*1/(D/I1) */
+    out[23] = t56;
+    const double t57 = x[5]*p[1]; /* s*R */
+    const double t58 = JLT_FMA(x[4], t57, t45); /* omega3*s*R + b*omega_n*2 */
+    out[15] = t58;
+    const double t59 = x[5]*x[0]; /* s*gamma3 */
+    const double t60 = -t59; /* -s*gamma3 */
+    out[38] = t60;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[0]*x[2]; /* gamma3*omega_tau */
     const double t1 = x[5]*x[5]; /* s*s */
-    const double t2 = JLT_FMA(p[11], t1, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t3 = p[12]*t1; /* 2*m*a3^2*s*s */
+    const double t2 = JLT_FMA(p[15], t1, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t3 = p[14]*t1; /* 2*m*a3^2*s*s */
     const double t4 = t0*t3; /* gamma3*omega_tau*2*m*a3^2*s*s */
     const double t5 = t4/t2; /* gamma3*omega_tau*2*m*a3^2*s*s/D */
     const double t6 = t0 + t5; /* gamma3*omega_tau + gamma3*omega_tau*2*m*a3^2*s*s/D */
@@ -343,13 +339,13 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[18]*x[0]; /* 2*m*g*a3/I1*gamma3 */
+    const double t0 = p[12]*x[0]; /* 2*m*g*a3/I1*gamma3 */
     const double t1 = p[6]*x[5]; /* m*a3^2/I1*s */
     const double t2 = JLT_FMA(x[5], t1, 1.0); /* D/I1 = s*m*a3^2/I1*s + 1 */
     const double t3 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t4 = JLT_FMA(x[3], x[3], t0); /* omega_n*omega_n + 2*m*g*a3/I1*gamma3 */
     const double t5 = JLT_FMA(t2, t3, t4); /* D/I1*omega_tau*omega_tau + omega_n*omega_n + 2*m*g*a3/I1*gamma3 */
-    const double t6 = p[19]*t5; /* 1/2*I1*t5 */
+    const double t6 = p[16]*t5; /* 1/2*I1*t5 */
     out[3] = t6;
     const double t7 = x[1]*x[1]; /* v_nu*v_nu */
     const double t8 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
@@ -357,18 +353,18 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t10 = x[5]*p[1]; /* s*R */
     const double t11 = JLT_FMA(x[4], t10, t9); /* v_tau = omega3*s*R + omega_n*b */
     const double t12 = JLT_FMA(t11, t11, t7); /* v_tau*v_tau + v_nu*v_nu */
-    const double t13 = p[20]*t12; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    const double t13 = p[17]*t12; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[2] = t13;
     const double t14 = t6 + t13; /* energy = 1/2*I1*t5 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
     out[0] = t14;
-    const double t15 = x[5]*p[21]; /* s*R*I1 */
+    const double t15 = x[5]*p[18]; /* s*R*I1 */
     const double t16 = x[3]*t15; /* omega_n*s*R*I1 */
     out[1] = t16;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    out[18] = p[22];
+    out[18] = p[19];
     out[6] = 0.0;
     out[7] = 0.0;
     out[8] = 0.0;
@@ -379,9 +375,9 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t0 = p[0]*x[1]; /* m*v_nu */
     out[1] = t0;
     out[13] = t0;
-    const double t1 = x[5]*p[22]; /* s*R*I1 */
+    const double t1 = x[5]*p[18]; /* s*R*I1 */
     out[9] = t1;
-    const double t2 = x[3]*p[22]; /* omega_n*R*I1 */
+    const double t2 = x[3]*p[18]; /* omega_n*R*I1 */
     out[11] = t2;
     const double t3 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t4 = x[3]*t3; /* omega_n*b */
@@ -390,11 +386,11 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t7 = JLT_FMA(x[5], t6, t4); /* v_tau = s*R*omega3 + omega_n*b */
     const double t8 = t5*t7; /* m*b*v_tau */
     out[15] = t8;
-    const double t9 = p[23]*t7; /* m*R*v_tau */
+    const double t9 = p[20]*t7; /* m*R*v_tau */
     const double t10 = x[5]*t9; /* s*m*R*v_tau */
     out[4] = t10;
     out[16] = t10;
-    const double t11 = x[5]*p[11]; /* s*m*a3^2 */
+    const double t11 = x[5]*p[15]; /* s*m*a3^2 */
     const double t12 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t13 = t11*t12; /* s*m*a3^2*omega_tau*omega_tau */
     out[23] = t13;
@@ -404,7 +400,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[20] = t15;
     const double t16 = x[3]*t9; /* omega_n*m*R*v_tau */
     out[12] = t16;
-    const double t17 = p[22] + t16; /* d(energy)/d(gamma3) = m*g*a3 + omega_n*m*R*v_tau */
+    const double t17 = p[19] + t16; /* d(energy)/d(gamma3) = m*g*a3 + omega_n*m*R*v_tau */
     out[0] = t17;
     const double t18 = x[4]*t9; /* omega3*m*R*v_tau */
     out[17] = t18;
@@ -578,16 +574,16 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
     .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0",
     .table = jlt_table_spherical_top,
-    .state_count = 6, .param_count = 6, .block_count = 24,
+    .state_count = 6, .param_count = 6, .block_count = 21,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 6, { 1, 18, 8, 1, 0, 0, 7, 7 }, { 9, 36, 0, 4, 0, 0, 8, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .jacobian = { jacobian, 36, { 5, 37, 10, 1, 0, 0, 10, 10 }, { 17, 99, 0, 14, 0, 0, 11, 5 },
+    .jacobian = { jacobian, 36, { 5, 37, 10, 1, 0, 0, 10, 12 }, { 17, 99, 0, 14, 0, 0, 11, 5 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 6, 41, 12, 1, 0, 0, 9, 9 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
+    .rhs_jacobian = { rhs_jacobian, 42, { 5, 42, 13, 1, 0, 0, 11, 13 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },

@@ -8,8 +8,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   17    8    1    1    0     12    7   (50)
- *  jacobian            5   33   16    1    1    0     15   14   (183)
- *  rhs_jacobian        5   37   20    1    1    0     14   17   (216)
+ *  jacobian            5   33   16    1    1    0     14   14   (183)
+ *  rhs_jacobian        5   37   19    1    1    0     13   17   (216)
  *  divergence          2    4    1    1    1    0      5    4   (15)
  *  integral_values     3    8    6    1    1    0      9    6   (54)
  *  integral_gradients  3   16    7    1    1    0     10    8   (75)
@@ -146,12 +146,6 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    out[1] = 0.0;
-    out[3] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[9] = 0.0;
-    out[11] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
@@ -161,63 +155,69 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t5 = t3*t4; /* D/I1*s */
     const double t6 = 1.0/t5; /* 1/(D/I1*s) */
     const double t7 = t3*t6; /* 1/s = D/I1*1/(D/I1*s) */
-    const double t8 = t4*t6; /* 1/(D/I1) = s*1/(D/I1*s) */
-    const double t9 = x[0]*t8; /* gamma3*1/(D/I1) */
-    const double t10 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
-    const double t11 = t7*t7; /* 1/s*1/s */
-    const double t12 = p[13]*t9; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t13 = x[0]*t7; /* gamma3*1/s */
-    const double t14 = t9*t13; /* gamma3*1/(D/I1)*gamma3*1/s */
-    const double t15 = t10*t11; /* omega_n*1/s*1/s */
-    const double t16 = t4*t12; /* s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t17 = x[2]*t16; /* omega_tau*s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    out[10] = t17;
-    const double t18 = t13 - t16; /* gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t19 = JLT_FMS(x[0], t18, t4); /* gamma3*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s */
-    const double t20 = p[9]*t18; /* m*g*a3/I1*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) */
-    const double t21 = t7*t15; /* 1/s*omega_n*1/s*1/s */
-    const double t22 = t10*t13; /* omega_n*gamma3*1/s */
-    const double t23 = JLT_FMA(t12, t22, t21); /* 2*m*a3^2/I1*gamma3*1/(D/I1)*omega_n*gamma3*1/s + 1/s*omega_n*1/s*1/s */
-    const double t24 = JLT_FNMA(t10, t23, t20); /* m*g*a3/I1*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - omega_n*t23 */
-    const double t25 = p[11]*t21; /* 2*G_level/(R*I1)*1/s*omega_n*1/s*1/s */
-    const double t26 = x[3]*t11; /* omega3*1/s*1/s */
-    const double t27 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
-    const double t28 = x[2]*t27; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t29 = JLT_FNMA(t19, t28, t24); /* t24 - (gamma3*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s)*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t30 = t8*t29; /* 1/(D/I1)*t29 */
-    const double t31 = JLT_FNMA(t14, t25, t30); /* 1/(D/I1)*t29 - gamma3*1/(D/I1)*gamma3*1/s*2*G_level/(R*I1)*1/s*omega_n*1/s*1/s */
-    out[8] = t31;
-    const double t32 = JLT_FMA(t10, t15, t25); /* omega_n*omega_n*1/s*1/s + 2*G_level/(R*I1)*1/s*omega_n*1/s*1/s */
-    const double t33 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t34 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t35 = t32*t34; /* t32*b */
-    const double t36 = JLT_FMA(p[12], t26, t35); /* G_level/I1*omega3*1/s*1/s + t32*b */
-    const double t37 = t7*t26; /* 1/s*omega3*1/s*1/s */
-    const double t38 = t7*t10; /* 1/s*omega_n */
-    const double t39 = p[1]*t10; /* R*omega_n */
-    out[7] = t39;
-    const double t40 = t38*t39; /* 1/s*omega_n*R*omega_n */
-    const double t41 = JLT_FMA(t13, t36, t40); /* gamma3*1/s*(G_level/I1*omega3*1/s*1/s + t32*b) + 1/s*omega_n*R*omega_n */
-    out[4] = t41;
-    const double t42 = JLT_FNMA(p[14], t15, t37); /* 1/s*omega3*1/s*1/s - a3/R*omega_n*1/s*1/s */
-    const double t43 = p[10]*t15; /* 1/R*omega_n*1/s*1/s */
-    const double t44 = x[2]*t42; /* omega_tau*(1/s*omega3*1/s*1/s - a3/R*omega_n*1/s*1/s) */
-    const double t45 = -t43; /* -1/R*omega_n*1/s*1/s */
-    out[13] = t45;
-    const double t46 = t33*t43; /* e*1/R*omega_n*1/s*1/s */
-    const double t47 = JLT_FMS(x[3], t13, t46); /* omega3*gamma3*1/s - e*1/R*omega_n*1/s*1/s */
-    out[14] = t47;
-    const double t48 = JLT_FMA(x[2], t33, x[1]); /* V = omega_tau*e + v_nu */
-    const double t49 = p[15]*t48; /* 2/R*V */
-    const double t50 = t13*t49; /* gamma3*1/s*2/R*V */
-    const double t51 = x[2]*t13; /* omega_tau*gamma3*1/s */
-    out[15] = t51;
-    const double t52 = -t51; /* -omega_tau*gamma3*1/s */
-    out[0] = t52;
-    const double t53 = p[16]*t11; /* 1/2*G_level/(R*I1)*1/s*1/s */
-    const double t54 = JLT_FMA(t11, t53, t21); /* 1/s*1/s*1/2*G_level/(R*I1)*1/s*1/s + 1/s*omega_n*1/s*1/s */
-    const double t55 = JLT_FNMA(t50, t54, t44); /* omega_tau*(1/s*omega3*1/s*1/s - a3/R*omega_n*1/s*1/s) - gamma3*1/s*2/R*V*(1/s*1/s*1/2*G_level/(R*I1)*1/s*1/s + 1/s*omega_n*1/s*1/s) */
-    out[12] = t55;
+    const double t8 = x[0]*t7; /* gamma3*1/s */
+    const double t9 = x[2]*t8; /* omega_tau*gamma3*1/s */
+    out[15] = t9;
+    const double t10 = -t9; /* -omega_tau*gamma3*1/s */
+    out[0] = t10;
+    out[1] = 0.0;
+    out[3] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[9] = 0.0;
+    out[11] = 0.0;
+    const double t11 = t7*p[7]; /* omega_n = 1/s*G_level/(R*I1) */
+    const double t12 = t7*t11; /* 1/s*omega_n */
+    const double t13 = t11*p[1]; /* omega_n*R */
+    out[7] = t13;
+    const double t14 = t12*t13; /* 1/s*omega_n*omega_n*R */
+    const double t15 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t16 = JLT_FMA(t7, p[11], t11); /* 1/s*2*G_level/(R*I1) + omega_n */
+    const double t17 = t7*t7; /* 1/s*1/s */
+    const double t18 = t11*t17; /* omega_n*1/s*1/s */
+    const double t19 = t8*t18; /* gamma3*1/s*omega_n*1/s*1/s */
+    const double t20 = t15*t16; /* b*(1/s*2*G_level/(R*I1) + omega_n) */
+    const double t21 = t8*x[3]; /* gamma3*1/s*omega3 */
+    const double t22 = t17*p[12]; /* 1/s*1/s*G_level/I1 */
+    const double t23 = JLT_FMA(t21, t22, t14); /* gamma3*1/s*omega3*1/s*1/s*G_level/I1 + 1/s*omega_n*omega_n*R */
+    const double t24 = JLT_FMA(t19, t20, t23); /* gamma3*1/s*omega_n*1/s*1/s*b*(1/s*2*G_level/(R*I1) + omega_n) + gamma3*1/s*omega3*1/s*1/s*G_level/I1 + 1/s*omega_n*omega_n*R */
+    out[4] = t24;
+    const double t25 = t4*t6; /* 1/(D/I1) = s*1/(D/I1*s) */
+    const double t26 = x[0]*p[13]; /* gamma3*2*m*a3^2/I1 */
+    const double t27 = t25*t26; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t28 = t4*t27; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t29 = t28 - t8; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s */
+    const double t30 = t12*t18; /* 1/s*omega_n*omega_n*1/s*1/s */
+    const double t31 = t11*t11; /* omega_n*omega_n */
+    const double t32 = t27*t31; /* 1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n*omega_n */
+    const double t33 = JLT_FMA(p[11], t19, t32); /* 2*G_level/(R*I1)*gamma3*1/s*omega_n*1/s*1/s + 1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n*omega_n */
+    const double t34 = JLT_FMA(x[0], t29, t4); /* gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) + s */
+    const double t35 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t36 = x[2]*t35; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t37 = JLT_FMS(t34, t36, t30); /* (gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) + s)*omega_tau*omega_tau*m*a3^2/I1 - 1/s*omega_n*omega_n*1/s*1/s */
+    const double t38 = JLT_FNMA(p[9], t29, t37); /* t37 - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) */
+    const double t39 = JLT_FNMA(t8, t33, t38); /* t37 - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) - gamma3*1/s*t33 */
+    const double t40 = t25*t39; /* 1/(D/I1)*t39 */
+    out[8] = t40;
+    const double t41 = x[2]*t28; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[10] = t41;
+    const double t42 = t7*t17; /* 1/s*1/s*1/s */
+    const double t43 = x[3]*t42; /* omega3*1/s*1/s*1/s */
+    const double t44 = JLT_FNMA(t18, p[14], t43); /* omega3*1/s*1/s*1/s - omega_n*1/s*1/s*a3/R */
+    const double t45 = x[2]*t44; /* omega_tau*(omega3*1/s*1/s*1/s - omega_n*1/s*1/s*a3/R) */
+    const double t46 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t47 = JLT_FMA(x[2], t46, x[1]); /* V = omega_tau*e + v_nu */
+    const double t48 = JLT_FMA(t42, p[16], t18); /* 1/s*1/s*1/s*1/2*G_level/(R*I1) + omega_n*1/s*1/s */
+    const double t49 = p[15]*t47; /* 2/R*V */
+    const double t50 = t7*t49; /* 1/s*2/R*V */
+    const double t51 = t8*t50; /* gamma3*1/s*1/s*2/R*V */
+    const double t52 = JLT_FNMA(t48, t51, t45); /* omega_tau*(omega3*1/s*1/s*1/s - omega_n*1/s*1/s*a3/R) - (1/s*1/s*1/s*1/2*G_level/(R*I1) + omega_n*1/s*1/s)*gamma3*1/s*1/s*2/R*V */
+    out[12] = t52;
+    const double t53 = t18*p[10]; /* omega_n*1/s*1/s*1/R */
+    const double t54 = -t53; /* -omega_n*1/s*1/s*1/R */
+    out[13] = t54;
+    const double t55 = JLT_FNMA(t46, t53, t21); /* gamma3*1/s*omega3 - e*omega_n*1/s*1/s*1/R */
+    out[14] = t55;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -238,74 +238,73 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t6 = 1.0/t5; /* 1/(s*D/I1) */
     const double t7 = t4*t6; /* 1/s = D/I1*1/(s*D/I1) */
     const double t8 = t3*t6; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t9 = x[2]*t3; /* omega_tau*s */
-    out[0] = t9;
-    const double t10 = t8*t9; /* 1/(D/I1)*omega_tau*s */
-    const double t11 = p[9]*t3; /* m*g*a3/I1*s */
-    const double t12 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
-    const double t13 = x[0]*t7; /* gamma3*1/s */
-    const double t14 = t7*t12; /* 1/s*omega_n */
-    const double t15 = t7*t13; /* 1/s*gamma3*1/s */
-    const double t16 = x[0]*p[13]; /* gamma3*2*m*a3^2/I1 */
-    const double t17 = t7*t14; /* 1/s*1/s*omega_n */
-    const double t18 = x[2]*t13; /* omega_tau*gamma3*1/s */
-    out[19] = t18;
-    const double t19 = -t18; /* -omega_tau*gamma3*1/s */
-    out[4] = t19;
-    const double t20 = p[11]*t15; /* 2*G_level/(R*I1)*1/s*gamma3*1/s */
-    const double t21 = t17*t20; /* 1/s*1/s*omega_n*2*G_level/(R*I1)*1/s*gamma3*1/s */
-    const double t22 = t10*t16; /* 1/(D/I1)*omega_tau*s*gamma3*2*m*a3^2/I1 */
-    out[14] = t22;
-    const double t23 = t22 - t18; /* 1/(D/I1)*omega_tau*s*gamma3*2*m*a3^2/I1 - omega_tau*gamma3*1/s */
-    const double t24 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
-    const double t25 = JLT_FNMA(t23, t24, t21); /* 1/s*1/s*omega_n*2*G_level/(R*I1)*1/s*gamma3*1/s - t23*omega_tau*m*a3^2/I1 */
-    const double t26 = t10*t24; /* 1/(D/I1)*omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t27 = t12*t13; /* omega_n*gamma3*1/s */
-    const double t28 = JLT_FMA(t12, t27, t11); /* omega_n*omega_n*gamma3*1/s + m*g*a3/I1*s */
-    const double t29 = JLT_FMA(t17, t27, t21); /* 1/s*1/s*omega_n*omega_n*gamma3*1/s + 1/s*1/s*omega_n*2*G_level/(R*I1)*1/s*gamma3*1/s */
-    const double t30 = t8*t28; /* 1/(D/I1)*(omega_n*omega_n*gamma3*1/s + m*g*a3/I1*s) */
-    const double t31 = JLT_FMS(x[0], t26, t30); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*m*a3^2/I1 - 1/(D/I1)*(omega_n*omega_n*gamma3*1/s + m*g*a3/I1*s) */
-    out[2] = t31;
-    const double t32 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t33 = x[3]*t7; /* omega3*1/s */
-    const double t34 = t14*t17; /* 1/s*omega_n*1/s*1/s*omega_n */
-    const double t35 = JLT_FNMA(p[9], t13, t34); /* 1/s*omega_n*1/s*1/s*omega_n - m*g*a3/I1*gamma3*1/s */
-    const double t36 = JLT_FMA(x[0], t25, t35); /* gamma3*t25 + 1/s*omega_n*1/s*1/s*omega_n - m*g*a3/I1*gamma3*1/s */
-    const double t37 = JLT_FMA(t16, t30, t36); /* gamma3*2*m*a3^2/I1*1/(D/I1)*(omega_n*omega_n*gamma3*1/s + m*g*a3/I1*s) + t36 */
-    const double t38 = JLT_FNMA(t8, t37, t26); /* 1/(D/I1)*omega_tau*s*omega_tau*m*a3^2/I1 - 1/(D/I1)*t37 */
-    out[12] = t38;
-    const double t39 = t7*t7; /* 1/s*1/s */
-    const double t40 = p[16]*t7; /* 1/2*G_level/(R*I1)*1/s */
-    const double t41 = JLT_FMA(t39, t40, t17); /* 1/s*1/s*1/2*G_level/(R*I1)*1/s + 1/s*1/s*omega_n */
-    const double t42 = t33*t39; /* omega3*1/s*1/s*1/s */
-    const double t43 = p[12]*t33; /* G_level/I1*omega3*1/s */
-    const double t44 = JLT_FNMA(p[14], t17, t42); /* omega3*1/s*1/s*1/s - a3/R*1/s*1/s*omega_n */
-    const double t45 = p[10]*t17; /* 1/R*1/s*1/s*omega_n */
-    const double t46 = x[2]*t44; /* omega_tau*(omega3*1/s*1/s*1/s - a3/R*1/s*1/s*omega_n) */
-    const double t47 = -t45; /* -1/R*1/s*1/s*omega_n */
-    out[17] = t47;
-    const double t48 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t49 = p[1]*t12; /* R*omega_n */
-    out[11] = t49;
-    const double t50 = t12*t48; /* omega_n*b */
-    const double t51 = t14*t50; /* 1/s*omega_n*omega_n*b */
-    const double t52 = JLT_FMA(x[3], t49, t51); /* omega3*R*omega_n + 1/s*omega_n*omega_n*b */
-    out[1] = t52;
-    const double t53 = t14*t49; /* 1/s*omega_n*R*omega_n */
-    const double t54 = JLT_FMA(t15, t43, t53); /* 1/s*gamma3*1/s*G_level/I1*omega3*1/s + 1/s*omega_n*R*omega_n */
-    const double t55 = JLT_FMA(t29, t48, t54); /* t29*b + 1/s*gamma3*1/s*G_level/I1*omega3*1/s + 1/s*omega_n*R*omega_n */
-    out[8] = t55;
-    const double t56 = JLT_FMA(x[2], t32, x[1]); /* V = omega_tau*e + v_nu */
-    const double t57 = t32*t45; /* e*1/R*1/s*1/s*omega_n */
-    const double t58 = JLT_FMS(x[3], t13, t57); /* omega3*gamma3*1/s - e*1/R*1/s*1/s*omega_n */
-    out[18] = t58;
-    const double t59 = t45*t56; /* 1/R*1/s*1/s*omega_n*V */
-    const double t60 = JLT_FMS(x[3], t18, t59); /* omega3*omega_tau*gamma3*1/s - 1/R*1/s*1/s*omega_n*V */
-    out[3] = t60;
-    const double t61 = p[15]*t56; /* 2/R*V */
-    const double t62 = t15*t61; /* 1/s*gamma3*1/s*2/R*V */
-    const double t63 = JLT_FNMA(t41, t62, t46); /* omega_tau*(omega3*1/s*1/s*1/s - a3/R*1/s*1/s*omega_n) - (1/s*1/s*1/2*G_level/(R*I1)*1/s + 1/s*1/s*omega_n)*1/s*gamma3*1/s*2/R*V */
-    out[16] = t63;
+    const double t9 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
+    const double t10 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t11 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t12 = JLT_FNMA(t10, t11, p[9]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
+    const double t13 = t7*t7; /* 1/s*1/s */
+    const double t14 = x[2]*t3; /* omega_tau*s */
+    out[0] = t14;
+    const double t15 = t3*t12; /* s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
+    const double t16 = t10*t14; /* omega_tau*m*a3^2/I1*omega_tau*s */
+    const double t17 = x[0]*t7; /* gamma3*1/s */
+    const double t18 = t9*t13; /* omega_n*1/s*1/s */
+    const double t19 = t9*t9; /* omega_n*omega_n */
+    const double t20 = JLT_FMA(t17, t19, t15); /* gamma3*1/s*omega_n*omega_n + s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
+    const double t21 = t7*t19; /* 1/s*omega_n*omega_n */
+    const double t22 = t8*t20; /* 1/(D/I1)*t20 */
+    const double t23 = -t22; /* -1/(D/I1)*t20 */
+    out[2] = t23;
+    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t25 = t17*t18; /* gamma3*1/s*omega_n*1/s*1/s */
+    const double t26 = JLT_FNMA(p[11], t25, t12); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 - 2*G_level/(R*I1)*gamma3*1/s*omega_n*1/s*1/s */
+    const double t27 = t7*t18; /* 1/s*omega_n*1/s*1/s */
+    const double t28 = JLT_FNMA(t9, t27, t16); /* omega_tau*m*a3^2/I1*omega_tau*s - omega_n*1/s*omega_n*1/s*1/s */
+    const double t29 = JLT_FMA(t17, t26, t28); /* gamma3*1/s*t26 + t28 */
+    const double t30 = x[3]*t7; /* omega3*1/s */
+    const double t31 = t13*t30; /* 1/s*1/s*omega3*1/s */
+    const double t32 = JLT_FMA(p[11], t7, t9); /* 2*G_level/(R*I1)*1/s + omega_n */
+    const double t33 = JLT_FNMA(p[14], t18, t31); /* 1/s*1/s*omega3*1/s - a3/R*omega_n*1/s*1/s */
+    const double t34 = p[10]*t18; /* 1/R*omega_n*1/s*1/s */
+    const double t35 = p[1]*t9; /* R*omega_n */
+    out[11] = t35;
+    const double t36 = x[2]*t33; /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*omega_n*1/s*1/s) */
+    const double t37 = -t34; /* -1/R*omega_n*1/s*1/s */
+    out[17] = t37;
+    const double t38 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t39 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t40 = t32*t39; /* (2*G_level/(R*I1)*1/s + omega_n)*b */
+    const double t41 = t21*t39; /* 1/s*omega_n*omega_n*b */
+    const double t42 = JLT_FMA(x[3], t35, t41); /* omega3*R*omega_n + 1/s*omega_n*omega_n*b */
+    out[1] = t42;
+    const double t43 = p[1]*t21; /* R*1/s*omega_n*omega_n */
+    const double t44 = x[3]*t17; /* omega3*gamma3*1/s */
+    const double t45 = JLT_FNMA(t24, t34, t44); /* omega3*gamma3*1/s - e*1/R*omega_n*1/s*1/s */
+    out[18] = t45;
+    const double t46 = t34*t38; /* 1/R*omega_n*1/s*1/s*V */
+    const double t47 = JLT_FMS(x[2], t44, t46); /* omega_tau*omega3*gamma3*1/s - 1/R*omega_n*1/s*1/s*V */
+    out[3] = t47;
+    const double t48 = p[15]*t38; /* 2/R*V */
+    const double t49 = t17*t48; /* gamma3*1/s*2/R*V */
+    const double t50 = x[2]*t17; /* omega_tau*gamma3*1/s */
+    out[19] = t50;
+    const double t51 = -t50; /* -omega_tau*gamma3*1/s */
+    out[4] = t51;
+    const double t52 = p[12]*t13; /* G_level/I1*1/s*1/s */
+    const double t53 = JLT_FMA(t44, t52, t43); /* omega3*gamma3*1/s*G_level/I1*1/s*1/s + R*1/s*omega_n*omega_n */
+    const double t54 = JLT_FMA(t25, t40, t53); /* gamma3*1/s*omega_n*1/s*1/s*(2*G_level/(R*I1)*1/s + omega_n)*b + omega3*gamma3*1/s*G_level/I1*1/s*1/s + R*1/s*omega_n*omega_n */
+    out[8] = t54;
+    const double t55 = x[0]*p[13]; /* gamma3*2*m*a3^2/I1 */
+    const double t56 = JLT_FNMA(t22, t55, t29); /* gamma3*1/s*t26 + t28 - 1/(D/I1)*t20*gamma3*2*m*a3^2/I1 */
+    const double t57 = t14*t55; /* omega_tau*s*gamma3*2*m*a3^2/I1 */
+    const double t58 = t8*t56; /* 1/(D/I1)*(gamma3*1/s*t26 + t28 - 1/(D/I1)*t20*gamma3*2*m*a3^2/I1) */
+    out[12] = t58;
+    const double t59 = t8*t57; /* 1/(D/I1)*omega_tau*s*gamma3*2*m*a3^2/I1 */
+    out[14] = t59;
+    const double t60 = p[16]*t13; /* 1/2*G_level/(R*I1)*1/s*1/s */
+    const double t61 = JLT_FMA(t13, t60, t27); /* 1/s*1/s*1/2*G_level/(R*I1)*1/s*1/s + 1/s*omega_n*1/s*1/s */
+    const double t62 = JLT_FNMA(t49, t61, t36); /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*omega_n*1/s*1/s) - gamma3*1/s*2/R*V*(1/s*1/s*1/2*G_level/(R*I1)*1/s*1/s + 1/s*omega_n*1/s*1/s) */
+    out[16] = t62;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -583,9 +582,9 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 2, 17, 8, 1, 1, 0, 12, 7 }, { 9, 33, 0, 7, 1, 0, 9, 7 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .jacobian = { jacobian, 16, { 5, 33, 16, 1, 1, 0, 15, 14 }, { 24, 133, 0, 25, 1, 0, 16, 8 },
+    .jacobian = { jacobian, 16, { 5, 33, 16, 1, 1, 0, 14, 14 }, { 24, 133, 0, 25, 1, 0, 16, 8 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 5, 37, 20, 1, 1, 0, 14, 17 }, { 28, 156, 0, 31, 1, 0, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 5, 37, 19, 1, 1, 0, 13, 17 }, { 28, 156, 0, 31, 1, 0, 16, 11 },
         "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
     .divergence = { divergence, 1, { 2, 4, 1, 1, 1, 0, 5, 4 }, { 2, 11, 0, 1, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
