@@ -20,6 +20,7 @@ jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const 
         .jacobian = descriptor->jacobian.call,
         .jet = descriptor->jet,
         .batch = jlt_batch_isa_best(descriptor, 0),
+        .domain = descriptor->time_factor.call == NULL ? descriptor->states : NULL,
         .root = has_root ? (int)last : -1,
     };
     return JLT_OK;

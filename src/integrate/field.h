@@ -20,11 +20,16 @@ typedef struct {
     const jlt_kernel_batch *batch; /* the same field on vectors, for the method gauss; NULL where not known */
     unsigned controlled;           /* leading states in the error norm; 0: all of them */
     int root;                      /* the lifted root whose zero is the pole, as an index into x; -1: none */
+    const jlt_quantity *domain;    /* (dim,), the open intervals the states must stay in; NULL: not watched */
     const double *scale;           /* (dim,), >= 0, the size below which a state counts as small: its error is measured
                                       against max(|x_i|, scale_i). NULL: 1, and 0 for the root, whose error is relative */
 } jlt_field;
 
-/** The field of a generated kernel. p: its prepared block, kept by the caller as long as the field is in use.
+/** How near a state may come to a finite bound of its domain, relative to the bound: nearer, fewer than 16 bits of the distance
+ *  are left, and the field, which divides by its root, is worth nothing. */
+#define JLT_FIELD_NEAREST 0x1p-37
+
+/** The field of a generated kernel. In the model's own time its domain is watched; a lifted root does without. p: its prepared block, kept by the caller as long as the field is in use.
  *  The last state is taken for the pole's root when the kernel has a time of its own and that state is bounded by 0 below.
  *  Errors: UNSUPPORTED, the descriptor has no right-hand side. */
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p);

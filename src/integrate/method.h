@@ -88,7 +88,8 @@ JLT_CHECKED jlt_status jlt_stepper_start(jlt_stepper *self, double t, const doub
 JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x);
 
 /** One accepted step, |h| <= limit. On failure the point is that of the last accepted step.
- *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau. */
+ *  Errors: NONFINITE, no step however short gives finite values; NO_PROGRESS, tau + h = tau; DOMAIN, the step
+ *  led to the edge of the field's domain or beyond. */
 JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
 
 /** Make the polynomial of the last step, once. Cost: none (taylor), 3 evaluations (dop853), 15 (the others). */

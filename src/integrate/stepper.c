@@ -131,11 +131,35 @@ jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x)
     return self->method->start(self);
 }
 
+static bool leaves_domain(const jlt_stepper *self)
+{
+    const jlt_quantity *domain = self->field->domain;
+
+    for (unsigned i = 0; domain != NULL && i < self->field->dim; i++) {
+        const double low = domain[i].low, high = domain[i].high;
+        if (isfinite(low) && !(self->x[i] - low > JLT_FIELD_NEAREST * fabs(low))) return true;
+        if (isfinite(high) && !(high - self->x[i] > JLT_FIELD_NEAREST * fabs(high))) return true;
+    }
+    return false;
+}
+
+static jlt_status step_back(jlt_stepper *self)
+{
+    const size_t size = self->stride * sizeof *self->x;
+    memcpy(self->x, self->x_start, size);
+    memcpy(self->f, self->f_start, size);
+    memset(self->x_low, 0, size);
+    forget_step(self);
+    const jlt_status st = self->method->start(self);
+    return st == JLT_OK ? JLT_ERR_DOMAIN : st;
+}
+
 jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
 {
     const double tau = self->tau;
     jlt_status st = self->method->step(self, limit);
     if (st != JLT_OK) return st;
+    if (leaves_domain(self)) return step_back(self);
 
     const double move = self->h + self->tau_low;
     self->tau_start = tau;

@@ -1,95 +1,11 @@
-/* Reference section returns in quadruple precision, independent of everything else in this project.
+/* Reference section returns in quadruple precision.
  *
  *     cc -O2 -o reference_quad tools/bench/reference_quad.c -lquadmath -lm
  *     ./reference_quad ETA_LOW ETA_HIGH GAMMA_LOW GAMMA_HIGH COUNT RETURNS
  *
- * Field: (3.2) of Kilin & Ivanova (2023), parameters (5.1), multiplied by s and written in (gamma3, s) together. Method:
- * extrapolated modified midpoint rule (Gragg, Bulirsch, Stoer), 14 rows, error of the last two columns below 1e-30 of
- * scale. Starts: a COUNT x COUNT grid of the section omega_tau = 0; returns: upward crossings, refined by Newton steps of the
- * same method. Output: CSV on stdout, 33 digits. */
-#include <quadmath.h>
-#include <stdio.h>
-#include <stdlib.h>
-
-typedef __float128 quad;
-
-enum { STATES = 7, ROWS = 14 }; /* gamma3, v_nu, omega_tau, omega_n, omega3, s, t */
-
-static const quad m = 1, R = 1, g = 1;
-static quad I1, I3, a3, E, G;
-
-static void field(const quad *x, quad *f)
-{
-    quad gamma = x[0], v = x[1], wt = x[2], wn = x[3], w3 = x[4], s = x[5];
-    quad b = a3 + R * gamma, e = R + a3 * gamma;
-    quad Theta = I1 * I3 + I1 * m * R * R * s * s + I3 * m * b * b, D = I1 + m * a3 * a3 * s * s;
-    quad V = e * wt + v, spread = R * gamma * (I1 - I3) - a3 * I3;
-    f[0] = s * s * wt;
-    f[1] = wn * (b * wn + R * s * w3);
-    f[2] = (m * a3 * s * s * (a3 * gamma * wt * wt - g) - wn * (I1 * gamma * wn + I3 * s * w3)) / D;
-    f[3] = gamma * wn * wt - m * I3 * b * wn * V / Theta + s * I3 * w3 * wt * (I3 + m * R * e) / Theta;
-    f[4] = s * (-m * R * I1 * wn * V + m * R * s * w3 * wt * spread) / Theta;
-    f[5] = -gamma * s * wt;
-    f[6] = s;
-}
-
-static void midpoint(const quad *x, quad h, int n, quad *y)
-{
-    quad before[STATES], now[STATES], f[STATES], step = h / n;
-    field(x, f);
-    for (int i = 0; i < STATES; i++) {
-        before[i] = x[i];
-        now[i] = x[i] + step * f[i];
-    }
-    for (int k = 1; k < n; k++) {
-        field(now, f);
-        for (int i = 0; i < STATES; i++) {
-            quad next = before[i] + 2 * step * f[i];
-            before[i] = now[i];
-            now[i] = next;
-        }
-    }
-    field(now, f);
-    for (int i = 0; i < STATES; i++) y[i] = (now[i] + before[i] + step * f[i]) / 2;
-}
-
-/* One extrapolated step; returns the difference of the last two diagonal entries. */
-static quad extrapolate(const quad *x, quad h, quad *y)
-{
-    static quad table[ROWS][ROWS][STATES];
-    quad error = 0;
-    for (int j = 0; j < ROWS; j++) {
-        midpoint(x, h, 2 * (j + 1), table[j][0]);
-        for (int k = 1; k <= j; k++) {
-            quad ratio = (quad)(j + 1) / (j + 1 - k);
-            for (int i = 0; i < STATES; i++)
-                table[j][k][i] = table[j][k - 1][i]
-                               + (table[j][k - 1][i] - table[j - 1][k - 1][i]) / (ratio * ratio - 1);
-        }
-    }
-    for (int i = 0; i < STATES; i++) {
-        y[i] = table[ROWS - 1][ROWS - 1][i];
-        quad d = fabsq(y[i] - table[ROWS - 1][ROWS - 2][i]) / (1 + fabsq(y[i]));
-        if (d > error) error = d;
-    }
-    return error;
-}
-
-static void start(quad eta, quad gamma, quad *x)
-{
-    quad s = sqrtq((1 - gamma) * (1 + gamma)), b = a3 + R * gamma;
-    quad Theta = I1 * I3 + I1 * m * R * R * s * s + I3 * m * b * b, C = Theta - I1 * I3;
-    quad E0 = G * G * (I1 + m * b * b) / (2 * I1 * I1 * R * R * s * s);
-    quad right = 2 * m * I1 * I1 * R * R * s * s * (E - m * g * a3 * gamma - E0) + Theta * m * m * G * G * b * b / C;
-    quad radius = sqrtq(right);
-    x[0] = gamma;
-    x[1] = radius * sinq(eta) / (m * I1 * R * s);
-    x[2] = 0;
-    x[4] = radius * cosq(eta) / sqrtq(Theta * C) - m * G * b / C;
-    x[3] = (G + I3 * b * x[4]) / (I1 * R * s);
-    x[5] = s;
-    x[6] = 0;
-}
+ * Starts: a COUNT x COUNT grid of the section omega_tau = 0; returns: upward crossings, refined by Newton steps of the
+ * method of reference_quad.h. Output: CSV on stdout, 33 digits. */
+#include "reference_quad.h"
 
 static void print(int orbit, int number, const quad *x)
 {

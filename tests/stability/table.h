@@ -1,0 +1,37 @@
+/* Measured numbers beside the verdict: with JLT_TABLES=DIR in the environment a test writes DIR/NAME.csv. */
+#ifndef JLT_TESTS_TABLE_H
+#define JLT_TESTS_TABLE_H
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static inline FILE *table_open(const char *name, const char *header)
+{
+    const char *directory = getenv("JLT_TABLES");
+    char path[1024];
+
+    if (directory == NULL) return NULL;
+    snprintf(path, sizeof path, "%s/%s.csv", directory, name);
+    FILE *file = fopen(path, "w");
+    if (file != NULL) fprintf(file, "%s\n", header);
+    return file;
+}
+
+__attribute__((format(printf, 2, 3))) static inline void table_row(FILE *table, const char *format, ...)
+{
+    va_list arguments;
+
+    if (table == NULL) return;
+    va_start(arguments, format);
+    vfprintf(table, format, arguments);
+    va_end(arguments);
+    fputc('\n', table);
+}
+
+static inline void table_close(FILE *table)
+{
+    if (table != NULL) fclose(table);
+}
+
+#endif
