@@ -51,7 +51,8 @@ typedef struct {
     size_t stages;   /* evaluations of a full vector */
 } jlt_batch_work;
 
-/** The map from starts (count, dim), row after row, `returns` times each. work may be NULL.
+/** The map from starts (count, dim), row after row, `returns` times each; a start with x[column] = 0 is on the section, which is
+ *  no crossing. work may be NULL.
  *  Errors: ARG; UNSUPPORTED, no instance for these lanes; NOMEM. Cost: 12 stages of a full vector a step. No memory grows with `returns`. */
 JLT_CHECKED jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,
                                          jlt_batch_row row, jlt_batch_end end, void *context, jlt_batch_work *work);

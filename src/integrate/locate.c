@@ -256,11 +256,16 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
     double *f = slope_work, *theta = &crossing->theta;
     double lo = fmax(*theta - 0.5, -0.01), hi = fmin(*theta + 0.5, 1.01); /* shrinks about the sign change */
     const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
+    double best = *theta, least = INFINITY;
     unsigned nudged = 0;
 
     JLT_TRY(state_at(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
     if (crossing->direction == 0) goto done;
     for (unsigned i = 0; i < 64; i++) {
+        if (fabs(crossing->residual) < least) {
+            least = fabs(crossing->residual);
+            best = *theta;
+        }
         const double g = crossing->residual, move = -g / crossing->slope;
         const bool downhill = crossing->slope * stepper->direction * turn > 0;
         if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) goto done;
@@ -277,8 +282,11 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
         else hi = *theta;
         const double newton = *theta + move / stepper->h;
         *theta = downhill && newton > lo && newton < hi ? newton : 0.5 * (lo + hi);
-        if (hi - lo <= DBL_EPSILON) goto done;
+        /* A touch within rounding has no sign change: nearest to zero is what there is. */
+        const bool closed = hi - lo <= DBL_EPSILON;
+        if (closed) *theta = best;
         JLT_TRY(state_at(event, stepper, *theta, x, f, &crossing->residual, &crossing->slope));
+        if (closed) goto done;
     }
     st = JLT_ERR_NO_CONVERGENCE;
 done:
