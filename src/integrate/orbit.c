@@ -12,7 +12,6 @@
 enum { EVENTS_MAX = 8 };
 static const double default_tolerance = 1e-12;
 static const size_t default_steps = 10000000;
-static const double left_at_pole = 1e-14;
 
 struct jlt_orbit {
     jlt_stepper *stepper;
@@ -226,13 +225,13 @@ done:
 static jlt_status look_for_pole(jlt_orbit *self)
 {
     if (self->stepper->field->root < 0 || self->options.ignore_pole) return JLT_OK;
-    return jlt_pole_judge(&self->pole, self->stepper, left_at_pole);
+    return jlt_pole_judge(&self->pole, self->stepper);
 }
 
-/* The limit has the root at 0 and everything else where it is. */
 static void hand_out_pole(jlt_orbit *self, jlt_outcome *out)
 {
     hand_out_point(self, out, JLT_END_POLE);
+    for (unsigned i = 0; i < self->stepper->field->dim; i++) self->at[i] -= self->pole.left[i];
     self->at[self->stepper->field->root] = 0;
     out->t = self->pole.t_end;
     out->tau = self->stepper->direction * INFINITY;

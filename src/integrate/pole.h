@@ -8,22 +8,25 @@
  *      -sigma omega_tau      and      (I1 sigma omega_tau - m b v_nu)/(I1 + m b^2),
  *  hence the condition sigma omega_tau > 0, I1 sigma omega_tau < m b v_nu. A near miss has a positive one and leaves.
  *
- *  What is left of the way: with kappa the slowest rate, |x_i(infinity) - x_i| <= |x_i'|/kappa (1 + O(distance)), and
- *  t_end - t = integral of s dtau = s/mu (1 + O(distance)). States that move at second order in the distance (v_nu,
- *  omega_tau, omega3) are then far below rounding when those of first order are at it. */
+ *  What is left of the way to the equilibrium is y with J y = x', in the space of what decays: x(infinity) = x - y up to
+ *  second order, and t_end - t = integral of s dtau = s/mu likewise. The orbit is at its end when that order, y^2 times the
+ *  ratio of the fastest rate to the slowest, is below a hundredth of the tolerance. To wait until y itself vanishes would be to
+ *  wait in vain: where the rates differ much, an explicit method steps at its limit of stability and holds the fast states
+ *  at some tens of tolerances. */
 #ifndef JLT_INTEGRATE_POLE_H
 #define JLT_INTEGRATE_POLE_H
 
 #include "integrate/method.h"
 
 typedef struct {
-    bool ends;         /* attracted, and what is left of the way is below `left` for every state */
+    bool ends;         /* attracted, and what is left of the way is known below the tolerance */
     double mu, kappa;  /* decay rates in tau: of the root, and the slowest of all */
     double t_end;      /* when ends */
+    double left[JLT_VARIATION_DIM_MAX]; /* when ends: x less its limit, shape (dim,) */
 } jlt_pole_verdict;
 
-/** Judge the stepper's current point. Cheap (no evaluation) unless the root is below 1e-6 and all rates are small.
- *  left: relative to max(|x_i|, scale_i), e.g. 1e-14. Errors: NO_CONVERGENCE (eigenvalues). */
-JLT_CHECKED jlt_status jlt_pole_judge(jlt_pole_verdict *out, const jlt_stepper *stepper, double left);
+/** Judge the stepper's current point. Free unless the root is below 1e-8 and all rates below 1e-6 of scale; then a Jacobian
+ *  and its eigenvalues. Errors: NO_CONVERGENCE (eigenvalues). */
+JLT_CHECKED jlt_status jlt_pole_judge(jlt_pole_verdict *out, const jlt_stepper *stepper);
 
 #endif

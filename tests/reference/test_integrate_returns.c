@@ -109,6 +109,39 @@ static void orbits_end_at_the_poles_when_where_and_how_the_reference_says(void *
     jlt_orbit_destroy(orbit);
 }
 
+/* With omega_tau near 0 at the pole, s decays at a fiftieth of the rate of omega_n, and an explicit method, its step at the
+ * limit of stability, holds omega_n at some tens of tolerances for ever. The end is found all the same, with any method, and
+ * its error falls with the tolerance: 1000 of them cover the 30 steps' local errors and the growth of errors in t, which is
+ * 1/omega_tau = 50 times that in s. */
+static void orbits_that_creep_into_a_pole_end_there_too(void **unused)
+{
+    (void)unused;
+    static const char *const methods[] = { "dop853", "gauss", "rk8pd" };
+    static const double tolerances[] = { 1e-8, 1e-10, 1e-12, 1e-13 };
+    double rows[2 * 7];
+    jlt_orbit *orbit = NULL;
+
+    assert_int_equal(csv_read(rows, 2, 7, "poles_creeping_51.csv"), 2);
+    for (size_t k = 0; k < 4 * 3; k++) {
+        const double tolerance = tolerances[k / 3], bound = 1000 * tolerance;
+        assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[k % 3]), &regular,
+                                   &(jlt_options){ .tolerance = tolerance, .max_steps = 3000 }));
+        for (size_t i = 0; i < 2; i++) {
+            const double *row = rows + i * 7;
+            double x[6];
+            jlt_outcome at;
+            top_section_point(x, p51, row[0], row[1], level_E, level_G);
+            assert_ok(jlt_orbit_start(orbit, 0, x, +1));
+            assert_ok(jlt_orbit_next(orbit, INFINITY, NULL, 0, &at));
+            assert_int_equal(at.end, JLT_END_POLE);
+            const double got[5] = { at.x[0], at.t, at.x[1], at.x[2], at.x[4] };
+            for (size_t j = 0; j < 5; j++) assert_near(got[j], row[2 + j], bound);
+            assert_near(at.x[3], 0, bound);
+        }
+        jlt_orbit_destroy(orbit);
+    }
+}
+
 static void compare_flow(const jlt_field *field, const double *rows, size_t count, const char *method, double bound)
 {
     jlt_orbit *orbit = NULL;
@@ -152,9 +185,48 @@ static void the_generic_flow_agrees_in_both_times_until_it_ends(void **unused)
     compare_flow(&regularised, rows, 3, "msadams", 1e-9);
 }
 
-/* This orbit ends at gamma3 = +1 at t = 1.7478. The rows at t = 2 and 4 lie beyond: with s > 0 they are off the orbit's
- * levels of E and G by 3e-3 and more, and on them only for s = -sqrt(1 - gamma3^2), a continuation through the
- * singular point that the system does not define (omega_n falls like the power 7.18 of s there). */
+/* This orbit ends at gamma3 = +1 at t = 1.74782627825586. Its last two rows lie beyond, on s = -sqrt(1 - gamma3^2), which as a
+ * state with s > 0 has the signs of v_nu, omega_tau and omega_n changed. What the equations determine of these rows is
+ * confirmed: the second follows from the first, and before the first lies the same pole, at the same time and with the same
+ * limits. That they follow from the rows before the pole cannot be: see data/PROVENANCE.md. */
+static void rows_beyond_the_pole_are_another_orbit_that_begins_where_the_first_ends(void **unused)
+{
+    (void)unused;
+    const jlt_field regularised = { .dim = 6, .call = top_regular, .p = generic, .time_rate = top_time_rate, .root = 5 };
+    double rows[5 * 6], beyond[2][6], x[6];
+    jlt_orbit *orbit = NULL;
+    jlt_outcome ends[2];
+
+    assert_int_equal(csv_read(rows, 5, 6, "flow_generic.csv"), 5);
+    for (unsigned i = 0; i < 2; i++) {
+        const double *row = rows + (3 + i) * 6;
+        const double state[6] = { row[1], -row[2], -row[3], -row[4], row[5], sqrt((1 - row[1]) * (1 + row[1])) };
+        memcpy(beyond[i], state, sizeof state);
+    }
+    assert_ok(jlt_orbit_create(&orbit, NULL, &regularised, &(jlt_options){ .tolerance = 1e-13 }));
+    assert_ok(jlt_orbit_start(orbit, 2, beyond[0], +1));
+    assert_ok(jlt_orbit_propagate(orbit, 4, x));
+    for (unsigned k = 0; k < 6; k++) assert_near(x[k], beyond[1][k], 1e-11);
+
+    double limits[2][4];
+    for (unsigned i = 0; i < 2; i++) {
+        memcpy(x, rows + 1, 5 * sizeof *x);
+        x[5] = sqrt((1 - x[0]) * (1 + x[0]));
+        assert_ok(jlt_orbit_start(orbit, i == 0 ? 0 : 2, i == 0 ? x : beyond[0], i == 0 ? +1 : -1));
+        assert_ok(jlt_orbit_next(orbit, i == 0 ? 4 : 0, NULL, 0, &ends[i]));
+        assert_int_equal(ends[i].end, JLT_END_POLE);
+        const double sign = i == 0 ? 1 : -1;
+        const double limit[4] = { ends[i].t, sign * ends[i].x[1], sign * ends[i].x[2], ends[i].x[4] };
+        memcpy(limits[i], limit, sizeof limit);
+    }
+    /* data/PROVENANCE.md; the state at t = 2 is printed to 30 digits and read as a double */
+    static const double pole[4] = { 1.747826278255862240, 2.279698447905494726, 0.312274105246020859, -1.993220815287594808 };
+    for (unsigned i = 0; i < 2; i++)
+        for (unsigned k = 0; k < 4; k++) assert_near(limits[i][k], pole[k], 1e-11);
+    jlt_orbit_destroy(orbit);
+}
+
+/* The rows beyond the pole keep E and G with s < 0 alone, and two tolerances agree on the end. */
 static void the_generic_orbit_ends_at_a_pole_before_its_last_two_rows(void **unused)
 {
     (void)unused;
@@ -177,7 +249,7 @@ static void the_generic_orbit_ends_at_a_pole_before_its_last_two_rows(void **unu
         assert_true(fabs(levels[0] - start_levels[0]) > 3e-3);
     }
 
-    /* Two tolerances agree on the end, and the plain form, which cannot represent it, says so. */
+    /* The plain form, which cannot represent the end, says so. */
     double ends[2];
     for (unsigned k = 0; k < 2; k++) {
         memcpy(x, rows + 1, 5 * sizeof *x);
@@ -227,6 +299,8 @@ int main(void)
         cmocka_unit_test(orbits_end_at_the_poles_when_where_and_how_the_reference_says),
         cmocka_unit_test(the_generic_flow_agrees_in_both_times_until_it_ends),
         cmocka_unit_test(the_generic_orbit_ends_at_a_pole_before_its_last_two_rows),
+        cmocka_unit_test(rows_beyond_the_pole_are_another_orbit_that_begins_where_the_first_ends),
+        cmocka_unit_test(orbits_that_creep_into_a_pole_end_there_too),
         cmocka_unit_test(the_rod_flow_agrees),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
