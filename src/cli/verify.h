@@ -12,12 +12,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Section (b): one comparison over all samples of a family. An error counts in units of 2^-53 of the value's own size (ulp), and
- * as a part of the bound that was derived for it at that sample; the comparison holds when no part exceeds one. */
+/* Section (b): one comparison over all samples of a family; it holds when no error passes the bound derived for it.
+ * A number's size is the sum of the moduli of what is rounded on the way to it, each with the weight it has in the result;
+ * an ulp here is 2^-53 of that, so that errors and bounds count roundings, whatever cancels. */
 typedef struct {
     const char *name, *bound; /* what is compared; where the bound comes from */
     size_t compared;          /* numbers compared */
-    double worst_ulp, worst_part;
+    double worst_part;        /* largest error as a part of its bound; the next two are that error and that bound */
+    double error_ulp, bound_ulp;
+    double lost;              /* decimal digits that the table's formula loses where terms cancel most: log10(size / |number|) */
 } jlt_verify_check;
 
 enum { JLT_VERIFY_CHECKS_MAX = 16 };

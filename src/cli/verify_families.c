@@ -147,17 +147,22 @@ static jlt_verify_check *check_named(jlt_verify_family *f, const char *name, con
     return &f->checks[f->check_count++];
 }
 
-static void record(jlt_verify_check *check, double error, double size, double bound)
+/* value: the number itself, zero where it is exactly zero or not known to all digits; size: see jlt_verify_check. */
+static void record(jlt_verify_check *check, double error, double value, double size, double bound)
 {
     /* Results below the normal range were refused already; what is left of rounding there is one subnormal. */
-    const double part = error == 0.0 ? 0.0 : error / (bound + 0x1p-1074);
+    const double part = error == 0.0 ? 0.0 : error / (bound + 0x1p-1074), ulp = size * roundoff + 0x1p-1074;
 
     check->compared++;
-    if (size > 0.0) check->worst_ulp = fmax(check->worst_ulp, error / (size * roundoff));
-    if (!(part <= check->worst_part)) check->worst_part = part;
+    if (value != 0.0 && size > fabs(value)) check->lost = fmax(check->lost, log10(size / fabs(value)));
+    if (part <= check->worst_part && check->bound_ulp > 0.0) return;
+    check->worst_part = part;
+    check->error_ulp = error / ulp;
+    check->bound_ulp = bound / ulp;
 }
 
 static const char running_error[] = "4 times the running error of the expression as written (53-bit balls), and a rounding";
+static const char pair_error[] = "8 times the running error of the expression as written (53-bit balls), 4 for each of the two";
 static const char complex_error[] = "16 times the running error of the expression as written (53-bit balls), and a rounding";
 static const char charpoly_error[] = "k(n+3) roundings of the coefficient without cancellation, and the formula's";
 static const char root_error[] = "the reported error of each eigenvalue, to first order, and the polynomial's";
@@ -172,7 +177,8 @@ static double running(double rounding, const ttc_enclosure *exact)
 static void against_enclosures(jlt_verify_check *check, const double *computed, const ttc_enclosure *exact, size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        record(check, jlt_oracle_error(computed[i], &exact[i]), fabs(exact[i].value),
+        record(check, jlt_oracle_error(computed[i], &exact[i]), exact[i].value,
+               running(exact[i].rounding, &exact[i]) / roundoff,
                rearranged * running(exact[i].rounding, &exact[i]) + exact[i].radius);
 }
 
@@ -189,7 +195,8 @@ static jlt_status compare_matrix(jlt_verify_family *f, const sample *s, const jl
     against_enclosures(check_named(f, "table's matrix in ball enclosures of 256 bits", running_error), formula, s->jacobian,
                        n * n);
     for (size_t i = 0; i < n * n; i++)
-        record(check_named(f, name, running_error), fabs(formula[i] - jacobian[i]), fabs(s->jacobian[i].value),
+        record(check_named(f, name, pair_error), fabs(formula[i] - jacobian[i]), s->jacobian[i].value,
+               running(s->jacobian[i].rounding, &s->jacobian[i]) / roundoff,
                2 * rearranged * running(s->jacobian[i].rounding, &s->jacobian[i]));
     return JLT_OK;
 }
@@ -208,8 +215,8 @@ static void compare_complex_step(jlt_verify_family *f, const sample *s, const jl
         d->rhs_complex(x, s->params, out);
         for (size_t i = 0; i < n; i++) {
             const ttc_enclosure *exact = &s->jacobian[i * n + j];
-            record(check, fabs(cimag(out[i]) / step - jacobian[i * n + j]), fabs(exact->value),
-                   in_complex * running(exact->plain_rounding, exact));
+            record(check, fabs(cimag(out[i]) / step - jacobian[i * n + j]), exact->value,
+                   running(exact->plain_rounding, exact) / roundoff, in_complex * running(exact->plain_rounding, exact));
         }
     }
 }
@@ -228,7 +235,7 @@ static jlt_status compare_charpoly(jlt_verify_family *f, const sample *s, const 
         if (st != JLT_OK) return st;
         for (size_t k = 1; k <= n; k++)
             record(check_named(f, "characteristic polynomial, Faddeev-LeVerrier against the table's", charpoly_error),
-                   fabs(computed[k] - formula[k] / formula[0]), fabs(formula[k] / formula[0]),
+                   fabs(computed[k] - formula[k] / formula[0]), formula[k] / formula[0], scale[k],
                    rearranged * (double)(k * (n + 3)) * roundoff * scale[k]);
     }
     for (size_t i = 0; i < n; i++) {
@@ -240,7 +247,7 @@ static jlt_status compare_charpoly(jlt_verify_family *f, const sample *s, const 
     if (st != JLT_OK) return st;
     for (size_t k = 1; k <= n; k++)
         record(check_named(f, "eigenvalues against the characteristic polynomial", root_error),
-               fabs(roots[k] - computed[k]), fabs(computed[k]),
+               fabs(roots[k] - computed[k]), 0.0, scale[k] + sizes[k],
                errors * sizes[k - 1] * (double)k + rearranged * (double)(k * (n + 3)) * roundoff * (scale[k] + sizes[k]));
     return JLT_OK;
 }
@@ -260,15 +267,16 @@ static jlt_status compare_left_null(jlt_verify_family *f, const sample *s, const
     check = check_named(f, "integrals' gradients as left null vectors", null_error);
     for (size_t k = 0; k < count; k++)
         for (size_t j = 0; j < n; j++) {
-            double sum = 0.0, size = 0.0, bound = 0.0;
+            double sum = 0.0, terms = 0.0, size = 0.0, bound = 0.0;
             for (size_t i = 0; i < n; i++) {
                 const ttc_enclosure *gradient = &s->gradient[k * n + i], *entry = &s->jacobian[i * n + j];
+                const double weight = fmax(fabs(gradient->value), gradient->rounding / roundoff);
                 sum += w[k * n + i] * jacobian[i * n + j];
-                size += fabs(w[k * n + i] * jacobian[i * n + j]);
-                bound += rearranged * (gradient->rounding * s->majorant[i * n + j] +
-                                       fmax(fabs(gradient->value), gradient->rounding / roundoff) * entry->rounding);
+                terms += fabs(w[k * n + i] * jacobian[i * n + j]);
+                size += weight * s->majorant[i * n + j];
+                bound += rearranged * (gradient->rounding * s->majorant[i * n + j] + weight * entry->rounding);
             }
-            record(check, fabs(sum), size, bound + (double)(n + 4) * roundoff * size);
+            record(check, fabs(sum), 0.0, size, bound + (double)(n + 4) * roundoff * terms);
         }
     return JLT_OK;
 }
@@ -316,7 +324,7 @@ static jlt_status compare(jlt_verify_family *f, const sample *s, jlt_oracle *ora
     JLT_TRY(jlt_kernel_eval(both, &kernels->rhs_jacobian, s->x, n, instance->block));
     JLT_TRY(jlt_instance_divergence(instance, &divergence, s->x));
     for (size_t i = 0; i < n; i++)
-        record(check_named(f, "field on the family, which is zero", running_error), fabs(field[i]),
+        record(check_named(f, "field on the family, which is zero", running_error), fabs(field[i]), 0.0,
                s->field[i].rounding / roundoff, rearranged * s->field[i].rounding);
     against_enclosures(check_named(f, "generated Jacobian in ball enclosures of 256 bits", running_error), jacobian,
                        s->jacobian, n * n);
@@ -328,8 +336,8 @@ static jlt_status compare(jlt_verify_family *f, const sample *s, jlt_oracle *ora
         JLT_TRY(jlt_kernel_eval_function(&trace, f->family->trace, 1, s->x, n, s->params, general->param_count));
         against_enclosures(check_named(f, "table's trace in ball enclosures of 256 bits", running_error), &trace, &s->trace,
                            1);
-        record(check_named(f, "generated divergence against the table's trace", running_error), fabs(divergence - trace),
-               fabs(s->trace.value), 2 * rearranged * running(s->trace.rounding, &s->trace));
+        record(check_named(f, "generated divergence against the table's trace", pair_error), fabs(divergence - trace),
+               s->trace.value, running(s->trace.rounding, &s->trace) / roundoff, 2 * rearranged * running(s->trace.rounding, &s->trace));
     }
     JLT_TRY(compare_matrix(f, s, general, jacobian));
     compare_complex_step(f, s, general, jacobian);
