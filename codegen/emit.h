@@ -52,7 +52,8 @@ void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *prog
 /* The unsimplified field in complex arithmetic, a function named rhs_complex. */
 void ttc_emit_complex(ttc_text *text, ttc_field *field);
 
-/* Where a kernel loses digits, from the denominators and roots it evaluates; nothing when nowhere. */
+/* Where a kernel loses digits, from the denominators and roots it evaluates, item by item; nothing when nowhere. */
+#define TTC_LOSS_SEPARATOR "; "
 void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel);
 
 /* `NAME = expression, ...` as the table has it. */

@@ -58,6 +58,24 @@ static void describe_field(ttc_text *text, ttc_field *field)
     text->failed |= line.failed;
 }
 
+/* Losses of the field and its Jacobian, one a line. */
+static void add_accuracy(ttc_text *text, ttc_kernels *k)
+{
+    ttc_text losses = { 0 };
+    ttc_emit_losses(&losses, k->field, k->kernels + TTC_KERNEL_RHS_JACOBIAN);
+    ttc_text_add(text, " *\n *  Accuracy\n");
+    if (losses.length == 0) ttc_text_add(text, " *    no denominator or radicand of the field vanishes in the domain\n");
+    for (char *line = losses.bytes, *end = line; line != NULL; line = end == NULL ? NULL : end + strlen(TTC_LOSS_SEPARATOR)) {
+        end = strstr(line, TTC_LOSS_SEPARATOR);
+        if (end != NULL) *end = '\0';
+        ttc_text_add(text, " *    ");
+        ttc_text_add_comment(text, line);
+        ttc_text_add(text, "\n");
+    }
+    text->failed |= losses.failed;
+    ttc_text_clear(&losses);
+}
+
 static void add_header(ttc_text *text, ttc_kernels *k)
 {
     const ttc_model *model = k->field->model;
@@ -78,18 +96,12 @@ static void add_header(ttc_text *text, ttc_kernels *k)
                         c.multiply, c.fma, c.divide, c.root, c.elementary, c.depth, c.live,
                         ttc_count_flops(ttc_program_count(kernel->naive)));
     }
-    ttc_text losses = { 0 };
-    ttc_emit_losses(&losses, k->field, k->kernels + TTC_KERNEL_RHS_JACOBIAN);
-    ttc_text_add(text, " *\n *  Accuracy: ");
-    ttc_text_add_comment(text, losses.length == 0 ? "no denominator or radicand of the field vanishes in the domain"
-                                                  : ttc_text_string(&losses));
+    add_accuracy(text, k);
     const ttc_kernel *both = k->kernels + TTC_KERNEL_RHS_JACOBIAN;
     if (ttc_program_count(both->optimized).divide < ttc_program_count(both->naive).divide)
-        ttc_text_add(text, ".\n *  One division serves all denominators: their product may leave the range of double precision where none of them\n"
-                           " *  does, which raises the overflow or underflow exception, or gives an infinity or NaN");
-    ttc_text_add(text, ".\n */\n");
-    text->failed |= losses.failed;
-    ttc_text_clear(&losses);
+        ttc_text_add(text, " *    one division serves all denominators: their product may leave the range of double precision where none of\n"
+                           " *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN\n");
+    ttc_text_add(text, " */\n");
 }
 
 static void add_prepare(ttc_text *text, const ttc_kernels *k)

@@ -97,7 +97,7 @@ static bool is_bounded_below(const ttc_field *field, ttc_id sum)
 
 static void separate(ttc_text *text)
 {
-    if (text->length > 0) ttc_text_add(text, "; ");
+    if (text->length > 0) ttc_text_add(text, TTC_LOSS_SEPARATOR);
 }
 
 void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel)
@@ -122,7 +122,7 @@ void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel)
             describe_terms(&losses, field, sum);
             ttc_text_add(&losses, " are");
         } else {
-            ttc_text_add(&losses, ": grows without bound, and so do rounding errors, where it vanishes");
+            ttc_text_add(&losses, ": values and rounding errors grow without bound where it vanishes");
         }
     }
     for (ttc_id id = 1; id < n; id++) {
@@ -132,7 +132,7 @@ void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel)
         ttc_emit_formula(&losses, field->graph, id, ttc_emit_symbol_name, field);
         ttc_text_add(&losses, " = sqrt(");
         ttc_emit_formula(&losses, field->graph, field->symbols[ttc_symbol_of(field->graph, id)].definition, ttc_emit_symbol_name, field);
-        ttc_text_add(&losses, "): a rounding error of the states counts without bound where that vanishes");
+        ttc_text_add(&losses, "): rounding errors of the states grow without bound where it vanishes");
     }
     ttc_text_add(text, ttc_text_string(&losses));
     text->failed |= losses.failed;

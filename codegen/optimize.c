@@ -21,13 +21,13 @@ enum { REPEATS = 8, SEEDS = 8, PATIENCE = 80 };
 #define EFFORT UINT64_C(500000)
 #define WORK_LIMIT UINT64_C(60000000)
 
-static ttc_program *finish(const ttc_system *system, ttc_block *block)
+static ttc_program *finish(const ttc_system *system, ttc_block *block, bool one_division)
 {
     ttc_program *fused = NULL;
     ttc_system *copy = ttc_system_clone(system);
     if (copy == NULL) return NULL;
+    if (one_division) ttc_system_share_reciprocals(copy);
     /* The products that recover reciprocals meet other factors, so there may be more to take out. */
-    ttc_system_share_reciprocals(copy);
     ttc_system_tidy(copy);
     ttc_system_cancel(copy);
     ttc_system_extract(copy, 0);
@@ -45,11 +45,28 @@ static ttc_program *finish(const ttc_system *system, ttc_block *block)
 static unsigned cost_of_system(const ttc_system *system)
 {
     ttc_block scratch = { .field = system->field };
-    ttc_program *program = finish(system, &scratch);
+    ttc_program *program = finish(system, &scratch, true);
     unsigned cost = program == NULL ? (unsigned)-1 : cost_of(program);
     ttc_program_destroy(program);
     ttc_block_clear(&scratch);
     return cost;
+}
+
+/* True when divisions of their own save at least four operations each: a quotient needs none of the products that make
+ * one division of several and take it apart again, and such divisions do not wait for each other. */
+static bool several_divisions_serve(const ttc_system *system)
+{
+    ttc_block scratch = { .field = system->field };
+    ttc_program *one = finish(system, &scratch, true), *several = finish(system, &scratch, false);
+    bool serve = false;
+    if (one != NULL && several != NULL) {
+        ttc_count a = ttc_program_count(one), b = ttc_program_count(several);
+        serve = ttc_count_flops(b) + 4 * (b.divide - a.divide) <= ttc_count_flops(a) && b.divide > a.divide;
+    }
+    ttc_program_destroy(one);
+    ttc_program_destroy(several);
+    ttc_block_clear(&scratch);
+    return serve;
 }
 
 /* The best system of a search; one on trial takes its place when it costs no more, so that a search drifts over ties. */
@@ -138,7 +155,8 @@ static bool make_starts(ttc_system **starts, ttc_field *field, const ttc_id *out
     return true;
 }
 
-ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, ttc_block *block)
+ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, bool one_division,
+                          ttc_block *block)
 {
     ttc_system *starts[STARTS];
     contest best = { NULL, (unsigned)-1, 0 };
@@ -155,7 +173,8 @@ ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id 
             ttc_system_destroy(c.best);
         }
     }
-    ttc_program *program = best.best == NULL ? NULL : finish(best.best, block);
+    one_division = one_division || best.best == NULL || !several_divisions_serve(best.best);
+    ttc_program *program = best.best == NULL ? NULL : finish(best.best, block, one_division);
     ttc_program *scheduled = program == NULL ? NULL : ttc_program_schedule(program);
     ttc_program_destroy(program);
     ttc_system_destroy(best.best);

@@ -236,6 +236,11 @@ ttc_value ttc_program_subtract(ttc_program *program, ttc_value a, ttc_value b)
     return raw(program, TTC_OP_SUBTRACT, a, b, TTC_NO_VALUE);
 }
 
+static bool is_quotient_by(const ttc_program *program, ttc_value value, ttc_value divisor)
+{
+    return program->items[value].op == TTC_OP_DIVIDE && program->items[value].b == divisor;
+}
+
 ttc_value ttc_program_multiply(ttc_program *program, ttc_value a, ttc_value b)
 {
     if (program->failed) return TTC_NO_VALUE;
@@ -245,6 +250,8 @@ ttc_value ttc_program_multiply(ttc_program *program, ttc_value a, ttc_value b)
     if (is_integer(program, b, 0) || is_integer(program, a, 1)) return b;
     if (is_integer(program, a, -1)) return ttc_program_negate(program, b);
     if (is_integer(program, b, -1)) return ttc_program_negate(program, a);
+    if (is_quotient_by(program, a, b)) return program->items[a].a;
+    if (is_quotient_by(program, b, a)) return program->items[b].a;
     ttc_value plain_a = negated_operand(program, a), plain_b = negated_operand(program, b);
     if (plain_a == TTC_NO_VALUE && plain_b == TTC_NO_VALUE) return raw(program, TTC_OP_MULTIPLY, a, b, TTC_NO_VALUE);
     ttc_value product = ttc_program_multiply(program, plain_a == TTC_NO_VALUE ? a : plain_a,

@@ -3,7 +3,7 @@
  *  A program is a list of instructions, each of which uses values made before it (static single assignment), and a list
  *  of outputs. It is the one source of everything emitted, and can be read again: its values are rational functions of
  *  inputs, parameters, and of roots, cosines and sines of such. Equal instructions are one value, constants are folded,
- *  and x + 0, x * 1, x * 0, -(-x) and the like vanish while it is built.
+ *  and x + 0, x * 1, x * 0, (x/y) * y, -(-x) and the like vanish while it is built.
  *
  *  Errors: memory or a division by a zero constant makes the program failed for good; every later call then returns
  *  TTC_NO_VALUE, and ttc_program_failed() tells. */

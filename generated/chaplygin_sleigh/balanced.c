@@ -15,7 +15,9 @@
  *  measure_values      0    0    0    0    0    0      0    0   (0)
  *  measure_divergences 0    0    0    0    0    0      0    0   (0)
  *
- *  Accuracy: no denominator or radicand of the field vanishes in the domain.
+ *  Accuracy
+ *    no denominator or radicand of the field vanishes in the domain
+ *    
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"

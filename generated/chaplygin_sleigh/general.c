@@ -12,9 +12,11 @@
  *  integral_values     0    3    1    0    0    0      3    3   (10)
  *  integral_gradients  0    2    0    0    0    0      1    1   (5)
  *
- *  Accuracy: no denominator or radicand of the field vanishes in the domain.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    no denominator or radicand of the field vanishes in the domain
+ *    
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"

@@ -10,7 +10,9 @@
  *  rhs_jacobian        3    2    2    0    0    0      2    2   (14)
  *  divergence          0    0    0    0    0    0      0    0   (2)
  *
- *  Accuracy: no denominator or radicand of the field vanishes in the domain.
+ *  Accuracy
+ *    no denominator or radicand of the field vanishes in the domain
+ *    
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"

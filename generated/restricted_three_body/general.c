@@ -10,13 +10,17 @@
  *  rhs_jacobian        4   17   11    1    2    0     13   10   (133)
  *  divergence          0    0    0    0    0    0      0    0   (0)
  *  integral_values     2    3    7    1    2    0      7    5   (27)
- *  integral_gradients  3    8    5    1    2    0      9    6   (36)
+ *  integral_gradients  3    3    5    2    2    0      7    6   (36)
  *  measure_values      0    0    0    0    0    0      0    0   (0)
  *  measure_divergences 0    0    0    0    0    0      0    0   (0)
  *
- *  Accuracy: divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by r1: values and rounding errors grow without bound where it vanishes
+ *    divides by r2: values and rounding errors grow without bound where it vanishes
+ *    takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes
+ *    takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -210,26 +214,22 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[0] + p[1]; /* x + -1 + mu */
-    const double t1 = x[0] + p[0]; /* x + mu */
-    const double t2 = x[1]*x[1]; /* y*y */
-    const double t3 = JLT_FMA(t1, t1, t2); /* (x + mu)*(x + mu) + y*y */
-    const double t4 = sqrt(t3); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
-    const double t5 = t3*t4; /* ((x + mu)*(x + mu) + y*y)*r1 */
-    const double t6 = JLT_FMA(t0, t0, t2); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
-    const double t7 = sqrt(t6); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
-    const double t8 = t6*t7; /* ((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
-    const double t9 = t5*t8; /* ((x + mu)*(x + mu) + y*y)*r1*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
-    const double t10 = 1.0/t9; /* 1/t9 */
-    const double t11 = p[0]*t5; /* mu*((x + mu)*(x + mu) + y*y)*r1 */
-    const double t12 = t10*t11; /* 1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 */
-    const double t13 = p[1]*t8; /* (-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
-    const double t14 = t10*t13; /* 1/t9*(-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
-    const double t15 = JLT_FMS(t0, t12, x[0]); /* (x + -1 + mu)*1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 - x */
-    const double t16 = JLT_FNMA(t1, t14, t15); /* (x + -1 + mu)*1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 - x - (x + mu)*1/t9*(-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
-    out[0] = t16;
-    const double t17 = t12 - t14; /* 1/t9*mu*((x + mu)*(x + mu) + y*y)*r1 - 1/t9*(-1 + mu)*((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
-    const double t18 = JLT_FMS(x[1], t17, x[1]); /* y*t17 - y */
-    out[1] = t18;
+    const double t1 = x[1]*x[1]; /* y*y */
+    const double t2 = JLT_FMA(t0, t0, t1); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
+    const double t3 = sqrt(t2); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
+    const double t4 = t2*t3; /* ((x + -1 + mu)*(x + -1 + mu) + y*y)*r2 */
+    const double t5 = p[0]/t4; /* mu/(((x + -1 + mu)*(x + -1 + mu) + y*y)*r2) */
+    const double t6 = x[0] + p[0]; /* x + mu */
+    const double t7 = JLT_FMA(t6, t6, t1); /* (x + mu)*(x + mu) + y*y */
+    const double t8 = sqrt(t7); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
+    const double t9 = t7*t8; /* ((x + mu)*(x + mu) + y*y)*r1 */
+    const double t10 = p[1]/t9; /* (-1 + mu)/(((x + mu)*(x + mu) + y*y)*r1) */
+    const double t11 = JLT_FMS(t0, t5, x[0]); /* (x + -1 + mu)*mu/(((x + -1 + mu)*(x + -1 + mu) + y*y)*r2) - x */
+    const double t12 = JLT_FNMA(t6, t10, t11); /* t11 - (x + mu)*(-1 + mu)/(((x + mu)*(x + mu) + y*y)*r1) */
+    out[0] = t12;
+    const double t13 = t5 - t10; /* mu/(((x + -1 + mu)*(x + -1 + mu) + y*y)*r2) - (-1 + mu)/(((x + mu)*(x + mu) + y*y)*r1) */
+    const double t14 = JLT_FMS(x[1], t13, x[1]); /* y*t13 - y */
+    out[1] = t14;
     out[2] = x[2];
     out[3] = x[3];
 }
@@ -366,17 +366,17 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 4, { 3, 8, 7, 1, 2, 0, 9, 6 }, { 16, 18, 0, 4, 2, 0, 10, 7 },
-        "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
     .jacobian = { jacobian, 16, { 4, 15, 7, 1, 2, 0, 12, 8 }, { 30, 60, 0, 12, 2, 0, 13, 7 },
-        "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 20, { 4, 17, 11, 1, 2, 0, 13, 10 }, { 41, 74, 0, 16, 2, 0, 13, 7 },
-        "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .integral_values = { integral_values, 1, { 2, 3, 7, 1, 2, 0, 7, 5 }, { 11, 12, 0, 2, 2, 0, 8, 4 },
-        "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 4, { 3, 8, 5, 1, 2, 0, 9, 6 }, { 14, 16, 0, 4, 2, 0, 10, 7 },
-        "divides by r1: grows without bound, and so do rounding errors, where it vanishes; divides by r2: grows without bound, and so do rounding errors, where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): a rounding error of the states counts without bound where that vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
+    .integral_gradients = { integral_gradients, 4, { 3, 3, 5, 2, 2, 0, 7, 6 }, { 14, 16, 0, 4, 2, 0, 10, 7 },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { measure_values, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .measure_divergences = { measure_divergences, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

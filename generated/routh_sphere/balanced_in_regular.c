@@ -15,9 +15,10 @@
  *  integral_gradients  0   15    5    1    1    0      6    4   (62)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
- *  Accuracy: divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -575,9 +576,9 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular = {
     .divergence = { divergence, 1, { 1, 5, 1, 1, 0, 0, 4, 4 }, { 3, 18, 0, 1, 0, 0, 7, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .integral_values = { integral_values, 3, { 0, 10, 8, 0, 1, 0, 5, 4 }, { 8, 35, 0, 0, 1, 0, 8, 5 },
-        "takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
+        "takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 15, { 0, 15, 5, 1, 1, 0, 6, 4 }, { 8, 51, 0, 2, 1, 0, 8, 5 },
-        "divides by h: grows without bound, and so do rounding errors, where it vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
+        "divides by h: values and rounding errors grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

@@ -14,9 +14,11 @@
  *  integral_gradients  0   24   12    1    1    0      6    8   (77)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
- *  Accuracy: divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
+ *    divides by K: values and rounding errors grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -753,17 +755,17 @@ const jlt_descriptor jlt_kernels_routh_sphere_general_in_regular = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 5, { 4, 21, 11, 1, 0, 0, 9, 10 }, { 18, 64, 0, 8, 0, 0, 12, 8 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes" },
     .jacobian = { jacobian, 25, { 8, 48, 23, 1, 0, 0, 12, 15 }, { 50, 259, 0, 36, 0, 0, 16, 8 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 30, { 10, 57, 26, 1, 0, 0, 11, 15 }, { 60, 303, 0, 44, 0, 0, 16, 10 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 7, 4, 1, 0, 0, 6, 6 }, { 9, 30, 0, 2, 0, 0, 9, 6 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes" },
     .integral_values = { integral_values, 3, { 0, 13, 12, 0, 1, 0, 6, 7 }, { 12, 41, 0, 0, 1, 0, 12, 6 },
-        "takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
+        "takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 15, { 0, 24, 12, 1, 1, 0, 6, 8 }, { 14, 60, 0, 2, 1, 0, 8, 8 },
-        "divides by h: grows without bound, and so do rounding errors, where it vanishes; takes h = sqrt(Theta): a rounding error of the states counts without bound where that vanishes" },
+        "divides by h: values and rounding errors grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

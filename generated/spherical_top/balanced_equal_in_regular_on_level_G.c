@@ -17,9 +17,11 @@
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          0    2    1    1    0    0      4    2   (7)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -560,23 +562,23 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 15, 6, 1, 0, 0, 10, 6 }, { 9, 36, 0, 2, 0, 0, 10, 5 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .jacobian = { jacobian, 25, { 6, 30, 8, 1, 0, 0, 12, 6 }, { 32, 131, 0, 17, 0, 0, 11, 8 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .rhs_jacobian = { rhs_jacobian, 30, { 10, 36, 8, 1, 0, 0, 12, 7 }, { 37, 150, 0, 18, 0, 0, 11, 8 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .divergence = { divergence, 1, { 2, 3, 3, 1, 0, 0, 7, 3 }, { 5, 17, 0, 1, 0, 0, 8, 6 },
         "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .integral_values = { integral_values, 3, { 0, 9, 7, 1, 0, 0, 8, 4 }, { 8, 30, 0, 1, 0, 0, 13, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 15, { 0, 15, 10, 1, 0, 0, 7, 8 }, { 13, 52, 0, 7, 0, 0, 10, 7 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { eliminated, 1, { 0, 2, 1, 1, 0, 0, 4, 2 }, { 1, 5, 0, 1, 0, 0, 5, 3 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -17,9 +17,11 @@
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          0    2    1    1    0    0      4    2   (7)
  *
- *  Accuracy: divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by gamma3: values and rounding errors grow without bound where it vanishes
+ *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -587,23 +589,23 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 17, 7, 1, 0, 0, 9, 6 }, { 11, 48, 0, 4, 0, 0, 11, 7 },
-        "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .jacobian = { jacobian, 25, { 5, 35, 14, 1, 0, 0, 12, 13 }, { 41, 210, 0, 27, 0, 0, 14, 8 },
-        "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .rhs_jacobian = { rhs_jacobian, 30, { 5, 39, 18, 1, 0, 0, 15, 10 }, { 48, 241, 0, 30, 0, 0, 14, 8 },
-        "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .divergence = { divergence, 1, { 0, 9, 4, 1, 0, 0, 7, 5 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
-        "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
     .integral_values = { integral_values, 3, { 0, 9, 7, 1, 0, 0, 9, 4 }, { 8, 30, 0, 1, 0, 0, 14, 4 },
-        "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 15, { 0, 15, 10, 1, 0, 0, 9, 7 }, { 13, 52, 0, 7, 0, 0, 12, 7 },
-        "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { eliminated, 1, { 0, 2, 1, 1, 0, 0, 4, 2 }, { 1, 5, 0, 1, 0, 0, 5, 3 },
-        "divides by gamma3: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -16,9 +16,11 @@
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          1    2    1    1    0    0      4    3   (8)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -769,23 +771,23 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 5, { 4, 24, 11, 1, 0, 0, 12, 11 }, { 15, 66, 0, 8, 0, 0, 11, 7 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .jacobian = { jacobian, 25, { 9, 61, 27, 1, 0, 0, 15, 16 }, { 57, 322, 0, 44, 0, 0, 16, 10 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .rhs_jacobian = { rhs_jacobian, 30, { 10, 60, 28, 1, 0, 0, 17, 16 }, { 65, 368, 0, 51, 0, 0, 16, 11 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .divergence = { divergence, 1, { 0, 8, 10, 1, 0, 0, 10, 7 }, { 11, 40, 0, 4, 0, 0, 11, 7 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .integral_values = { integral_values, 1, { 1, 11, 8, 1, 0, 0, 7, 7 }, { 9, 30, 0, 1, 0, 0, 11, 5 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 5, { 0, 16, 13, 1, 0, 0, 7, 10 }, { 15, 54, 0, 7, 0, 0, 11, 9 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { eliminated, 1, { 1, 2, 1, 1, 0, 0, 4, 3 }, { 2, 5, 0, 1, 0, 0, 5, 4 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -16,9 +16,11 @@
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          1    1    1    1    0    0      3    3   (8)
  *
- *  Accuracy: divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by b: values and rounding errors grow without bound where it vanishes
+ *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -744,23 +746,23 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_ome
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 5, { 3, 23, 12, 1, 0, 0, 10, 10 }, { 15, 62, 0, 8, 0, 0, 10, 8 },
-        "divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .jacobian = { jacobian, 25, { 7, 55, 29, 1, 0, 0, 14, 19 }, { 51, 305, 0, 41, 0, 0, 16, 10 },
-        "divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .rhs_jacobian = { rhs_jacobian, 30, { 9, 61, 31, 1, 0, 0, 15, 20 }, { 59, 347, 0, 48, 0, 0, 16, 11 },
-        "divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .divergence = { divergence, 1, { 2, 13, 7, 1, 0, 0, 9, 10 }, { 9, 40, 0, 4, 0, 0, 10, 7 },
-        "divides by b: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .integral_values = { integral_values, 1, { 0, 9, 9, 1, 0, 0, 7, 7 }, { 9, 30, 0, 1, 0, 0, 12, 5 },
-        "divides by b: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by b: values and rounding errors grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 5, { 0, 16, 13, 1, 0, 0, 7, 9 }, { 15, 60, 0, 7, 0, 0, 12, 10 },
-        "divides by b: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by b: values and rounding errors grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { eliminated, 1, { 1, 1, 1, 1, 0, 0, 3, 3 }, { 2, 5, 0, 1, 0, 0, 5, 3 },
-        "divides by b: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by b: values and rounding errors grow without bound where it vanishes" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

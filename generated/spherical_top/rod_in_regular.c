@@ -15,9 +15,10 @@
  *  integral_gradients  3   16    3    0    0    0      6    5   (60)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -580,11 +581,11 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 6, { 1, 18, 8, 1, 0, 0, 7, 7 }, { 9, 36, 0, 4, 0, 0, 8, 5 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .jacobian = { jacobian, 36, { 5, 37, 10, 1, 0, 0, 10, 12 }, { 17, 99, 0, 14, 0, 0, 11, 5 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 42, { 5, 42, 13, 1, 0, 0, 11, 13 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },
     .integral_values = { integral_values, 4, { 1, 10, 6, 0, 0, 0, 6, 5 }, { 10, 41, 0, 0, 0, 0, 9, 5 },

@@ -17,9 +17,10 @@
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          0    0    0    1    0    0      1    1   (3)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -575,23 +576,23 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 18, 8, 1, 0, 0, 9, 7 }, { 9, 36, 0, 5, 0, 0, 8, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .jacobian = { jacobian, 25, { 5, 30, 10, 1, 0, 0, 14, 8 }, { 19, 110, 0, 17, 0, 0, 12, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 30, { 7, 36, 12, 1, 0, 0, 12, 12 }, { 24, 137, 0, 21, 0, 0, 12, 9 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 0, 4, 1, 1, 0, 0, 4, 3 }, { 1, 11, 0, 1, 0, 0, 6, 4 },
         "" },
     .integral_values = { integral_values, 3, { 1, 8, 6, 1, 0, 0, 6, 5 }, { 10, 40, 0, 1, 0, 0, 9, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 15, { 4, 16, 4, 1, 0, 0, 7, 6 }, { 8, 55, 0, 4, 0, 0, 8, 10 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { eliminated, 1, { 0, 0, 0, 1, 0, 0, 1, 1 }, { 0, 2, 0, 1, 0, 0, 3, 2 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -6,16 +6,19 @@
  *  Command:    ttc generate --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2    9    2    1    1    2      8    5   (36)
+ *  rhs                 2    6    2    1    1    2      6    5   (36)
  *  jacobian            2   15    4    1    1    2      9    6   (64)
  *  rhs_jacobian        2   17    4    1    1    2      9    7   (79)
  *  divergence          2    8    2    1    1    1      8    5   (31)
  *  integral_values     0    2    0    0    0    0      2    2   (4)
  *  integral_gradients  0    1    0    0    0    0      1    1   (4)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are
+ *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -104,11 +107,8 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t10 = x[0]*p[9]; /* gamma3*I3*M */
     const double t11 = JLT_FMA(t9, t10, t8); /* C*gamma3*I3*M + s*G*J3/R */
     const double t12 = t3*p[10]; /* s*(I3^2 + m*R^2*I3) */
-    const double t13 = 1.0/t12; /* 1/(s*(I3^2 + m*R^2*I3)) */
-    const double t14 = t12*t13; /* s*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t15 = t13*t14; /* 1/(s*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t16 = t11*t15; /* (C*gamma3*I3*M + s*G*J3/R)*t15 */
-    out[2] = t16;
+    const double t13 = t11/t12; /* (C*gamma3*I3*M + s*G*J3/R)/(s*(I3^2 + m*R^2*I3)) */
+    out[2] = t13;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -249,9 +249,6 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t20[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
-    double t24[JLT_JET_ORDER_MAX + 1];
-    double t25[JLT_JET_ORDER_MAX + 1];
-    double t26[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -269,14 +266,11 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t19[k] = x0[k]*p[9];
         t20[k] = jlt_jet_product(t18, t19, k) + t16[k];
         t22[k] = t6[k]*p[10];
-        t23[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t22, t23, k);
-        t24[k] = jlt_jet_product(t22, t23, k);
-        t25[k] = jlt_jet_product(t23, t24, k);
-        t26[k] = jlt_jet_product(t20, t25, k);
+        t23[k] = jlt_jet_quotient(t20[k], t22, t23, k);
         double *restrict next = coefficients + (k + 1)*3;
         next[0] = x0[k + 1] = t13[k]/(k + 1);
         next[1] = x1[k + 1] = (k == 0 ? 0.0 : 0)/(k + 1);
-        next[2] = x2[k + 1] = t26[k]/(k + 1);
+        next[2] = x2[k + 1] = t23[k]/(k + 1);
     }
 }
 
@@ -341,14 +335,14 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 3, { 2, 9, 2, 1, 1, 2, 8, 5 }, { 7, 23, 0, 3, 1, 2, 10, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+    .rhs = { rhs, 3, { 2, 6, 2, 1, 1, 2, 6, 5 }, { 7, 23, 0, 3, 1, 2, 10, 6 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .jacobian = { jacobian, 9, { 2, 15, 4, 1, 1, 2, 9, 6 }, { 12, 41, 0, 8, 1, 2, 11, 10 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 12, { 2, 17, 4, 1, 1, 2, 9, 7 }, { 14, 51, 0, 11, 1, 2, 11, 10 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 8, 2, 1, 1, 1, 8, 5 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 1, { 0, 2, 0, 0, 0, 0, 2, 2 }, { 0, 4, 0, 0, 0, 0, 3, 3 },
         "" },
     .integral_gradients = { integral_gradients, 3, { 0, 1, 0, 0, 0, 0, 1, 1 }, { 0, 4, 0, 0, 0, 0, 3, 3 },

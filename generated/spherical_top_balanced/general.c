@@ -10,11 +10,14 @@
  *  rhs_jacobian        2   34   12    1    1    2     13   12   (336)
  *  divergence          4    9    3    1    1    1     10    5   (31)
  *  integral_values     3    7    3    1    1    1      8    4   (33)
- *  integral_gradients  2   15    5    1    1    2     10    5   (77)
+ *  integral_gradients  2   10    5    2    1    2      9    5   (77)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are
+ *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -71,7 +74,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t21 = -t20; /* -M/J1 */
     out[17] = t21;
     const double t22 = params[2] - params[3]; /* I1 - I3 */
-    out[29] = t22;
+    out[28] = t22;
     const double t23 = 4.0*t22; /* 4*(I1 - I3) */
     const double t24 = params[1]*t1; /* R*R*R */
     const double t25 = params[0]*t24; /* m*R*R*R */
@@ -110,7 +113,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t49 = t48/t2; /* (I1 - I3)*(-2)/(m*R*R) */
     out[27] = t49;
     const double t50 = t16/t2; /* I1*I3/(m*R*R) */
-    out[28] = t50;
+    out[29] = t50;
     const double t51 = t39*t45; /* m*2*I1*I1 */
     out[30] = t51;
     const double t52 = params[2]*(-2.0); /* I1*(-2) */
@@ -331,35 +334,31 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = x[0]*p[3]; /* gamma3*I3 */
-    const double t4 = JLT_FMA(x[0], t3, p[28]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
-    const double t5 = JLT_FMA(p[2], t2, t4); /* Theta/(m*R^2) = I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
-    const double t6 = cos(x[2]); /* C = cos(psi) */
-    const double t7 = p[9]*t6; /* I1*M*C */
-    const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t9 = t5*t8; /* Theta/(m*R^2)*s */
-    const double t10 = 1.0/t9; /* 1/(Theta/(m*R^2)*s) */
-    const double t11 = t5*t10; /* Theta/(m*R^2)*1/(Theta/(m*R^2)*s) */
-    const double t12 = t7*t11; /* I1*M*C*Theta/(m*R^2)*1/(Theta/(m*R^2)*s) */
-    const double t13 = t7*t8; /* I1*M*C*s */
-    const double t14 = JLT_FNMA(x[0], p[10], t13); /* I1*M*C*s - gamma3*G*J1/R */
-    const double t15 = t8*t10; /* s*1/(Theta/(m*R^2)*s) */
-    const double t16 = t14*t15; /* (I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta/(m*R^2)*s) */
-    const double t17 = JLT_FNMA(p[29], t16, t12); /* I1*M*C*Theta/(m*R^2)*1/(Theta/(m*R^2)*s) - (I1 - I3)*(I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta/(m*R^2)*s) */
-    const double t18 = JLT_FMA(x[0], t17, p[10]); /* gamma3*t17 + G*J1/R */
-    const double t19 = p[27]*t16; /* (-2*(I1 - I3)/(m*R^2))*(I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta/(m*R^2)*s) */
-    const double t20 = t18*t19; /* (gamma3*t17 + G*J1/R)*t19 */
-    out[0] = t20;
-    const double t21 = p[30]*x[1]; /* 2*m*I1^2*v_slip */
-    out[1] = t21;
-    const double t22 = sin(x[2]); /* S = sin(psi) */
-    const double t23 = t8*p[31]; /* s*(-2*I1*M*(I1 - I3)/(m*R^2)) */
-    const double t24 = t22*t23; /* S*s*(-2*I1*M*(I1 - I3)/(m*R^2)) */
-    const double t25 = t16*t24; /* (I1*M*C*s - gamma3*G*J1/R)*s*1/(Theta/(m*R^2)*s)*S*s*(-2*I1*M*(I1 - I3)/(m*R^2)) */
-    out[2] = t25;
+    const double t0 = p[30]*x[1]; /* 2*m*I1^2*v_slip */
+    out[1] = t0;
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = cos(x[2]); /* C = cos(psi) */
+    const double t5 = p[9]*t4; /* I1*M*C */
+    const double t6 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t7 = x[0]*p[3]; /* gamma3*I3 */
+    const double t8 = JLT_FMA(x[0], t7, p[29]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t9 = JLT_FMA(p[2], t3, t8); /* Theta/(m*R^2) = I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t10 = t5*t6; /* I1*M*C*s */
+    const double t11 = JLT_FNMA(x[0], p[10], t10); /* I1*M*C*s - gamma3*G*J1/R */
+    const double t12 = t11/t9; /* (I1*M*C*s - gamma3*G*J1/R)/(Theta/(m*R^2)) */
+    const double t13 = t5/t6; /* I1*M*C/s */
+    const double t14 = JLT_FNMA(p[28], t12, t13); /* I1*M*C/s - (I1 - I3)*(I1*M*C*s - gamma3*G*J1/R)/(Theta/(m*R^2)) */
+    const double t15 = p[31]*t6; /* (-2*I1*M*(I1 - I3)/(m*R^2))*s */
+    const double t16 = JLT_FMA(x[0], t14, p[10]); /* gamma3*t14 + G*J1/R */
+    const double t17 = sin(x[2]); /* S = sin(psi) */
+    const double t18 = t15*t17; /* (-2*I1*M*(I1 - I3)/(m*R^2))*s*S */
+    const double t19 = t12*t18; /* (I1*M*C*s - gamma3*G*J1/R)/(Theta/(m*R^2))*(-2*I1*M*(I1 - I3)/(m*R^2))*s*S */
+    out[2] = t19;
+    const double t20 = p[27]*t12; /* (-2*(I1 - I3)/(m*R^2))*(I1*M*C*s - gamma3*G*J1/R)/(Theta/(m*R^2)) */
+    const double t21 = t16*t20; /* (gamma3*t14 + G*J1/R)*t20 */
+    out[0] = t21;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -496,17 +495,17 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 3, { 2, 16, 5, 1, 1, 2, 10, 7 }, { 12, 51, 0, 9, 1, 2, 12, 11 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .jacobian = { jacobian, 9, { 2, 31, 12, 1, 1, 2, 14, 11 }, { 42, 199, 0, 38, 1, 2, 17, 12 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 12, { 2, 34, 12, 1, 1, 2, 13, 12 }, { 49, 237, 0, 47, 1, 2, 17, 12 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 4, 9, 3, 1, 1, 1, 10, 5 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 1, { 3, 7, 3, 1, 1, 1, 8, 4 }, { 7, 22, 0, 2, 1, 1, 10, 7 },
-        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .integral_gradients = { integral_gradients, 3, { 2, 15, 5, 1, 1, 2, 10, 5 }, { 13, 53, 0, 8, 1, 2, 13, 9 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+    .integral_gradients = { integral_gradients, 3, { 2, 10, 5, 2, 1, 2, 9, 5 }, { 13, 53, 0, 8, 1, 2, 13, 9 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

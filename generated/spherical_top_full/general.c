@@ -12,9 +12,12 @@
  *  integral_values     1   11   25    0    0    0      5    6   (70)
  *  integral_gradients  2   25    8    0    0    0      3    4   (64)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by D, small only where all of I1*one and m*a3^2*s^2 are; takes s = sqrt(gamma1^2 + gamma2^2): a rounding error of the states counts without bound where that vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    divides by D, small only where all of I1*one and m*a3^2*s^2 are
+ *    takes s = sqrt(gamma1^2 + gamma2^2): rounding errors of the states grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -1957,17 +1960,17 @@ const jlt_descriptor jlt_kernels_spherical_top_full_general = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 17, { 4, 42, 39, 1, 0, 0, 14, 13 }, { 60, 153, 0, 13, 1, 0, 10, 15 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by D, small only where all of I1*one and m*a3^2*s^2 are; takes s = sqrt(gamma1^2 + gamma2^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by D, small only where all of I1*one and m*a3^2*s^2 are; takes s = sqrt(gamma1^2 + gamma2^2): rounding errors of the states grow without bound where it vanishes" },
     .jacobian = { jacobian, 289, { 28, 97, 83, 1, 0, 0, 17, 38 }, { 257, 1113, 0, 139, 1, 0, 15, 23 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by D, small only where all of I1*one and m*a3^2*s^2 are; takes s = sqrt(gamma1^2 + gamma2^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by D, small only where all of I1*one and m*a3^2*s^2 are; takes s = sqrt(gamma1^2 + gamma2^2): rounding errors of the states grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 306, { 30, 113, 112, 1, 0, 0, 18, 42 }, { 303, 1231, 0, 151, 1, 0, 15, 23 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by D, small only where all of I1*one and m*a3^2*s^2 are; takes s = sqrt(gamma1^2 + gamma2^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by D, small only where all of I1*one and m*a3^2*s^2 are; takes s = sqrt(gamma1^2 + gamma2^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 1, 21, 22, 1, 0, 0, 13, 9 }, { 28, 97, 0, 10, 1, 0, 15, 14 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by D, small only where all of I1*one and m*a3^2*s^2 are; takes s = sqrt(gamma1^2 + gamma2^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by D, small only where all of I1*one and m*a3^2*s^2 are; takes s = sqrt(gamma1^2 + gamma2^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 9, { 1, 11, 25, 0, 0, 0, 5, 6 }, { 28, 41, 0, 0, 1, 0, 7, 6 },
-        "takes s = sqrt(gamma1^2 + gamma2^2): a rounding error of the states counts without bound where that vanishes" },
+        "takes s = sqrt(gamma1^2 + gamma2^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 153, { 2, 25, 8, 0, 0, 0, 3, 4 }, { 19, 44, 0, 0, 1, 0, 6, 4 },
-        "takes s = sqrt(gamma1^2 + gamma2^2): a rounding error of the states counts without bound where that vanishes" },
+        "takes s = sqrt(gamma1^2 + gamma2^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

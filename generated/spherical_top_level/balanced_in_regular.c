@@ -15,9 +15,11 @@
  *  integral_gradients  0   23    9    1    0    0     11    6   (195)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
- *  Accuracy: divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are
+ *    divides by Theta, small only where all of m*K and I1*I3 are
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"

@@ -14,9 +14,11 @@
  *  integral_gradients  1   13    7    1    0    0     10    6   (75)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
- *  Accuracy: divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are
+ *    divides by Theta, small only where all of m*K and I1*I3 are
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"

@@ -13,11 +13,13 @@
  *  integral_values     3    5    4    1    0    0      6    5   (38)
  *  integral_gradients  2    6    3    1    0    0      6    3   (30)
  *  measure_values      2    1    1    1    1    0      4    3   (9)
- *  measure_divergences 2    8    4    1    1    0     10    6   (43)
+ *  measure_divergences 2    7    2    1    1    0      9    5   (43)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -307,20 +309,17 @@ static void measure_divergences(const double *restrict x, const double *restrict
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = t4*p[12]; /* s*2*m*a3^2 */
-    const double t6 = t3*t4; /* D*s */
-    const double t7 = 1.0/t6; /* 1/(D*s) */
-    const double t8 = t5*t7; /* s*2*m*a3^2*1/(D*s) */
-    const double t9 = t3*t7; /* 1/s = D*1/(D*s) */
-    const double t10 = JLT_FMA(t9, t9, t8); /* 1/s*1/s + s*2*m*a3^2*1/(D*s) */
-    const double t11 = JLT_FMS(t4, t10, t9); /* s*(1/s*1/s + s*2*m*a3^2*1/(D*s)) - 1/s */
-    const double t12 = JLT_FMS(t3, t11, t5); /* D*(s*(1/s*1/s + s*2*m*a3^2*1/(D*s)) - 1/s) - s*2*m*a3^2 */
-    const double t13 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t14 = t9*t13; /* 1/s*omega_tau*gamma3 */
-    const double t15 = t12*t14; /* (D*(s*(1/s*1/s + s*2*m*a3^2*1/(D*s)) - 1/s) - s*2*m*a3^2)*1/s*omega_tau*gamma3 */
-    out[0] = t15;
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = JLT_FMA(t2, p[8], p[3]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
+    const double t5 = t3*t4; /* s*D */
+    const double t6 = t4/t5; /* 1/s = D/(s*D) */
+    const double t7 = t4*t6; /* D*1/s */
+    const double t8 = t6*t7; /* 1/s*D*1/s */
+    const double t9 = JLT_FMS(t3, t8, t7); /* s*1/s*D*1/s - D*1/s */
+    const double t10 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t11 = t6*t10; /* 1/s*omega_tau*gamma3 */
+    const double t12 = t9*t11; /* (s*1/s*D*1/s - D*1/s)*1/s*omega_tau*gamma3 */
+    out[0] = t12;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -463,21 +462,21 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 3, 14, 3, 1, 1, 0, 11, 6 }, { 5, 31, 0, 5, 1, 0, 9, 7 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .jacobian = { jacobian, 16, { 6, 22, 6, 1, 1, 0, 13, 9 }, { 11, 100, 0, 14, 1, 0, 15, 7 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 20, { 6, 25, 7, 1, 1, 0, 13, 9 }, { 14, 126, 0, 19, 1, 0, 15, 7 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 2, { 3, 5, 4, 1, 0, 0, 6, 5 }, { 7, 29, 0, 1, 1, 0, 11, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 8, { 2, 6, 3, 1, 0, 0, 6, 3 }, { 4, 24, 0, 1, 1, 0, 8, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { measure_values, 1, { 2, 1, 1, 1, 1, 0, 4, 3 }, { 2, 5, 0, 1, 1, 0, 7, 4 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
-    .measure_divergences = { measure_divergences, 1, { 2, 8, 4, 1, 1, 0, 10, 6 }, { 7, 30, 0, 5, 1, 0, 12, 8 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+    .measure_divergences = { measure_divergences, 1, { 2, 7, 2, 1, 1, 0, 9, 5 }, { 7, 30, 0, 5, 1, 0, 12, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
     .integral_count = 2, .measure_count = 1, .equilibria_count = 0,

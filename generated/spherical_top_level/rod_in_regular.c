@@ -15,9 +15,10 @@
  *  integral_gradients  0    8    2    1    0    0      3    4   (25)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -457,17 +458,17 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 2, 15, 3, 1, 0, 0, 8, 7 }, { 5, 32, 0, 5, 0, 0, 8, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .jacobian = { jacobian, 25, { 6, 24, 5, 1, 0, 0, 10, 9 }, { 12, 94, 0, 13, 0, 0, 12, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 30, { 7, 29, 6, 1, 0, 0, 12, 9 }, { 16, 122, 0, 18, 0, 0, 12, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },
     .integral_values = { integral_values, 2, { 0, 6, 5, 1, 0, 0, 6, 4 }, { 6, 28, 0, 1, 0, 0, 9, 5 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 10, { 0, 8, 2, 1, 0, 0, 3, 4 }, { 2, 22, 0, 1, 0, 0, 5, 5 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

@@ -6,14 +6,17 @@
  *  Command:    ttc generate --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2    9    2    1    1    2      8    5   (40)
+ *  rhs                 2    6    2    1    1    2      6    5   (40)
  *  jacobian            2   14    4    1    1    2      9    6   (65)
  *  rhs_jacobian        3   16    4    1    1    2      9    8   (80)
  *  divergence          2    8    2    1    1    1      8    5   (35)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are
+ *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -101,11 +104,8 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t10 = x[0]*p[10]; /* gamma3*I3*M */
     const double t11 = JLT_FMA(t9, t10, t8); /* C*gamma3*I3*M + s*G*J3/R */
     const double t12 = t3*p[11]; /* s*(m*R^2*I3 + I3^2) */
-    const double t13 = 1.0/t12; /* 1/(s*(m*R^2*I3 + I3^2)) */
-    const double t14 = t12*t13; /* s*(m*R^2*I3 + I3^2)*1/(s*(m*R^2*I3 + I3^2)) */
-    const double t15 = t13*t14; /* 1/(s*(m*R^2*I3 + I3^2))*s*(m*R^2*I3 + I3^2)*1/(s*(m*R^2*I3 + I3^2)) */
-    const double t16 = t11*t15; /* (C*gamma3*I3*M + s*G*J3/R)*t15 */
-    out[1] = t16;
+    const double t13 = t11/t12; /* (C*gamma3*I3*M + s*G*J3/R)/(s*(m*R^2*I3 + I3^2)) */
+    out[1] = t13;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -218,9 +218,6 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t19[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
-    double t23[JLT_JET_ORDER_MAX + 1];
-    double t24[JLT_JET_ORDER_MAX + 1];
-    double t25[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     for (unsigned k = 0; k < order; k++) {
@@ -237,13 +234,10 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t18[k] = x0[k]*p[10];
         t19[k] = jlt_jet_product(t17, t18, k) + t15[k];
         t21[k] = t6[k]*p[11];
-        t22[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t21, t22, k);
-        t23[k] = jlt_jet_product(t21, t22, k);
-        t24[k] = jlt_jet_product(t22, t23, k);
-        t25[k] = jlt_jet_product(t19, t24, k);
+        t22[k] = jlt_jet_quotient(t19[k], t21, t22, k);
         double *restrict next = coefficients + (k + 1)*2;
         next[0] = x0[k + 1] = t13[k]/(k + 1);
-        next[1] = x1[k + 1] = t25[k]/(k + 1);
+        next[1] = x1[k + 1] = t22[k]/(k + 1);
     }
 }
 
@@ -303,14 +297,14 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 2, { 2, 9, 2, 1, 1, 2, 8, 5 }, { 7, 25, 0, 4, 2, 2, 10, 6 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+    .rhs = { rhs, 2, { 2, 6, 2, 1, 1, 2, 6, 5 }, { 7, 25, 0, 4, 2, 2, 10, 6 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .jacobian = { jacobian, 4, { 2, 14, 4, 1, 1, 2, 9, 6 }, { 12, 41, 0, 8, 2, 2, 11, 10 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 6, { 3, 16, 4, 1, 1, 2, 9, 8 }, { 14, 51, 0, 11, 2, 2, 11, 11 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 8, 2, 1, 1, 1, 8, 5 }, { 7, 22, 0, 3, 2, 1, 11, 8 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): a rounding error of the states counts without bound where that vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },
     .measure_values = { .loses_digits = "" },

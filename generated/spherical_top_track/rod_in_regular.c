@@ -15,9 +15,10 @@
  *  integral_gradients  4   25    8    0    0    2      5    8   (65)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
- *  Accuracy: divides by s: grows without bound, and so do rounding errors, where it vanishes.
- *  One division serves all denominators: their product may leave the range of double precision where none of them
- *  does, which raises the overflow or underflow exception, or gives an infinity or NaN.
+ *  Accuracy
+ *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    one division serves all denominators: their product may leave the range of double precision where none of
+ *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -864,11 +865,11 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 10, { 3, 22, 10, 1, 0, 2, 7, 9 }, { 14, 49, 0, 4, 0, 2, 8, 7 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .jacobian = { jacobian, 100, { 9, 48, 16, 1, 0, 2, 12, 13 }, { 27, 138, 0, 14, 0, 2, 11, 8 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 110, { 12, 52, 17, 1, 0, 2, 13, 16 }, { 36, 177, 0, 18, 0, 2, 11, 11 },
-        "divides by s: grows without bound, and so do rounding errors, where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },
     .integral_values = { integral_values, 4, { 0, 12, 9, 0, 0, 2, 5, 6 }, { 9, 30, 0, 0, 0, 2, 9, 6 },
