@@ -24,7 +24,8 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
     size_t next = 0;
     int stop = 0;
 
-    if (map->dim == 0 || map->dim > 16 || map->column >= map->dim || !(map->tolerance > 0) || map->kernels == NULL)
+    if (map->dim == 0 || map->dim > 16 || map->column >= map->dim || !(map->tolerance > 0) ||
+        !(map->tolerance < 1) || map->kernels == NULL)
         return JLT_ERR_ARG;
     const int threads = map->threads > 1 ? (int)map->threads : 1;
     size_t steps = 0, rejected = 0, stages = 0;

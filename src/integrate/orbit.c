@@ -38,7 +38,8 @@ jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt
     *out = NULL;
     const jlt_options defaults = { .tolerance = 0 };
     if (options == NULL) options = &defaults;
-    if (options->tolerance < 0 || options->max_step < 0 || options->first_step < 0) return JLT_ERR_ARG;
+    if (options->tolerance < 0 || options->max_step < 0) return JLT_ERR_ARG;
+    if (!(options->first_step >= 0) || !isfinite(options->first_step)) return JLT_ERR_ARG;
     if (options->invariants.count > JLT_INVARIANTS_MAX) return JLT_ERR_ARG;
     if (options->project && options->invariants.gradients == NULL) return JLT_ERR_ARG;
     self = jlt_memory_array(1, sizeof *self);
@@ -263,7 +264,7 @@ jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events
 
     if (count > EVENTS_MAX || isnan(t_end)) return JLT_ERR_ARG;
     for (unsigned e = 0; e < count; e++)
-        if (events[e].value == NULL && events[e].column >= stepper->columns) return JLT_ERR_ARG;
+        if (events[e].value == NULL && (events[e].column >= stepper->columns || !isfinite(events[e].level))) return JLT_ERR_ARG;
     if (!isfinite(t_end)) t_end = stepper->direction * INFINITY;
     JLT_TRY(watch_events(self, events, count));
 

@@ -104,6 +104,7 @@ jlt_status jlt_rod_open(jlt_rod *out, const jlt_top *top, const double *x)
     rod.E2 = (top->I1 * x[JLT_TOP_OMEGA_N] * x[JLT_TOP_OMEGA_N]
               + (top->I1 + top->m * top->a3 * top->a3 * s * s) * x[JLT_TOP_OMEGA_TAU] * x[JLT_TOP_OMEGA_TAU]) / 2
              + top->m * top->g * top->a3 * gamma3;
+    if (!isfinite(rod.E1) || !isfinite(rod.E2) || !isfinite(rod.G)) return JLT_ERR_NONFINITE;
     find_turning_points(&rod, x);
     s2 = s * s;
     /* gamma3' = half sin u / pace, and gamma3 = mid - half cos u */
@@ -156,6 +157,7 @@ jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t)
     const double periods = nearbyint(since / rod->period);
     double u, psi, gamma3, s2, s, v_tau;
 
+    if (!isfinite(t)) return JLT_ERR_NONFINITE;
     JLT_TRY(locate(rod, &u, fma(-periods, rod->period, since)));
     JLT_TRY(over(rod, &psi, turn_rate, 0, u));
     psi += rod->psi + periods * rod->turn;

@@ -24,14 +24,14 @@ typedef struct {
 } jlt_rod;
 
 /** Turning points, period and turn of the orbit through x, shape (JLT_TOP_STATES,).
- *  Errors: ARG, I3 != 0; DOMAIN, G = 0 or x outside the model; NO_CONVERGENCE. */
+ *  Errors: ARG, I3 != 0; DOMAIN, G = 0 or x outside the model; NONFINITE, x, or its energies overflow; NO_CONVERGENCE. */
 JLT_CHECKED jlt_status jlt_rod_open(jlt_rod *out, const jlt_top *top, const double *x);
 
 /** The rotation number: turns of (v_nu, v_tau) a period of gamma3. */
 double jlt_rod_rotation(const jlt_rod *rod);
 
 /** State at time t since x, any sign. Cost: a few quadratures over the part of the period that was passed.
- *  Errors: NO_CONVERGENCE. */
+ *  Errors: NONFINITE, t; NO_CONVERGENCE. */
 JLT_CHECKED jlt_status jlt_rod_at(jlt_rod *rod, double *x, double t);
 
 #endif

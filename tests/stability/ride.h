@@ -38,7 +38,8 @@ static inline void ride_open(ride *out, const char *tier, const jlt_top *top, co
     assert_ok(jlt_field_of(&out->field, d, out->instance->block));
     out->tier->embed(&out->view, y, x);
     jlt_options watched = *options;
-    watched.invariants = (jlt_invariants){ d->integral_count, d->integral_values.call, NULL, out->instance->block };
+    watched.invariants = (jlt_invariants){ d->integral_count, d->integral_values.call, d->integral_gradients.call,
+                                            out->instance->block };
     assert_ok(jlt_orbit_create(&out->orbit, method, &out->field, &watched));
     assert_ok(jlt_orbit_start(out->orbit, 0, y, direction));
 }

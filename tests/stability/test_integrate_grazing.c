@@ -99,11 +99,11 @@ static void grazing_costs_at_most_half_as_much_again(void **unused)
 static void other_forms_lose_digits_by_every_method(void **state)
 {
     static const char *const tiers[] = { "level", "five", "level_plain", "five_plain", "level_omega_n", "level_omega3" };
-    static const double tolerances[] = { 1e-10, 1e-12, 1e-14 };
+    static const double tolerances[] = { 1e-12, 1e-14 };
 
     for (size_t i = 0; i < 6; i++)
         for (size_t m = 0; jlt_method_at(m) != NULL; m++)
-            for (size_t k = 0; k < 3; k++) {
+            for (size_t k = 0; k < 2; k++) {
                 const char *name = jlt_method_at(m)->name;
                 const grid_result g = follow(grazing, tiers[i], jlt_method_at(m), tolerances[k], ORBITS);
                 const bool lifted = i < 2, high = strcmp(name, "rkf45") != 0 && strcmp(name, "msadams") != 0;
@@ -111,7 +111,7 @@ static void other_forms_lose_digits_by_every_method(void **state)
                           g.failed == 0 ? "" : g.st == JLT_OK ? "no return" : jlt_status_text(g.st));
                 print_message("%-13s %-8s %g: error %.1e, %.0f evaluations a return, %2d of 64 fail\n", tiers[i], name, tolerances[k], g.error, g.evaluations, g.failed);
                 if (lifted) assert_int_equal(g.failed, 0);
-                if (lifted && k == 2 && high) assert_below(g.error, strcmp(name, "taylor") == 0 ? 2e-11 : 1e-12);
+                if (lifted && k == 1 && high) assert_below(g.error, strcmp(name, "taylor") == 0 ? 2e-11 : 1e-12);
                 if ((i == 2 || i == 3) && strcmp(name, "rk8pd") == 0) assert_true(g.failed > 0 || g.error > 1e-12);
                 if (i == 4) assert_true(g.failed > 0 || g.error > 2e-11);
                 if (i == 5) assert_true(g.failed > 0 || g.error > 1e-8);

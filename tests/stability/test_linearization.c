@@ -3,9 +3,11 @@
  *     lambda^2 + p lambda + q = 0,   p = m R I3 c v / (s Theta),   q = I3^2 w^2 (I3 + m R^2) / (I1 Theta),
  * in long double, whose range holds every intermediate, with s^2 = (1 - c)(1 + c). */
 #include "unit/check.h"
+#include "table.h"
 
 #include "analysis/linearization.h"
 #include "core/random.h"
+#include "ext/eigen.h"
 #include "kernel/descriptor.h"
 
 #include <float.h>
@@ -169,14 +171,46 @@ static void equal_moments_and_their_neighbours_agree(void **unused)
     assert_below(fabs(trace[2] - trace[1]), 8 * DBL_EPSILON);
 }
 
+/* Relative distance of general QR's nearest eigenvalue from the small one, its largest among those that should be smaller still, in
+ * units of the largest of all, and the same for the matrix seen from other axes, H A H with a reflection H. */
+static void general_qr(double *small, double *zero, double *turned, const jlt_linearization *r, const closed_form *exact)
+{
+    double a[STATES * STATES], re[STATES], im[STATES], u[STATES], norm = 0;
+
+    for (int i = 0; i < STATES; i++) {
+        u[i] = 1.0 + 0.3 * i * i;
+        norm += u[i] * u[i];
+    }
+    memcpy(a, r->jacobian, sizeof a);
+    for (int rotated = 0; rotated < 2; rotated++) {
+        double *const farthest = rotated ? turned : zero;
+        assert_ok(jlt_eigen_values(re, im, a, STATES));
+        if (!rotated) *small = INFINITY;
+        *farthest = 0;
+        for (int i = 0; i < STATES; i++) {
+            const double size = hypot(re[i], im[i]), large = hypot(re[i] - (double)exact->re[0], im[i]);
+            if (!rotated) *small = fmin(*small, hypot(re[i] - (double)exact->re[1], im[i]) / fabs((double)exact->re[1]));
+            if (large > size) *farthest = fmax(*farthest, size / fabs((double)exact->re[0]));
+        }
+        for (int side = 0; side < 2; side++) /* a <- H a, then transposed: twice is H a H */
+            for (int j = 0; j < STATES; j++) {
+                double *const v = a + (side == 0 ? j : j * STATES), dot = 0;
+                const int step = side == 0 ? STATES : 1;
+                for (int i = 0; i < STATES; i++) dot += u[i] * v[i * step];
+                for (int i = 0; i < STATES; i++) v[i * step] -= 2 * u[i] * dot / norm;
+            }
+    }
+}
+
 /* omega3 -> 0: the small eigenvalue goes as omega3^2 and keeps all its digits until it leaves the range of doubles, where
  * general QR sees rounding noise from omega3 = 1e-8 on; at zero it is exact, and said to be defective. */
 static void small_spin_keeps_relative_accuracy(void **unused)
 {
     const jlt_descriptor *d = top();
+    FILE *table = table_open("small_spin", "omega3,exact,deflated_error,qr_error,qr_zero,qr_turned");
 
     (void)unused;
-    for (int exponent = 0; exponent <= 140; exponent += 4) {
+    for (int exponent = 0; exponent <= 140; exponent += exponent < 20 ? 1 : 4) {
         double params[PARAMS] = { 1.3, 0.7, 9.8, 0.0, 0.29, 0.21 }, x[STATES] = { 0.3, 0.8, 0, 0, pow(10.0, -exponent) };
         jlt_linearization r;
         jlt_eigenvalue pair[2];
@@ -186,7 +220,17 @@ static void small_spin_keeps_relative_accuracy(void **unused)
         assert_int_equal(others(&r, pair), 3);
         if (exponent >= 4) assert_below(pair[1].error / fabs(pair[1].re), 100 * DBL_EPSILON);
         assert_int_equal(r.verdict, JLT_STABLE);
+        if (exponent > 0) { /* both real from here on */
+            const double off = fabs((double)(pair[1].re / exact.re[1] - 1));
+            double small, zero, turned;
+            general_qr(&small, &zero, &turned, &r, &exact);
+            table_row(table, "1e-%d,%.6Le,%.3e,%.3e,%.3e,%.3e", exponent, exact.re[1], off, small, zero, turned);
+            if (exponent % 4 == 0 && exponent <= 20)
+                print_message("omega3 = 1e-%d: small eigenvalue deflated %.0e, by QR %.0e; zeros by QR %.0e, from other axes %.0e\n", exponent,
+                              off, small, zero, turned);
+        }
     }
+    table_close(table);
     {
         double params[PARAMS] = { 1.3, 0.7, 9.8, 0.0, 0.29, 0.21 }, x[STATES] = { 0.3, 0.8, 0, 0, 0.0 };
         jlt_linearization r;

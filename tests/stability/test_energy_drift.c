@@ -1,0 +1,36 @@
+/* Drift of E (and of G where it is not the level itself) by every method over a thousand returns; test_energy_drift_slow.c goes further. */
+#include "drift.h"
+
+enum { RETURNS = 1000 };
+
+/* Each step adds at most the tolerance to each state, and E changes by less than five times that. The drift is noted before a
+ * projection, so that what a single step adds is seen there, and no more however many there were. */
+static void integrals_drift_by_less_than_the_steps_allow(void **state)
+{
+    for (size_t i = 0; i < DRIFT_RUNS; i++)
+        for (int orbit = 0; orbit < DRIFT_ORBITS; orbit++) {
+            const drift_run *run = &drift_runs[i];
+            const drift_result d = drift_follow(run, orbit, RETURNS, *state);
+            print_message("%-8s %-5s %-9s %g: %.1e, slope %.2f, %.0f steps a return\n", drift_orbits[orbit].name, run->tier, run->name,
+                          run->tolerance, d.last, d.slope, d.steps);
+            assert_below(d.last, 5 * run->tolerance * (run->project ? 1 : RETURNS * d.steps));
+        }
+}
+
+static int prepare(void **state)
+{
+    *state = table_open("energy_drift", "orbit,form,method,tolerance,returns,drift");
+    return 0;
+}
+
+static int finish(void **state)
+{
+    table_close(*state);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(integrals_drift_by_less_than_the_steps_allow) };
+    return cmocka_run_group_tests(tests, prepare, finish);
+}
