@@ -202,8 +202,6 @@ static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem
     if (st != JLT_OK) return st;
     result->plain_difference = fmax(farthest(re, im, n, other_re, other_im, n),
                                     farthest(other_re, other_im, n, re, im, n)) / size;
-    result->arpack_difference = NAN;
-    result->arpack_note = "";
     if (n < 3) result->arpack_note = "ARPACK needs three rows";
     else if (nonzero == 0) result->arpack_note = "no eigenvalue differs from zero";
     if (result->arpack_note[0] != '\0') return JLT_OK;
@@ -245,8 +243,8 @@ static jlt_status solve_problem(double *re, double *im, double *errors, size_t *
     return exact == rank ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
 }
 
-jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
-                                 const double *gradients, const double *gradient_error, size_t count)
+static jlt_status compute(jlt_deflation *result, const double *a, const double *error, size_t n, const double *gradients,
+                          const double *gradient_error, size_t count, bool checked)
 {
     jlt_deflation_problem p = { 0 };
     jlt_deflation_choice best = { 0 };
@@ -268,7 +266,9 @@ jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const d
         zeros += hypot(re[i], im[i]) <= errors[i];
     }
     r.defective_zero = zeros > attributed && n - jlt_deflation_problem_rank(&p) < zeros;
-    JLT_TRY(cross_check(&r, &p, &best));
+    r.gsl_difference = r.plain_difference = r.arpack_difference = NAN;
+    r.arpack_note = "";
+    if (checked) JLT_TRY(cross_check(&r, &p, &best));
     for (size_t i = 0; i < n; i++) {
         jlt_eigenvalue *value = &r.values[i];
         const bool small = value->re == 0.0 && value->im == 0.0;
@@ -282,4 +282,16 @@ jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const d
     if (st == JLT_OK) *result = r;
 done:
     return st;
+}
+
+jlt_status jlt_deflation_solve(jlt_deflation *result, const double *a, const double *error, size_t n, const double *gradients,
+                               const double *gradient_error, size_t count)
+{
+    return compute(result, a, error, n, gradients, gradient_error, count, false);
+}
+
+jlt_status jlt_deflation_compute(jlt_deflation *result, const double *a, const double *error, size_t n,
+                                 const double *gradients, const double *gradient_error, size_t count)
+{
+    return compute(result, a, error, n, gradients, gradient_error, count, true);
 }

@@ -1,51 +1,59 @@
-/** The section-map workload of `jellett bench`: what each form of the field and each method gives for the same question. */
+/** `jellett bench`: what a question costs by each method, and how far off the answer is. One file a kind of question; each writes
+ *  the rows of one table. Times are seconds of this processor, errors distances to a reference far below rounding. */
 #ifndef JLT_CLI_BENCH_H
 #define JLT_CLI_BENCH_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
-#include "core/status.h"
-#include "kernel_abi.h"
+#include "cli/command.h"
+#include "cli/progress.h"
 
-enum { JLT_BENCH_STATES = 8 };
-
-/** Starts and the true returns of the map: what a reference file holds. (gamma3, v_nu, omega_n, omega3) a point. */
 typedef struct {
-    size_t orbits, checked; /* returns known of every orbit */
-    double (*start)[4];     /* shape (orbits,) */
-    double (*expected)[4];  /* shape (orbits, checked) */
-} jlt_bench_grid;
+    const char *reference; /* NULL: not given */
+    const char *form, *method; /* only this tier, this method; NULL: all */
+    size_t returns, repeats, threads;
+    bool quick;            /* every third decade of tolerance */
+    bool list;             /* section, slope: only name what there is, a line "TIER METHOD" or "METHOD" each */
+} jlt_bench_options;
 
-/** Read a file with the columns orbit, return, t, gamma3, v_nu, omega_n, omega3, ordered by orbit and return; return 0 is
- *  the start. Errors: IO; ARG, the file has another form; NOMEM. */
-JLT_CHECKED jlt_status jlt_bench_read(jlt_bench_grid *grid, const char *path);
-void jlt_bench_clear(jlt_bench_grid *grid); /* legal on a zeroed grid */
-
-/** A form of the field: the same motion in other variables. */
 typedef struct {
-    const char *name; /* "level", "regular", "plain", ... */
-    const char *meaning;
-    const char *model, *time, *elimination;
-} jlt_bench_form;
+    const char *name, *meaning;
+    const char *columns;   /* the table's header */
+    bool needs_reference;
+    /* Writes rows. Says what is wrong, and returns the exit status. */
+    jlt_exit (*run)(FILE *table, const jlt_bench_options *options);
+} jlt_bench_kind;
 
-extern const jlt_bench_form jlt_bench_forms[]; /* ends with a NULL name */
+extern const jlt_bench_kind jlt_bench_section, jlt_bench_slope, jlt_bench_jacobian, jlt_bench_eigenvalues, jlt_bench_tiers;
 
-/** One measurement. */
+/** A file of numbers, row by row; lines that do not begin with a number are passed over. */
 typedef struct {
-    double error;   /* largest in gamma3, v_nu, omega3 over the returns known; NaN where an orbit gave none */
-    double seconds[3]; /* least, median and largest of the repeats, for all returns of all orbits */
-    double returns;    /* made in each repeat */
-    double steps;      /* a return */
-    size_t failed;     /* orbits that ended before their returns were made */
-} jlt_bench_result;
+    size_t rows, columns;
+    double *values; /* shape (rows, columns), owned */
+} jlt_bench_table;
 
-/** Scalar: a method by name. Errors: UNSUPPORTED, no such kernel or no jet; NOMEM. */
-JLT_CHECKED jlt_status jlt_bench_scalar(jlt_bench_result *result, const jlt_bench_form *form, const char *method,
-                                        const jlt_bench_grid *grid, double tolerance, size_t returns, unsigned repeats);
+/** Errors: IO; ARG, no row, or a row with fewer numbers than columns; NOMEM. */
+JLT_CHECKED jlt_status jlt_bench_read(jlt_bench_table *table, const char *path, size_t columns);
+void jlt_bench_clear(jlt_bench_table *table); /* legal on a zeroed table */
 
-/** Batched: at most `lanes` lanes, `threads` threads. Errors: UNSUPPORTED, the processor has no such lanes; NOMEM. */
-JLT_CHECKED jlt_status jlt_bench_batch(jlt_bench_result *result, const jlt_bench_form *form, unsigned lanes,
-                                       unsigned threads, const jlt_bench_grid *grid, double tolerance, size_t returns,
-                                       unsigned repeats);
+/** "PATH: reason", with the exit status that it calls for. */
+jlt_exit jlt_bench_unread(const char *path, jlt_status status);
+
+/** Least, median and largest of the repeats, in seconds. */
+typedef struct {
+    double least, median, largest;
+} jlt_bench_time;
+
+/** Run pass(context) once to warm up, `first` being true then, and `repeats` times for the clock. A pass that takes longer
+ *  than half a second is not repeated: its time is all three figures. Errors: those of pass, NOMEM. */
+JLT_CHECKED jlt_status jlt_bench_clock(jlt_bench_time *time, size_t repeats, jlt_status (*pass)(void *context, bool first),
+                                       void *context);
+
+/* A field of a table, after a comma: empty for NaN. */
+void jlt_bench_number(FILE *table, const char *format, double value);
+
+/* The tolerances of a diagram, from 1e-5 to 1e-15, by index; 0 past the end. */
+double jlt_bench_tolerance(const jlt_bench_options *options, size_t index);
 
 #endif

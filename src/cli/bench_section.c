@@ -3,207 +3,137 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "dynamics/section.h"
 #include "dynamics/system.h"
 #include "integrate/batch.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
+#include "scene/tier.h"
 
-const jlt_bench_form jlt_bench_forms[] = {
-    { "level", "4 states on a level of G and s, dt = s dtau: what sections use", "spherical_top_level", "regular", "" },
-    { "level_plain", "4 states on a level of G", "spherical_top_level", "", "" },
-    { "regular", "5 states and s, dt = s dtau", "spherical_top", "regular", "" },
-    { "plain", "5 states, the equations as published", "spherical_top", "", "" },
-    { "no_omega_n", "4 states, omega_n eliminated: divides by s", "spherical_top", "", "level_G" },
-    { "no_omega3", "4 states, omega3 eliminated: divides by b", "spherical_top", "", "level_G_omega3" },
-    { NULL, NULL, NULL, NULL, NULL },
-};
+/* A reference has rows orbit, return, t, gamma3, v_nu, omega_n, omega3; return 0 is the start. */
+enum { STATES = 32, COLUMNS = 7, FIRST_STATE = 3 };
 
-/* (5.1) of Kilin & Ivanova (2023). */
-static const struct {
-    const char *name;
-    double value;
-} published[] = { { "m", 1 }, { "R", 1 }, { "g", 1 }, { "I1", 1.0 / 3 }, { "I3", 1.0 / 3 }, { "a3", 0.51 },
-                  { "G", -0.56 }, { "G_level", -0.56 } };
-
-static const double R = 1, I1 = 1.0 / 3, I3 = 1.0 / 3, a3 = 0.51, G = -0.56;
-
-static double parameter(const char *name)
-{
-    for (size_t i = 0; i < sizeof published / sizeof *published; i++)
-        if (strcmp(published[i].name, name) == 0) return published[i].value;
-    return NAN;
-}
-
-/* A state by name from (gamma3, v_nu, omega_n, omega3) on the section. */
-static double state(const char *name, const double point[4])
-{
-    const double s = sqrt((1 - point[0]) * (1 + point[0]));
-
-    if (strcmp(name, "gamma3") == 0) return point[0];
-    if (strcmp(name, "v_nu") == 0) return point[1];
-    if (strcmp(name, "omega_n") == 0) return point[2];
-    if (strcmp(name, "omega3") == 0) return point[3];
-    if (strcmp(name, "s") == 0) return s;
-    if (strcmp(name, "v_tau") == 0) return (a3 + R * point[0]) * point[2] + R * s * point[3];
-    return 0; /* omega_tau */
-}
-
+/* One tier bound to (5.1), and the orbits asked about. */
 typedef struct {
-    const jlt_descriptor *descriptor;
-    double params[16], block[512];
-    unsigned section;                        /* index of omega_tau */
-    int gamma3, v_nu, omega_n, omega3, s, v_tau; /* indices; -1: none */
+    const jlt_bench_options *options;
+    const jlt_tier *tier;
+    jlt_tier_view view;
+    jlt_instance *instance;
+    size_t section;  /* index of omega_tau */
+    int root;        /* of s; -1: none */
+    size_t orbits, checked;
+    const double *reference;
+    double (*start)[JLT_TOP_STATES];
 } problem;
 
-static int index_of(const jlt_descriptor *d, const char *name)
+/* What the first pass finds. */
+typedef struct {
+    double error;     /* largest in gamma3, v_nu, omega3 over the returns known; NaN where an orbit did not make them */
+    double time_error;
+    double drift[2];  /* of E and G from the start, over all returns */
+    double returns, steps;
+    size_t failed;    /* orbits that ended before their returns were made */
+} outcome;
+
+static void note(double *worst, double value)
 {
-    for (unsigned i = 0; i < d->state_count; i++)
-        if (strcmp(d->states[i].name, name) == 0) return (int)i;
-    return -1;
+    if (!(fabs(value) <= *worst)) *worst = fabs(value);
 }
 
-static jlt_status problem_of(problem *out, const jlt_bench_form *form)
+/* y: the tier's states at a return; t NaN where it is not known. */
+static void note_return(outcome *out, const problem *p, size_t orbit, size_t number, const double *y, double t)
 {
-    const jlt_descriptor *d = jlt_descriptor_find(form->model, "", form->time, form->elimination);
+    const jlt_top *top = &p->view.top;
+    const double *start = p->start[orbit], *expected = p->reference + (orbit * (p->checked + 1) + number) * COLUMNS;
+    double x[JLT_TOP_STATES];
 
-    if (d == NULL || d->param_count > 16 || d->block_count > 512 || d->state_count > JLT_BENCH_STATES) return JLT_ERR_UNSUPPORTED;
-    *out = (problem){ .descriptor = d, .gamma3 = index_of(d, "gamma3"), .v_nu = index_of(d, "v_nu"),
-                      .omega_n = index_of(d, "omega_n"), .omega3 = index_of(d, "omega3"), .s = index_of(d, "s"),
-                      .v_tau = index_of(d, "v_tau"), .section = (unsigned)index_of(d, "omega_tau") };
-    for (unsigned i = 0; i < d->param_count; i++) out->params[i] = parameter(d->params[i].name);
-    d->prepare(out->params, out->block);
-    return JLT_OK;
+    p->tier->extract(&p->view, x, y);
+    note(&out->drift[0], jlt_top_energy(top, x) - jlt_top_energy(top, start));
+    note(&out->drift[1], jlt_top_jellett(top, x) - jlt_top_jellett(top, start));
+    if (number > p->checked) return;
+    note(&out->time_error, t - expected[2]);
+    note(&out->error, x[JLT_TOP_GAMMA3] - expected[FIRST_STATE]);
+    note(&out->error, x[JLT_TOP_V_NU] - expected[FIRST_STATE + 1]);
+    note(&out->error, x[JLT_TOP_OMEGA3] - expected[FIRST_STATE + 3]);
 }
 
-static void start_of(const problem *p, double *x, const double point[4])
+static void note_end(outcome *out, const problem *p, size_t made)
 {
-    for (unsigned i = 0; i < p->descriptor->state_count; i++) x[i] = state(p->descriptor->states[i].name, point);
+    out->returns += (double)made;
+    out->failed += made < p->options->returns;
+    if (made < p->checked && made < p->options->returns) out->error = out->time_error = NAN;
 }
 
-/* omega3 of a state, whatever the form keeps in its place. */
-static double omega3_of(const problem *p, const double *x)
-{
-    if (p->omega3 >= 0) return x[p->omega3];
-    const double gamma3 = x[p->gamma3], s = p->s >= 0 ? x[p->s] : sqrt((1 - gamma3) * (1 + gamma3)), b = a3 + R * gamma3;
-    if (p->omega_n >= 0) return (I1 * R * s * x[p->omega_n] - G) / (I3 * b);
-    return (I1 * R * s * x[p->v_tau] - b * G) / (I1 * R * R * s * s + I3 * b * b);
-}
-
-static void note_error(double *error, const problem *p, const jlt_bench_grid *grid, size_t orbit, size_t number, const double *x)
-{
-    if (number == 0 || number > grid->checked) return;
-    const double *expected = grid->expected[orbit * grid->checked + number - 1];
-    const double off[3] = { x[p->gamma3] - expected[0], x[p->v_nu] - expected[1], omega3_of(p, x) - expected[3] };
-    for (int i = 0; i < 3; i++)
-        if (!(fabs(off[i]) <= *error)) *error = fabs(off[i]);
-}
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* Repeats, with one that is not counted first. pass() makes all returns and fills the result but for the times. */
-static jlt_status repeat(jlt_bench_result *result, unsigned repeats, jlt_status (*pass)(void *context, jlt_bench_result *), void *context)
-{
-    jlt_status st = JLT_OK;
-    double *times = calloc(repeats + 1, sizeof *times);
-
-    if (times == NULL) return JLT_ERR_NOMEM;
-    for (unsigned i = 0; i <= repeats; i++) {
-        *result = (jlt_bench_result){ 0 };
-        const double begin = now();
-        JLT_TRY(pass(context, result));
-        times[i] = now() - begin;
-    }
-    qsort(times + 1, repeats, sizeof *times, ascending);
-    result->seconds[0] = times[1];
-    result->seconds[1] = times[1 + repeats / 2];
-    result->seconds[2] = times[repeats];
-done:
-    free(times);
-    return st;
-}
+/* ---- one orbit after another ---- */
 
 typedef struct {
     const problem *problem;
-    const jlt_bench_grid *grid;
-    size_t returns;
     jlt_section *section;
+    outcome outcome;
 } scalar_run;
 
-static jlt_status scalar_pass(void *context, jlt_bench_result *result)
+static jlt_status scalar_pass(void *context, bool first)
 {
-    const scalar_run *run = context;
+    scalar_run *run = context;
+    const problem *p = run->problem;
     size_t before, after, evaluations;
 
     jlt_section_cost(run->section, &before, &evaluations);
-    for (size_t orbit = 0; orbit < run->grid->orbits; orbit++) {
-        double x[JLT_BENCH_STATES];
-        jlt_return row;
-        start_of(run->problem, x, run->grid->start[orbit]);
-        jlt_status st = jlt_section_start_state(run->section, &row, x, 1);
-        while (st == JLT_OK && row.number < run->returns) {
+    for (size_t orbit = 0; orbit < p->orbits; orbit++) {
+        double y[STATES];
+        jlt_return row = { 0 };
+        p->tier->embed(&p->view, y, p->start[orbit]);
+        jlt_status st = jlt_section_start_state(run->section, &row, y, 1);
+        size_t made = 0;
+        while (st == JLT_OK && made < p->options->returns) {
             st = jlt_section_next(run->section, &row);
             if (st != JLT_OK || row.fate != JLT_FATE_ALIVE) break;
-            note_error(&result->error, run->problem, run->grid, orbit, row.number, row.x);
-            result->returns++;
+            made++;
+            if (first) note_return(&run->outcome, p, orbit, made, row.x, row.t);
         }
         if (st == JLT_ERR_NOMEM) return st;
-        result->failed += row.number < run->returns || row.fate != JLT_FATE_ALIVE || st != JLT_OK;
-        if (row.number < run->grid->checked && row.number < run->returns) result->error = NAN;
+        if (first) note_end(&run->outcome, p, made);
     }
     jlt_section_cost(run->section, &after, &evaluations);
-    result->steps = (double)(after - before) / fmax(1, result->returns);
+    if (first) run->outcome.steps = (double)(after - before);
     return JLT_OK;
 }
 
-jlt_status jlt_bench_scalar(jlt_bench_result *result, const jlt_bench_form *form, const char *method,
-                            const jlt_bench_grid *grid, double tolerance, size_t returns, unsigned repeats)
+static jlt_status measure_scalar(outcome *out, jlt_bench_time *time, const problem *p, const jlt_method *method, double tolerance)
 {
     jlt_status st = JLT_OK;
-    problem p;
     jlt_system *system = NULL;
-    scalar_run run = { .problem = &p, .grid = grid, .returns = returns };
-    const jlt_flow options = { .method = jlt_method_find(method), .tolerance = tolerance, .direction = JLT_RISING };
+    scalar_run run = { .problem = p };
+    const jlt_flow options = { .method = method, .tolerance = tolerance, .direction = JLT_RISING };
 
-    if (options.method == NULL) return JLT_ERR_ARG;
-    JLT_TRY(problem_of(&p, form));
-    JLT_TRY(jlt_system_plane(&system, p.descriptor, p.params, p.section, 0, NULL, &options));
+    JLT_TRY(jlt_system_plane(&system, p->instance->descriptor, p->instance->params, (unsigned)p->section, 0, NULL, &options));
     JLT_TRY(jlt_section_create(&run.section, &system->flow));
-    st = repeat(result, repeats, scalar_pass, &run);
+    JLT_TRY(jlt_bench_clock(time, p->options->repeats, scalar_pass, &run));
+    *out = run.outcome;
 done:
     jlt_section_destroy(run.section);
     jlt_system_destroy(system);
     return st;
 }
 
+/* ---- many at once ---- */
+
 typedef struct {
     const problem *problem;
-    const jlt_bench_grid *grid;
-    size_t returns;
     jlt_batch_map map;
-    double *starts;
-    double *errors; /* by orbit: threads write their own */
+    double *starts;   /* (orbits, states) */
+    outcome *by_orbit; /* threads write their own */
     size_t *made;
+    outcome outcome;
+    bool first;
 } batch_run;
 
 static int batch_row(void *context, size_t orbit, size_t number, const double *x)
 {
     batch_run *run = context;
     run->made[orbit] = number;
-    note_error(&run->errors[orbit], run->problem, run->grid, orbit, number, x);
+    if (run->first) note_return(&run->by_orbit[orbit], run->problem, orbit, number, x, NAN);
     return 0;
 }
 
@@ -213,47 +143,182 @@ static int batch_end(void *context, size_t orbit, jlt_lane_end end, size_t retur
     return 0;
 }
 
-static jlt_status batch_pass(void *context, jlt_bench_result *result)
+static jlt_status batch_pass(void *context, bool first)
 {
     batch_run *run = context;
+    const problem *p = run->problem;
+    outcome *out = &run->outcome;
     jlt_batch_work work;
 
-    memset(run->errors, 0, run->grid->orbits * sizeof *run->errors);
-    memset(run->made, 0, run->grid->orbits * sizeof *run->made);
-    const jlt_status st = jlt_batch_section(&run->map, run->starts, run->grid->orbits, run->returns, batch_row, batch_end, run, &work);
-    if (st != JLT_OK) return st;
-    for (size_t orbit = 0; orbit < run->grid->orbits; orbit++) {
-        result->returns += (double)run->made[orbit];
-        result->failed += run->made[orbit] < run->returns;
-        if (run->made[orbit] < run->grid->checked && run->made[orbit] < run->returns) result->error = NAN;
-        if (!(run->errors[orbit] <= result->error)) result->error = run->errors[orbit];
+    run->first = first;
+    memset(run->made, 0, p->orbits * sizeof *run->made);
+    const jlt_status st = jlt_batch_section(&run->map, run->starts, p->orbits, p->options->returns, batch_row, batch_end, run, &work);
+    if (st != JLT_OK || !first) return st;
+    out->steps = (double)work.steps;
+    for (size_t orbit = 0; orbit < p->orbits; orbit++) {
+        const outcome *one = &run->by_orbit[orbit];
+        note(&out->error, one->error);
+        note(&out->drift[0], one->drift[0]);
+        note(&out->drift[1], one->drift[1]);
+        note_end(out, p, run->made[orbit]);
     }
-    result->steps = (double)work.steps / fmax(1, result->returns);
+    out->time_error = NAN;
     return JLT_OK;
 }
 
-jlt_status jlt_bench_batch(jlt_bench_result *result, const jlt_bench_form *form, unsigned lanes, unsigned threads,
-                           const jlt_bench_grid *grid, double tolerance, size_t returns, unsigned repeats)
+static jlt_status measure_batch(outcome *out, jlt_bench_time *time, const problem *p, const jlt_kernel_batch *kernels,
+                                unsigned threads, double tolerance)
 {
-    jlt_status st = JLT_OK;
-    problem p;
-    batch_run run = { .problem = &p, .grid = grid, .returns = returns };
+    const unsigned dim = p->instance->descriptor->state_count;
+    jlt_status st = JLT_ERR_NOMEM;
+    batch_run run = { .problem = p };
 
-    JLT_TRY(problem_of(&p, form));
-    run.map = (jlt_batch_map){ .kernels = jlt_batch_isa_best(p.descriptor, lanes), .p = p.block, .dim = p.descriptor->state_count,
-                               .column = p.section, .direction = 1, .root = p.s, .root_floor = 1e-9, .tolerance = tolerance,
-                               .max_steps = 1000000, .threads = threads };
-    if (run.map.kernels == NULL || run.map.kernels->lanes != lanes) return JLT_ERR_UNSUPPORTED;
-    run.starts = calloc(grid->orbits, p.descriptor->state_count * sizeof *run.starts);
-    run.errors = calloc(grid->orbits, sizeof *run.errors);
-    run.made = calloc(grid->orbits, sizeof *run.made);
-    if (run.starts == NULL || run.errors == NULL || run.made == NULL) st = JLT_ERR_NOMEM;
-    for (size_t orbit = 0; st == JLT_OK && orbit < grid->orbits; orbit++)
-        start_of(&p, run.starts + orbit * p.descriptor->state_count, grid->start[orbit]);
-    if (st == JLT_OK) st = repeat(result, repeats, batch_pass, &run);
+    run.map = (jlt_batch_map){ .kernels = kernels, .p = p->instance->block, .dim = dim, .column = (unsigned)p->section, .direction = 1,
+                               .root = p->root, .root_floor = 1e-9, .tolerance = tolerance, .max_steps = 1000000,
+                               .threads = threads };
+    run.starts = calloc(p->orbits, dim * sizeof *run.starts);
+    run.by_orbit = calloc(p->orbits, sizeof *run.by_orbit);
+    run.made = calloc(p->orbits, sizeof *run.made);
+    if (run.starts == NULL || run.by_orbit == NULL || run.made == NULL) goto done;
+    for (size_t orbit = 0; orbit < p->orbits; orbit++) p->tier->embed(&p->view, run.starts + orbit * dim, p->start[orbit]);
+    JLT_TRY(jlt_bench_clock(time, p->options->repeats, batch_pass, &run));
+    *out = run.outcome;
 done:
     free(run.starts);
-    free(run.errors);
+    free(run.by_orbit);
     free(run.made);
     return st;
 }
+
+/* ---- all of a tier ---- */
+
+static void write_row(FILE *table, const problem *p, const char *method, unsigned threads, double tolerance, const outcome *o,
+                      const jlt_bench_time *time)
+{
+    const double unit = 1e6 / fmax(1, o->returns);
+
+    fprintf(table, "jellett,%s,%s,%u,%g", method, p->tier->name, threads, tolerance);
+    jlt_bench_number(table, "%.3e", o->error);
+    jlt_bench_number(table, "%.3e", o->time_error);
+    jlt_bench_number(table, "%.3e", o->drift[0]);
+    jlt_bench_number(table, "%.3e", o->drift[1]);
+    fprintf(table, ",%.4g,%.4g,%.4g,%.2f,%zu\n", unit * time->median, unit * time->least, unit * time->largest,
+            o->steps / fmax(1, o->returns), o->failed);
+}
+
+/* A curve: batched when kernels are given. Tiers whose kernels a method cannot use are passed over. */
+static jlt_exit run_curve(FILE *table, const problem *p, const jlt_method *method, const jlt_kernel_batch *kernels, unsigned threads)
+{
+    char name[64];
+    double tolerance;
+
+    if (kernels != NULL) snprintf(name, sizeof name, "%s %sx%u", method->name, kernels->isa, kernels->lanes);
+    else snprintf(name, sizeof name, "%s", method->name);
+    if (p->options->method != NULL && strncmp(name, p->options->method, strlen(p->options->method)) != 0) return JLT_EXIT_DONE;
+    for (size_t i = 0; (tolerance = jlt_bench_tolerance(p->options, i)) > 0; i++) {
+        outcome out = { 0 };
+        jlt_bench_time time;
+        const jlt_status st = kernels == NULL ? measure_scalar(&out, &time, p, method, tolerance)
+                                              : measure_batch(&out, &time, p, kernels, threads, tolerance);
+        if (st == JLT_ERR_UNSUPPORTED) return JLT_EXIT_DONE;
+        if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "%s on %s: %s", name, p->tier->name, jlt_status_text(st));
+        write_row(table, p, name, threads, tolerance, &out, &time);
+    }
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit run_tier(FILE *table, const problem *p)
+{
+    const jlt_descriptor *d = p->instance->descriptor;
+    jlt_exit code = JLT_EXIT_DONE;
+    const jlt_method *method;
+
+    for (size_t i = 0; p->options->list && (method = jlt_method_at(i)) != NULL; i++) fprintf(table, "%s %s\n", p->tier->name, method->name);
+    if (p->options->list) return JLT_EXIT_DONE;
+    for (size_t i = 0; d->state_count <= JLT_CHART_STATES_MAX && (method = jlt_method_at(i)) != NULL && code == JLT_EXIT_DONE; i++)
+        code = run_curve(table, p, method, NULL, 1);
+    for (size_t i = 0; i < JLT_ISA_COUNT && code == JLT_EXIT_DONE; i++)
+        if (jlt_batch_isa_runs(d->batches[i])) code = run_curve(table, p, jlt_method_find(NULL), d->batches[i], 1);
+    if (code == JLT_EXIT_DONE && p->options->threads > 1)
+        code = run_curve(table, p, jlt_method_find(NULL), jlt_batch_isa_best(d, 0), (unsigned)p->options->threads);
+    return code;
+}
+
+/* Bind a tier. EMPTY: it has no section omega_tau = 0, or does not serve. */
+static jlt_status open_tier(problem *p, const jlt_tier *tier)
+{
+    const jlt_top_values v = jlt_system_defaults();
+    const jlt_top top = { .m = v.m, .R = v.R, .g = v.g, .I1 = v.I1, .I3 = v.I3, .a3 = v.a3 };
+    const jlt_descriptor *d = tier->model == NULL ? NULL : jlt_descriptor_find(tier->model, "", tier->time, tier->elimination);
+    double params[STATES];
+    size_t s;
+    jlt_status st = JLT_OK;
+
+    p->tier = tier;
+    if (d == NULL || d->state_count > STATES || d->param_count > STATES || !jlt_descriptor_state(d, "omega_tau", &p->section))
+        return JLT_ERR_EMPTY;
+    if (tier->refuses != NULL && tier->refuses(&top, p->start[0]) != NULL) return JLT_ERR_EMPTY;
+    p->root = jlt_descriptor_state(d, "s", &s) ? (int)s : -1;
+    jlt_tier_look(&p->view, tier, d, &top, p->start[0]);
+    p->view.G = v.G; /* without the rounding of the first start */
+    jlt_chart_top_init(&p->view.chart, v.m, v.R, v.g, v.I1, v.I3, v.a3, v.E, v.G);
+    JLT_TRY(jlt_tier_params(params, &p->view));
+    JLT_TRY(jlt_instance_create(&p->instance, d, params));
+done:
+    return st;
+}
+
+/* Orbits and starts from the reference: return 0 and as many returns for every orbit. */
+static jlt_status read_grid(problem *p, const jlt_bench_table *table)
+{
+    size_t checked = 0;
+
+    while (checked + 1 < table->rows && table->values[(checked + 1) * COLUMNS + 1] > 0) checked++;
+    if (table->rows % (checked + 1) != 0) return JLT_ERR_ARG;
+    for (size_t i = 0; i < table->rows; i++)
+        if (table->values[i * COLUMNS + 1] != (double)(i % (checked + 1))) return JLT_ERR_ARG;
+    p->checked = checked;
+    p->orbits = table->rows / (checked + 1);
+    p->reference = table->values;
+    p->start = calloc(p->orbits, sizeof *p->start);
+    if (p->start == NULL) return JLT_ERR_NOMEM;
+    for (size_t i = 0; i < p->orbits; i++) {
+        const double *row = table->values + i * (checked + 1) * COLUMNS + FIRST_STATE;
+        const double x[JLT_TOP_STATES] = { row[0], row[1], 0, row[2], row[3] };
+        memcpy(p->start[i], x, sizeof x);
+    }
+    return JLT_OK;
+}
+
+static jlt_exit run(FILE *table, const jlt_bench_options *options)
+{
+    jlt_exit code = JLT_EXIT_DONE;
+    jlt_bench_table reference = { 0 };
+    problem p = { .options = options };
+    jlt_progress progress;
+    const jlt_tier *tier;
+
+    jlt_status st = jlt_bench_read(&reference, options->reference, COLUMNS);
+    if (st == JLT_OK) st = read_grid(&p, &reference);
+    if (st != JLT_OK) code = jlt_bench_unread(options->reference, st);
+    jlt_progress_start(&progress, "tiers");
+    for (size_t i = 0; (tier = jlt_tier_at(i)) != NULL && code == JLT_EXIT_DONE; i++) {
+        jlt_progress_show(&progress, i, 0);
+        if (options->form != NULL && strcmp(tier->name, options->form) != 0) continue;
+        st = open_tier(&p, tier);
+        if (st == JLT_OK) code = run_tier(table, &p);
+        else if (st != JLT_ERR_EMPTY) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", tier->name, jlt_status_text(st));
+        jlt_instance_destroy(p.instance);
+        p.instance = NULL;
+    }
+    jlt_progress_end(&progress);
+    free(p.start);
+    jlt_bench_clear(&reference);
+    return code;
+}
+
+const jlt_bench_kind jlt_bench_section = {
+    "section", "section map at (5.1), every method on every tier; errors over the returns that the reference knows",
+    "program,method,form,threads,tolerance,error,time_error,drift_E,drift_G,us_per_return,us_least,us_largest,steps_per_return,failed",
+    true, run,
+};

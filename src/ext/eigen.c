@@ -4,9 +4,11 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>
+#include <gsl/gsl_poly.h>
 
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 static jlt_status status_of(int gsl)
@@ -64,6 +66,36 @@ done:
     gsl_eigen_nonsymm_free(space);
     gsl_vector_complex_free(values);
     gsl_matrix_free(work);
+    gsl_set_error_handler(handler);
+    return st;
+}
+
+jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coefficients, size_t n)
+{
+    gsl_error_handler_t *handler;
+    jlt_status st = JLT_ERR_NOMEM;
+    gsl_poly_complex_workspace *space = NULL;
+    double *ascending = NULL, *roots = NULL;
+
+    if (n == 0) return JLT_OK;
+    if (!all_finite(coefficients, n + 1)) return JLT_ERR_NONFINITE;
+    handler = gsl_set_error_handler_off();
+    space = gsl_poly_complex_workspace_alloc(n + 1);
+    ascending = calloc(n + 1, sizeof *ascending);
+    roots = calloc(2 * n, sizeof *roots);
+    if (space == NULL || ascending == NULL || roots == NULL) goto done;
+    for (size_t i = 0; i <= n; i++) ascending[i] = coefficients[n - i];
+    JLT_TRY(status_of(gsl_poly_complex_solve(ascending, n + 1, space, roots)));
+    for (size_t i = 0; i < n; i++) {
+        re[i] = roots[2 * i];
+        im[i] = roots[2 * i + 1];
+    }
+    sort_ascending(re, im, n);
+    if (!all_finite(re, n) || !all_finite(im, n)) st = JLT_ERR_NONFINITE;
+done:
+    gsl_poly_complex_workspace_free(space);
+    free(ascending);
+    free(roots);
     gsl_set_error_handler(handler);
     return st;
 }

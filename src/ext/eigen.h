@@ -13,6 +13,11 @@
  *  k-th part of the digits. Cost: 10 n^3. Source: Golub, Van Loan, Matrix Computations, 7.5. */
 JLT_CHECKED jlt_status jlt_eigen_values(double *re, double *im, const double *a, size_t n);
 
+/** Roots of a polynomial of degree n, by the QR algorithm on its balanced companion matrix.
+ *  Out: re, im, shape (n,), in ascending order of (re, im). In: coefficients, shape (n + 1,), highest power first, the first
+ *  not 0. Errors: NONFINITE, NO_CONVERGENCE, NOMEM. Accuracy: a k-fold root keeps a k-th part of the digits. */
+JLT_CHECKED jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coefficients, size_t n);
+
 /** The shortest z with least |a z - b|, singular values below cutoff * largest taken as zero.
  *  Out: z, shape (columns,). In: a, shape (rows, columns); b, shape (rows,). Errors: NONFINITE, NOMEM. */
 JLT_CHECKED jlt_status jlt_eigen_least_squares(double *z, const double *a, const double *b, size_t rows, size_t columns,

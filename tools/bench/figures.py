@@ -1,0 +1,135 @@
+"""The figures of the README from the tables that tools/bench/run has written, as Markdown on standard output.
+
+usage: figures.py RESULTS
+
+A ratio compares the fastest point of a peer whose error is at most the one asked for with the fastest point of jellett whose
+error is not larger than that peer's: nothing is interpolated."""
+import csv
+import os
+import sys
+
+TIME = "us_per_return"
+
+
+def read(name):
+    path = f"{sys.argv[1]}/{name}.csv"
+    if not os.path.exists(path):
+        return []
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+def fastest(rows, error):
+    fit = [row for row in rows if row["error"] and float(row["error"]) <= error and not int(row["failed"])]
+    return min(fit, key=lambda row: float(row[TIME]), default=None)
+
+
+def table(head, rows):
+    print("| " + " | ".join(head) + " |\n|" + "---|" * len(head))
+    for row in rows:
+        print("| " + " | ".join(str(cell) for cell in row) + " |")
+    print()
+
+
+def rate(row):
+    return f"{1e6 / float(row[TIME]):,.0f}".replace(",", " ")
+
+
+def told(row):
+    return f"{row['program']} {row['method']}, {row['form']}"
+
+
+def against(title, peers, mine, wanted):
+    """wanted: (error, target ratio)."""
+    rows = []
+    for error, target in wanted:
+        peer = fastest(peers, error)
+        if peer is None:
+            rows.append((f"{error:g}", "none so accurate", "", "", "", ""))
+            continue
+        ours = fastest(mine, float(peer["error"]))
+        cells = (f"{error:g}", f"{told(peer)}: {rate(peer)} at {float(peer['error']):.1e}")
+        if ours is None:
+            rows.append((*cells, "none so accurate", "", f"{target:g}", "no"))
+            continue
+        ratio = float(peer[TIME]) / float(ours[TIME])
+        rows.append((*cells, f"{ours['method']}, {ours['form']}: {rate(ours)} at {float(ours['error']):.1e}", f"{ratio:.1f}", f"{target:g}",
+                     "yes" if ratio >= target else "no"))
+    if rows:
+        print(f"**{title}**\n")
+        table(("error", "peer: returns/s", "jellett: returns/s", "ratio", "wanted", "met"), rows)
+
+
+def sections():
+    rows = [row for row in read("section") if row["threads"] == "1" and not row["form"].endswith("_t")]
+    mine = [row for row in rows if row["program"] == "jellett"]
+    batch, scalar = [row for row in mine if " " in row["method"]], [row for row in mine if " " not in row["method"]]
+    heyoka = [row for row in rows if row["program"] == "heyoka"]
+    others = [row for row in rows if row["program"] not in ("jellett", "heyoka")]
+    errors = [1e-4, 1e-6, 5e-9, 1e-10, 3e-12, 2e-13]
+    if heyoka:
+        against("Batches against heyoka, batches of 8, its fastest form and way", heyoka, batch, [(2e-7, 5), (3e-10, 5), (1e-12, 4), (1.3e-13, 3)])
+    if others:
+        against("One orbit at a time against the fastest of GSL, Boost.odeint, SUNDIALS", others, scalar, [(error, 2.5) for error in errors])
+        against("Batches against the fastest of GSL, Boost.odeint, SUNDIALS", others, batch, [(error, 10) for error in errors])
+
+
+def grazing():
+    rows = [row for row in read("grazing") if row["threads"] == "1" and not row["form"].endswith("_t") and row["error"]]
+    best = {}
+    for row in rows:
+        key = row["program"] if row["program"] != "jellett" else "jellett, batches" if " " in row["method"] else "jellett, one at a time"
+        form = "lifted" if row["form"] in ("level", "five", "track") else "plain"
+        if int(row["failed"]) == 0 and ((key, form) not in best or float(row["error"]) < float(best[key, form]["error"])):
+            best[key, form] = row
+    keys = list(dict.fromkeys(key for key, _ in best))
+    if keys:
+        print("**Grazing grid: the smallest error that is reached by anybody's any method without losing an orbit**\n")
+        cell = lambda key, form: f"{float(best[key, form]['error']):.1e} ({best[key, form]['method']}, {float(best[key, form][TIME]):.3g} µs)" \
+            if (key, form) in best else "every run lost orbits"
+        table(("program", "1/s lifted away", "1/s left in"), [(key, cell(key, "lifted"), cell(key, "plain")) for key in keys])
+
+
+def threads():
+    rows = read("threads")
+    pairs = [(one, two) for one in rows for two in rows if one["threads"] == "1" and two["threads"] != "1"
+             and one["method"] == two["method"] and one["tolerance"] == two["tolerance"]]
+    if pairs:
+        print("**Threads, batches**\n")
+        table(("tolerance", "1 thread: returns/s", f"{pairs[0][1]['threads']} threads", "ratio"),
+              [(one["tolerance"], rate(one), rate(two), f"{float(one[TIME]) / float(two[TIME]):.2f}") for one, two in pairs])
+
+
+def tiers():
+    rows = [row for row in read("tiers") if float(row["tolerance"]) in (1e-11, 1e-12)]
+    tolerance = max((row["tolerance"] for row in rows), key=lambda text: -float(text), default=None)
+    rows = [row for row in rows if row["tolerance"] == tolerance]
+    if rows:
+        print(f"**Tiers, the same question at tolerance {tolerance}**\n")
+        table(("orbit", "tier", "states", "time [µs]", "steps", "evaluations", "error"),
+              [(row["scene"], row["tier"], row["dimension"], f"{float(row['us_per_orbit']):.3g}", row["steps"], row["evaluations"],
+                f"{float(row['error']):.1e}") for row in rows])
+
+
+def kernels():
+    rows = read("kernels")
+    if rows:
+        codes = list(dict.fromkeys(row["code"] for row in rows))
+        modes = [("rhs", "throughput"), ("rhs", "chain"), ("rhs_jacobian", "throughput"), ("rhs_jacobian", "chain")]
+        found = {(row["code"], row["kernel"], row["mode"]): row["ns_median"] for row in rows}
+        print("**Kernels of (3.2), ns an evaluation (of one lane in batches)**\n")
+        table(("code", "field", "field, chain", "field and Jacobian", "both, chain"),
+              [(code, *(found.get((code, *mode), "") for mode in modes)) for code in codes])
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    sections()
+    grazing()
+    threads()
+    tiers()
+    kernels()
+
+
+main()
