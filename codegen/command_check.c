@@ -36,10 +36,10 @@ static void tell(const char *path, const ttc_model *model, const ttc_diagnostics
 {
     ttc_diagnostics_print(diagnostics, stderr);
     if (model != NULL)
-        printf("%s: model %s is well formed: %zu parameters, %zu states, %zu claims (not proved), %zu warnings\n", path,
+        printf("%s: model %s is well formed: parameters: %zu, states: %zu, claims (not proved): %zu, warnings: %zu\n", path,
                model->name, model->param_count, model->state_count, model->claim_count, ttc_warning_count(diagnostics));
     else
-        fprintf(stderr, "%s: %zu errors, %zu warnings\n", path, ttc_error_count(diagnostics), ttc_warning_count(diagnostics));
+        fprintf(stderr, "%s: errors: %zu, warnings: %zu\n", path, ttc_error_count(diagnostics), ttc_warning_count(diagnostics));
 }
 
 int ttc_command_check(const ttc_options *options)

@@ -40,7 +40,7 @@ static void print_text(const ttc_proof_report *report)
         printf("\n");
     }
     printf("%s: %zu claims: %zu proved, %zu refuted", report->model, report->proof_count, report->proved, report->refuted);
-    if (report->meaningless > 0) printf(", %zu without meaning", report->meaningless);
+    if (report->meaningless > 0) printf(", %zu not settled", report->meaningless);
     printf("\n");
 }
 
@@ -68,7 +68,7 @@ static void complain(const ttc_proof_report *report)
 {
     for (size_t i = 0; i < report->proof_count; i++)
         if (report->proofs[i].status == TTC_MEANINGLESS)
-            fprintf(stderr, "%s:%u:%u: error: the %s claim '%s' says nothing: %s\n", report->file,
+            fprintf(stderr, "%s:%u:%u: error: the %s claim '%s' is not settled: %s\n", report->file,
                     (unsigned)report->proofs[i].place.line, (unsigned)report->proofs[i].place.column,
                     report->proofs[i].kind, report->proofs[i].name,
                     report->proofs[i].remainder != NULL ? report->proofs[i].remainder : "no reason could be stored");

@@ -210,7 +210,7 @@ static ttc_id slope(void *context, uint32_t symbol)
     case TTC_ROLE_SINE:
         inner = ttc_derivative(graph, s->definition, slope, d);
         outer = ttc_integer(graph, s->role == TTC_ROLE_COSINE ? -1 : 1);
-        outer = ttc_multiply(graph, outer, field->symbols[field->symbols[symbol].partner].node);
+        outer = ttc_multiply(graph, outer, resolve(field, s->partner)); /* which may occur in derivatives alone */
         inner = ttc_field_distribute(field, inner, outer);
         break;
     default:

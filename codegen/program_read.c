@@ -2,33 +2,6 @@
 
 #include <stdlib.h>
 
-/* cos or sin of an angle that the model names, or of its opposite. */
-static void read_angle(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *angle, ttc_symbol_kind kind)
-{
-    const ttc_model *model = ttc_valuation_model(valuation);
-    ttc_ring *ring = ttc_valuation_ring(valuation);
-    bool found = false;
-    ttc_ratio own, difference;
-    ttc_ratio_init(ring, &own);
-    ttc_ratio_init(ring, &difference);
-    for (size_t i = 0; i < model->symbol_count && !found; i++) {
-        const ttc_symbol_entry *entry = &model->symbols[i];
-        if (entry->kind != kind) continue;
-        ttc_evaluate(valuation, &own, entry->definition);
-        ttc_ratio_subtract(ring, &difference, angle, &own);
-        found = ttc_ratio_is_zero(ring, &difference);
-        ttc_ratio_add(ring, &difference, angle, &own);
-        bool opposite = !found && ttc_ratio_is_zero(ring, &difference);
-        if (!found && !opposite) continue;
-        ttc_evaluate(valuation, out, entry->node);
-        if (opposite && kind == TTC_SINE) ttc_ratio_scale(ring, out, out, ring->minus_one);
-        found = true;
-    }
-    if (!found) ttc_ring_fail(ring, TTC_RING_ANGLE);
-    ttc_ratio_clear(ring, &difference);
-    ttc_ratio_clear(ring, &own);
-}
-
 typedef struct {
     ttc_valuation *valuation;
     ttc_ring *ring;
@@ -71,8 +44,8 @@ static void read_instruction(reader *r, ttc_ratio *out, const ttc_instruction *i
         ttc_ratio_subtract(ring, out, c, out);
         break;
     case TTC_OP_ROOT: ttc_ring_root(ring, out, a, -1, true); break;
-    case TTC_OP_COSINE: read_angle(r->valuation, out, a, TTC_COSINE); break;
-    case TTC_OP_SINE: read_angle(r->valuation, out, a, TTC_SINE); break;
+    case TTC_OP_COSINE: ttc_valuation_angle(r->valuation, out, a, false); break;
+    case TTC_OP_SINE: ttc_valuation_angle(r->valuation, out, a, true); break;
     }
 }
 

@@ -23,6 +23,7 @@ typedef enum {
     TTC_RING_ROOT_OF_NEGATIVE,
     TTC_RING_CIRCULAR,
     TTC_RING_ANGLE,
+    TTC_RING_ANGLE_FRACTION,
     TTC_RING_TOO_LARGE,
     TTC_RING_NO_MEMORY
 } ttc_ring_status;

@@ -39,7 +39,9 @@ const char *ttc_ring_status_text(ttc_ring_status status)
     case TTC_RING_ROOT_OF_ZERO: return "a root, positive by declaration, vanishes under the conditions of this claim";
     case TTC_RING_ROOT_OF_NEGATIVE: return "a radicand is negative under the conditions of this claim";
     case TTC_RING_CIRCULAR: return "the conditions of this claim define a name by itself";
-    case TTC_RING_ANGLE: return "an angle is mapped to one that the model does not name";
+    case TTC_RING_ANGLE: return "an angle is mapped to one that is no sum of angles that the model names";
+    case TTC_RING_ANGLE_FRACTION:
+        return "an angle is a fraction of others (expected an angle record for their common part, of which all are multiples)";
     case TTC_RING_TOO_LARGE: return "an expression grows beyond what is allowed";
     case TTC_RING_NO_MEMORY: return "out of memory";
     }

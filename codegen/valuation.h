@@ -1,7 +1,8 @@
 /** Expressions of a model as exact ratios, under substitutions.
  *
  *  A symbol is free (a variable of the ring), bound to an expression, or, for a state, bound to a square root. Roots and
- *  angles follow from what they are defined by. A plain valuation reads bound expressions in itself, so `when a = b, b = 1`
+ *  angles follow from what they are defined by: cosines and sines of angles that are linearly independent over the
+ *  rationals are variables with c^2 + s^2 = 1, those of sums of their multiples follow by the addition theorems. A plain valuation reads bound expressions in itself, so `when a = b, b = 1`
  *  means a = b = 1, and a circle is an error. A map (base != NULL) reads them in its base: the model at an image point, or
  *  another model seen from the base. */
 #ifndef TTC_VALUATION_H
@@ -37,5 +38,9 @@ size_t ttc_valuation_symbol(const ttc_valuation *valuation, slong variable);
 
 /* out = value of the expression; failure is the ring's sticky status. TTC_NONE is a failure too. */
 void ttc_evaluate(ttc_valuation *valuation, ttc_ratio *out, ttc_id id);
+
+/** cos or sin of an angle in a plain valuation, where it is a sum of whole multiples of angles that the table names; else the
+ *  ring fails with ANGLE or ANGLE_FRACTION. */
+void ttc_valuation_angle(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *angle, bool is_sine);
 
 #endif

@@ -35,7 +35,7 @@ static size_t check_table(const char *path)
         print_error("%s:%u: %s %s: %s: %s\n", path, (unsigned)proof->place.line, proof->kind, proof->name,
                     ttc_proof_status_name(proof->status), proof->remainder != NULL ? proof->remainder : "");
     }
-    print_message("%s: %zu proved, %zu refuted, %zu without meaning\n", report->model, report->proved, report->refuted,
+    print_message("%s: %zu proved, %zu refuted, %zu not settled\n", report->model, report->proved, report->refuted,
                   report->meaningless);
     size_t count = report->proof_count;
     assert_int_equal(wrong, 0);
