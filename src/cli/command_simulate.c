@@ -231,8 +231,13 @@ static jlt_exit follow(jlt_simulate_request *r, jlt_stream *stream)
     for (size_t i = 0; i < r->time_count; i++) {
         const jlt_status st = jlt_course_to(r->courses[0], r->times[i], row);
         if (st != JLT_OK) {
-            code = jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s",
-                                    i == 0 ? 0 : r->times[i - 1], jlt_status_text(st));
+            code = st == JLT_ERR_DOMAIN
+                       ? jlt_command_fail(JLT_EXIT_NUMERICAL,
+                                          "at t = %.10g the orbit is so near a pole that in plain time nothing is left of its digits: "
+                                          "leave out --tier",
+                                          row->t)
+                       : jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s",
+                                          i == 0 ? 0 : r->times[i - 1], jlt_status_text(st));
             break;
         }
         if (row->end == JLT_END_INTERRUPT) break;
