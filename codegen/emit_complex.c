@@ -8,6 +8,7 @@ typedef struct {
     ttc_text *text;
     ttc_field *field;
     unsigned char *declared; /* by symbol of the model */
+    bool reads_states, reads_params;
 } emitter;
 
 static void write_name(void *context, ttc_text *text, uint32_t symbol)
@@ -52,6 +53,7 @@ static void declare(emitter *e, uint32_t symbol)
     }
     if (s->role == TTC_ROLE_STATE || s->role == TTC_ROLE_PARAM) {
         bool is_state = s->role == TTC_ROLE_STATE;
+        *(is_state ? &e->reads_states : &e->reads_params) = true;
         ttc_text_format(e->text, "    const double %sv_%s = %s[%u];\n", is_state ? "complex " : "", entry->name,
                         is_state ? "x" : "params", s->position);
         return;
@@ -108,7 +110,7 @@ void ttc_emit_complex(ttc_text *text, ttc_field *field)
 {
     const ttc_model *model = field->model;
     ttc_text statements = { 0 };
-    emitter e = { &statements, field, calloc(model->symbol_count + 1, 1) };
+    emitter e = { .text = &statements, .field = field, .declared = calloc(model->symbol_count + 1, 1) };
     if (e.declared == NULL) {
         text->failed = true;
         return;
@@ -116,15 +118,10 @@ void ttc_emit_complex(ttc_text *text, ttc_field *field)
     if (field->time != NULL) declare_all(&e, field->time->factor);
     for (size_t i = 0; i < model->state_count; i++) emit_equation(&e, model->equations + i);
     for (size_t i = 0; field->time != NULL && i < field->time->lifted_count; i++) emit_lifted(&e, field->time->lifted[i]);
-    bool uses_x = false, uses_params = false;
-    for (size_t i = 0; i < model->symbol_count; i++) {
-        uses_x |= e.declared[i] && field->symbols[i].role == TTC_ROLE_STATE;
-        uses_params |= e.declared[i] && field->symbols[i].role == TTC_ROLE_PARAM;
-    }
     ttc_text_add(text, "static void rhs_complex(const double complex *restrict x, const double *restrict params,\n"
                        "                        double complex *restrict out)\n{\n");
-    if (!uses_x) ttc_text_add(text, "    (void)x;\n");
-    if (!uses_params) ttc_text_add(text, "    (void)params;\n");
+    if (!e.reads_states) ttc_text_add(text, "    (void)x;\n");
+    if (!e.reads_params) ttc_text_add(text, "    (void)params;\n");
     ttc_text_add(text, ttc_text_string(&statements));
     ttc_text_add(text, "}\n");
     text->failed |= statements.failed;

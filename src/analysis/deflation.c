@@ -213,34 +213,44 @@ static jlt_status cross_check(jlt_deflation *result, const jlt_deflation_problem
     return JLT_OK;
 }
 
-/* Eigenvalues of B, or of A itself when no choice of pivots gives a usable B: those that the integrals make zero must then
- * show on the diagonal of A's triangular part, as exact zeros. Out: the others, ascending; *zeros attributed. */
-static jlt_status solve_problem(double *re, double *im, double *errors, size_t *attributed, jlt_deflation_problem *p, jlt_deflation_choice *best)
+/* Eigenvalues of A itself, those of its triangular part as they stand: as many exact zeros of them as there are integrals
+ * are left out. *found: whether there were so many. */
+static jlt_status solve_whole(double *re, double *im, double *errors, bool *found, jlt_deflation_problem *p, jlt_deflation_choice *c)
 {
     const size_t n = p->n, rank = p->rank;
     size_t kept = 0, exact = 0;
-    jlt_status st;
+    jlt_status st = JLT_OK;
 
-    *attributed = rank;
-    if (jlt_deflation_problem_choose(best, p) && best->merit <= merit_limit) {
-        st = solve_block(re, im, errors, p, best);
-        if (st == JLT_OK) sort_ascending(re, im, errors, n - rank);
-        return st;
-    }
+    *found = false;
     p->rank = 0;
-    if (!jlt_deflation_problem_choose(best, p)) return JLT_ERR_NONFINITE;
-    st = solve_block(re, im, errors, p, best);
-    if (st != JLT_OK) return st;
-    for (size_t i = 0; i < n; i++) {
+    if (jlt_deflation_problem_choose(c, p)) st = solve_block(re, im, errors, p, c);
+    else st = JLT_ERR_NONFINITE;
+    for (size_t i = 0; st == JLT_OK && i < n; i++) {
         if (re[i] == 0.0 && im[i] == 0.0 && errors[i] == 0.0 && exact < rank) {
             exact++;
             continue;
         }
         re[kept] = re[i], im[kept] = im[i], errors[kept++] = errors[i];
     }
-    sort_ascending(re, im, errors, kept);
-    *attributed = exact;
-    return exact == rank ? JLT_OK : JLT_ERR_NO_CONVERGENCE;
+    *found = st == JLT_OK && exact == rank;
+    if (*found) sort_ascending(re, im, errors, kept);
+    else p->rank = rank;
+    return st;
+}
+
+/* Eigenvalues but for those that the integrals make zero. Where the zeros stand in A's triangular part nothing is to be
+ * eliminated, and no gradient, however close to dependent, can spoil what is left; else they are those of B. */
+static jlt_status solve_problem(double *re, double *im, double *errors, jlt_deflation_problem *p, jlt_deflation_choice *best)
+{
+    bool found;
+    jlt_status st = solve_whole(re, im, errors, &found, p, best);
+
+    if (found) return JLT_OK;
+    if (!jlt_deflation_problem_choose(best, p) || best->merit > merit_limit)
+        return st == JLT_OK ? JLT_ERR_NO_CONVERGENCE : st;
+    st = solve_block(re, im, errors, p, best);
+    if (st == JLT_OK) sort_ascending(re, im, errors, p->n - p->rank);
+    return st;
 }
 
 static jlt_status compute(jlt_deflation *result, const double *a, const double *error, size_t n, const double *gradients,
@@ -256,7 +266,8 @@ static jlt_status compute(jlt_deflation *result, const double *a, const double *
     if (n == 0 || n > SIZE || count > SIZE) return JLT_ERR_ARG;
     JLT_TRY(jlt_deflation_problem_set(&p, a, error, n, gradients, gradient_error, count));
     r.defect = jlt_deflation_problem_defect(&p);
-    JLT_TRY(solve_problem(re, im, errors, &attributed, &p, &best));
+    attributed = p.rank;
+    JLT_TRY(solve_problem(re, im, errors, &p, &best));
     r.n = n;
     r.kept = n - attributed;
     zeros = attributed;

@@ -6,9 +6,9 @@
  *
  *      B = A_ff - A_fp W_p^(-1) W_f,
  *
- *  and k eigenvalues are zero, attributed to the integrals. Of all choices of p the one that adds the
- *  least rounding error to B is taken: columns that vanish in A cost nothing, so B is then a block of A itself, unrounded. Where every
- *  choice would spoil B, the zeros must show exactly in the triangular part of A. */
+ *  and k eigenvalues are zero, attributed to the integrals. Where A, permuted to block triangular form, shows k exact zeros
+ *  on its diagonal, B is what is left of A itself, unrounded. Else of all choices of p the one that adds the least rounding
+ *  error to B is taken. */
 #ifndef JLT_ANALYSIS_DEFLATION_H
 #define JLT_ANALYSIS_DEFLATION_H
 

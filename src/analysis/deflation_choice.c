@@ -1,5 +1,6 @@
 #include "analysis/deflation_problem.h"
 
+#include "analysis/charpoly.h"
 #include "core/guard.h"
 
 #include <float.h>
@@ -10,7 +11,7 @@ enum { SIZE = JLT_DEFLATION_SIZE_MAX, CHOICES_MAX = 20000 };
 
 static const double roundoff = DBL_EPSILON / 2;
 
-/* [W_p W_f E] by elimination with row pivoting to [E X W_p^(-1)]; false when W_p is singular. */
+/* [W_p W_f E] by elimination with row pivoting, rows scaled, to [E X W_p^(-1)]; false when W_p is singular. */
 static bool eliminate(jlt_deflation_choice *c, const jlt_deflation_problem *p)
 {
     const size_t k = p->rank, rest = p->n - k, width = p->n + k;
@@ -20,6 +21,10 @@ static bool eliminate(jlt_deflation_choice *c, const jlt_deflation_problem *p)
         for (size_t j = 0; j < k; j++) m[i * width + j] = p->w[i * p->n + c->pivots[j]];
         for (size_t j = 0; j < rest; j++) m[i * width + k + j] = p->w[i * p->n + c->others[j]];
         m[i * width + p->n + i] = 1.0;
+    }
+    for (size_t i = 0; i < k; i++) {
+        const int exponent = jlt_charpoly_exponent(m + i * width, k);
+        for (size_t l = 0; l < width; l++) m[i * width + l] = ldexp(m[i * width + l], -exponent);
     }
     for (size_t j = 0; j < k; j++) {
         size_t best = j;
