@@ -14,7 +14,9 @@ static inline FILE *table_open(const char *name, const char *header)
     if (directory == NULL) return NULL;
     snprintf(path, sizeof path, "%s/%s.csv", directory, name);
     FILE *file = fopen(path, "w");
-    if (file != NULL) fprintf(file, "%s\n", header);
+    if (file == NULL) return NULL;
+    setvbuf(file, NULL, _IOLBF, BUFSIZ); /* rows of a long run can be read while it lasts */
+    fprintf(file, "%s\n", header);
     return file;
 }
 
