@@ -21,6 +21,23 @@ static bool reads_input(const ttc_program *program, unsigned index)
     return false;
 }
 
+/* f(z) for a vector that stands in registers. */
+static void add_field(ttc_text *text, const ttc_kernels *kernels)
+{
+    const ttc_program *program = kernels->kernels[TTC_KERNEL_RHS].optimized;
+    const ttc_field *field = kernels->field;
+    ttc_text_add(text, "\nstatic inline __attribute__((always_inline)) void ");
+    ttc_emit_stem(text, field);
+    ttc_text_add(text, "_field(");
+    for (size_t i = 0; i < field->state_count; i++) ttc_text_format(text, "jlt_lanes x%zu, ", i);
+    ttc_text_add(text, "const double *restrict p, double *restrict out, size_t stride)\n{\n");
+    for (unsigned i = 0; i < field->state_count; i++)
+        if (!reads_input(program, i)) ttc_text_format(text, "    (void)x%u;\n", i);
+    if (!ttc_emit_uses(program, TTC_OP_PARAMETER)) ttc_text_add(text, "    (void)p;\n");
+    ttc_emit_body(text, &dialect, program, field, &kernels->block, "p", 0);
+    ttc_text_add(text, "}\n");
+}
+
 static void add_kernel(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind)
 {
     const ttc_program *program = kernels->kernels[kind].optimized;
@@ -37,29 +54,90 @@ static void add_kernel(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_ki
     ttc_text_add(text, "}\n");
 }
 
-static void add_stage(ttc_text *text, const ttc_kernels *kernels)
+/* The kernel rhs: f of what is loaded. */
+static void add_rhs(ttc_text *text, const ttc_field *field)
 {
-    const ttc_program *program = kernels->kernels[TTC_KERNEL_RHS].optimized;
-    const ttc_field *field = kernels->field;
-    unsigned n = (unsigned)field->state_count;
     ttc_text_add(text, "\nstatic void ");
     ttc_emit_stem(text, field);
-    ttc_text_add(text, "_stage(const double *restrict x, const double *const *restrict slope, const double *restrict weight,\n"
-                       "    unsigned count, const double *restrict h, const double *restrict p, double *restrict z,\n"
-                       "    double *restrict out)\n{\n"
-                       "    enum { stride = JLT_LANES };\n"
-                       "    const jlt_lanes step = jlt_lanes_load(h), first = jlt_lanes_of(weight[0]);\n");
-    if (!ttc_emit_uses(program, TTC_OP_PARAMETER)) ttc_text_add(text, "    (void)p;\n");
-    for (unsigned i = 0; i < n; i++)
-        ttc_text_format(text, "    jlt_lanes x%u = first * jlt_lanes_load(slope[0] + %u*stride);\n", i, i);
-    ttc_text_add(text, "    for (unsigned l = 1; l < count; l++) {\n        const jlt_lanes next = jlt_lanes_of(weight[l]);\n");
-    for (unsigned i = 0; i < n; i++)
-        ttc_text_format(text, "        x%u = jlt_lanes_fma(next, jlt_lanes_load(slope[l] + %u*stride), x%u);\n", i, i, i);
+    ttc_text_add(text, "_rhs(const double *restrict x, const double *restrict p, double *restrict out, size_t stride)\n{\n    ");
+    ttc_emit_stem(text, field);
+    ttc_text_add(text, "_field(");
+    for (size_t i = 0; i < field->state_count; i++) ttc_text_format(text, "jlt_lanes_load(x + %zu*stride), ", i);
+    ttc_text_add(text, "p, out, stride);\n}\n");
+}
+
+/* Accumulators of both vectors, a weight and a slope must find room among the 16 registers of the narrower sets. */
+enum { SIDE_BY_SIDE_MAX = 7 };
+
+/* What is done to vector `at` (a C expression) of every row, whose accumulators are called LETTER0, LETTER1, ... */
+typedef struct {
+    char letter;
+    const char *at;
+} side;
+
+static void add_first_slope(ttc_text *text, size_t n, const side *s)
+{
+    for (size_t i = 0; i < n; i++)
+        ttc_text_format(text, "        jlt_lanes %c%zu = first * jlt_lanes_load(slope + %zu*row + %s);\n", s->letter, i, i, s->at);
+}
+
+static void add_next_slope(ttc_text *text, size_t n, const side *s)
+{
+    for (size_t i = 0; i < n; i++)
+        ttc_text_format(text, "            %c%zu = jlt_lanes_fma(next, jlt_lanes_load(slope + %zu*row + %s), %c%zu);\n", s->letter,
+                        i, i, s->at, s->letter, i);
+}
+
+static void add_slope_of_sum(ttc_text *text, const ttc_field *field, const side *s)
+{
+    const size_t n = field->state_count;
+    ttc_text_format(text, "        const jlt_lanes %ch = jlt_lanes_load(h + %s);\n", s->letter, s->at);
+    for (size_t i = 0; i < n; i++)
+        ttc_text_format(text, "        %c%zu = jlt_lanes_fma(%ch, %c%zu, jlt_lanes_load(x + %zu*row + %s));\n", s->letter, i, s->letter,
+                        s->letter, i, i, s->at);
+    ttc_text_add(text, "        ");
+    ttc_emit_stem(text, field);
+    ttc_text_add(text, "_field(");
+    for (size_t i = 0; i < n; i++) ttc_text_format(text, "%c%zu, ", s->letter, i);
+    ttc_text_format(text, "p, k + %zu*i*row + %s, row);\n        if (i == count) {\n", n, s->at);
+    for (size_t i = 0; i < n; i++)
+        ttc_text_format(text, "            jlt_lanes_store(z + %zu*row + %s, %c%zu);\n", i, s->at, s->letter, i);
+    ttc_text_add(text, "        }\n");
+}
+
+/* The loop over stages, for vectors whose sums are taken together. */
+static void add_stage_loop(ttc_text *text, const ttc_field *field, const side *sides, size_t count)
+{
+    const size_t n = field->state_count;
+    ttc_text_format(text, "    for (unsigned i = 1; i <= count; i++) {\n"
+                          "        const jlt_stage_sum *sum = sums + i - 1;\n"
+                          "        const double *slope = k + %zu*sum->slope[0]*row;\n"
+                          "        const jlt_lanes first = jlt_lanes_of(sum->weight[0]);\n", n);
+    for (size_t s = 0; s < count; s++) add_first_slope(text, n, sides + s);
+    ttc_text_format(text, "        for (unsigned l = 1; l < sum->count; l++) {\n"
+                          "            const jlt_lanes next = jlt_lanes_of(sum->weight[l]);\n"
+                          "            slope = k + %zu*sum->slope[l]*row;\n", n);
+    for (size_t s = 0; s < count; s++) add_next_slope(text, n, sides + s);
+    ttc_text_add(text, "        }\n");
+    for (size_t s = 0; s < count; s++) add_slope_of_sum(text, field, sides + s);
     ttc_text_add(text, "    }\n");
-    for (unsigned i = 0; i < n; i++)
-        ttc_text_format(text, "    x%u = jlt_lanes_fma(step, x%u, jlt_lanes_load(x + %u*stride));\n"
-                              "    jlt_lanes_store(z + %u*stride, x%u);\n", i, i, i, i, i);
-    ttc_emit_body(text, &dialect, program, field, &kernels->block, "p", 0);
+}
+
+static void add_stages(ttc_text *text, const ttc_kernels *kernels)
+{
+    static const side together[] = { { 'a', "0" }, { 'b', "JLT_LANES" } }, single[] = { { 'a', "at" } };
+    const ttc_field *field = kernels->field;
+    ttc_text_add(text, "\nstatic void ");
+    ttc_emit_stem(text, field);
+    ttc_text_add(text, "_stages(const double *restrict x, double *restrict k, const jlt_stage_sum *restrict sums,\n"
+                       "    unsigned count, const double *restrict h, const double *restrict p, double *restrict z)\n{\n"
+                       "    enum { row = JLT_BATCH_VECTORS*JLT_LANES };\n");
+    if (field->state_count <= SIDE_BY_SIDE_MAX) {
+        add_stage_loop(text, field, together, 2);
+    } else {
+        ttc_text_add(text, "    for (unsigned at = 0; at < row; at += JLT_LANES)\n");
+        add_stage_loop(text, field, single, 1);
+    }
     ttc_text_add(text, "}\n");
 }
 
@@ -75,7 +153,7 @@ static void add_table(ttc_text *text, const ttc_kernels *kernels)
         if (kernels->kernels[kind].count > 0)
             ttc_text_format(text, "    .%s = %s_%s,\n", ttc_kernel_name((ttc_kernel_kind)kind), ttc_text_string(&stem),
                             ttc_kernel_name((ttc_kernel_kind)kind));
-    ttc_text_format(text, "    .stage = %s_stage,\n};\n", ttc_text_string(&stem));
+    ttc_text_format(text, "    .stages = %s_stages,\n};\n", ttc_text_string(&stem));
     text->failed |= name.failed || stem.failed;
     ttc_text_clear(&name);
     ttc_text_clear(&stem);
@@ -86,9 +164,11 @@ void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels)
     ttc_text_format(text, "/* Kernels of %s, SHA-256 %s, on vectors of JLT_LANES lanes. Written by ttc %s; do not edit.\n"
                           " * The scalar file beside this one has the formulas. */\n",
                     kernels->field->model->name, kernels->field->model->sha256, JLT_VERSION);
+    add_field(text, kernels);
+    add_rhs(text, kernels->field);
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++)
-        if (kernels->kernels[kind].count > 0) add_kernel(text, kernels, (ttc_kernel_kind)kind);
-    add_stage(text, kernels);
+        if (kind != TTC_KERNEL_RHS && kernels->kernels[kind].count > 0) add_kernel(text, kernels, (ttc_kernel_kind)kind);
+    add_stages(text, kernels);
     add_table(text, kernels);
 }
 

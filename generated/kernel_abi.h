@@ -55,10 +55,20 @@ typedef struct {
  * aligned to 8*lanes bytes. p is one block for all lanes. */
 typedef void (*jlt_kernel_lanes)(const double *restrict x, const double *restrict p, double *restrict out, size_t stride);
 
-/* A stage of a one-step method, stride = lanes: z = x + h * sum_l weight[l]*slope[l], out = f(z); count >= 1. */
-typedef void (*jlt_kernel_stage)(const double *restrict x, const double *const *restrict slope,
-                                 const double *restrict weight, unsigned count, const double *restrict h,
-                                 const double *restrict p, double *restrict z, double *restrict out);
+/* The argument of a stage, less the state and in units of the step: the sum of weight[l] * (slope number slope[l]). */
+typedef struct {
+    unsigned count; /* >= 1 */
+    unsigned char slope[16];
+    double weight[16];
+} jlt_stage_sum;
+
+/* All stages of an explicit one-step method, on JLT_BATCH_VECTORS vectors side by side: a row is JLT_BATCH_VECTORS * lanes
+ * long. For i = 1 .. count: z = x + h * sum i - 1, slope i = f(z). x and z have shape (states, row), k has (count + 1,
+ * states, row) and holds slope 0, h has (row,). z is left at the last one. */
+enum { JLT_BATCH_VECTORS = 2 };
+typedef void (*jlt_kernel_stages)(const double *restrict x, double *restrict k, const jlt_stage_sum *restrict sums,
+                                  unsigned count, const double *restrict h, const double *restrict p,
+                                  double *restrict z);
 
 /* The batched kernels for one instruction set: every lane does what the scalar kernel does, in the same order. */
 typedef struct {
@@ -66,7 +76,7 @@ typedef struct {
     unsigned lanes;
     jlt_kernel_lanes rhs, jacobian, rhs_jacobian, divergence, integral_values, integral_gradients, measure_values,
         measure_divergences, time_factor, eliminated; /* NULL where the scalar kernel is */
-    jlt_kernel_stage stage;
+    jlt_kernel_stages stages;
 } jlt_kernel_batch;
 
 enum { JLT_ISA_COUNT = 3 };

@@ -1,4 +1,4 @@
-/** Many orbits at once, one a lane: section maps by DOP853 on batched kernels.
+/** Many orbits at once, one a lane: section maps by explicit Runge-Kutta methods on batched kernels.
  *
  *  Every lane has its own step, its own error control and its own fate; a finished lane is refilled from the list of
  *  starts, so that none runs empty before the list ends. Crossings are queued and refined a full vector at a time.
@@ -32,6 +32,7 @@ typedef struct {
     int direction;                   /* +1: crossed upwards; -1: downwards; 0: both */
     int root;                        /* index of the lifted root, whose error is controlled relative to itself; -1: none */
     double root_floor;               /* the lane ends where the root is below */
+    const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
     double tolerance;                /* of the local error, against max(|x_i|, 1), for the root against |x_i| */
     size_t max_steps;                /* of one orbit, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
@@ -53,7 +54,8 @@ typedef struct {
 
 /** The map from starts (count, dim), row after row, `returns` times each; a start with x[column] = 0 is on the section, which is
  *  no crossing. work may be NULL.
- *  Errors: ARG; UNSUPPORTED, no instance for these lanes; NOMEM. Cost: 12 stages of a full vector a step. No memory grows with `returns`. */
+ *  Errors: ARG; UNSUPPORTED, no instance for these lanes; NOMEM. Cost: 12 or 15 stages of a full row a step. No memory grows with
+ *  `returns`. */
 JLT_CHECKED jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,
                                          jlt_batch_row row, jlt_batch_end end, void *context, jlt_batch_work *work);
 

@@ -1,0 +1,27 @@
+/** The one-step methods of the batched section map, as lists for the kernel `stages`; zero weights are left out. */
+#ifndef JLT_INTEGRATE_BATCH_METHOD_H
+#define JLT_INTEGRATE_BATCH_METHOD_H
+
+#include <stddef.h>
+
+#include "kernel_abi.h"
+
+enum { JLT_BATCH_STAGES_MAX = 15 };
+
+typedef struct jlt_batch_method {
+    const char *name;
+    unsigned order;       /* of the solution */
+    unsigned error_order; /* the error estimate of a step h is O(h^error_order) */
+    double caution;       /* how many times too large the estimate is, measured: a tolerance buys what it buys with dop853 */
+    unsigned stages;      /* slopes beyond k[0]; the last is at the end of the step, and the next step's k[0] */
+    jlt_stage_sum sum[JLT_BATCH_STAGES_MAX]; /* [i - 1] leads to slope i; the last one is the solution */
+    jlt_stage_sum error, second;             /* estimates; second.count == 0: there is one */
+} jlt_batch_method;
+
+/** dop853 and stepanov10. NULL past the end. */
+const jlt_batch_method *jlt_batch_method_at(size_t index);
+
+/** The cheaper one for a tolerance of the local error in (0, 1): measured on section maps, order 10 from 1e-8 down. */
+const jlt_batch_method *jlt_batch_method_for(double tolerance);
+
+#endif
