@@ -152,6 +152,16 @@ bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction
 
 static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id);
 
+static void add_rounding(arb_t ball)
+{
+    mag_t radius;
+    mag_init(radius);
+    arb_get_mag(radius, ball);
+    mag_mul_2exp_si(radius, radius, -DOUBLE_PRECISION);
+    arb_add_error_mag(ball, radius);
+    mag_clear(radius);
+}
+
 static bool evaluate_symbol(arb_t out, ttc_ball *ball, evaluation mode, uint32_t symbol, long precision)
 {
     const ttc_symbol_entry *entry = &ball->model->symbols[symbol];
@@ -160,6 +170,7 @@ static bool evaluate_symbol(arb_t out, ttc_ball *ball, evaluation mode, uint32_t
 
     if (ball->known[symbol]) {
         arb_set_fmpq(out, &ball->values[symbol], precision);
+        if (mode == PLAIN) add_rounding(out);
         return true;
     }
     if (ball->bound[symbol] != TTC_NONE) {

@@ -16,7 +16,8 @@ typedef struct {
     double value, rest; /* the enclosure's midpoint is value + rest to 106 bits, value being its nearest double */
     double radius;      /* of the enclosure around value + rest */
     double rounding;    /* radius in 53-bit balls, roots rounded once: kernels factor their radicands */
-    double plain_rounding; /* radius in 53-bit balls throughout, radicands as written */
+    double plain_rounding; /* radius in 53-bit balls throughout, radicands as written, values rounded once: what is multiplied
+                            * out by other arithmetic rounds every product of them */
 } ttc_enclosure;
 
 /* model: borrowed; its graph may grow while the ball is in use. NULL when memory is out. */

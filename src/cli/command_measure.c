@@ -4,6 +4,7 @@
 #include "analysis/linearization.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
+#include "report/decimal.h"
 #include "report/json.h"
 #include "report/picture.h"
 
@@ -183,7 +184,7 @@ static void write_text(FILE *stream, const finding *f)
 
     fprintf(stream, "%s: %s\nkernels      %s, table %.12s\nparameters  ", d->model, d->title,
             d->variant[0] == '\0' ? "general" : d->variant, d->sha256);
-    for (unsigned i = 0; i < d->param_count; i++) fprintf(stream, " %s=%.17g", d->params[i].name, f->params[i]);
+    jlt_decimal_write_named(stream, d->params, f->params, d->param_count);
     fputc('\n', stream);
     if (d->measure_count == 0) fputs("table        claims no invariant density at these parameters\n", stream);
     for (unsigned i = 0; i < d->measure_count; i++)
@@ -192,7 +193,7 @@ static void write_text(FILE *stream, const finding *f)
     write_attempt(stream, f);
     if (!f->obstructed) return;
     fprintf(stream, "\nobstruction: at the equilibrium");
-    for (unsigned i = 0; i < d->state_count; i++) fprintf(stream, " %s=%.6g", d->states[i].name, f->x[i]);
+    jlt_decimal_write_named(stream, d->states, f->x, d->state_count);
     fprintf(stream, "\nthe trace is %.6g (error < %.1g), so no invariant measure has a smooth positive density (Proposition 1)\n",
             f->obstruction.trace, f->obstruction.trace_error);
 }

@@ -1,6 +1,7 @@
 #include "cli/eigen.h"
 
 #include "report/csv.h"
+#include "report/decimal.h"
 #include "report/json.h"
 
 #include <math.h>
@@ -23,7 +24,7 @@ static void write_values(FILE *stream, const char *title, const jlt_quantity *qu
                          size_t count)
 {
     fprintf(stream, "%-12s", title);
-    for (size_t i = 0; i < count; i++) fprintf(stream, " %s=%.17g", quantities[i].name, values[i]);
+    jlt_decimal_write_named(stream, quantities, values, count);
     fputc('\n', stream);
 }
 

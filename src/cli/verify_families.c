@@ -163,7 +163,7 @@ static void record(jlt_verify_check *check, double error, double value, double s
 
 static const char running_error[] = "4 times the running error of the expression as written (53-bit balls), and a rounding";
 static const char pair_error[] = "8 times the running error of the expression as written (53-bit balls), 4 for each of the two";
-static const char complex_error[] = "16 times the running error of the expression as written (53-bit balls), and a rounding";
+static const char complex_error[] = "16 times the running error of the expression as written (53-bit balls), values rounded once, and a rounding";
 static const char charpoly_error[] = "k(n+3) roundings of the coefficient without cancellation, and the formula's";
 static const char root_error[] = "the reported error of each eigenvalue, to first order, and the polynomial's";
 static const char null_error[] = "running errors of gradient and matrix, and n+4 roundings, without cancellation";

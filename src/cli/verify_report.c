@@ -1,6 +1,7 @@
 #include "cli/verify.h"
 
 #include "analysis/density.h"
+#include "report/decimal.h"
 #include "report/json.h"
 
 #include <float.h>
@@ -66,7 +67,7 @@ static void write_density(FILE *stream, const jlt_verify_density *d)
     const jlt_descriptor *k = d->descriptor;
 
     fprintf(stream, "    %s at", variant_name(k));
-    for (unsigned i = 0; i < k->param_count; i++) fprintf(stream, " %s=%.6g", k->params[i].name, d->params[i]);
+    jlt_decimal_write_named(stream, k->params, d->params, k->param_count);
     fputc('\n', stream);
     if (d->status != JLT_OK) {
         fprintf(stream, "      not computed: %s: FAILS\n", jlt_status_text(d->status));

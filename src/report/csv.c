@@ -1,5 +1,7 @@
 #include "report/csv.h"
 
+#include "report/decimal.h"
+
 #include <math.h>
 
 void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *descriptor, const double *params)
@@ -10,8 +12,7 @@ void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *des
     if (descriptor->time[0] != '\0') fprintf(stream, ", time %s", descriptor->time);
     if (descriptor->elimination[0] != '\0') fprintf(stream, ", %s", descriptor->elimination);
     fprintf(stream, " (table %s, %s)\n#", descriptor->sha256, descriptor->generator);
-    for (unsigned i = 0; i < descriptor->param_count; i++)
-        fprintf(stream, " %s=%.17g", descriptor->params[i].name, params[i]);
+    jlt_decimal_write_named(stream, descriptor->params, params, descriptor->param_count);
     fputc('\n', stream);
 }
 

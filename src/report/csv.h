@@ -7,7 +7,7 @@
 #include <stdio.h>
 
 /** Write lines that begin with "# ": the command, the version, the kernel with the hash of its table, and the parameters
- *  with the 17 digits that read back bit for bit. Failures show in ferror(stream).
+ *  with the digits that read back bit for bit. Failures show in ferror(stream).
  *  In: command, what was typed, or NULL; descriptor; params, shape (params,). */
 void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *descriptor, const double *params);
 
