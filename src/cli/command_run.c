@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "scene/scene.h"
 
 typedef struct {
@@ -54,7 +55,7 @@ static const struct argp parser = {
     NULL, NULL, NULL,
 };
 
-/* The job as it would be typed: argv[0] is the command's name. For free_arguments. */
+/* The job as it would be typed, argv[0] for the command's name. For free_arguments. */
 static char **arguments_of(const jlt_scene_job *job, int *argc)
 {
     char **argv = calloc(job->count + 4, sizeof *argv);
@@ -93,11 +94,35 @@ static void show(const char *name, char **argv, int argc)
     free(line);
 }
 
-/* Each command in a process of its own, so that whatever ends it leaves the others alone. Ctrl-C reaches the command, which
- * finishes its row; the run then ends. */
-static jlt_exit run_job(const jlt_command *command, char **argv, int argc, bool *interrupted)
+/* What a handler can reach: the command that runs, 0 between two; the signal that ends the run. */
+static volatile sig_atomic_t running, ending;
+
+/* Ctrl-C reaches the command by itself; a signal that a process sent to this one is passed on. */
+static void pass_on(int signal_number, siginfo_t *about, void *unused)
 {
-    struct sigaction ignore = { .sa_handler = SIG_IGN }, before;
+    const int reason = errno;
+
+    (void)unused;
+    ending = signal_number;
+    if (running > 0 && about->si_code <= 0) kill((pid_t)running, signal_number);
+    errno = reason;
+}
+
+static void take_signals(void)
+{
+    static const int asking[] = { SIGINT, SIGTERM, SIGHUP };
+
+    for (unsigned i = 0; i < sizeof asking / sizeof *asking; i++) {
+        struct sigaction action = { .sa_flags = SA_SIGINFO | SA_RESTART }, before;
+        sigemptyset(&action.sa_mask);
+        action.sa_sigaction = pass_on;
+        if (sigaction(asking[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(asking[i], &action, NULL);
+    }
+}
+
+/* Each command in a process of its own, so that whatever ends it leaves the others alone. */
+static jlt_exit run_job(const jlt_command *command, char **argv, int argc)
+{
     int status = 0;
     pid_t child;
 
@@ -105,33 +130,25 @@ static jlt_exit run_job(const jlt_command *command, char **argv, int argc, bool 
     child = fork();
     if (child < 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", command->name, strerror(errno));
-    if (child == 0) {
-        char name[64];
-        snprintf(name, sizeof name, "jellett %s", command->name);
-        char *first = argv[0];
-        argv[0] = name;
-        const jlt_exit code = command->run(argc, argv);
-        argv[0] = first;
-        exit((int)code);
-    }
-    sigemptyset(&ignore.sa_mask);
-    sigaction(SIGINT, &ignore, &before);
+    if (child == 0) exit((int)jlt_command_execute(command, argc, argv));
+    running = (sig_atomic_t)child;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
-    sigaction(SIGINT, &before, NULL);
-    *interrupted = WIFSIGNALED(status);
-    if (WIFSIGNALED(status))
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s was ended by signal %d", command->name, WTERMSIG(status));
-    return (jlt_exit)WEXITSTATUS(status);
+    running = 0;
+    if (!WIFSIGNALED(status)) return (jlt_exit)WEXITSTATUS(status);
+    const int by = WTERMSIG(status);
+    if (by == SIGINT || by == SIGTERM || by == SIGHUP) ending = by;
+    else (void)jlt_command_fail(JLT_EXIT_NUMERICAL, "%s was ended by signal %d", command->name, by);
+    return JLT_EXIT_NUMERICAL;
 }
 
 static jlt_exit run_jobs(const jlt_scene *scene, const options *o)
 {
     jlt_exit code = JLT_EXIT_DONE;
-    bool interrupted = false;
 
     if (o->into != NULL && !o->dry && chdir(o->into) != 0)
         return jlt_command_fail(JLT_EXIT_IO, "--into %s: %s", o->into, strerror(errno));
-    for (size_t k = 0; code == JLT_EXIT_DONE && !interrupted && k < scene->count; k++) {
+    if (!o->dry) take_signals();
+    for (size_t k = 0; code == JLT_EXIT_DONE && ending == 0 && k < scene->count; k++) {
         const jlt_scene_job *job = &scene->jobs[k];
         const jlt_command *command = jlt_command_find(job->what);
         int argc = 0;
@@ -144,8 +161,11 @@ static jlt_exit run_jobs(const jlt_scene *scene, const options *o)
         else {
             if (isatty(STDERR_FILENO))
                 fprintf(stderr, "jellett: %s:%u: %s (%zu of %zu)\n", scene->file, job->line, job->what, k + 1, scene->count);
-            code = run_job(command, argv, argc, &interrupted);
-            if (code != JLT_EXIT_DONE)
+            code = run_job(command, argv, argc);
+            if (ending != 0)
+                fprintf(stderr, "jellett: %s:%u: %s was interrupted; of the scene's %zu commands the last %zu were not begun\n",
+                        scene->file, job->line, job->what, scene->count, scene->count - k - 1);
+            else if (code != JLT_EXIT_DONE)
                 (void)jlt_command_fail(code, "%s:%u: error: %s ended with status %d", scene->file, job->line, job->what,
                                        (int)code);
         }
@@ -170,6 +190,7 @@ static jlt_exit run(int argc, char **argv)
     }
     code = run_jobs(scene, &o);
     jlt_scene_destroy(scene);
+    if (ending != 0) jlt_interrupt_end(ending);
     return code;
 }
 

@@ -4,7 +4,13 @@
 
 #include <signal.h>
 
-/** Take over SIGINT and SIGTERM, once per process. Returns the flag that they raise. */
+/** Take over SIGINT, SIGTERM and SIGHUP where they are not ignored, once per process. Returns the flag that they raise. */
 const volatile sig_atomic_t *jlt_interrupt_install(void);
+
+/** When the flag was raised: end the program by that signal, as whoever sent it expects. Otherwise nothing. */
+void jlt_interrupt_obey(void);
+
+/** End the program by this signal. */
+_Noreturn void jlt_interrupt_end(int signal_number);
 
 #endif

@@ -1,4 +1,5 @@
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/signals.h"
 
 #include <argp.h>
@@ -60,18 +61,23 @@ static void print_help(FILE *stream)
           "  jellett --help            this page\n"
           "  jellett --version         the version\n\n"
           "Exit status: 0 done, 1 a claim or check failed, 2 wrong usage, 3 bad input, 4 a numerical method failed,\n"
-          "5 a file cannot be read or written.\n",
+          "5 a file cannot be read or written. An interrupted command saves its whole rows and ends by the signal (130 after\n"
+          "Ctrl-C, 143 after kill, as shells count).\n",
           stream);
 }
 
-static int run(const jlt_command *command, int argc, char **argv)
+jlt_exit jlt_command_execute(const jlt_command *command, int argc, char **argv)
 {
-    char name[64];
+    char name[64], *first = argv[0];
+    jlt_exit code;
 
     /* argp takes the name of the program from here. */
     snprintf(name, sizeof name, "jellett %s", command->name);
     argv[0] = name;
-    return (int)command->run(argc, argv);
+    code = command->run(argc, argv);
+    argv[0] = first;
+    jlt_interrupt_obey();
+    return code;
 }
 
 int main(int argc, char **argv)
@@ -91,8 +97,8 @@ int main(int argc, char **argv)
         puts("jellett " JLT_VERSION);
         return JLT_EXIT_DONE;
     }
-    for (size_t i = 0; i < COMMANDS; i++)
-        if (strcmp(argv[1], commands[i]->name) == 0) return run(commands[i], argc - 1, argv + 1);
+    const jlt_command *command = jlt_command_find(argv[1]);
+    if (command != NULL) return (int)jlt_command_execute(command, argc - 1, argv + 1);
     fprintf(stderr, "jellett: there is no %s '%s'; 'jellett --help' lists what there is\n",
             argv[1][0] == '-' ? "option" : "command", argv[1]);
     return JLT_EXIT_USAGE;

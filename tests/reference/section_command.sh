@@ -82,14 +82,33 @@ if command -v gnuplot > /dev/null; then
     [ "$(head -c 4 picture.svg)" = "<?xm" ] || fail "the picture is no SVG"
 fi
 
-# An interrupt ends with whole rows and says what is saved.
-jellett section --start eta=0.1,gamma3=-0.6 --returns 100000000 --output long.csv 2> err &
-child=$!
-sleep 1
-kill -INT $child
-wait $child || fail "interrupted: status $?"
-grep -q 'interrupted; [0-9]* whole rows' err || fail "interrupted: $(cat err)"
-[ "$(grep -c '^0,' long.csv)" -eq "$(sed -n 's/.*interrupted; \([0-9]*\) whole rows.*/\1/p' err)" ] || fail "saved rows"
-tail -1 long.csv | grep -qE '^0(,[-+.e0-9]+){7},alive$' || fail "the last row is broken"
-[ -z "$(find . -name 'long.csv.*')" ] || fail "a temporary file is left"
+# An interrupt ends with whole rows, says what is saved, and is the status: 128 and the signal, also of a scene, whose other
+# commands are not begun. Job control, because a background job of a script ignores SIGINT otherwise.
+cat > long.scene <<'SCENE'
+compute = ( { what = "section"; start = { eta = 0.1; gamma3 = -0.6; }; returns = 100000000; output = "long.csv"; },
+            { what = "section"; start = { eta = 0.1; gamma3 = -0.6; }; output = "never.csv"; } );
+SCENE
+interrupted() { # SIGNAL STATUS COMMAND...
+    local signal=$1 want=$2 got=0
+    shift 2
+    rm -f long.csv
+    set -m
+    "$@" 2> err &
+    local child=$!
+    set +m
+    sleep 1
+    kill -"$signal" $child
+    wait $child 2> /dev/null || got=$?
+    [ $got -eq "$want" ] || fail "$*: status $got after SIG$signal, not $want"
+    grep -q 'interrupted; [0-9]* whole rows' err || fail "interrupted: $(cat err)"
+    [ "$(grep -c '^0,' long.csv)" -eq "$(sed -n 's/.*interrupted; \([0-9]*\) whole rows.*/\1/p' err)" ] || fail "saved rows"
+    tail -1 long.csv | grep -qE '^0(,[-+.e0-9]+){7},alive$' || fail "the last row is broken"
+    [ -z "$(find . -name 'long.csv.*' -o -name 'never.csv*')" ] || fail "$*: files are left"
+}
+for signal in INT TERM; do
+    code=$((128 + $(kill -l $signal)))
+    interrupted $signal $code jellett section --start eta=0.1,gamma3=-0.6 --returns 100000000 --output long.csv
+    interrupted $signal $code jellett run long.scene
+    grep -q 'the last 1 were not begun' err || fail "the scene says nothing: $(cat err)"
+done
 exit $status
