@@ -39,6 +39,7 @@ extern const jlt_command jlt_command_manifolds;
 extern const jlt_command jlt_command_lyapunov;
 extern const jlt_command jlt_command_continue;
 extern const jlt_command jlt_command_separation;
+extern const jlt_command jlt_command_drift;
 extern const jlt_command jlt_command_bench;
 
 /* By name, from the table of main.c; NULL when there is none. */

@@ -8,7 +8,7 @@
 #include "cli/progress.h"
 #include "report/csv.h"
 
-enum { TIMES = 2000, UNTIL, EVERY, TIER, COMPARE, TRACK };
+enum { TIMES = 2000, UNTIL, EVERY, TIER, COMPARE, TRACK, PROJECT };
 enum { TIMES_MAX = 100000000 };
 
 static const struct argp_option option_table[] = {
@@ -18,6 +18,7 @@ static const struct argp_option option_table[] = {
     { "tier", TIER, "NAME", 0, "The model to use; default the smallest that can answer (jellett plan lists them)", 1 },
     { "compare", COMPARE, "TIER,...", 0, "Follow the same orbit in these tiers as well: a column of differences each", 1 },
     { "track", TRACK, NULL, 0, "Attitude, centre of mass and contact point as well", 1 },
+    { "project", PROJECT, NULL, 0, "After every step back onto the start's levels of all integrals", 1 },
     { 0 },
 };
 
@@ -42,6 +43,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case TIER: r->tier = value; return 0;
     case COMPARE: r->compare = value; return 0;
     case TRACK: r->track = true; return 0;
+    case PROJECT: r->project = true; return 0;
     case ARGP_KEY_END:
         if ((r->times_text == NULL) == isnan(r->until)) argp_error(state, "say when: --times, or --until with --every");
         if (isnan(r->until) && !isnan(r->every)) argp_error(state, "--every goes with --until");
@@ -111,10 +113,13 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     const jlt_session *s = &r->session;
     const jlt_question question = { s->descriptor, s->params, s->x, r->track && r->course_count == 0,
                                     false, tier };
-    const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt };
+    const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt,
+                                         .project = r->project && r->course_count == 0 };
     jlt_plan *plan = &r->plans[r->course_count];
     jlt_status st;
 
+    if (options.project && !jlt_plan_has_tiers(s->descriptor))
+        return jlt_command_fail(JLT_EXIT_INPUT, "--project: projection is onto the integrals of spherical_top");
     if (question.attitude && (!jlt_plan_has_tiers(s->descriptor) || (tier != NULL && strcmp(tier, "model") == 0)))
         return jlt_command_fail(JLT_EXIT_INPUT, "--track: attitude and track come from the tiers of spherical_top");
     st = jlt_plan_make(plan, &question);
@@ -124,6 +129,10 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     if (st == JLT_ERR_UNSUPPORTED && tier != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", tier, plan->candidates[plan->chosen].refusal);
     if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
+    if (st == JLT_ERR_UNSUPPORTED && options.project)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--project: not with the tier %s (it serves up to %d integrals) or not with the method %s (one-step "
+                                "methods alone); leave it out, or choose another",
+                                jlt_plan_tier(plan), JLT_INVARIANTS_MAX, s->method->name);
     if (st == JLT_ERR_UNSUPPORTED)
         return jlt_command_fail(JLT_EXIT_INPUT, "the kernels of %s have not what the method %s needs", s->descriptor->model,
                                 s->method->name);
@@ -159,8 +168,9 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     const jlt_tier *tier = plan->candidates[plan->chosen].tier;
 
     jlt_csv_header(file, s->command, kernel->descriptor, kernel->params);
-    fprintf(file, "# tier %s: %s; method %s, tolerance %.3g; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
-            tier != NULL ? tier->meaning : "the model's own field", s->method->name, s->tolerance);
+    fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
+            tier != NULL ? tier->meaning : "the model's own field", s->method->name, s->tolerance,
+            r->project ? ", projected" : "");
     fputs("t", file);
     for (unsigned i = 0; i < s->descriptor->state_count; i++) fprintf(file, ",%s", s->descriptor->states[i].name);
     for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++)

@@ -26,6 +26,7 @@ static const jlt_command *const commands[] = {
     &jlt_command_continue,
     &jlt_command_lyapunov,
     &jlt_command_separation,
+    &jlt_command_drift,
     &jlt_command_bench,
 };
 enum { COMMANDS = sizeof commands / sizeof *commands };

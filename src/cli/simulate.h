@@ -10,7 +10,7 @@ typedef struct {
     jlt_session session;
     const char *times_text, *tier, *compare;
     double until, every; /* NaN: not given */
-    bool track;
+    bool track, project;
 
     double *times; /* shape (time_count,), owned */
     size_t time_count, rows;

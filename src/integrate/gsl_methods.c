@@ -135,6 +135,7 @@ const jlt_method jlt_method_msadams = {
     .name = "msadams",
     .meaning = "Adams of orders 1 to 12 in Nordsieck form, P(EC)^m, from GSL",
     .dense_order = 7,
+    .multistep = true,
     .create = create_msadams,
     SHARED,
 };

@@ -53,6 +53,7 @@ struct jlt_method {
     unsigned dense_order;    /* local error of the polynomial is O(h^(dense_order + 1)); 0: variable */
     unsigned evaluations;    /* of the field an accepted step; 0: variable */
     bool needs_jet;
+    bool multistep;          /* lives on past steps: a point that is moved after every step would set it back to order 1 */
     jlt_status (*create)(jlt_stepper *self);    /* makes self->state */
     void (*destroy)(jlt_stepper *self);         /* legal when create failed */
     jlt_status (*start)(jlt_stepper *self);     /* x and f changed: forget the past, set h_next when it is 0 */

@@ -42,6 +42,7 @@ jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt
     if (!(options->first_step >= 0) || !isfinite(options->first_step)) return JLT_ERR_ARG;
     if (options->invariants.count > JLT_INVARIANTS_MAX) return JLT_ERR_ARG;
     if (options->project && options->invariants.gradients == NULL) return JLT_ERR_ARG;
+    if (options->project && method != NULL && method->multistep) return JLT_ERR_UNSUPPORTED;
     self = jlt_memory_array(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     self->options = *options;

@@ -49,7 +49,7 @@ typedef struct jlt_orbit jlt_orbit;
 /** Called after every accepted step; nonzero ends the run. */
 typedef int (*jlt_observer)(void *context, jlt_orbit *orbit);
 
-/** Errors: as jlt_stepper_create. `field` must live on. */
+/** Errors: as jlt_stepper_create; UNSUPPORTED, project with a multistep method. `field` must live on. */
 JLT_CHECKED jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *method, const jlt_field *field,
                                         const jlt_options *options);
 void jlt_orbit_destroy(jlt_orbit *self); /* NULL is legal */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "scene/conserved.h"
 #include "scene/rod.h"
 
 enum { INTEGRALS_MAX = 8 };
@@ -21,6 +22,7 @@ struct jlt_course {
 
     jlt_instance *instance; /* the tier's kernel */
     jlt_field field;
+    jlt_conserved conserved;
     jlt_orbit *orbit;
     jlt_rod rod;
 
@@ -88,8 +90,8 @@ static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, cons
 {
     jlt_status st = JLT_OK;
     double params[JLT_PLAN_PARAMS_MAX];
-    const jlt_options to_orbit = { .tolerance = options->tolerance, .max_steps = options->max_steps,
-                                   .interrupt = options->interrupt };
+    jlt_options to_orbit = { .tolerance = options->tolerance, .max_steps = options->max_steps,
+                             .interrupt = options->interrupt, .project = options->project };
 
     if (chosen->tier == NULL) {
         JLT_TRY(jlt_instance_create(&self->instance, chosen->descriptor, question->params));
@@ -100,6 +102,7 @@ static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, cons
         chosen->tier->embed(&self->view, self->y, question->start);
     }
     JLT_TRY(jlt_field_of(&self->field, chosen->descriptor, self->instance->block));
+    if (options->project) JLT_TRY(jlt_conserved_of(&to_orbit.invariants, &self->conserved, chosen->descriptor, &self->field));
     JLT_TRY(jlt_orbit_create(&self->orbit, options->method != NULL ? options->method : jlt_method_find(NULL), &self->field,
                              &to_orbit));
     if (self->has_top) jlt_orbit_observe(self->orbit, watch_force, self);
@@ -164,6 +167,11 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     double now[INTEGRALS_MAX];
 
     *row = (jlt_course_row){ .end = end, .t = t, .x = self->x, .drift = self->drift, .contact_force = NAN };
+    if (self->has_top) { /* an integrated gamma3 may pass 1 by a rounding error */
+        double *gamma3 = &self->x[JLT_TOP_GAMMA3];
+        row->side = end == JLT_END_POLE ? (*gamma3 > 0 ? 1 : -1) : 0;
+        *gamma3 = row->side != 0 ? row->side : fmax(-1, fmin(1, *gamma3));
+    }
     integrals(self, now, self->x);
     for (unsigned i = 0; i < jlt_course_integrals(self); i++)
         self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
@@ -173,10 +181,6 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     }
     row->least_force = self->least_force;
     row->lost_at = self->lost_at;
-    if (end == JLT_END_POLE) {
-        row->side = self->x[JLT_TOP_GAMMA3] > 0 ? 1 : -1;
-        self->x[JLT_TOP_GAMMA3] = row->side;
-    }
     if (self->tier != NULL && self->tier->orient != NULL) {
         row->has_attitude = true;
         self->tier->orient(&self->view, &row->attitude, self->y);

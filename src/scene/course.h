@@ -15,6 +15,7 @@ typedef struct {
     const jlt_method *method;               /* NULL: the default */
     double tolerance;                       /* of the local error, relative to scale; 0: 1e-12 */
     size_t max_steps;                       /* of one call; 0: 10^7 */
+    bool project;                           /* after every step back onto the levels of the start */
     const volatile sig_atomic_t *interrupt; /* may be NULL */
 } jlt_course_options;
 
@@ -34,7 +35,7 @@ typedef struct {
 typedef struct jlt_course jlt_course;
 
 /** question and plan are copied; what they point to must live on only for descriptors.
- *  Errors: UNSUPPORTED (no kernel), those of jlt_orbit_create and jlt_rod_open, NONFINITE, NOMEM. */
+ *  Errors: UNSUPPORTED (no kernel; project with more integrals than are served), those of jlt_orbit_create and jlt_rod_open, NONFINITE, NOMEM. */
 JLT_CHECKED jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
                                          const jlt_course_options *options);
 void jlt_course_destroy(jlt_course *self); /* NULL is legal */

@@ -15,7 +15,8 @@
 
 static const jlt_key simulate_keys[] = {
     KEY("start", GROUP, JLT_KEY_STATES), KEY("times", NUMBERS, NULL), KEY("until", NUMBER, NULL),
-    KEY("every", NUMBER, NULL), KEY("compare", TEXT, NULL), KEY("track", FLAG, NULL), OUTPUT, LAST,
+    KEY("every", NUMBER, NULL), KEY("compare", TEXT, NULL), KEY("track", FLAG, NULL), KEY("project", FLAG, NULL),
+    OUTPUT, LAST,
 };
 static const jlt_key portrait_keys[] = {
     KEY("start", GROUP, JLT_KEY_STATES), KEY("orbits", COUNT, NULL), KEY("until", NUMBER, NULL),
