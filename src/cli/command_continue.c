@@ -155,7 +155,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
     jlt_motion_caption(stream, system);
     fprintf(stream,
             "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"γ_3 of the first point\"\n"
-            "set key outside bottom horizontal\nplot $POINTS using 1:2 with lines lc rgb '#2040c0' title 'orbits'", name);
+            "set key tmargin center horizontal\nplot $POINTS using 1:2 with lines lc rgb '#2040c0' title 'orbits'", name);
     for (int kind = 1; kind <= (int)JLT_BIFURCATION_TORUS; kind++)
         fprintf(stream, ", $POINTS using 1:($3==%d?$2:1/0) with points pt %d lc %d title '%s'", kind, kind + 4, kind + 1,
                 jlt_continuation_bifurcation_name((jlt_bifurcation)kind));

@@ -85,11 +85,16 @@ static void write_row(FILE *file, const options *o, const jlt_system *system, co
     fputc('\n', file);
 }
 
+static const char *grid_of(const options *o)
+{
+    return o->grid != NULL ? o->grid : o->start_count > 0 ? NULL : "60x40";
+}
+
 /* All starts of one system; file NULL: only count. */
 static jlt_exit follow_all(shares *sum, FILE *file, FILE *points, const options *o, const jlt_system *system,
                            jlt_progress *progress, size_t before, size_t whole)
 {
-    const char *grid = o->grid != NULL ? o->grid : o->start_count > 0 ? NULL : "60x40";
+    const char *grid = grid_of(o);
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_section *section = NULL;
     double q[JLT_CHART_DIM_MAX];
@@ -138,22 +143,43 @@ static void summary(FILE *stream, const shares *sum)
     fputc('\n', stream);
 }
 
-static jlt_exit draw_fates(const options *o, const jlt_system *system, const char *points)
+/* Half the distance of neighbouring starts on an axis; 0 for a single one. */
+static double half_cell(const jlt_grid_axis *axis, double period)
+{
+    return axis->count > 1 ? fabs(jlt_grid_value(axis, 1, period) - jlt_grid_value(axis, 0, period)) / 2 : 0;
+}
+
+/* A grid as cells, single starts as points. */
+static jlt_exit draw_fates(const options *o, const jlt_system *system, const char *points, const shares *sum)
 {
     static const char *const colours[] = { "#303030", "#d04020", "#3060c0", "#e0b000", "#909090" };
-    char *script = NULL;
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    const char *grid = grid_of(o);
+    char *script = NULL, how[128] = "points pt 5 ps 0.7";
     size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    bool first = true;
+    FILE *stream;
+    jlt_exit code = jlt_motion_axes(axes, system, grid);
 
+    if (code != JLT_EXIT_DONE) return code;
+    stream = open_memstream(&script, &size);
     if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
-    fprintf(stream, "set encoding utf8\n$POINTS << END\n%s-10 -10 0 0\nEND\nset title \"Fates of orbits by their start, ", points);
+    const double width = half_cell(&axes[0], system->flow.chart->period[0]), height = half_cell(&axes[1], 0);
+    const bool cells = grid != NULL && width > 0 && height > 0;
+    if (cells) snprintf(how, sizeof how, "boxxyerror fill solid noborder");
+    fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Fates of orbits by their start, ", points);
     jlt_motion_caption(stream, system);
-    fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset xrange [-pi:pi]\nset yrange [-1:1]\n"
-          "set key outside bottom horizontal\nplot ", stream);
-    for (int fate = 0; fate <= (int)JLT_FATE_BUDGET; fate++)
-        fprintf(stream, "%s$POINTS using 1:($3==%d?$2:1/0) with points pt 5 ps 0.45 lc rgb '%s' title \"%s\" noenhanced",
-                fate == 0 ? "" : ", ", fate, colours[fate], jlt_section_fate_name((jlt_fate)fate));
+    fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset key tmargin center horizontal\nset tics out\n", stream);
+    if (grid != NULL && strchr(grid, '=') == NULL) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
+    fputs("plot ", stream);
+    for (int fate = 0; fate <= (int)JLT_FATE_BUDGET; fate++) {
+        if (sum->all.by_fate[fate] == 0) continue;
+        fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN)", first ? "" : ", ", fate);
+        if (cells) fprintf(stream, ":(%.9g):(%.9g)", width, height);
+        fprintf(stream, " with %s lc rgb '%s' title \"%zu %s\" noenhanced", how, colours[fate], sum->all.by_fate[fate],
+                jlt_section_fate_name((jlt_fate)fate));
+        first = false;
+    }
     fputc('\n', stream);
     fclose(stream);
     code = jlt_motion_draw(&o->motion, script);
@@ -182,7 +208,7 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
         if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream->path);
         fputs("jellett: ", stderr);
         summary(stderr, &sum);
-        if (points != NULL) code = draw_fates(o, system, points);
+        if (points != NULL) code = draw_fates(o, system, points, &sum);
     }
     free(points);
     return code;
@@ -201,7 +227,7 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
     jlt_motion_caption(stream, system);
     fprintf(stream,
             "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"share of starts with a low centre of mass\"\n"
-            "set yrange [0:1]\nset key outside bottom horizontal\n"
+            "set yrange [0:1]\nset key tmargin center horizontal\n"
             "plot $SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'turned over', "
             "$SHARES using 1:4 with linespoints pt 6 ps 0.6 title 'turned over with N > 0 all the way'\n", name);
     fclose(stream);

@@ -93,7 +93,7 @@ static jlt_exit draw_history(const options *o, const jlt_system *system, const c
     if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
     fprintf(stream, "set encoding utf8\n$HISTORY << END\n%sEND\nset title \"Lyapunov exponents from %s, ", points, o->start);
     jlt_motion_caption(stream, system);
-    fputs("\" noenhanced\nset xlabel \"t\"\nset ylabel \"λ [1/time]\"\nset logscale x\nset key outside bottom horizontal\nplot ",
+    fputs("\" noenhanced\nset xlabel \"t\"\nset ylabel \"λ [1/time]\"\nset logscale x\nset key tmargin center horizontal\nplot ",
           stream);
     for (unsigned k = 0; k < system->flow.chart->dim; k++)
         fprintf(stream, "%s$HISTORY using 1:%u with linespoints pt 7 ps 0.3 title 'λ_%u'", k == 0 ? "" : ", ", k + 2, k + 1);

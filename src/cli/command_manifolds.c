@@ -206,7 +206,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const portrait 
                 fprintf(stream, "%.9g %.9g\n", p->crossings[u][s][i].q[0], p->crossings[u][s][i].q[1]);
     fprintf(stream, "%.9g %.9g\nEND\nset title \"Separatrices of the saddle, ", saddle->points[0], saddle->points[1]);
     jlt_motion_caption(stream, system);
-    fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset key outside bottom horizontal\n"
+    fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset key tmargin center horizontal\n"
           "plot $UNSTABLE with lines lc rgb '#c02020' title 'unstable', "
           "$STABLE with lines lc rgb '#2040c0' title 'stable', "
           "$CROSSINGS with points pt 7 ps 0.4 lc rgb 'black' title 'saddle and homoclinic points'\n",

@@ -220,7 +220,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
     fprintf(stream, "\" noenhanced\nset xlabel \"%s\"\nset ylabel \"%s\"\n", system->is_top ? "η [rad]" : chart->names[0],
             system->is_top ? "γ_3" : chart->names[1]);
     if (system->is_top) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
-    fputs("set key outside bottom horizontal\nplot ", stream);
+    fputs("set key tmargin center horizontal\nplot ", stream);
     for (int type = 0; type <= (int)JLT_ORBIT_DEGENERATE; type++)
         fprintf(stream, "%s$POINTS using 1:($3==%d?$2:1/0) with points pt %d ps 0.8 lc %d title \"%s\"", type == 0 ? "" : ", ",
                 type, type + 4, type + 1, jlt_periodic_type_name((jlt_orbit_type)type));

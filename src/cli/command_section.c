@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A picture holds so many points at most: memory does not grow with the returns. */
-enum { PICTURE_POINTS = 400000 };
+/* A picture holds so many points at most: memory does not grow with the returns. Beyond so many they are drawn as dots. */
+enum { PICTURE_POINTS = 400000, PICTURE_DOTS = 60000 };
 
 typedef struct {
     jlt_motion_options motion;
@@ -65,11 +65,13 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* Counts for the closing words, and what the picture gets. */
+/* Counts for the closing words, and what the picture gets: the points of the orbit that runs, and all those before it with
+ * their fates. */
 typedef struct {
     size_t orbits, empty, rows, by_fate[JLT_FATE_BUDGET + 1], lost_contact;
     FILE *points;
-    size_t point_count;
+    double *running; /* shape (running_count, 2), owned */
+    size_t running_count, running_room, point_count;
 } totals;
 
 static void write_row(FILE *file, const options *o, const jlt_system *system, size_t orbit, const jlt_return *row)
@@ -93,12 +95,27 @@ static void write_row(FILE *file, const options *o, const jlt_system *system, si
     fputc('\n', file);
 }
 
-static void note(totals *sum, const jlt_return *row)
+static jlt_status note(totals *sum, const jlt_return *row)
 {
     sum->rows++;
-    if (sum->points == NULL || isnan(row->q[0]) || sum->point_count == PICTURE_POINTS) return;
-    fprintf(sum->points, "%.7g %.7g\n", row->q[0], row->q[1]);
-    sum->point_count++;
+    if (sum->points == NULL || isnan(row->q[0]) || sum->point_count + sum->running_count == PICTURE_POINTS) return JLT_OK;
+    if (sum->running_count == sum->running_room) {
+        const size_t room = sum->running_room == 0 ? 1024 : 2 * sum->running_room;
+        double *grown = realloc(sum->running, 2 * room * sizeof *grown);
+        if (grown == NULL) return JLT_ERR_NOMEM;
+        sum->running = grown;
+        sum->running_room = room;
+    }
+    memcpy(sum->running + 2 * sum->running_count++, row->q, 2 * sizeof *row->q);
+    return JLT_OK;
+}
+
+static void hand_over(totals *sum, jlt_fate fate)
+{
+    for (size_t i = 0; i < sum->running_count; i++)
+        fprintf(sum->points, "%.7g %.7g %d\n", sum->running[2 * i], sum->running[2 * i + 1], (int)fate);
+    sum->point_count += sum->running_count;
+    sum->running_count = 0;
 }
 
 static jlt_status run_orbit(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system,
@@ -110,22 +127,22 @@ static jlt_status run_orbit(totals *sum, jlt_stream *stream, const options *o, c
 
     if (st != JLT_OK) return st;
     write_row(stream->file, o, system, sum->orbits, &row);
-    note(sum, &row);
+    JLT_TRY(note(sum, &row));
     while (row.fate == JLT_FATE_ALIVE && row.number < o->returns && !jlt_motion_interrupted(&o->motion)) {
-        st = jlt_section_next(section, &row);
-        if (st != JLT_OK) return st;
+        JLT_TRY(jlt_section_next(section, &row));
         if (row.interrupted) break;
         write_row(stream->file, o, system, sum->orbits, &row);
-        note(sum, &row);
+        JLT_TRY(note(sum, &row));
         if (ferror(stream->file)) return JLT_ERR_IO;
         jlt_progress_show(progress, endless ? sum->rows : sum->orbits * o->returns + row.number,
                           endless ? 0 : all * o->returns);
     }
-    if (sum->points != NULL) fputs("\n", sum->points);
-    if (row.fate != JLT_FATE_ALIVE || !row.interrupted) sum->by_fate[row.fate]++;
+    hand_over(sum, row.fate);
+    sum->by_fate[row.fate]++;
     if (!(row.contact > 0)) sum->lost_contact++;
     sum->orbits++;
-    return JLT_OK;
+done:
+    return st;
 }
 
 static void closing_words(const totals *sum, const options *o, const jlt_stream *stream)
@@ -144,26 +161,54 @@ static void closing_words(const totals *sum, const options *o, const jlt_stream 
                 sum->lost_contact, sum->orbits);
 }
 
+/* The whole section, or a third more than the grid that was named. */
+static void frame(FILE *stream, const options *o, const jlt_system *system)
+{
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+
+    if (o->grid == NULL || jlt_motion_axes(axes, system, o->grid) != JLT_EXIT_DONE) return;
+    if (strchr(o->grid, '=') == NULL) {
+        if (system->is_top) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
+        return;
+    }
+    for (unsigned k = 0; k < 2; k++) {
+        const double more = (axes[k].high - axes[k].low) / 6;
+        if (more > 0) fprintf(stream, "set %crange [%.9g:%.9g]\n", k == 0 ? 'x' : 'y', axes[k].low - more, axes[k].high + more);
+    }
+}
+
 static jlt_exit draw(const options *o, const jlt_system *system, const char *points, const totals *sum)
 {
+    static const struct {
+        const char *name, *colour;
+    } looks[] = { { "alive", "#202060" }, { "end at pole +1", "#e07050" }, { "end at pole -1", "#30a0c0" },
+                  { "lost contact", "#c0a000" }, { "out of budget", "#909090" } };
     char *script = NULL;
     size_t size;
     FILE *stream = open_memstream(&script, &size);
+    bool first = true;
     jlt_exit code;
 
     if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
     fputs("set encoding utf8\n$POINTS << END\n", stream);
     fputs(points, stream);
-    fputs("END\nset title \"Poincare map on the section, ", stream);
+    fputs("END\nset title \"Poincaré map on the section, ", stream);
     jlt_motion_caption(stream, system);
-    fprintf(stream, "\\n%zu orbits: %zu alive, %zu end at pole +1, %zu at pole -1, %zu lost contact, %zu budget\" noenhanced\n",
-            sum->orbits, sum->by_fate[JLT_FATE_ALIVE], sum->by_fate[JLT_FATE_POLE_PLUS],
-            sum->by_fate[JLT_FATE_POLE_MINUS], sum->by_fate[JLT_FATE_LOST_CONTACT], sum->by_fate[JLT_FATE_BUDGET]);
-    if (system->is_top) fputs("set xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset xrange [-pi:pi]\n", stream);
+    fprintf(stream, "\\n%zu orbits of up to %zu returns\" noenhanced\n", sum->orbits, o->returns);
+    if (system->is_top) fputs("set xlabel \"η [rad]\"\nset ylabel \"γ_3\"\n", stream);
     else
         fprintf(stream, "set xlabel \"%s\" noenhanced\nset ylabel \"%s\" noenhanced\n", system->flow.chart->names[0],
                 system->flow.chart->names[1]);
-    fputs("unset key\nplot $POINTS with dots lc rgb '#202060'\n", stream);
+    frame(stream, o, system);
+    fputs("set key tmargin center horizontal textcolor variable\nplot ", stream);
+    for (int fate = JLT_FATE_BUDGET; fate >= (int)JLT_FATE_ALIVE; fate--) {
+        if (sum->by_fate[fate] == 0) continue;
+        fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN) with %s lc rgb '%s' title \"%zu %s\" noenhanced", first ? "" : ", ",
+                fate, sum->point_count > PICTURE_DOTS ? "dots" : "points pt 7 ps 0.25", looks[fate].colour, sum->by_fate[fate],
+                looks[fate].name);
+        first = false;
+    }
+    fputs("\n", stream);
     fclose(stream);
     code = jlt_motion_draw(&o->motion, script);
     free(script);
@@ -240,6 +285,7 @@ done:
     jlt_stream_discard(&stream);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
+    free(sum.running);
     free(points);
     free(o.starts);
     return code;

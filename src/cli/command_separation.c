@@ -97,7 +97,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
     fputs("END\nset title \"Cells visited forwards and backwards, ", stream);
     jlt_motion_caption(stream, system);
     fputs("\" noenhanced\nset logscale x 2\nset xlabel \"returns of every orbit\"\nset ylabel \"overlap\"\nset yrange [0:1.05]\n"
-          "set key outside bottom horizontal\n"
+          "set key tmargin center horizontal\n"
           "plot $OVERLAP using 1:2 with linespoints pt 7 title 'forward and backward', "
           "$OVERLAP using 1:3 with linespoints pt 6 title 'mirror image of forward, and backward'\n", stream);
     fclose(stream);

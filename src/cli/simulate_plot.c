@@ -44,8 +44,10 @@ static void draw_states(FILE *stream, const jlt_simulate_request *r)
     }
     fprintf(stream, "set multiplot layout %u,1 title ", panels + (drifts > 0));
     title(stream, r);
+    fputs("set key outside right center\nset lmargin 11\nset rmargin 19\nset ytics nomirror font ',10'\n", stream);
     for (unsigned k = 0; k < panels; k++) {
-        fprintf(stream, "set xlabel 't [s]'\nset ylabel '[%s]' noenhanced\nplot", units[k][0] != '\0' ? units[k] : "1");
+        if (k + 1 == panels && drifts == 0) fputs("set xlabel 't [s]'\n", stream);
+        fprintf(stream, "set ylabel '[%s]' noenhanced\nplot", units[k][0] != '\0' ? units[k] : "1");
         for (unsigned i = 0; i < d->state_count; i++) {
             const bool here = strcmp(units[k], d->states[i].unit) == 0;
             if (here) fprintf(stream, " $ROWS using 1:%u with lines title '%s' noenhanced,", i + 2, d->states[i].name);
@@ -53,7 +55,7 @@ static void draw_states(FILE *stream, const jlt_simulate_request *r)
         fputs("\n", stream);
     }
     if (drifts == 0) return;
-    fputs("set logscale y\nset format y '10^{%T}'\nset ylabel 'relative drift'\nplot", stream);
+    fputs("set xlabel 't [s]'\nset logscale y\nset format y '10^{%T}'\nset ylabel 'relative drift'\nplot", stream);
     for (unsigned i = 0; i < drifts; i++)
         fprintf(stream, " $ROWS using 1:%u with lines title '%s' noenhanced,", d->state_count + 2 + i,
                 jlt_course_integral(r->courses[0], i));
