@@ -1,5 +1,6 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
+#include "dynamics/map.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -16,9 +17,10 @@ typedef struct {
     const char *grid;
     size_t returns;
     int time_direction;
+    bool check;
 } options;
 
-enum { BACKWARD = 2000 };
+enum { BACKWARD = 2000, CHECK };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "A start on the section; may be repeated", 1 },
@@ -26,6 +28,9 @@ static const struct argp_option option_table[] = {
       "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; points where the levels are empty are passed over", 1 },
     { "returns", 'n', "N", 0, "Returns of every orbit; default 100", 1 },
     { "backward", BACKWARD, NULL, 0, "Go backwards in time", 1 },
+    { "check", CHECK, NULL, 0,
+      "The derivative DP of every return by the variational equations, and its determinant against the flux through the "
+      "section and the integral of the divergence", 1 },
     { 0 },
 };
 
@@ -43,6 +48,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     }
     case BACKWARD: o->time_direction = -1; return 0;
+    case CHECK: o->check = true; return 0;
     case ARGP_KEY_END:
         if (o->start_count == 0 && o->grid == NULL) argp_error(state, "say where to start: --start or --grid");
         return 0;
@@ -59,7 +65,9 @@ static const struct argp parser = {
     "\vColumns: orbit, return, t, eta, gamma3, v_nu, omega_n, omega3, fate. Return 0 is the start. An orbit that ends has "
     "a last row with its fate: pole+ or pole- (gamma3 = 1 or -1 is reached; velocities are the limits), lost_contact, or "
     "budget (one return took more than 100000 steps, or the orbit has come to rest at an equilibrium). Coordinates of the "
-    "section are empty there.\n\n"
+    "section are empty there. With --check: trace and det of DP at that return, divergence (its integral on the levels), and "
+    "defect, det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is beyond 10000 "
+    "tolerances.\n\n"
     "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 --returns 10 --tol 1e-13\n"
     "  jellett section --grid 24x16 --returns 400 --plot section.svg > section.csv",
     children, NULL, NULL,
@@ -72,14 +80,34 @@ typedef struct {
     FILE *points;
     double *running; /* shape (running_count, 2), owned */
     size_t running_count, running_room, point_count;
+    jlt_map *map;        /* of --check, owned */
+    double worst_defect;
 } totals;
 
-static void write_row(FILE *file, const options *o, const jlt_system *system, size_t orbit, const jlt_return *row)
+/* Columns of --check: DP from the point before, NULL for none. */
+static void write_check(FILE *file, totals *sum, const options *o, const double *before, const jlt_return *row)
+{
+    const unsigned d = jlt_map_flow(sum->map)->chart->dim;
+    jlt_image image;
+    double trace = 0;
+
+    if (before == NULL || row->fate != JLT_FATE_ALIVE
+        || jlt_map_apply(sum->map, &image, before, 1, o->time_direction) != JLT_OK) {
+        fputs(",,,,", file);
+        return;
+    }
+    for (unsigned k = 0; k < d; k++) trace += image.slope[k * d + k];
+    sum->worst_defect = fmax(sum->worst_defect, fabs(image.defect));
+    fprintf(file, ",%.17g,%.17g,%.17g,%.3g", trace, image.determinant, image.expansion, image.defect);
+}
+
+static void write_row(FILE *file, totals *sum, const options *o, const jlt_system *system, const double *before,
+                      const jlt_return *row)
 {
     const jlt_chart *chart = system->flow.chart;
     double omega_n, omega3;
 
-    fprintf(file, "%zu,%zu,%.17g", orbit, row->number, row->t);
+    fprintf(file, "%zu,%zu,%.17g", sum->orbits, row->number, row->t);
     for (unsigned k = 0; k < chart->dim; k++) {
         const bool is_gamma3 = system->is_top && k == 1; /* known off the section as well */
         const double value = is_gamma3 ? row->x[JLT_CHART_TOP_GAMMA3] : row->q[k];
@@ -92,6 +120,7 @@ static void write_row(FILE *file, const options *o, const jlt_system *system, si
     }
     fprintf(file, ",%s", jlt_section_fate_name(row->fate));
     if (strcmp(o->motion.contact, "report") == 0) fprintf(file, ",%.17g", row->contact);
+    if (o->check) write_check(file, sum, o, before, row);
     fputc('\n', file);
 }
 
@@ -126,12 +155,14 @@ static jlt_status run_orbit(totals *sum, jlt_stream *stream, const options *o, c
     jlt_status st = jlt_section_start(section, &row, q, o->time_direction);
 
     if (st != JLT_OK) return st;
-    write_row(stream->file, o, system, sum->orbits, &row);
+    write_row(stream->file, sum, o, system, NULL, &row);
     JLT_TRY(note(sum, &row));
     while (row.fate == JLT_FATE_ALIVE && row.number < o->returns && !jlt_motion_interrupted(&o->motion)) {
+        double before[JLT_CHART_DIM_MAX];
+        memcpy(before, row.q, sizeof before);
         JLT_TRY(jlt_section_next(section, &row));
         if (row.interrupted) break;
-        write_row(stream->file, o, system, sum->orbits, &row);
+        write_row(stream->file, sum, o, system, before, &row);
         JLT_TRY(note(sum, &row));
         if (ferror(stream->file)) return JLT_ERR_IO;
         jlt_progress_show(progress, endless ? sum->rows : sum->orbits * o->returns + row.number,
@@ -145,7 +176,7 @@ done:
     return st;
 }
 
-static void closing_words(const totals *sum, const options *o, const jlt_stream *stream)
+static jlt_exit closing_words(const totals *sum, const options *o, const jlt_stream *stream)
 {
     const bool interrupted = jlt_motion_interrupted(&o->motion);
 
@@ -159,6 +190,9 @@ static void closing_words(const totals *sum, const options *o, const jlt_stream 
                 "jellett: %zu of %zu orbits pass through N <= 0, where the support no longer pushes and the model does not "
                 "hold; they were followed all the same (--contact end stops them there)\n",
                 sum->lost_contact, sum->orbits);
+    if (!o->check) return JLT_EXIT_DONE;
+    fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g\n", sum->worst_defect);
+    return sum->worst_defect <= 1e4 * o->motion.flow.tolerance ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }
 
 /* The whole section, or a third more than the grid that was named. */
@@ -221,8 +255,8 @@ static void column_names(FILE *file, const options *o, const jlt_system *system)
 
     fputs("orbit,return,t", file);
     for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",%s", chart->names[k]);
-    fprintf(file, "%s,fate%s\n", system->is_top ? ",v_nu,omega_n,omega3" : "",
-            strcmp(o->motion.contact, "report") == 0 ? ",contact_min" : "");
+    fprintf(file, "%s,fate%s%s\n", system->is_top ? ",v_nu,omega_n,omega3" : "",
+            strcmp(o->motion.contact, "report") == 0 ? ",contact_min" : "", o->check ? ",trace,det,divergence,defect" : "");
 }
 
 /* All starts, those of --start first. */
@@ -236,6 +270,7 @@ static jlt_exit run_all(totals *sum, jlt_stream *stream, const options *o, const
     jlt_exit code = jlt_motion_axes(axes, system, o->grid);
     jlt_status st = code == JLT_EXIT_DONE ? jlt_section_create(&section, &system->flow) : JLT_OK;
 
+    if (st == JLT_OK && o->check) st = jlt_map_create(&sum->map, &system->flow);
     if (st != JLT_OK) code = jlt_motion_fail(st, system, "section");
     if (o->grid != NULL) grid = jlt_motion_grid_size(axes, system);
     all = o->start_count + grid;
@@ -279,12 +314,13 @@ static jlt_exit run(int argc, char **argv)
     if (sum.points != NULL) fclose(sum.points);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE) closing_words(&sum, &o, &stream);
+    if (code == JLT_EXIT_DONE) code = closing_words(&sum, &o, &stream);
     if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, points, &sum);
 done:
     jlt_stream_discard(&stream);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
+    jlt_map_destroy(sum.map);
     free(sum.running);
     free(points);
     free(o.starts);

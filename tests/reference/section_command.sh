@@ -34,6 +34,15 @@ worst=$(paste -d, <(grep -v '^[#o]' rows.csv) <(tail -n +2 "$data/returns_51.csv
 command=$(sed -n 's/^# command: //p' rows.csv)
 eval "$command" 2> /dev/null | cmp -s - rows.csv || fail "the header's command gives other rows"
 
+# --check: at every return det DP is what flux and divergence make of it, and an orbit's own determinant is their product.
+jellett section --check --returns 10 --start eta=0.1,gamma3=-0.6 --tol 1e-13 > check.csv 2> err || fail "--check: $(cat err)"
+awk -F, '$2 > 0 && /^[0-9]/ { n++; if ($13 == "" || $13 > 1e-12 || $13 < -1e-12) bad = 1 } END { exit !(n == 10 && !bad) }' check.csv ||
+    fail "--check: $(tail -1 check.csv)"
+jellett section --check --returns 1 --start eta=0,gamma3=-0.613584389706638 > check.csv 2> err || fail "--check: $(cat err)"
+awk -F, 'function abs(x) { return x < 0 ? -x : x }
+    $2 == 1 { exit !(abs($10 + 2.047418461622422) < 1e-9 && abs($11 - 1) < 1e-9 && abs($12) < 1e-9) }' check.csv ||
+    fail "--check at the fixed point: $(tail -1 check.csv)"
+
 # Fates: pole, time and limits.
 jellett fates --tol 1e-13 $(awk -F, 'NR > 1 { printf "--start eta=%s,gamma3=%s ", $1, $2 }' "$data/poles_51.csv") \
     > fates.csv 2> err || fail "fates: $(cat err)"
@@ -53,6 +62,22 @@ awk -F, '
     $1 == 1 && abs($2) < 1e-11 && abs($3 + 0.613584389706638) < 1e-11 && abs($5 + 2.047418461622422) < 1e-11 &&
     abs($6 - 1) < 1e-11 && $11 == "yes" { found = 1 }
     END { exit !found }' orbits.csv || fail "orbits: the symmetric fixed point is missing"
+
+# Other systems, published numbers to their digits: Lorenz AB and Roessler (T, and the product of multipliers or the larger one),
+# Arenstorf (T, by symmetry).
+orbit_is() { # COLUMN VALUE ERROR COLUMN VALUE ERROR COMMAND...
+    local want=("${@:1:6}")
+    shift 6
+    "$@" > orbit.csv 2> err || fail "$*: $(cat err)"
+    tail -1 orbit.csv | awk -F, -v a="${want[0]}" -v x="${want[1]}" -v e="${want[2]}" -v b="${want[3]}" -v y="${want[4]}" \
+        -v f="${want[5]}" 'function abs(x) { return x < 0 ? -x : x } { exit !(abs($a - x) < e && abs($b - y) < f) }' ||
+        fail "$*: $(tail -1 orbit.csv)"
+}
+orbit_is 4 1.5586522107161747 1e-12 6 5.60842940466e-10 1e-20 jellett orbits lorenz --section z=27 --period 2 --start x=-13.76,y=-19.58
+orbit_is 4 5.88108845555 1e-11 7 -2.40395353185 1e-10 \
+    jellett orbits roessler --section y=0 --direction down --period 1 --start x=-7,z=0.02
+orbit_is 5 17.06521656015796 1e-11 4 -2.001585106379082 1e-12 jellett orbits restricted_three_body --section y=0 --direction both \
+    --mirror y,vx --period 6 --start x=0.994,vx=0,vy=-2.0016 --line vy=-2.0017:-2.0015:20
 
 # What cannot be used says so.
 expect 3 jellett section --level E=-5 --start eta=0,gamma3=0
