@@ -121,7 +121,10 @@ interrupted() { # SIGNAL STATUS COMMAND...
     "$@" 2> err &
     local child=$!
     set +m
-    sleep 1
+    for _ in $(seq 300); do # until it writes
+        sleep 0.1
+        [ -n "$(find . -name 'long.csv.*' -size +8k)" ] && break
+    done
     kill -"$signal" $child
     wait $child 2> /dev/null || got=$?
     [ $got -eq "$want" ] || fail "$*: status $got after SIG$signal, not $want"
