@@ -23,7 +23,9 @@ static const struct argp_option option_table[] = {
     { NULL, 0, NULL, 0, "The computation:", 11 },
     { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
     { "tol", 't', "VALUE", 0, "Tolerance of the local error; default 1e-12", 11 },
-    { "method", METHOD, "NAME", 0, "dop853 (default), gauss, taylor, rk8pd, rkf45, msadams", 11 },
+    { "method", METHOD, "NAME", 0,
+      "gauss (default), dop853 (default where derivatives of the map are computed), taylor (derivatives by dop853), rk8pd, "
+      "rkf45, msadams", 11 },
     { "contact", CONTACT, "ignore|report|end", 0,
       "What to do where the support stops pushing (N <= 0), so that the model no longer holds: go on and say at the end how "
       "many orbits did (default), tell the least N in a column of its own, or end the orbit as lost_contact", 11 },
@@ -46,7 +48,7 @@ static void parse_method(jlt_motion_options *o, const char *value, struct argp_s
 {
     o->flow.method = jlt_method_find(value);
     if (o->flow.method == NULL)
-        argp_error(state, "there is no method '%s'; there are dop853, gauss, taylor, rk8pd, rkf45, msadams", value);
+        argp_error(state, "there is no method '%s'; there are gauss, dop853, taylor, rk8pd, rkf45, msadams", value);
 }
 
 static void parse_tolerance(jlt_motion_options *o, const char *value)

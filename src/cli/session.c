@@ -18,7 +18,7 @@ static const struct argp_option option_table[] = {
     { "start", 'a', "NAME=VALUE,...", 0, "The start: a value for every state of the model", 10 },
     { NULL, 0, NULL, 0, "The computation:", 11 },
     { "tol", 't', "VALUE", 0, "Tolerance of the local error; default 1e-12", 11 },
-    { "method", METHOD, "NAME", 0, "dop853 (default), gauss, taylor, rk8pd, rkf45, msadams", 11 },
+    { "method", METHOD, "NAME", 0, "gauss (default), dop853, taylor, rk8pd, rkf45, msadams", 11 },
     { NULL, 0, NULL, 0, "Output:", 12 },
     { "output", 'o', "FILE", 0, "Write rows there; default standard output", 12 },
     { "plot", 'p', "FILE", 0, "Draw .svg, .png or .pdf", 12 },
@@ -53,7 +53,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case METHOD:
         self->method = jlt_method_find(value);
         if (self->method == NULL)
-            argp_error(state, "there is no method '%s'; there are dop853, gauss, taylor, rk8pd, rkf45, msadams", value);
+            argp_error(state, "there is no method '%s'; there are gauss, dop853, taylor, rk8pd, rkf45, msadams", value);
         return 0;
     case 'o': self->output = value; return 0;
     case 'p':

@@ -92,6 +92,11 @@ static jlt_status make_field(jlt_map *self)
     return JLT_OK;
 }
 
+const jlt_method *jlt_map_method(void)
+{
+    return jlt_method_find("dop853");
+}
+
 jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
 {
     jlt_status st = JLT_OK;
@@ -102,16 +107,17 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     self->flow = *flow;
-    if (self->flow.method == NULL || self->flow.method->needs_jet) self->flow.method = jlt_method_find(NULL);
+    if (self->flow.method == NULL) self->flow.method = jlt_map_method();
     if (self->flow.max_steps == 0) self->flow.max_steps = 100000;
     if (self->flow.t_max == 0) self->flow.t_max = INFINITY;
     JLT_TRY(make_field(self));
-    JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method, &self->field,
+    /* The varied field has no jet. */
+    JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method->needs_jet ? jlt_map_method() : self->flow.method, &self->field,
                              &(jlt_options){ .tolerance = flow->tolerance,
                                              .max_steps = self->flow.max_steps,
                                              .interrupt = flow->interrupt }));
     if (flow->field->root >= 0) jlt_orbit_observe(self->orbit, watch_pole, self);
-    JLT_TRY(jlt_section_create(&self->section, flow));
+    JLT_TRY(jlt_section_create(&self->section, &self->flow));
     *out = self;
     self = NULL; /* ownership moved to the caller */
 done:

@@ -25,7 +25,12 @@ typedef struct {
 
 typedef struct jlt_map jlt_map;
 
-/** Errors: ARG; UNSUPPORTED, the field has no Jacobian; NOMEM. */
+/** The default method of maps, dop853: the variational equations have no kernel on vectors, on which gauss, the default for
+ *  plain orbits, lives; and of the others it holds multipliers best. */
+const jlt_method *jlt_map_method(void);
+
+/** A flow without a method gets the default; beside one that needs a jet, which the varied field has not, derivatives get it.
+ *  Errors: ARG; UNSUPPORTED, the field has no Jacobian; NOMEM. */
 JLT_CHECKED jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow);
 void jlt_map_destroy(jlt_map *self); /* NULL is legal */
 

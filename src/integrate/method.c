@@ -8,7 +8,7 @@
 #include "integrate/taylor.h"
 
 static const jlt_method *const table[] = {
-    &jlt_method_dop853, &jlt_method_gauss, &jlt_method_taylor, &jlt_method_rk8pd, &jlt_method_rkf45, &jlt_method_msadams,
+    &jlt_method_gauss, &jlt_method_dop853, &jlt_method_taylor, &jlt_method_rk8pd, &jlt_method_rkf45, &jlt_method_msadams,
 };
 
 const jlt_method *jlt_method_at(size_t index)
