@@ -5,7 +5,6 @@
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;
-static const double enough = 1e-7; /* a step of Newton's method after which the next one is the last that counts */
 
 /* Segments p + a u and r + b w meet at a, b in [0, 1]. */
 static bool segments_cross(const jlt_chart *chart, double *a, double *b, const double *p, const double *p_next,
@@ -29,12 +28,12 @@ static jlt_status refine(jlt_homoclinic *io, const jlt_branch *unstable, const j
     const jlt_chart *chart = jlt_map_flow(unstable->map)->chart;
     double u[2], s[2], du[2], ds[2], gap[2], cross;
     jlt_homoclinic best = *io;
-    double su = io->sigma_unstable, ss = io->sigma_stable, moved = INFINITY, last = INFINITY;
+    double su = io->sigma_unstable, ss = io->sigma_stable;
     jlt_status st;
     int i;
 
     best.residual = INFINITY;
-    for (i = 0; i < iterations && moved > enough; i++) {
+    for (i = 0; i < iterations; i++) {
         st = jlt_branch_point(unstable, u, du, su);
         if (st == JLT_OK) st = jlt_branch_point(stable, s, ds, ss);
         if (st != JLT_OK) return st;
@@ -49,11 +48,8 @@ static jlt_status refine(jlt_homoclinic *io, const jlt_branch *unstable, const j
         if (best.angle > pi / 2) best.angle -= pi;
         if (best.angle <= -pi / 2) best.angle += pi;
         /* u + du x = s + ds y */
-        const double along_u = (gap[0] * ds[1] - gap[1] * ds[0]) / cross, along_s = (gap[0] * du[1] - gap[1] * du[0]) / cross;
-        moved = last;
-        last = fabs(along_u) + fabs(along_s);
-        su += along_u;
-        ss += along_s;
+        su += (gap[0] * ds[1] - gap[1] * ds[0]) / cross;
+        ss += (gap[0] * du[1] - gap[1] * du[0]) / cross;
         if (!(su >= 0 && ss >= 0 && isfinite(su) && isfinite(ss))) break;
     }
     if (!isfinite(best.residual)) return JLT_ERR_NO_CONVERGENCE;
