@@ -2,6 +2,7 @@
 #ifndef TEST_PROVE_TEXT_H
 #define TEST_PROVE_TEXT_H
 
+#include <dirent.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -45,6 +46,25 @@ static inline void expect(const char *text, const char *kind, const char *name, 
     assert_true(found);
     ttc_proof_report_destroy(report);
     ttc_model_destroy(model);
+}
+
+/* The sum of check(path) over all tables of a folder. */
+static inline size_t check_tables(const char *folder, size_t (*check)(const char *path))
+{
+    size_t sum = 0, tables = 0;
+    char path[4096];
+    DIR *directory = opendir(folder);
+    assert_non_null(directory);
+    for (struct dirent *entry = readdir(directory); entry != NULL; entry = readdir(directory)) {
+        const char *dot = strrchr(entry->d_name, '.');
+        if (dot == NULL || strcmp(dot, ".tt") != 0) continue;
+        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        sum += check(path);
+        tables++;
+    }
+    closedir(directory);
+    assert_true(tables >= 4);
+    return sum;
 }
 
 #endif
