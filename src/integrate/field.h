@@ -8,7 +8,7 @@
 #include "core/status.h"
 #include "kernel_abi.h"
 
-enum { JLT_FIELD_DIM_MAX = 256, JLT_VARIATION_DIM_MAX = 32 };
+enum { JLT_FIELD_DIM_MAX = 256, JLT_JACOBIAN_DIM_MAX = 32 };
 
 typedef struct {
     unsigned dim;                  /* 1 .. JLT_FIELD_DIM_MAX */
@@ -33,22 +33,5 @@ typedef struct {
  *  The last state is taken for the pole's root when the kernel has a time of its own and that state is bounded by 0 below.
  *  Errors: UNSUPPORTED, the descriptor has no right-hand side. */
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p);
-
-/** A field and its variational equations, Y' = (df/dx) Y: states first, then Y by columns (column j at dim + j*dim).
- *  t is not varied: Y is the derivative of the flow in tau. Plain data that must outlive the field made from it and
- *  serves as its block, hence the alignment. */
-typedef struct {
-    _Alignas(double) jlt_kernel_function rhs_jacobian; /* f, then df/dx; used when not NULL */
-    jlt_kernel_function rhs, jacobian;
-    jlt_kernel_function time_rate;
-    const double *p;
-    unsigned dim, columns;
-} jlt_variation;
-
-/** The variational field of `field` with `columns` columns; error control sees the states and the columns alike unless
- *  out->controlled is lowered. rhs_jacobian may be NULL. Errors: UNSUPPORTED, the field knows no Jacobian;
- *  ARG, dim > JLT_VARIATION_DIM_MAX or dim*(1 + columns) > JLT_FIELD_DIM_MAX. */
-JLT_CHECKED jlt_status jlt_field_vary(jlt_field *out, jlt_variation *keep, const jlt_field *field,
-                                      jlt_kernel_function rhs_jacobian, unsigned columns);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "ext/eigen.h"
 
-enum { DIM_MAX = JLT_VARIATION_DIM_MAX };
+enum { DIM_MAX = JLT_JACOBIAN_DIM_MAX };
 
 /* Where the question is asked at all: the root and all rates this small, relative to scale. */
 static const double near_root = 1e-8, near_rest = 1e-6;

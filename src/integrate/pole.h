@@ -22,7 +22,7 @@ typedef struct {
     bool ends;         /* attracted, and what is left of the way is known below the tolerance */
     double mu, kappa;  /* decay rates in tau: of the root, and the slowest of all */
     double t_end;      /* when ends */
-    double left[JLT_VARIATION_DIM_MAX]; /* when ends: x less its limit, shape (dim,) */
+    double left[JLT_JACOBIAN_DIM_MAX]; /* when ends: x less its limit, shape (dim,) */
 } jlt_pole_verdict;
 
 /** Judge the stepper's current point. Free unless the root is below 1e-8 and all rates below 1e-6 of scale; then a Jacobian

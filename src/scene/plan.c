@@ -43,8 +43,7 @@ static jlt_candidate judge(const jlt_tier *tier, const jlt_question *question, c
     return candidate;
 }
 
-/* The kernel of a model of its own: in a time with a lifted root when there is one and the root can be computed, that is when
- * the time's states are the model's own. */
+/* The most special kernel of the model itself, in t. */
 static const jlt_descriptor *own_kernel(const jlt_question *question)
 {
     return jlt_descriptor_choose(question->model->model, NULL, NULL, question->params);

@@ -106,34 +106,6 @@ static void sums_are_compensated_over_a_million_steps(void **unused)
     jlt_orbit_destroy(orbit);
 }
 
-static void oscillator_jacobian(const double *restrict x, const double *restrict p, double *restrict a)
-{
-    (void)x;
-    (void)p;
-    a[0] = 0, a[1] = 1, a[2] = -1, a[3] = 0;
-}
-
-/* The flow of the oscillator is a rotation. */
-static void variational_equations_give_the_derivative_of_the_flow(void **unused)
-{
-    (void)unused;
-    jlt_field base = oscillator_field, field;
-    jlt_variation keep;
-    jlt_orbit *orbit = NULL;
-    const double x[6] = { 1, 0, 1, 0, 0, 1 };
-    double end[6];
-
-    assert_int_equal(jlt_field_vary(&field, &keep, &base, NULL, 2), JLT_ERR_UNSUPPORTED);
-    base.jacobian = oscillator_jacobian;
-    assert_ok(jlt_field_vary(&field, &keep, &base, NULL, 2));
-    assert_ok(jlt_orbit_create(&orbit, NULL, &field, &(jlt_options){ .tolerance = 1e-13 }));
-    assert_ok(jlt_orbit_start(orbit, 0, x, +1));
-    assert_ok(jlt_orbit_propagate(orbit, 1, end));
-    const double expected[6] = { cos(1), -sin(1), cos(1), -sin(1), sin(1), cos(1) };
-    for (unsigned i = 0; i < 6; i++) assert_near(end[i], expected[i], 1e-12);
-    jlt_orbit_destroy(orbit);
-}
-
 /* On s = 0 with sigma = gamma3 the rates are -sigma omega_tau and (I1 sigma omega_tau - m b v)/(I1 + m b^2): a point that
  * attracts ends there; where the second is positive the orbit lingers and leaves, and s is the distance of the miss. */
 static void an_orbit_that_only_passes_a_pole_is_not_ended(void **unused)
@@ -215,7 +187,6 @@ int main(void)
         cmocka_unit_test(runs_end_by_budget_observer_and_interrupt_with_the_last_point),
         cmocka_unit_test(projection_holds_the_energy_and_drift_is_reported),
         cmocka_unit_test(sums_are_compensated_over_a_million_steps),
-        cmocka_unit_test(variational_equations_give_the_derivative_of_the_flow),
         cmocka_unit_test(an_orbit_that_only_passes_a_pole_is_not_ended),
         cmocka_unit_test(ignoring_poles_runs_to_the_budget),
         cmocka_unit_test(going_there_and_back_returns),
