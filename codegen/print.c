@@ -100,6 +100,16 @@ static size_t count_denominators(const ttc_graph *graph, ttc_id id, const fmpz *
     return count;
 }
 
+/* The first denominator, where it has no power. */
+static ttc_id lone_denominator(const ttc_graph *graph, ttc_id id)
+{
+    for (size_t i = 0; id != TTC_NONE && i < ttc_part_count(graph, id); i++) {
+        ttc_part part = ttc_part_at(graph, id, i);
+        if (part.exponent < 0) return part.exponent == -1 ? part.id : TTC_NONE;
+    }
+    return TTC_NONE;
+}
+
 /* |coefficient| * id, id a SYMBOL, a PRODUCT (its own coefficient apart), or TTC_NONE for 1 */
 static void print_product(const printer *p, const fmpq *coefficient, ttc_id id)
 {
@@ -111,8 +121,10 @@ static void print_product(const printer *p, const fmpq *coefficient, ttc_id id)
     if (below > 0 && latex) fputs("\\frac{", p->stream);
     print_factors(p, id, 1, numerator);
     if (below > 0) {
+        const ttc_id alone = latex && below == 1 ? lone_denominator(p->model->graph, id) : TTC_NONE;
         fputs(latex ? "}{" : below > 1 ? "/(" : "/", p->stream);
-        print_factors(p, id, -1, fmpq_denref(coefficient));
+        if (alone != TTC_NONE) print_sum(p, alone); /* the bar brackets it */
+        else print_factors(p, id, -1, fmpq_denref(coefficient));
         fputs(latex ? "}" : below > 1 ? ")" : "", p->stream);
     }
     fmpz_clear(numerator);
