@@ -57,13 +57,13 @@ static void print_candidate(const jlt_plan *plan, unsigned index)
         snprintf(counts, sizeof counts, "%u+ %ux %ufma %u/ %uroot %uelem", n->add, n->multiply, n->fma, n->divide, n->root,
                  n->elementary);
     }
-    printf("  %c %-13s %3u  %-46s %-34s ", index == plan->chosen ? '*' : ' ', name, dimension, kernel, counts);
+    printf("  %c %-13s %3u  %-52s %-36s ", index == plan->chosen ? '*' : ' ', name, dimension, kernel, counts);
     if (index == plan->chosen)
         puts(plan->forced ? "taken: asked for by name" : plan->count == 1 ? "taken: the model's own field"
                                                                           : "taken: the smallest that answers");
     else if (c->refusal != NULL) printf("no: %s\n", c->refusal);
     else if (c->tier != NULL && c->tier->by_name) puts("would answer: a comparison, by name only");
-    else puts("would answer, but is larger");
+    else puts(index > plan->chosen ? "would answer, but is larger" : "would answer, and is smaller");
 }
 
 static jlt_exit bind(jlt_session *session, const jlt_scene_job *job)

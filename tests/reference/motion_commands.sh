@@ -110,6 +110,11 @@ plan_takes() {
     jellett plan "tools/scenes/$1.scene" > "$scratch/plan" || fail "jellett plan $1"
     grep -q "^  \* $2 .*the smallest" "$scratch/plan" || fail "$1: $3"
 }
+printf 'accuracy = { tier = "five"; };\ncompute = ( { what = "simulate"; start = { %s }; until = 1; } );\n' \
+    'gamma3 = 0.25; v_nu = 0.8; omega_tau = -0.6; omega_n = 1.1; omega3 = -2.3;' > "$scratch/forced.scene"
+jellett plan "$scratch/forced.scene" > "$scratch/plan" || fail "jellett plan, a tier by name"
+grep -q '^  \* five .*asked for by name' "$scratch/plan" && grep -q '^    level .*is smaller' "$scratch/plan" &&
+    jellett run "$scratch/forced.scene" > "$scratch/out" && grep -q '^# tier five' "$scratch/out" || fail "a tier by name: $(cat "$scratch/plan")"
 plan_takes rod quadrature "not by quadratures"
 plan_takes balanced plane "not on M^2"
 plan_takes fig3a level "not on a level of G"
