@@ -1,14 +1,15 @@
-"""The figures of the README from the tables that tools/bench/run has written, as Markdown on standard output.
+"""The figures of the tables that tools/bench/run has written, as Markdown.
 
-usage: figures.py RESULTS
+usage: figures.py RESULTS [README]     README: also put those that it shows between its two marks
 
 A ratio compares the fastest point of a peer whose error is at most the one asked for with the fastest point of jellett whose
-error is not larger than that peer's: nothing is interpolated."""
+error is not larger than that peer's; times are the least of the repeats, and nothing is interpolated."""
 import csv
 import os
 import sys
 
-TIME = "us_per_return"
+TIME = "us_least"
+MARKS = ("<!-- figures of tools/bench/run: begin -->", "<!-- figures of tools/bench/run: end -->")
 
 
 def read(name):
@@ -24,11 +25,9 @@ def fastest(rows, error):
     return min(fit, key=lambda row: float(row[TIME]), default=None)
 
 
-def table(head, rows):
-    print("| " + " | ".join(head) + " |\n|" + "---|" * len(head))
-    for row in rows:
-        print("| " + " | ".join(str(cell) for cell in row) + " |")
-    print()
+def table(title, head, rows):
+    lines = [f"**{title}**", "", "| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]) + "\n" if rows else ""
 
 
 def rate(row):
@@ -55,9 +54,7 @@ def against(title, peers, mine, wanted):
         ratio = float(peer[TIME]) / float(ours[TIME])
         rows.append((*cells, f"{ours['method']}, {ours['form']}: {rate(ours)} at {float(ours['error']):.1e}", f"{ratio:.1f}", f"{target:g}",
                      "yes" if ratio >= target else "no"))
-    if rows:
-        print(f"**{title}**\n")
-        table(("error", "peer: returns/s", "jellett: returns/s", "ratio", "wanted", "met"), rows)
+    return table(title, ("error", "peer: returns/s", "jellett: returns/s", "ratio", "wanted", "met"), rows)
 
 
 def sections():
@@ -67,11 +64,11 @@ def sections():
     heyoka = [row for row in rows if row["program"] == "heyoka"]
     others = [row for row in rows if row["program"] not in ("jellett", "heyoka")]
     errors = [1e-4, 1e-6, 5e-9, 1e-10, 3e-12, 2e-13]
-    if heyoka:
-        against("Batches against heyoka, batches of 8, its fastest form and way", heyoka, batch, [(2e-7, 5), (3e-10, 5), (1e-12, 4), (1.3e-13, 3)])
-    if others:
-        against("One orbit at a time against the fastest of GSL, Boost.odeint, SUNDIALS", others, scalar, [(error, 2.5) for error in errors])
-        against("Batches against the fastest of GSL, Boost.odeint, SUNDIALS", others, batch, [(error, 10) for error in errors])
+    return [against("Batches against heyoka, batches of 8, its fastest form and way", heyoka, batch, [(2e-7, 5), (3e-10, 5), (1e-12, 4), (1.3e-13, 3)])
+            if heyoka else "",
+            against("One orbit at a time against the fastest of GSL, Boost.odeint, SUNDIALS", others, scalar, [(error, 2.5) for error in errors])
+            if others else "",
+            against("Batches against the fastest of GSL, Boost.odeint, SUNDIALS", others, batch, [(error, 10) for error in errors]) if others else ""]
 
 
 def grazing():
@@ -83,53 +80,49 @@ def grazing():
         if int(row["failed"]) == 0 and ((key, form) not in best or float(row["error"]) < float(best[key, form]["error"])):
             best[key, form] = row
     keys = list(dict.fromkeys(key for key, _ in best))
-    if keys:
-        print("**Grazing grid: the smallest error that is reached by anybody's any method without losing an orbit**\n")
-        cell = lambda key, form: f"{float(best[key, form]['error']):.1e} ({best[key, form]['method']}, {float(best[key, form][TIME]):.3g} µs)" \
-            if (key, form) in best else "every run lost orbits"
-        table(("program", "1/s lifted away", "1/s left in"), [(key, cell(key, "lifted"), cell(key, "plain")) for key in keys])
+    cell = lambda key, form: f"{float(best[key, form]['error']):.1e} ({best[key, form]['method']}, {best[key, form]['form']}, " \
+        f"{float(best[key, form][TIME]):.3g} µs)" if (key, form) in best else "every run lost orbits"
+    return table("Grid that grazes the pole: the smallest error reached without losing an orbit, and its time per return",
+                 ("program", "1/s lifted away", "1/s left in"), [(key, cell(key, "lifted"), cell(key, "plain")) for key in keys])
 
 
 def threads():
     rows = read("threads")
     pairs = [(one, two) for one in rows for two in rows if one["threads"] == "1" and two["threads"] != "1"
              and one["method"] == two["method"] and one["tolerance"] == two["tolerance"]]
-    if pairs:
-        print("**Threads, batches**\n")
-        table(("tolerance", "1 thread: returns/s", f"{pairs[0][1]['threads']} threads", "ratio"),
-              [(one["tolerance"], rate(one), rate(two), f"{float(one[TIME]) / float(two[TIME]):.2f}") for one, two in pairs])
+    return table("Threads, batches", ("tolerance", "1 thread: returns/s", "2 threads: returns/s", "ratio"),
+                 [(one["tolerance"], rate(one), rate(two), f"{float(one[TIME]) / float(two[TIME]):.2f}") for one, two in pairs])
 
 
 def tiers():
     rows = [row for row in read("tiers") if float(row["tolerance"]) in (1e-11, 1e-12)]
     tolerance = max((row["tolerance"] for row in rows), key=lambda text: -float(text), default=None)
     rows = [row for row in rows if row["tolerance"] == tolerance]
-    if rows:
-        print(f"**Tiers, the same question at tolerance {tolerance}**\n")
-        table(("orbit", "tier", "states", "time [µs]", "steps", "evaluations", "error"),
-              [(row["scene"], row["tier"], row["dimension"], f"{float(row['us_per_orbit']):.3g}", row["steps"], row["evaluations"],
+    return table(f"Tiers, the same question at tolerance {tolerance}", ("orbit", "tier", "states", "time [µs]", "steps", "evaluations", "error"),
+                 [(row["scene"], row["tier"], row["dimension"], f"{float(row['us_least']):.3g}", row["steps"], row["evaluations"],
                 f"{float(row['error']):.1e}") for row in rows])
 
 
 def kernels():
     rows = read("kernels")
-    if rows:
-        codes = list(dict.fromkeys(row["code"] for row in rows))
-        modes = [("rhs", "throughput"), ("rhs", "chain"), ("rhs_jacobian", "throughput"), ("rhs_jacobian", "chain")]
-        found = {(row["code"], row["kernel"], row["mode"]): row["ns_median"] for row in rows}
-        print("**Kernels of (3.2), ns an evaluation (of one lane in batches)**\n")
-        table(("code", "field", "field, chain", "field and Jacobian", "both, chain"),
-              [(code, *(found.get((code, *mode), "") for mode in modes)) for code in codes])
+    codes = list(dict.fromkeys(row["code"] for row in rows))
+    modes = [("rhs", "throughput"), ("rhs", "chain"), ("rhs_jacobian", "throughput"), ("rhs_jacobian", "chain")]
+    found = {(row["code"], row["kernel"], row["mode"]): row["ns_least"] for row in rows}
+    return table("Kernels of (3.2), ns an evaluation (of one lane in batches)", ("code", "field", "field, chain", "field and Jacobian", "both, chain"),
+                 [(code, *(found.get((code, *mode), "") for mode in modes)) for code in codes])
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
-    sections()
-    grazing()
-    threads()
-    tiers()
-    kernels()
+    shown = [*sections(), grazing(), threads(), kernels()]
+    print("\n".join(part for part in [*shown, tiers()] if part))
+    if len(sys.argv) == 3:
+        with open(sys.argv[2], encoding="utf-8") as file:
+            text = file.read()
+        begin, end = text.index(MARKS[0]) + len(MARKS[0]), text.index(MARKS[1])
+        with open(sys.argv[2], "w", encoding="utf-8") as file:
+            file.write(text[:begin] + "\n" + "\n".join(part for part in shown if part) + text[end:])
 
 
 main()
