@@ -6,10 +6,10 @@
 
 static const double longest_repeated = 0.5;
 
-static double now(void)
+static double now(unsigned threads)
 {
     struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(threads > 1 ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
@@ -19,16 +19,17 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-jlt_status jlt_bench_clock(jlt_bench_time *time, size_t repeats, jlt_status (*pass)(void *context, bool first), void *context)
+jlt_status jlt_bench_clock(jlt_bench_time *time, size_t repeats, unsigned threads, jlt_status (*pass)(void *context, bool first),
+                           void *context)
 {
     jlt_status st = JLT_OK;
     double *times = calloc(repeats + 1, sizeof *times);
 
     if (times == NULL) return JLT_ERR_NOMEM;
     for (size_t i = 0; i <= repeats; i++) {
-        const double begin = now();
+        const double begin = now(threads);
         JLT_TRY(pass(context, i == 0));
-        times[i] = now() - begin;
+        times[i] = now(threads) - begin;
         if (times[0] > longest_repeated) {
             *time = (jlt_bench_time){ times[0], times[0], times[0] };
             goto done;

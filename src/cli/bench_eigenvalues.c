@@ -225,7 +225,7 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
         for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
             jlt_bench_time time;
             run->of = ways[i].of;
-            JLT_TRY(jlt_bench_clock(&time, options->repeats, pass, run));
+            JLT_TRY(jlt_bench_clock(&time, options->repeats, 1, pass, run));
             write_row(table, run, ways[i].name, kinds[kind], &time);
         }
     }

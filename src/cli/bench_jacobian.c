@@ -157,7 +157,7 @@ static void write_row(FILE *table, const way *w, const char *points, const jlt_b
 static jlt_status measure(FILE *table, const jlt_bench_options *options, way *w, const char *points)
 {
     jlt_bench_time time;
-    const jlt_status st = jlt_bench_clock(&time, options->repeats, pass, w);
+    const jlt_status st = jlt_bench_clock(&time, options->repeats, 1, pass, w);
 
     if (st == JLT_OK) write_row(table, w, points, &time);
     return st;

@@ -109,7 +109,7 @@ static jlt_status measure_scalar(outcome *out, jlt_bench_time *time, const probl
 
     JLT_TRY(jlt_system_plane(&system, p->instance->descriptor, p->instance->params, (unsigned)p->section, 0, NULL, &options));
     JLT_TRY(jlt_section_create(&run.section, &system->flow));
-    JLT_TRY(jlt_bench_clock(time, p->options->repeats, scalar_pass, &run));
+    JLT_TRY(jlt_bench_clock(time, p->options->repeats, 1, scalar_pass, &run));
     *out = run.outcome;
 done:
     jlt_section_destroy(run.section);
@@ -181,7 +181,7 @@ static jlt_status measure_batch(outcome *out, jlt_bench_time *time, const proble
     run.made = calloc(p->orbits, sizeof *run.made);
     if (run.starts == NULL || run.by_orbit == NULL || run.made == NULL) goto done;
     for (size_t orbit = 0; orbit < p->orbits; orbit++) p->tier->embed(&p->view, run.starts + orbit * dim, p->start[orbit]);
-    JLT_TRY(jlt_bench_clock(time, p->options->repeats, batch_pass, &run));
+    JLT_TRY(jlt_bench_clock(time, p->options->repeats, threads, batch_pass, &run));
     *out = run.outcome;
 done:
     free(run.starts);

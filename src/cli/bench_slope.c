@@ -100,7 +100,7 @@ static jlt_status measure(FILE *table, const jlt_bench_options *options, const j
 
     JLT_TRY(jlt_system_top(&system, &values, &flow));
     JLT_TRY(jlt_map_create(&run.map, &system->flow));
-    JLT_TRY(jlt_bench_clock(&time, options->repeats, pass, &run));
+    JLT_TRY(jlt_bench_clock(&time, options->repeats, 1, pass, &run));
     const double unit = 1e6 / (double)reference->rows;
     fprintf(table, "jellett,%s,%s,1,%g", method->name, ways[way].name, tolerance);
     jlt_bench_number(table, "%.3e", run.error);

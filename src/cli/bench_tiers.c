@@ -73,7 +73,7 @@ static jlt_status run_scene(FILE *table, const jlt_bench_options *options, size_
         jlt_bench_time time;
         if (options->form != NULL && strcmp(options->form, tier->name) != 0) continue;
         if (jlt_plan_make(&run.plan, &run.question) != JLT_OK) continue;
-        JLT_TRY(jlt_bench_clock(&time, options->repeats, pass, &run));
+        JLT_TRY(jlt_bench_clock(&time, options->repeats, 1, pass, &run));
         const double unit = 1e6 / ROUNDS;
         fprintf(table, "%s,%s,%u,%g,%.3e,%zu,%zu,%.4g,%.4g,%.4g\n", scenes[scene].name, tier->name, tier->dimension, tolerance, run.error,
                 run.steps, run.evaluations, unit * time.median, unit * time.least, unit * time.largest);
