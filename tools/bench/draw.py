@@ -71,18 +71,19 @@ def mark(hows, how):
     return MARKS[hows.index(how) % len(MARKS)]
 
 
-def draw(path, kind, size, layout, title, settings, panels):
-    """panels: (name, Panel, colours, extra settings before it)."""
-    blocks, plots = [], []
-    for i, (panel, colours, extra) in enumerate(panels):
-        data, plot = panel.text(f"p{i}_", colours)
-        blocks.append(data)
-        plots.append(extra + "\n" + plot)
+def draw(path, kind, size, layout, title, lines, plots):
+    """lines: data blocks and settings; plots: commands, a panel each."""
     terminal = {"svg": f"svg size {size[0]},{size[1]} dynamic background 'white' font 'Helvetica,12'",
                 "png": f"pngcairo size {size[0]},{size[1]} font 'Helvetica,10'"}[kind]
-    script = "\n".join([f"set terminal {terminal}", f"set output '{path}.{kind}'", "set encoding utf8", *blocks, settings,
-                        f"set multiplot layout {layout[0]},{layout[1]} title \"{title}\" noenhanced font ',14'", *plots, "unset multiplot"])
-    subprocess.run(["gnuplot", "-"], input=script + "\n", text=True, check=True)
+    script = [f"set terminal {terminal}", f"set output '{path}.{kind}'", "set encoding utf8", *lines,
+              f"set multiplot layout {layout} title \"{title}\" noenhanced font ',14'", *plots, "unset multiplot"]
+    subprocess.run(["gnuplot", "-"], input="\n".join(script) + "\n", text=True, check=True)
+
+
+def draw_panels(path, kind, size, layout, title, settings, panels):
+    """panels: (Panel, colours, settings of its own)."""
+    texts = [(panel.text(f"p{i}_", colours), extra) for i, (panel, colours, extra) in enumerate(panels)]
+    draw(path, kind, size, layout, title, [*(blocks for (blocks, _), _ in texts), settings], [extra + "\n" + plot for (_, plot), extra in texts])
 
 
 AXES = """set logscale xy
@@ -165,7 +166,7 @@ set xlabel 'largest error of 10 returns'
 set ylabel 'time per return [µs]'
 set arrow 1 from {ROUNDING}, graph 0 to {ROUNDING}, graph 1 nohead dt '-' lc rgb '#888888'
 set label 1 'reference, as doubles' at {ROUNDING}, graph 0.02 rotate by 90 font ',8' tc rgb '#666666' offset -0.5,0"""
-    draw(f"{results}/{table}", kind, (1500, 1000), (2, 3), title, settings, work_panels(rows, "error", groups, 5e-2))
+    draw_panels(f"{results}/{table}", kind, (1500, 1000), "2,3", title, settings, work_panels(rows, "error", groups, 5e-2))
 
 
 def times(results, kind):
@@ -180,7 +181,7 @@ set xrange [1e-1:5e-17]
 set yrange [1:20000]
 set xlabel 'largest error of a crossing time, 10 returns'
 set ylabel 'time per return [µs]'"""
-    draw(f"{results}/times", kind, (1500, 560), (1, 3), "Crossing times of the section map at (5.1), regular grid", settings,
+    draw_panels(f"{results}/times", kind, (1500, 560), "1,3", "Crossing times of the section map at (5.1), regular grid", settings,
          work_panels(rows, "time_error", groups, 5e-2))
 
 
@@ -191,9 +192,10 @@ def drift(results, kind):
     panels = []
     for column, name in (("drift_E", "E"), ("drift_G", "G")):
         groups = [(f"{name}: {who}", chosen) for who, chosen in (("jellett, batches", batched), ("jellett, one orbit at a time", scalar), ("peers", peer))]
-        for panel, colours, _ in work_panels(rows, column, groups, 5e-2):
+        moved = [row for row in rows if number(row[column])]  # no drift is known where no return was made
+        for panel, colours, _ in work_panels(moved, column, groups, 5e-2):
             panels.append((panel, colours, f"set xlabel 'largest drift of {name} over all returns'"))
-    draw(f"{results}/drift", kind, (1500, 1000), (2, 3), "Drift of the integrals along the section map at (5.1), regular grid",
+    draw_panels(f"{results}/drift", kind, (1500, 1000), "2,3", "Drift of the integrals along the section map at (5.1), regular grid",
          AXES + "\nset xrange [1e-1:5e-17]\nset yrange [0.1:20000]\nset ylabel 'time per return [µs]'", panels)
 
 
@@ -209,7 +211,7 @@ set xrange [1:1e-15]
 set yrange [10:100000]
 set xlabel 'largest error of DP, relative to its largest entry'
 set ylabel 'time per derivative [µs]'"""
-    draw(f"{results}/slope", kind, (1500, 560), (1, 3), "Derivative DP of the section map at (5.1), regular grid", settings,
+    draw_panels(f"{results}/slope", kind, (1500, 560), "1,3", "Derivative DP of the section map at (5.1), regular grid", settings,
          work_panels(rows, "error", groups, 0.5, ("us_per_derivative", "us_least", "us_largest")))
 
 
@@ -240,14 +242,10 @@ def spreads(results, kind, table, title, time, ylabel, xrange, yrange, layout, s
     if not rows:
         return
     panels = spread_panels(rows, time, 1e-18)
-    terminal = {"svg": f"svg size {size[0]},{size[1]} dynamic background 'white' font 'Helvetica,12'",
-                "png": f"pngcairo size {size[0]},{size[1]} font 'Helvetica,10'"}[kind]
-    plots = [f"set title \"{names.get(points, points)}\"\nplot {plot}" for points, _, plot in panels]
-    script = "\n".join([f"set terminal {terminal}", f"set output '{results}/{table}.{kind}'", "set encoding utf8", *(data for _, data, _ in panels),
-                        AXES, f"set xrange [{xrange}]\nset yrange [{yrange}]\nset ylabel '{ylabel}'",
-                        "set xlabel 'error: median; bars from the least to the largest'", "set key top right Left reverse noenhanced font ',10'",
-                        f"set multiplot layout {layout} title \"{title}\" font ',14'", *plots, "unset multiplot"])
-    subprocess.run(["gnuplot", "-"], input=script + "\n", text=True, check=True)
+    settings = [AXES, f"set xrange [{xrange}]", f"set yrange [{yrange}]", f"set ylabel '{ylabel}'",
+                "set xlabel 'error: median; bars from the least to the largest'", "set key top right Left reverse noenhanced font ',10'"]
+    draw(f"{results}/{table}", kind, size, layout, title, [*(blocks for _, blocks, _ in panels), *settings],
+         [f"set title \"{names.get(points, points)}\"\nplot {plot}" for points, _, plot in panels])
 
 
 def kernels(results, kind):
@@ -268,13 +266,10 @@ def kernels(results, kind):
                      f"plot $k{i} using (0):1:(0):2:($1-0.35):($1+0.35):($6 == 1 ? 0x0072B2 : 0xBBBBBB):ytic(5) with boxxyerror fs solid lc rgb variable notitle, "
                      f"$k{i} using 2:1:3:4 with xerrorbars pt 0 lc rgb 'black' notitle, "
                      f"$k{i} using 2:1:(sprintf('%.3g', $2)) with labels left offset 1.2,0 font ',10' notitle")
-    terminal = {"svg": "svg size 1100,720 dynamic background 'white' font 'Helvetica,12'", "png": "pngcairo size 1100,720 font 'Helvetica,10'"}[kind]
-    script = "\n".join([f"set terminal {terminal}", f"set output '{results}/kernels.{kind}'", "set encoding utf8", *blocks,
-                        "unset key\nset border 3\nset xtics nomirror\nset ytics nomirror scale 0 noenhanced\nset grid xtics lc rgb '#dddddd'",
-                        "set xlabel 'ns per evaluation (of one lane in batches)'",
-                        "set multiplot layout 2,2 title \"The reduced field (3.2): all compiled by one compiler with the same flags\" font ',14'",
-                        *plots, "unset multiplot"])
-    subprocess.run(["gnuplot", "-"], input=script + "\n", text=True, check=True)
+    settings = ["unset key", "set border 3", "set xtics nomirror", "set ytics nomirror scale 0 noenhanced", "set grid xtics lc rgb '#dddddd'",
+                "set xlabel 'ns per evaluation (of one lane in batches)'"]
+    draw(f"{results}/kernels", kind, (1100, 800), "2,2", "The reduced field (3.2): all compiled by one compiler with the same flags",
+         [*blocks, *settings], plots)
 
 
 def main():
