@@ -7,6 +7,7 @@
 #include "dynamics/section.h"
 #include "dynamics/system.h"
 #include "integrate/batch.h"
+#include "integrate/batch_method.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 #include "scene/tier.h"
@@ -166,15 +167,15 @@ static jlt_status batch_pass(void *context, bool first)
     return JLT_OK;
 }
 
-static jlt_status measure_batch(outcome *out, jlt_bench_time *time, const problem *p, const jlt_kernel_batch *kernels,
-                                unsigned threads, double tolerance)
+static jlt_status measure_batch(outcome *out, jlt_bench_time *time, const problem *p, const jlt_batch_method *method,
+                                const jlt_kernel_batch *kernels, unsigned threads, double tolerance)
 {
     const unsigned dim = p->instance->descriptor->state_count;
     jlt_status st = JLT_ERR_NOMEM;
     batch_run run = { .problem = p };
 
     run.map = (jlt_batch_map){ .kernels = kernels, .p = p->instance->block, .dim = dim, .column = (unsigned)p->section, .direction = 1,
-                               .root = p->root, .root_floor = 1e-9, .tolerance = tolerance, .max_steps = 1000000,
+                               .root = p->root, .root_floor = 1e-9, .method = method, .tolerance = tolerance, .max_steps = 1000000,
                                .threads = threads };
     run.starts = calloc(p->orbits, dim * sizeof *run.starts);
     run.by_orbit = calloc(p->orbits, sizeof *run.by_orbit);
@@ -206,20 +207,39 @@ static void write_row(FILE *table, const problem *p, const char *method, unsigne
             o->steps / fmax(1, o->returns), o->failed);
 }
 
-/* A curve: batched when kernels are given. Tiers whose kernels a method cannot use are passed over. */
-static jlt_exit run_curve(FILE *table, const problem *p, const jlt_method *method, const jlt_kernel_batch *kernels, unsigned threads)
+static bool wanted(const problem *p, const char *method)
+{
+    return p->options->method == NULL || strcmp(method, p->options->method) == 0;
+}
+
+/* A curve of single orbits. A tier whose kernels the method cannot use is passed over. */
+static jlt_exit run_scalar(FILE *table, const problem *p, const jlt_method *method)
+{
+    double tolerance;
+
+    for (size_t i = 0; (tolerance = jlt_bench_tolerance(p->options, i)) > 0; i++) {
+        outcome out = { 0 };
+        jlt_bench_time time;
+        const jlt_status st = measure_scalar(&out, &time, p, method, tolerance);
+        if (st == JLT_ERR_UNSUPPORTED) return JLT_EXIT_DONE;
+        if (st != JLT_OK)
+            return jlt_command_fail(jlt_command_exit(st), "%s on %s: %s", method->name, p->tier->name, jlt_status_text(st));
+        write_row(table, p, method->name, 1, tolerance, &out, &time);
+    }
+    return JLT_EXIT_DONE;
+}
+
+/* A curve of batches. */
+static jlt_exit run_batch(FILE *table, const problem *p, const jlt_batch_method *method, const jlt_kernel_batch *kernels, unsigned threads)
 {
     char name[64];
     double tolerance;
 
-    if (kernels != NULL) snprintf(name, sizeof name, "%s %sx%u", method->name, kernels->isa, kernels->lanes);
-    else snprintf(name, sizeof name, "%s", method->name);
-    if (p->options->method != NULL && strncmp(name, p->options->method, strlen(p->options->method)) != 0) return JLT_EXIT_DONE;
+    snprintf(name, sizeof name, "%s %sx%u", method->name, kernels->isa, kernels->lanes);
     for (size_t i = 0; (tolerance = jlt_bench_tolerance(p->options, i)) > 0; i++) {
         outcome out = { 0 };
         jlt_bench_time time;
-        const jlt_status st = kernels == NULL ? measure_scalar(&out, &time, p, method, tolerance)
-                                              : measure_batch(&out, &time, p, kernels, threads, tolerance);
+        const jlt_status st = measure_batch(&out, &time, p, method, kernels, threads, tolerance);
         if (st == JLT_ERR_UNSUPPORTED) return JLT_EXIT_DONE;
         if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "%s on %s: %s", name, p->tier->name, jlt_status_text(st));
         write_row(table, p, name, threads, tolerance, &out, &time);
@@ -227,20 +247,35 @@ static jlt_exit run_curve(FILE *table, const problem *p, const jlt_method *metho
     return JLT_EXIT_DONE;
 }
 
+static void list_methods(FILE *table, const problem *p)
+{
+    const jlt_method *method;
+    const jlt_batch_method *batch;
+
+    for (size_t i = 0; (method = jlt_method_at(i)) != NULL; i++)
+        if (p->instance->descriptor->state_count <= JLT_CHART_STATES_MAX) fprintf(table, "%s %s\n", p->tier->name, method->name);
+    for (size_t i = 0; (batch = jlt_batch_method_at(i)) != NULL; i++)
+        if (p->instance->descriptor->state_count > JLT_CHART_STATES_MAX || jlt_method_find(batch->name) == NULL)
+            fprintf(table, "%s %s\n", p->tier->name, batch->name);
+}
+
+/* All methods for one orbit at a time, where the tier has a chart; all methods of batches on all instruction sets there are. */
 static jlt_exit run_tier(FILE *table, const problem *p)
 {
     const jlt_descriptor *d = p->instance->descriptor;
     jlt_exit code = JLT_EXIT_DONE;
     const jlt_method *method;
+    const jlt_batch_method *batch;
 
-    for (size_t i = 0; p->options->list && (method = jlt_method_at(i)) != NULL; i++) fprintf(table, "%s %s\n", p->tier->name, method->name);
-    if (p->options->list) return JLT_EXIT_DONE;
     for (size_t i = 0; d->state_count <= JLT_CHART_STATES_MAX && (method = jlt_method_at(i)) != NULL && code == JLT_EXIT_DONE; i++)
-        code = run_curve(table, p, method, NULL, 1);
-    for (size_t i = 0; i < JLT_ISA_COUNT && code == JLT_EXIT_DONE; i++)
-        if (jlt_batch_isa_runs(d->batches[i])) code = run_curve(table, p, jlt_method_find(NULL), d->batches[i], 1);
-    if (code == JLT_EXIT_DONE && p->options->threads > 1)
-        code = run_curve(table, p, jlt_method_find(NULL), jlt_batch_isa_best(d, 0), (unsigned)p->options->threads);
+        if (wanted(p, method->name)) code = run_scalar(table, p, method);
+    for (size_t i = 0; (batch = jlt_batch_method_at(i)) != NULL && code == JLT_EXIT_DONE; i++) {
+        if (!wanted(p, batch->name)) continue;
+        for (size_t isa = 0; isa < JLT_ISA_COUNT && code == JLT_EXIT_DONE; isa++)
+            if (jlt_batch_isa_runs(d->batches[isa])) code = run_batch(table, p, batch, d->batches[isa], 1);
+        if (code == JLT_EXIT_DONE && p->options->threads > 1)
+            code = run_batch(table, p, batch, jlt_batch_isa_best(d, 0), (unsigned)p->options->threads);
+    }
     return code;
 }
 
@@ -306,7 +341,8 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
         jlt_progress_show(&progress, i, 0);
         if (options->form != NULL && strcmp(tier->name, options->form) != 0) continue;
         st = open_tier(&p, tier);
-        if (st == JLT_OK) code = run_tier(table, &p);
+        if (st == JLT_OK && options->list) list_methods(table, &p);
+        else if (st == JLT_OK) code = run_tier(table, &p);
         else if (st != JLT_ERR_EMPTY) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", tier->name, jlt_status_text(st));
         jlt_instance_destroy(p.instance);
         p.instance = NULL;

@@ -122,7 +122,7 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
     for (size_t i = 0; code == JLT_EXIT_DONE && (method = jlt_method_at(i)) != NULL; i++) {
         if (options->list) fprintf(table, "%s\n", method->name);
         if (options->list) continue;
-        if (options->method != NULL && strncmp(method->name, options->method, strlen(options->method)) != 0) continue;
+        if (options->method != NULL && strcmp(method->name, options->method) != 0) continue;
         for (size_t way = 0; way < sizeof ways / sizeof *ways && code == JLT_EXIT_DONE; way++) {
             double tolerance;
             if (method->needs_jet && ways[way].of == variational) continue; /* the map would take another method */

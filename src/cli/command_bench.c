@@ -21,7 +21,7 @@ typedef struct {
 static const struct argp_option option_table[] = {
     { "reference", 'r', "FILE", 0, "True values: CSV in the form of tests/reference/data", 0 },
     { "form", 'f', "TIER", 0, "Only this tier", 0 },
-    { "method", 'm', "NAME", 0, "Only methods whose name begins so", 0 },
+    { "method", 'm', "NAME", 0, "Only this method", 0 },
     { "returns", 'n', "N", 0, "Returns of every orbit; default 200", 0 },
     { "repeats", 'k', "N", 0, "Runs that are counted, after one that is not; default 3", 0 },
     { "threads", 't', "N", 0, "Measure batches on so many threads too; default 1", 0 },
