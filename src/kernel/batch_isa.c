@@ -1,5 +1,6 @@
 #include "kernel/batch_isa.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels)
@@ -16,6 +17,9 @@ bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels)
 
 const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes)
 {
+    const char *wanted = getenv("JELLETT_LANES");
+
+    if (lanes == 0 && wanted != NULL) lanes = strcmp(wanted, "2") == 0 ? 2 : strcmp(wanted, "4") == 0 ? 4 : 0;
     for (int i = JLT_ISA_COUNT - 1; i >= 0; i--) {
         const jlt_kernel_batch *kernels = descriptor->batches[i];
         if (kernels != NULL && (lanes == 0 || kernels->lanes <= lanes) && jlt_batch_isa_runs(kernels)) return kernels;

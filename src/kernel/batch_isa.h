@@ -9,7 +9,8 @@
 /** Whether the processor, and the operating system, run these kernels. */
 bool jlt_batch_isa_runs(const jlt_kernel_batch *kernels);
 
-/** The widest that runs with at most `lanes` lanes (0: no bound); never NULL for a generated descriptor and lanes >= 2. */
+/** The widest that runs with at most `lanes` lanes; never NULL for a generated descriptor and lanes >= 2. 0: the bound is that of
+ *  the environment variable JELLETT_LANES (2, 4 or 8), or none. */
 const jlt_kernel_batch *jlt_batch_isa_best(const jlt_descriptor *descriptor, unsigned lanes);
 
 #endif

@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# No kernel takes more instructions than tests/bench/kernel_instructions.tsv says, where callgrind counted them: the scalar
+# kernels and the batched ones of spherical_top_level, for gcc and clang. --write counts anew; AVX-512 is unknown to valgrind.
+set -euo pipefail
+command -v valgrind > /dev/null || { echo "no valgrind here (tools/install-deps --checks)"; exit 77; }
+cd "$JLT_SOURCE_DIR"
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cc=${JLT_CC:-cc}
+column=gcc
+case $("$cc" --version) in *clang*) column=clang ;; esac
+
+model=generated/spherical_top_level
+"$cc" -O2 -ffp-contract=off -Igenerated -c -o "$folder/calls.o" tests/bench/kernel_calls.c
+for file in general_in_regular.c table.c; do "$cc" -O2 -ffp-contract=off -Igenerated -c -o "$folder/$file.o" $model/$file; done
+# As CMakeLists.txt has them.
+"$cc" -O3 -ffp-contract=off -Igenerated -c -o "$folder/baseline.o" $model/batch_baseline.c
+"$cc" -O3 -ffp-contract=off -mavx2 -mfma -Igenerated -c -o "$folder/avx2.o" $model/batch_avx2.c
+"$cc" -O3 -ffp-contract=off -mavx512f -mavx512dq -mavx512vl -mfma -Igenerated -c -o "$folder/avx512.o" $model/batch_avx512.c
+"$cc" -o "$folder/calls" "$folder"/*.o -lm
+
+counted=$folder/counted.tsv
+for isa in scalar baseline avx2; do
+    status=0
+    valgrind --quiet --tool=callgrind --compress-strings=no --compress-pos=no --callgrind-out-file="$folder/$isa.out" \
+        "$folder/calls" $isa || status=$?
+    [ $status -eq 77 ] && continue
+    [ $status -eq 0 ] || exit 1
+    # Costs of a function itself, over the calls of it; a line after calls= is what the callee took.
+    awk -v isa=$isa '
+        /^fn=/ { name = substr($0, 4) }
+        /^cfn=/ { callee = substr($0, 5) }
+        /^calls=/ { split(substr($0, 7), part, " "); calls[callee] += part[1]; skip = 1; next }
+        /^[0-9]/ { if (skip) skip = 0; else cost[name] += $2 }
+        END {
+            for (name in cost) {
+                short = name
+                sub(/^general_in_regular_/, "", short)
+                if (short ~ /^(rhs|jacobian|rhs_jacobian|divergence|integral_values|integral_gradients|stages)$/)
+                    print isa "\t" short "\t" cost[name] / calls[name]
+            }
+        }' "$folder/$isa.out"
+done | LC_ALL=C sort > "$counted"
+
+known=tests/bench/kernel_instructions.tsv
+if [ "${1-}" = --write ]; then
+    awk -F'\t' -v column=$column '
+        NR == FNR { if (FNR > 1) { gcc[$1 FS $2] = $3; clang[$1 FS $2] = $4 } next }
+        BEGIN { print "lanes\tkernel\tgcc\tclang" }
+        { key = $1 FS $2; if (column == "gcc") gcc[key] = $3; else clang[key] = $3; print key FS gcc[key] FS clang[key] }' \
+        "$known" "$counted" > "$folder/new.tsv"
+    cp "$folder/new.tsv" "$known"
+    exit 0
+fi
+# Another release of the same compiler may take a few more.
+awk -F'\t' -v column=$column '
+    NR == FNR { if (FNR > 1) known[$1 FS $2] = column == "gcc" ? $3 : $4; next }
+    {
+        key = $1 FS $2
+        if (known[key] == "") { print key ": not in the file"; failed = 1 }
+        else if ($3 > 1.03 * known[key]) { print key ": " $3 " instructions, " known[key] " in the file"; failed = 1 }
+        seen++
+    }
+    END { if (seen < 13) { print seen " kernels counted"; failed = 1 } exit failed }' "$known" "$counted"
