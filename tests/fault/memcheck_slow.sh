@@ -27,7 +27,7 @@ check 0 ttc cost "$models/chaplygin_sleigh.tt"
 check 0 ttc prove "$models/chaplygin_sleigh.tt"
 check 0 ttc prove --json "$models/spherical_top_level.tt"
 check 0 ttc generate "$models/chaplygin_sleigh.tt" --out "$scratch/generated"
-check 0 ttc generate "$models/spherical_top.tt" --out "$scratch/generated"
+check 0 ttc generate "$models/restricted_three_body.tt" --out "$scratch/generated"
 sed 's/+ a\*w^2/+ a*q^2)/' "$models/chaplygin_sleigh.tt" > "$scratch/bad.tt"
 check 3 ttc check "$scratch/bad.tt"
 check 0 jellett models
