@@ -72,8 +72,9 @@ void ttc_emit_stem(ttc_text *text, const ttc_field *field);
 /* The kernels of one descriptor on vectors of lanes, to be compiled once for each instruction set. */
 void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels);
 
-/* The function `jet`: Taylor coefficients of the solution; and the header with its recurrences. */
+/* The function `jet`: Taylor coefficients of the solution, scalar and on lanes; and the header with its recurrences. */
 void ttc_emit_jet(ttc_text *text, const ttc_kernels *kernels);
+void ttc_emit_jet_lanes(ttc_text *text, const ttc_kernels *kernels);
 void ttc_emit_jet_header(ttc_text *text);
 
 /* The instruction sets of batched kernels. */

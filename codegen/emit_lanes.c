@@ -153,7 +153,7 @@ static void add_table(ttc_text *text, const ttc_kernels *kernels)
         if (kernels->kernels[kind].count > 0)
             ttc_text_format(text, "    .%s = %s_%s,\n", ttc_kernel_name((ttc_kernel_kind)kind), ttc_text_string(&stem),
                             ttc_kernel_name((ttc_kernel_kind)kind));
-    ttc_text_format(text, "    .stages = %s_stages,\n};\n", ttc_text_string(&stem));
+    ttc_text_format(text, "    .stages = %s_stages,\n    .jet = %s_jet,\n};\n", ttc_text_string(&stem), ttc_text_string(&stem));
     text->failed |= name.failed || stem.failed;
     ttc_text_clear(&name);
     ttc_text_clear(&stem);
@@ -169,6 +169,7 @@ void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels)
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++)
         if (kind != TTC_KERNEL_RHS && kernels->kernels[kind].count > 0) add_kernel(text, kernels, (ttc_kernel_kind)kind);
     add_stages(text, kernels);
+    ttc_emit_jet_lanes(text, kernels);
     add_table(text, kernels);
 }
 
@@ -178,7 +179,7 @@ void ttc_emit_batch(ttc_text *text, const ttc_plan *plan, unsigned isa)
                     ttc_isa_names[isa], JLT_VERSION);
     ttc_text_format(text, "#define JLT_LANES %u\n#define JLT_BATCH_ISA \"%s\"\n#define JLT_BATCH_NAME(name) name##_%s\n\n",
                     isa_lanes[isa], ttc_isa_names[isa], ttc_isa_names[isa]);
-    ttc_text_add(text, "#include \"kernel_abi.h\"\n#include \"lanes.h\"\n\n");
+    ttc_text_add(text, "#include \"kernel_abi.h\"\n#include \"lanes.h\"\n#include \"kernel_jet.h\"\n\n");
     for (size_t i = 0; i < plan->count; i++) {
         if (plan->fields[i].kernels == NULL) continue;
         ttc_text_add(text, "#include \"");

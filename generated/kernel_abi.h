@@ -70,6 +70,10 @@ typedef void (*jlt_kernel_stages)(const double *restrict x, double *restrict k, 
                                   unsigned count, const double *restrict h, const double *restrict p,
                                   double *restrict z);
 
+/* jlt_kernel_jet on lanes: coefficient k of column i of lane j at coefficients[(k*columns + i)*stride + j]. */
+typedef void (*jlt_kernel_lanes_jet)(const double *restrict x, const double *restrict p, unsigned order,
+                                     double *restrict coefficients, size_t stride);
+
 /* The batched kernels for one instruction set: every lane does what the scalar kernel does, in the same order. */
 typedef struct {
     const char *isa; /* "baseline", "avx2" (with FMA) or "avx512": what the processor must have */
@@ -77,6 +81,7 @@ typedef struct {
     jlt_kernel_lanes rhs, jacobian, rhs_jacobian, divergence, integral_values, integral_gradients, measure_values,
         measure_divergences, time_factor, eliminated; /* NULL where the scalar kernel is */
     jlt_kernel_stages stages;
+    jlt_kernel_lanes_jet jet;
 } jlt_kernel_batch;
 
 enum { JLT_ISA_COUNT = 3 };

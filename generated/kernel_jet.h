@@ -1,51 +1,66 @@
 /** Coefficients of order k of products, quotients, roots, cosines and sines of power series whose operands are known to
- *  order k, and whose result is known below k. Cost: k + 1 products. Written by ttc; do not edit. */
+ *  order k, and whose result is known below k. Cost: k + 1 products. Written by ttc; do not edit.
+ *
+ *  A coefficient is a double, or, where lanes.h is included before, a vector: every lane does what a double does. */
 #ifndef JLT_JET_H
 #define JLT_JET_H
 
 #include <math.h>
 
-static inline double jlt_jet_product(const double *a, const double *b, unsigned k)
+#if defined(JLT_LANES)
+typedef jlt_lanes jlt_coefficient;
+#define JLT_JET_ROOT jlt_lanes_root
+#define JLT_JET_COSINE jlt_lanes_cosine
+#define JLT_JET_SINE jlt_lanes_sine
+#else
+typedef double jlt_coefficient;
+#define JLT_JET_ROOT sqrt
+#define JLT_JET_COSINE cos
+#define JLT_JET_SINE sin
+#endif
+
+static inline jlt_coefficient jlt_jet_product(const jlt_coefficient *a, const jlt_coefficient *b, unsigned k)
 {
-    double sum = a[0] * b[k];
+    jlt_coefficient sum = a[0] * b[k];
     for (unsigned j = 1; j <= k; j++) sum += a[j] * b[k - j];
     return sum;
 }
 
 /* q = a/b; a is coefficient k of the numerator. */
-static inline double jlt_jet_quotient(double a, const double *b, const double *q, unsigned k)
+static inline jlt_coefficient jlt_jet_quotient(jlt_coefficient a, const jlt_coefficient *b, const jlt_coefficient *q,
+                                               unsigned k)
 {
     for (unsigned j = 1; j <= k; j++) a -= b[j] * q[k - j];
     return a / b[0];
 }
 
 /* r = sqrt(a); a is coefficient k of the radicand. */
-static inline double jlt_jet_root(double a, const double *r, unsigned k)
+static inline jlt_coefficient jlt_jet_root(jlt_coefficient a, const jlt_coefficient *r, unsigned k)
 {
-    if (k == 0) return sqrt(a);
+    if (k == 0) return JLT_JET_ROOT(a);
     for (unsigned j = 1; j < k; j++) a -= r[j] * r[k - j];
-    return a / (2 * r[0]);
+    return a / (2.0 * r[0]);
 }
 
-/* sum over j of j a_j b_(k-j), over k */
-static inline double jlt_jet_slope(const double *a, const double *b, unsigned k)
+/* sum over j of j a_j b_(k-j), over k; k >= 1 */
+static inline jlt_coefficient jlt_jet_slope(const jlt_coefficient *a, const jlt_coefficient *b, unsigned k)
 {
-    double sum = 0;
-    for (unsigned j = 1; j <= k; j++) sum += j * a[j] * b[k - j];
-    return sum / k;
+    jlt_coefficient sum = a[1] * b[k - 1];
+    for (unsigned j = 2; j <= k; j++) sum += (double)j * a[j] * b[k - j];
+    return sum / (double)k;
 }
 
 /* c = cos(a), s = sin(a) go together: each call makes the partner's coefficient as well. */
-static inline double jlt_jet_cosine(const double *a, double *c, double *s, unsigned k)
+static inline jlt_coefficient jlt_jet_cosine(const jlt_coefficient *a, jlt_coefficient *c, jlt_coefficient *s, unsigned k)
 {
-    s[k] = k == 0 ? sin(a[0]) : jlt_jet_slope(a, c, k);
-    return k == 0 ? cos(a[0]) : -jlt_jet_slope(a, s, k);
+    s[k] = k == 0 ? JLT_JET_SINE(a[0]) : jlt_jet_slope(a, c, k);
+    return k == 0 ? JLT_JET_COSINE(a[0]) : -jlt_jet_slope(a, s, k);
 }
 
-static inline double jlt_jet_sine(const double *a, double *s, double *c, unsigned k)
+static inline jlt_coefficient jlt_jet_sine(const jlt_coefficient *a, jlt_coefficient *s, jlt_coefficient *c, unsigned k)
 {
-    c[k] = k == 0 ? cos(a[0]) : -jlt_jet_slope(a, s, k);
-    return k == 0 ? sin(a[0]) : jlt_jet_slope(a, c, k);
+    c[k] = k == 0 ? JLT_JET_COSINE(a[0]) : -jlt_jet_slope(a, s, k);
+    return k == 0 ? JLT_JET_SINE(a[0]) : jlt_jet_slope(a, c, k);
 }
 
 #endif

@@ -5,5 +5,6 @@
 
 #include "kernel_abi.h"
 #include "lanes.h"
+#include "kernel_jet.h"
 
 #include "general_lanes.inc"

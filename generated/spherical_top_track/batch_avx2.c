@@ -5,6 +5,7 @@
 
 #include "kernel_abi.h"
 #include "lanes.h"
+#include "kernel_jet.h"
 
 #include "general_lanes.inc"
 #include "general_in_regular_lanes.inc"

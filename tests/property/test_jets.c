@@ -1,4 +1,4 @@
-/* Generated Taylor recurrences of every field, against its right-hand side and its Jacobian. */
+/* Generated Taylor recurrences of every field, against its right-hand side and its Jacobian; on lanes, against the scalar ones. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -10,9 +10,10 @@
 
 #include <math.h>
 
+#include "kernel/batch_isa.h"
 #include "registry.h"
 
-enum { STATES_MAX = 64, PARAMS_MAX = 64, ORDER = 16, ROUNDS = 10 };
+enum { STATES_MAX = 64, PARAMS_MAX = 64, ORDER = 16, ROUNDS = 10, LANES_MAX = 8 };
 
 /* xorshift64*, Vigna 2016. */
 static double uniform(uint64_t *state)
@@ -83,30 +84,38 @@ static void check_high_orders(const jlt_descriptor *d, const double *p, const do
     for (unsigned i = 0; i < n; i++) assert_true(fabs(slope[i] - f[i]) <= 10 * 1e-9 * size * growth);
 }
 
+/* Parameters and a point; false where the field is not finite. */
+static bool choose_point(const jlt_descriptor *d, double *p, double *x, uint64_t *state)
+{
+    double params[PARAMS_MAX], imposed[PARAMS_MAX];
+
+    for (unsigned i = 0; i < d->param_count; i++) params[i] = 0.2 + uniform(state);
+    if (d->impose != NULL) {
+        d->impose(NULL, params, imposed);
+        memcpy(params, imposed, d->param_count * sizeof *params);
+    }
+    d->prepare(params, p);
+    for (unsigned i = 0; i < d->state_count; i++) {
+        double low = isfinite(d->states[i].low) ? d->states[i].low : -1;
+        double high = isfinite(d->states[i].high) ? d->states[i].high : 1;
+        x[i] = low + (high - low) * (0.05 + 0.9 * uniform(state));
+    }
+    return in_domain(d, x, p);
+}
+
 static void jets_solve_their_equations(void **unused)
 {
+    static double jet[(ORDER + 1) * (STATES_MAX + 1)];
     uint64_t state = 7;
 
     (void)unused;
     for (unsigned index = 0; index < jlt_registry_count; index++) {
         const jlt_descriptor *d = jlt_registry[index];
         const unsigned columns = d->state_count + (d->time_factor.call != NULL);
-        double *p = malloc((d->block_count + 1) * sizeof *p), params[PARAMS_MAX], imposed[PARAMS_MAX], x[STATES_MAX];
-        static double jet[(ORDER + 1) * (STATES_MAX + 1)];
+        double *p = malloc((d->block_count + 1) * sizeof *p), x[STATES_MAX];
         assert_non_null(p);
         for (int round = 0; round < ROUNDS; round++) {
-            for (unsigned i = 0; i < d->param_count; i++) params[i] = 0.2 + uniform(&state);
-            if (d->impose != NULL) {
-                d->impose(NULL, params, imposed);
-                memcpy(params, imposed, d->param_count * sizeof *params);
-            }
-            d->prepare(params, p);
-            for (unsigned i = 0; i < d->state_count; i++) {
-                double low = isfinite(d->states[i].low) ? d->states[i].low : -1;
-                double high = isfinite(d->states[i].high) ? d->states[i].high : 1;
-                x[i] = low + (high - low) * (0.05 + 0.9 * uniform(&state));
-            }
-            if (!in_domain(d, x, p)) continue;
+            if (!choose_point(d, p, x, &state)) continue;
             d->jet(x, p, ORDER, jet);
             check_low_orders(d, x, p, jet, columns);
             check_high_orders(d, p, jet, columns);
@@ -120,8 +129,42 @@ static void jets_solve_their_equations(void **unused)
     }
 }
 
+/* No multiply-add is fused in a recurrence, so that all instruction sets do the same operations. */
+static void every_lane_has_the_scalar_coefficients_bit_for_bit(void **unused)
+{
+    static _Alignas(64) double many[STATES_MAX * LANES_MAX], jets[(ORDER + 1) * (STATES_MAX + 1) * LANES_MAX];
+    static double jet[(ORDER + 1) * (STATES_MAX + 1)];
+    uint64_t state = 8;
+
+    (void)unused;
+    for (unsigned index = 0; index < jlt_registry_count; index++) {
+        const jlt_descriptor *d = jlt_registry[index];
+        const unsigned entries = (ORDER + 1) * (d->state_count + (d->time_factor.call != NULL));
+        double *p = malloc((d->block_count + 1) * sizeof *p), x[STATES_MAX];
+        assert_non_null(p);
+        for (int round = 0; round < ROUNDS; round++) {
+            const bool inside = choose_point(d, p, x, &state);
+            for (int isa = 0; isa < JLT_ISA_COUNT && inside; isa++) {
+                const jlt_kernel_batch *kernels = d->batches[isa];
+                if (!jlt_batch_isa_runs(kernels)) continue;
+                /* The point in one lane, its scaled copies in the others. */
+                const unsigned lane = (unsigned)round % kernels->lanes;
+                for (unsigned i = 0; i < d->state_count; i++)
+                    for (unsigned j = 0; j < kernels->lanes; j++) many[i * kernels->lanes + j] = x[i] * (j == lane ? 1 : 0.9);
+                d->jet(x, p, ORDER, jet);
+                kernels->jet(many, p, ORDER, jets, kernels->lanes);
+                for (unsigned i = 0; i < entries; i++) assert_memory_equal(&jets[i * kernels->lanes + lane], &jet[i], sizeof *jet);
+            }
+        }
+        free(p);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(jets_solve_their_equations) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(jets_solve_their_equations),
+        cmocka_unit_test(every_lane_has_the_scalar_coefficients_bit_for_bit),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
