@@ -1,13 +1,14 @@
 /** Coefficients of order k of products, quotients, roots, cosines and sines of power series whose operands are known to
  *  order k, and whose result is known below k. Cost: k + 1 products. Written by ttc; do not edit.
  *
- *  A coefficient is a double, or, where lanes.h is included before, a vector: every lane does what a double does. */
+ *  A coefficient is a double, or, where JLT_LANES is defined, a vector: every lane does what a double does. */
 #ifndef JLT_JET_H
 #define JLT_JET_H
 
 #include <math.h>
 
 #if defined(JLT_LANES)
+#include "lanes.h"
 typedef jlt_lanes jlt_coefficient;
 #define JLT_JET_ROOT jlt_lanes_root
 #define JLT_JET_COSINE jlt_lanes_cosine
