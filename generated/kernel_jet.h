@@ -46,8 +46,8 @@ static inline jlt_coefficient jlt_jet_root(jlt_coefficient a, const jlt_coeffici
 /* sum over j of j a_j b_(k-j), over k; k >= 1 */
 static inline jlt_coefficient jlt_jet_slope(const jlt_coefficient *a, const jlt_coefficient *b, unsigned k)
 {
-    jlt_coefficient sum = a[1] * b[k - 1];
-    for (unsigned j = 2; j <= k; j++) sum += (double)j * a[j] * b[k - j];
+    jlt_coefficient sum = { 0 };
+    for (unsigned j = 1; j <= k; j++) sum += (double)j * a[j] * b[k - j];
     return sum / (double)k;
 }
 

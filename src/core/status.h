@@ -6,7 +6,7 @@
     X(JLT_OK, "success")                                                      \
     X(JLT_ERR_ARG, "argument outside its contract")                           \
     X(JLT_ERR_DOMAIN, "state or parameter outside the model's domain")        \
-    X(JLT_ERR_NONFINITE, "a value is not finite, or overflowed on the way")   \
+    X(JLT_ERR_NONFINITE, "a value is not finite or overflowed on the way")   \
     X(JLT_ERR_NO_CONVERGENCE, "an iteration did not converge")                \
     X(JLT_ERR_NO_PROGRESS, "the step size fell below what time resolves")     \
     X(JLT_ERR_BUDGET, "the budget of steps is spent")                         \

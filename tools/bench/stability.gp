@@ -1,7 +1,7 @@
 # usage: gnuplot -c stability.gp DIR [TERMINAL]: the pictures of tools/bench/stability, from DIR/*.csv to DIR/*.svg (or .png).
 extension = ARGC > 1 ? ARG2 : 'svg'
 size = '1200,520'
-if (extension eq 'png') { set terminal pngcairo size @size font 'sans,11' } else { set terminal svg size @size font 'sans,12' }
+if (extension eq 'png') { set terminal pngcairo size @size font 'sans,11' } else { set terminal svg size @size font 'sans,12' background 'white' }
 set datafile separator ','
 set encoding utf8
 set format x '10^{%T}'
