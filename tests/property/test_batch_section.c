@@ -158,9 +158,17 @@ static int ignore_end(void *context, size_t orbit, jlt_lane_end end, size_t retu
     return 0;
 }
 
-/* The largest resident set of the process does not move when a hundred times as many rows go by. */
+#if defined(__SANITIZE_ADDRESS__)
+enum { KEEPS_FREED_MEMORY = 1 };
+#else
+enum { KEEPS_FREED_MEMORY = 0 };
+#endif
+
+/* The largest resident set of the process does not move when a hundred times as many rows go by. AddressSanitizer holds freed
+ * memory back and allocates beside it, so that nothing can be measured there. */
 static void memory_does_not_grow_with_returns(void **unused)
 {
+    if (KEEPS_FREED_MEMORY) skip();
     static grid g;
     double params[] = { 1, 1, 1, I1, I3, a3, G }, block[256];
     struct rusage before, after;

@@ -24,6 +24,7 @@ while IFS= read -r script; do
     [ -e "$script" ] || fail "README.md: $script does not exist"
 done < <(grep -oE '\b(tools|codegen|src|tests|generated)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]' README.md | grep -vw NAME | sort -u)
 while read -r program command; do
-    $program --help | grep -qE "^  $command\b" || fail "README.md: '$program $command' is no command"
+    help=$($program --help)
+    grep -qE "^  $command\b" <<< "$help" || fail "README.md: '$program $command' is no command"
 done < <(grep -oE '(^    |`)(build/bin/)?(ttc|jellett) [a-z]+' README.md | sed -E 's/^( +|`)(build\/bin\/)?//' | sort -u)
 exit $status

@@ -54,9 +54,10 @@ for program in by_pc_shared by_pc_static build/by_cmake_shared build/by_cmake_st
     output=$(LD_LIBRARY_PATH=$library "$scratch/$program") || fail "$program: exit status $?"
     : "${expected:=$output}"
     [ "$output" = "$expected" ] || fail "$program says '$output', not '$expected'"
+    libraries=$(ldd "$scratch/$program")
     case $program in
-        *shared) ldd "$scratch/$program" | grep -q libjellett.so.0 || fail "$program does not use the shared library" ;;
-        *static) ! ldd "$scratch/$program" | grep -q libjellett || fail "$program uses the shared library" ;;
+        *shared) [[ $libraries == *libjellett.so.0* ]] || fail "$program does not use the shared library" ;;
+        *static) [[ $libraries != *libjellett* ]] || fail "$program uses the shared library" ;;
     esac
 done
 echo "$expected"
