@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 
 #include <cmocka.h>
 
@@ -146,45 +145,6 @@ static void rows_do_not_depend_on_lane_company_or_thread(void **unused)
     }
 }
 
-static int ignore_row(void *context, size_t orbit, size_t number, const double *x)
-{
-    (void)context, (void)orbit, (void)number, (void)x;
-    return 0;
-}
-
-static int ignore_end(void *context, size_t orbit, jlt_lane_end end, size_t returns, const double *x)
-{
-    (void)context, (void)orbit, (void)end, (void)returns, (void)x;
-    return 0;
-}
-
-#if defined(__SANITIZE_ADDRESS__)
-enum { KEEPS_FREED_MEMORY = 1 };
-#else
-enum { KEEPS_FREED_MEMORY = 0 };
-#endif
-
-/* The largest resident set of the process does not move when a hundred times as many rows go by. AddressSanitizer holds freed
- * memory back and allocates beside it, so that nothing can be measured there. */
-static void memory_does_not_grow_with_returns(void **unused)
-{
-    if (KEEPS_FREED_MEMORY) skip();
-    static grid g;
-    double params[] = { 1, 1, 1, I1, I3, a3, G }, block[256];
-    struct rusage before, after;
-
-    (void)unused;
-    read_grid("grid_regular_51.csv", &g);
-    level()->prepare(params, block);
-    const jlt_batch_map map = { .kernels = jlt_batch_isa_best(level(), 0), .p = block, .dim = STATES, .column = 2, .direction = 1,
-                                .root = 4, .root_floor = 1e-9, .tolerance = 1e-8, .max_steps = 1000000, .threads = 2 };
-    assert_int_equal(jlt_batch_section(&map, g.start[0], ORBITS, 20, ignore_row, ignore_end, NULL, NULL), JLT_OK);
-    getrusage(RUSAGE_SELF, &before);
-    assert_int_equal(jlt_batch_section(&map, g.start[0], ORBITS, 2000, ignore_row, ignore_end, NULL, NULL), JLT_OK);
-    getrusage(RUSAGE_SELF, &after);
-    assert_true(after.ru_maxrss - before.ru_maxrss < 256); /* KiB; a row kept would cost 64 * 1980 * 40 bytes, 5 MB */
-}
-
 static void the_environment_bounds_the_lanes(void **unused)
 {
     (void)unused;
@@ -199,7 +159,6 @@ int main(void)
         cmocka_unit_test(returns_on_a_regular_island_match_quadruple_precision),
         cmocka_unit_test(returns_that_graze_the_pole_match_quadruple_precision),
         cmocka_unit_test(rows_do_not_depend_on_lane_company_or_thread),
-        cmocka_unit_test(memory_does_not_grow_with_returns),
         cmocka_unit_test(the_environment_bounds_the_lanes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
