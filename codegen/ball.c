@@ -1,5 +1,7 @@
 #include "ball.h"
 
+#include "ball_exact.h"
+
 #include <flint/fmpq.h>
 
 #if __has_include(<flint/arb.h>)
@@ -26,40 +28,33 @@ typedef struct {
     unsigned char *state; /* knowledge */
 } ball_memory;
 
-typedef struct {
-    size_t size;
-    fmpq *fractions;
-    unsigned char *state;
-} exact_memory;
-
 struct ttc_ball {
-    const ttc_model *model;
-    fmpq *values; /* by symbol, where known */
-    unsigned char *known;
-    ttc_id *bound; /* by symbol: what it stands for, TTC_NONE for its own definition */
+    ttc_ball_symbols symbols;
     ball_memory balls[MODES];
-    exact_memory exact;
+    ttc_ball_exact exact;
     long precision;
 };
 
 ttc_ball *ttc_ball_create(const ttc_model *model)
 {
     ttc_ball *ball = calloc(1, sizeof *ball);
+    ttc_ball_symbols *symbols;
 
     if (ball == NULL) return NULL;
-    ball->model = model;
+    symbols = &ball->symbols;
+    symbols->model = model;
     ball->precision = FIRST_PRECISION;
-    ball->values = malloc((model->symbol_count + 1) * sizeof *ball->values);
-    ball->known = calloc(model->symbol_count + 1, 1);
-    ball->bound = calloc(model->symbol_count + 1, sizeof *ball->bound);
-    if (ball->values == NULL || ball->known == NULL || ball->bound == NULL) {
-        free(ball->values);
-        free(ball->known);
-        free(ball->bound);
+    symbols->values = malloc((model->symbol_count + 1) * sizeof *symbols->values);
+    symbols->known = calloc(model->symbol_count + 1, 1);
+    symbols->bound = calloc(model->symbol_count + 1, sizeof *symbols->bound);
+    if (symbols->values == NULL || symbols->known == NULL || symbols->bound == NULL) {
+        free(symbols->values);
+        free(symbols->known);
+        free(symbols->bound);
         free(ball);
         return NULL;
     }
-    for (size_t i = 0; i < model->symbol_count; i++) fmpq_init(&ball->values[i]);
+    for (size_t i = 0; i < model->symbol_count; i++) fmpq_init(&symbols->values[i]);
     return ball;
 }
 
@@ -70,30 +65,22 @@ static void forget_balls(ball_memory *m)
     *m = (ball_memory){ 0 };
 }
 
-static void forget_exact(exact_memory *m)
-{
-    for (size_t i = 0; i < m->size; i++) fmpq_clear(&m->fractions[i]);
-    free(m->fractions);
-    free(m->state);
-    *m = (exact_memory){ 0 };
-}
-
 void ttc_ball_destroy(ttc_ball *ball)
 {
     if (ball == NULL) return;
     for (int mode = 0; mode < MODES; mode++) forget_balls(&ball->balls[mode]);
-    forget_exact(&ball->exact);
-    for (size_t i = 0; i < ball->model->symbol_count; i++) fmpq_clear(&ball->values[i]);
-    free(ball->values);
-    free(ball->known);
-    free(ball->bound);
+    ttc_ball_exact_clear(&ball->exact);
+    for (size_t i = 0; i < ball->symbols.model->symbol_count; i++) fmpq_clear(&ball->symbols.values[i]);
+    free(ball->symbols.values);
+    free(ball->symbols.known);
+    free(ball->symbols.bound);
     free(ball);
 }
 
-/* Room for every node there is now; what is known stays. */
+/* Room for every node there is now; where the graph has grown, all is forgotten. */
 static bool room(ttc_ball *ball)
 {
-    const size_t size = ttc_graph_size(ball->model->graph) + 1;
+    const size_t size = ttc_graph_size(ball->symbols.model->graph) + 1;
 
     for (int mode = 0; mode < MODES; mode++) {
         ball_memory *m = &ball->balls[mode];
@@ -104,18 +91,6 @@ static bool room(ttc_ball *ball)
         m->balls = _arb_vec_init((long)size);
         m->size = size;
     }
-    if (ball->exact.size < size) {
-        exact_memory *m = &ball->exact;
-        forget_exact(m);
-        m->state = calloc(size, 1);
-        m->fractions = malloc(size * sizeof *m->fractions);
-        if (m->state == NULL || m->fractions == NULL) {
-            forget_exact(m);
-            return false;
-        }
-        m->size = size;
-        for (size_t i = 0; i < size; i++) fmpq_init(&m->fractions[i]);
-    }
     return true;
 }
 
@@ -123,7 +98,7 @@ static void forget_values(ttc_ball *ball)
 {
     for (int mode = 0; mode < MODES; mode++)
         if (ball->balls[mode].state != NULL) memset(ball->balls[mode].state, UNKNOWN, ball->balls[mode].size);
-    if (ball->exact.state != NULL) memset(ball->exact.state, UNKNOWN, ball->exact.size);
+    ttc_ball_exact_forget(&ball->exact);
 }
 
 bool ttc_ball_set(ttc_ball *ball, uint32_t symbol, double value)
@@ -133,19 +108,19 @@ bool ttc_ball_set(ttc_ball *ball, uint32_t symbol, double value)
     if (!isfinite(value)) return false;
     arf_init(exact);
     arf_set_d(exact, value);
-    arf_get_fmpq(&ball->values[symbol], exact);
+    arf_get_fmpq(&ball->symbols.values[symbol], exact);
     arf_clear(exact);
-    ball->known[symbol] = 1;
+    ball->symbols.known[symbol] = 1;
     forget_values(ball);
     return true;
 }
 
 bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction)
 {
-    if (fmpq_set_str(&ball->values[symbol], fraction, 10) != 0 || fmpz_is_zero(fmpq_denref(&ball->values[symbol])))
+    if (fmpq_set_str(&ball->symbols.values[symbol], fraction, 10) != 0 || fmpz_is_zero(fmpq_denref(&ball->symbols.values[symbol])))
         return false;
-    fmpq_canonicalise(&ball->values[symbol]);
-    ball->known[symbol] = 1;
+    fmpq_canonicalise(&ball->symbols.values[symbol]);
+    ball->symbols.known[symbol] = 1;
     forget_values(ball);
     return true;
 }
@@ -164,18 +139,18 @@ static void add_rounding(arb_t ball)
 
 static bool evaluate_symbol(arb_t out, ttc_ball *ball, evaluation mode, uint32_t symbol, long precision)
 {
-    const ttc_symbol_entry *entry = &ball->model->symbols[symbol];
+    const ttc_symbol_entry *entry = &ball->symbols.model->symbols[symbol];
     const evaluation inner = mode == ROUNDED && entry->kind == TTC_ROOT ? FULL : mode;
     arb_srcptr of;
 
-    if (ball->known[symbol]) {
-        arb_set_fmpq(out, &ball->values[symbol], precision);
+    if (ball->symbols.known[symbol]) {
+        arb_set_fmpq(out, &ball->symbols.values[symbol], precision);
         if (mode == PLAIN) add_rounding(out);
         return true;
     }
-    if (ball->bound[symbol] != TTC_NONE) {
-        if (!evaluate(ball, mode, ball->bound[symbol])) return false;
-        arb_set(out, ball->balls[mode].balls + ball->bound[symbol]);
+    if (ball->symbols.bound[symbol] != TTC_NONE) {
+        if (!evaluate(ball, mode, ball->symbols.bound[symbol])) return false;
+        arb_set(out, ball->balls[mode].balls + ball->symbols.bound[symbol]);
         return true;
     }
     if (entry->definition == TTC_NONE || !evaluate(ball, inner, entry->definition)) return false;
@@ -194,7 +169,7 @@ static bool evaluate_symbol(arb_t out, ttc_ball *ball, evaluation mode, uint32_t
 
 static bool evaluate_parts(arb_t out, ttc_ball *ball, evaluation mode, ttc_id id, long precision)
 {
-    const ttc_graph *graph = ball->model->graph;
+    const ttc_graph *graph = ball->symbols.model->graph;
     const bool product = ttc_kind_of(graph, id) == TTC_PRODUCT;
     const size_t count = ttc_part_count(graph, id);
     arb_t term;
@@ -226,16 +201,16 @@ static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id)
 {
     const long precision = mode == FULL ? ball->precision : DOUBLE_PRECISION;
     ball_memory *m = &ball->balls[mode];
-    const ttc_kind kind = ttc_kind_of(ball->model->graph, id);
+    const ttc_kind kind = ttc_kind_of(ball->symbols.model->graph, id);
     bool good;
 
     if (m->state[id] != UNKNOWN) return m->state[id] == GOOD;
     m->state[id] = BAD; /* met again on the way down, it would stand for itself */
     if (kind == TTC_NUMBER) {
-        arb_set_fmpq(m->balls + id, ttc_coefficient(ball->model->graph, id), precision);
+        arb_set_fmpq(m->balls + id, ttc_coefficient(ball->symbols.model->graph, id), precision);
         good = true;
     } else if (kind == TTC_SYMBOL) {
-        good = evaluate_symbol(m->balls + id, ball, mode, ttc_symbol_of(ball->model->graph, id), precision);
+        good = evaluate_symbol(m->balls + id, ball, mode, ttc_symbol_of(ball->symbols.model->graph, id), precision);
     } else {
         good = evaluate_parts(m->balls + id, ball, mode, id, precision);
     }
@@ -295,117 +270,41 @@ bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id)
     return true;
 }
 
-char *ttc_ball_text(ttc_ball *ball, ttc_id id, long digits, bool *excludes_zero)
+/* FLINT's text as one for free(). */
+static char *owned(char *written)
 {
-    char *written, *text;
+    char *text = written == NULL ? NULL : strdup(written);
 
-    if (id == TTC_NONE || !evaluate_full(ball, id)) return NULL;
-    written = arb_get_str(ball->balls[FULL].balls + id, digits, ARB_STR_MORE);
-    *excludes_zero = !arb_contains_zero(ball->balls[FULL].balls + id);
-    text = written == NULL ? NULL : strdup(written);
     flint_free(written);
     return text;
 }
 
-static bool exactly(ttc_ball *ball, ttc_id id);
-
-static bool exact_root(fmpq_t out, const fmpq_t of)
+char *ttc_ball_text(ttc_ball *ball, ttc_id id, long digits, bool *excludes_zero)
 {
-    if (fmpq_sgn(of) < 0 || !fmpz_is_square(fmpq_numref(of)) || !fmpz_is_square(fmpq_denref(of))) return false;
-    fmpz_sqrt(fmpq_numref(out), fmpq_numref(of));
-    fmpz_sqrt(fmpq_denref(out), fmpq_denref(of));
-    return true;
-}
-
-static bool exact_symbol(fmpq_t out, ttc_ball *ball, uint32_t symbol)
-{
-    const ttc_symbol_entry *entry = &ball->model->symbols[symbol];
-
-    if (ball->known[symbol]) {
-        fmpq_set(out, &ball->values[symbol]);
-        return true;
-    }
-    if (ball->bound[symbol] != TTC_NONE) {
-        if (!exactly(ball, ball->bound[symbol])) return false;
-        fmpq_set(out, &ball->exact.fractions[ball->bound[symbol]]);
-        return true;
-    }
-    if (entry->definition == TTC_NONE || (entry->kind != TTC_ROOT && entry->kind != TTC_LET)) return false;
-    if (!exactly(ball, entry->definition)) return false;
-    if (entry->kind == TTC_ROOT) return exact_root(out, &ball->exact.fractions[entry->definition]);
-    fmpq_set(out, &ball->exact.fractions[entry->definition]);
-    return true;
-}
-
-static bool exact_parts(fmpq_t out, ttc_ball *ball, ttc_id id)
-{
-    const ttc_graph *graph = ball->model->graph;
-    const bool product = ttc_kind_of(graph, id) == TTC_PRODUCT;
-    const size_t count = ttc_part_count(graph, id);
-    fmpq_t term;
-    bool good = true;
-
-    fmpq_init(term);
-    fmpq_set(out, ttc_coefficient(graph, id));
-    for (size_t i = 0; good && i < count; i++) {
-        const ttc_part part = ttc_part_at(graph, id, i);
-        good = exactly(ball, part.id) &&
-               !(product && part.exponent < 0 && fmpq_is_zero(&ball->exact.fractions[part.id]));
-        if (!good) break;
-        if (product) {
-            fmpq_pow_si(term, &ball->exact.fractions[part.id], part.exponent);
-            fmpq_mul(out, out, term);
-        } else {
-            fmpq_mul(term, &ball->exact.fractions[part.id], part.coefficient);
-            fmpq_add(out, out, term);
-        }
-    }
-    fmpq_clear(term);
-    return good;
-}
-
-static bool exactly(ttc_ball *ball, ttc_id id)
-{
-    const ttc_graph *graph = ball->model->graph;
-    const ttc_kind kind = ttc_kind_of(graph, id);
-    fmpq *out = &ball->exact.fractions[id];
-    bool good;
-
-    if (ball->exact.state[id] != UNKNOWN) return ball->exact.state[id] == GOOD;
-    ball->exact.state[id] = BAD;
-    if (kind == TTC_NUMBER) {
-        fmpq_set(out, ttc_coefficient(graph, id));
-        good = true;
-    } else if (kind == TTC_SYMBOL) {
-        good = exact_symbol(out, ball, ttc_symbol_of(graph, id));
-    } else {
-        good = exact_parts(out, ball, id);
-    }
-    ball->exact.state[id] = good ? GOOD : BAD;
-    return good;
+    if (id == TTC_NONE || !evaluate_full(ball, id)) return NULL;
+    *excludes_zero = !arb_contains_zero(ball->balls[FULL].balls + id);
+    return owned(arb_get_str(ball->balls[FULL].balls + id, digits, ARB_STR_MORE));
 }
 
 bool ttc_ball_exact_sign(int *sign, ttc_ball *ball, ttc_id id)
 {
-    if (id == TTC_NONE || !room(ball) || !exactly(ball, id)) return false;
-    *sign = fmpq_sgn(&ball->exact.fractions[id]);
+    const fmpq *value = ttc_ball_exact_value(&ball->exact, &ball->symbols, id);
+
+    if (value == NULL) return false;
+    *sign = fmpq_sgn(value);
     return true;
 }
 
 char *ttc_ball_exact_text(ttc_ball *ball, ttc_id id)
 {
-    char *written, *text;
+    const fmpq *value = ttc_ball_exact_value(&ball->exact, &ball->symbols, id);
 
-    if (id == TTC_NONE || !room(ball) || !exactly(ball, id)) return NULL;
-    written = fmpq_get_str(NULL, 10, &ball->exact.fractions[id]);
-    text = written == NULL ? NULL : strdup(written);
-    flint_free(written);
-    return text;
+    return value == NULL ? NULL : owned(fmpq_get_str(NULL, 10, value));
 }
 
 void ttc_ball_bind(ttc_ball *ball, uint32_t symbol, ttc_id id)
 {
-    ball->known[symbol] = 0;
-    ball->bound[symbol] = id;
+    ball->symbols.known[symbol] = 0;
+    ball->symbols.bound[symbol] = id;
     forget_values(ball);
 }
