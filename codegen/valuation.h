@@ -2,9 +2,10 @@
  *
  *  A symbol is free (a variable of the ring), bound to an expression, or, for a state, bound to a square root. Roots and
  *  angles follow from what they are defined by: cosines and sines of angles that are linearly independent over the
- *  rationals are variables with c^2 + s^2 = 1, those of sums of their multiples follow by the addition theorems. A plain valuation reads bound expressions in itself, so `when a = b, b = 1`
- *  means a = b = 1, and a circle is an error. A map (base != NULL) reads them in its base: the model at an image point, or
- *  another model seen from the base. */
+ *  rationals are variables with c^2 + s^2 = 1, those of sums of their multiples follow by the addition theorems.
+ *
+ *  A plain valuation reads bound expressions in itself, so `when a = b, b = 1` means a = b = 1, and a circle is an error. A map
+ *  (base != NULL) reads them in its base: the model at an image point, or another model seen from the base. */
 #ifndef TTC_VALUATION_H
 #define TTC_VALUATION_H
 
