@@ -1,8 +1,6 @@
-#include "cli/verify.h"
+#include "cli/verify_sample.h"
 
 #include "analysis/charpoly.h"
-#include "analysis/deflation.h"
-#include "analysis/density.h"
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 #include "kernel/kernel.h"
@@ -11,132 +9,14 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-enum { SIZE = JLT_DEFLATION_SIZE_MAX, PARAMS_MAX = 256, REDRAWS = 1000 };
+enum { SIZE = JLT_VERIFY_STATES_MAX };
 
 static const double roundoff = DBL_EPSILON / 2;
 
 /* Factors by which arithmetic other than the expression as written may exceed its running error bound: the optimizer
  * reassociates and shares, which costs a few operations more; complex arithmetic costs up to four times the operations. */
 static const double rearranged = 4.0, in_complex = 16.0;
-
-/* One sample: where it is, and everything that is compared there. */
-typedef struct {
-    double params[PARAMS_MAX], x[SIZE];
-    ttc_enclosure jacobian[SIZE * SIZE], trace, field[SIZE];
-    ttc_enclosure gradient[SIZE * SIZE];
-    double majorant[SIZE * SIZE]; /* size of each entry, cancellation undone: rounding / 2^-53, at least |entry| */
-} sample;
-
-/* Expressions of a family that are enclosed at every sample. */
-typedef struct {
-    const jlt_equilibria *family;
-    const ttc_claim *claim;
-    ttc_id *gradients; /* shape (left_null_count, n) */
-} subject;
-
-const ttc_claim *jlt_verify_claim(const jlt_verify_run *run, const jlt_equilibria *family)
-{
-    const ttc_model *model = run->oracle->model;
-
-    for (size_t i = 0; i < model->claim_count; i++)
-        if (model->claims[i].kind == TTC_CLAIM_EQUILIBRIA && strcmp(model->claims[i].name, family->name) == 0)
-            return &model->claims[i];
-    return NULL;
-}
-
-void jlt_verify_place(jlt_verify_run *run, const ttc_claim *claim, const double *params, const double *x)
-{
-    ttc_ball *ball = run->oracle->ball;
-
-    jlt_oracle_set_params(run->oracle, params, NULL);
-    jlt_oracle_set_states(run->oracle, x, NULL);
-    for (size_t i = 0; i < claim->when.count; i++)
-        ttc_ball_bind(ball, claim->when.items[i].symbol, claim->when.items[i].expression);
-    for (size_t i = 0; i < claim->bindings.count; i++)
-        ttc_ball_bind(ball, claim->bindings.items[i].symbol, claim->bindings.items[i].expression);
-}
-
-void jlt_verify_draw_params(double *params, const jlt_descriptor *descriptor, jlt_random *random, unsigned kind)
-{
-    for (unsigned i = 0; i < descriptor->param_count; i++) {
-        const jlt_quantity *q = &descriptor->params[i];
-        const double magnitude = kind == 2 ? jlt_random_magnitude(random, -8, 8) : jlt_random_magnitude(random, -1, 1);
-        const uint64_t die = jlt_random_below(random, 16);
-        if (kind == 0 && !isnan(q->value)) params[i] = q->value;
-        else if (q->sign == JLT_POSITIVE) params[i] = magnitude;
-        else if (q->sign == JLT_NONNEGATIVE) params[i] = die == 0 ? 0.0 : magnitude;
-        else if (q->sign == JLT_NONZERO || die != 0) params[i] = die < 8 ? -magnitude : magnitude;
-        else params[i] = 0.0;
-    }
-    /* Some coincidences that matter: two parameters equal, or one ulp apart. */
-    if (kind != 0 && descriptor->param_count > 1 && jlt_random_below(random, 8) == 0) {
-        const size_t from = (size_t)jlt_random_below(random, descriptor->param_count);
-        const size_t to = (size_t)jlt_random_below(random, descriptor->param_count);
-        const double value = jlt_random_below(random, 2) == 0 ? params[from] : nextafter(params[from], 2 * params[from]);
-        if (value != 0.0 && (value > 0.0 || descriptor->params[to].sign == JLT_ANY_SIGN ||
-                             descriptor->params[to].sign == JLT_NONZERO))
-            params[to] = value;
-    }
-}
-
-/* States: moderate, extreme in size, within 1e-12 of an end of their interval, or some of them zero. */
-static void draw_states(double *x, const jlt_descriptor *d, jlt_random *random, unsigned kind)
-{
-    jlt_density_draw_state(x, d, random);
-    for (unsigned i = 0; i < d->state_count; i++) {
-        const jlt_quantity *q = &d->states[i];
-        const bool limited = isfinite(q->low) && isfinite(q->high);
-        if (kind == 2 && !limited) x[i] = copysign(jlt_random_magnitude(random, -8, 8), x[i]);
-        if (kind == 3 && limited) {
-            const double end = jlt_random_below(random, 2) == 0 ? q->low : q->high;
-            x[i] = end - copysign(jlt_random_magnitude(random, -12, -2), end - (q->low / 2 + q->high / 2));
-        }
-        if (kind != 0 && !limited && jlt_random_below(random, 12) == 0) x[i] = 0.0;
-    }
-}
-
-/* A point of the family inside the domain; false when none comes up. */
-static bool draw(sample *s, jlt_verify_run *run, const subject *sub, size_t number)
-{
-    const jlt_descriptor *d = run->descriptor;
-    const unsigned kind = (unsigned)(number % 4);
-
-    for (int attempt = 0; attempt < REDRAWS; attempt++) {
-        double params[PARAMS_MAX], x[SIZE];
-        size_t index;
-        jlt_verify_draw_params(params, d, &run->random, kind);
-        draw_states(x, d, &run->random, kind);
-        if (jlt_descriptor_check_state(d, x, &index) != JLT_OK) continue;
-        if (jlt_kernel_eval_function(s->params, sub->family->impose, d->param_count, x, d->state_count, params,
-                                     d->param_count) != JLT_OK ||
-            jlt_kernel_eval_function(s->x, sub->family->point, d->state_count, x, d->state_count, s->params,
-                                     d->param_count) != JLT_OK)
-            continue;
-        if (jlt_descriptor_check_params(d, s->params, &index) == JLT_OK &&
-            jlt_descriptor_check_state(d, s->x, &index) == JLT_OK)
-            return true;
-    }
-    return false;
-}
-
-static jlt_status enclose(sample *s, jlt_verify_run *run, const subject *sub)
-{
-    const size_t n = run->descriptor->state_count;
-    jlt_oracle *o = run->oracle;
-    jlt_status st;
-
-    jlt_verify_place(run, sub->claim, s->params, s->x);
-    JLT_TRY(jlt_oracle_enclose(o, s->jacobian, o->jacobian, n * n));
-    JLT_TRY(jlt_oracle_enclose(o, &s->trace, &o->trace, 1));
-    JLT_TRY(jlt_oracle_enclose(o, s->gradient, sub->gradients, sub->family->left_null_count * n));
-    JLT_TRY(jlt_oracle_enclose(o, s->field, o->field, n));
-    for (size_t i = 0; i < n * n; i++)
-        s->majorant[i] = fmax(fabs(s->jacobian[i].value), s->jacobian[i].rounding / roundoff);
-done:
-    return st;
-}
 
 static jlt_verify_check *check_named(jlt_verify_family *f, const char *name, const char *bound)
 {
@@ -151,7 +31,8 @@ static jlt_verify_check *check_named(jlt_verify_family *f, const char *name, con
 static void record(jlt_verify_check *check, double error, double value, double size, double bound)
 {
     /* Results below the normal range were refused already; what is left of rounding there is one subnormal. */
-    const double part = error == 0.0 ? 0.0 : error / (bound + 0x1p-1074), ulp = size * roundoff + 0x1p-1074;
+    const double ratio = error == 0.0 ? 0.0 : error / (bound + 0x1p-1074), part = isnan(ratio) ? INFINITY : ratio;
+    const double ulp = size * roundoff + 0x1p-1074;
 
     check->compared++;
     if (value != 0.0 && size > fabs(value)) check->lost = fmax(check->lost, log10(size / fabs(value)));
@@ -182,7 +63,7 @@ static void against_enclosures(jlt_verify_check *check, const double *computed, 
                rearranged * running(exact[i].rounding, &exact[i]) + exact[i].radius);
 }
 
-static jlt_status compare_matrix(jlt_verify_family *f, const sample *s, const jlt_descriptor *d, const double *jacobian)
+static jlt_status compare_matrix(jlt_verify_family *f, const jlt_verify_sample *s, const jlt_descriptor *d, const double *jacobian)
 {
     static const char name[] = "generated Jacobian against the table's matrix";
     const size_t n = d->state_count;
@@ -202,7 +83,7 @@ static jlt_status compare_matrix(jlt_verify_family *f, const sample *s, const jl
 }
 
 /* Columns by Im f(x + i h e_j) / h: no subtraction, so h may be as small as 2^-100 of x_j. */
-static void compare_complex_step(jlt_verify_family *f, const sample *s, const jlt_descriptor *d, const double *jacobian)
+static void compare_complex_step(jlt_verify_family *f, const jlt_verify_sample *s, const jlt_descriptor *d, const double *jacobian)
 {
     jlt_verify_check *check = check_named(f, "generated Jacobian against complex-step differentiation", complex_error);
     const size_t n = d->state_count;
@@ -221,7 +102,7 @@ static void compare_complex_step(jlt_verify_family *f, const sample *s, const jl
     }
 }
 
-static jlt_status compare_charpoly(jlt_verify_family *f, const sample *s, const jlt_descriptor *d, const double *jacobian,
+static jlt_status compare_charpoly(jlt_verify_family *f, const jlt_verify_sample *s, const jlt_descriptor *d, const double *jacobian,
                                    const jlt_deflation *eigen)
 {
     const size_t n = d->state_count;
@@ -252,7 +133,7 @@ static jlt_status compare_charpoly(jlt_verify_family *f, const sample *s, const 
     return JLT_OK;
 }
 
-static jlt_status compare_left_null(jlt_verify_family *f, const sample *s, const jlt_descriptor *d, const double *jacobian)
+static jlt_status compare_left_null(jlt_verify_family *f, const jlt_verify_sample *s, const jlt_descriptor *d, const double *jacobian)
 {
     jlt_verify_check *check;
     const size_t n = d->state_count, count = f->family->left_null_count;
@@ -281,7 +162,7 @@ static jlt_status compare_left_null(jlt_verify_family *f, const sample *s, const
     return JLT_OK;
 }
 
-static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, const sample *s, jlt_oracle *oracle,
+static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, const jlt_verify_sample *s, jlt_oracle *oracle,
                                 const jlt_instance *special, const double *jacobian)
 {
     const jlt_descriptor *d = special->descriptor;
@@ -308,7 +189,7 @@ static jlt_status compare_eigen(jlt_verify_family *f, jlt_deflation *eigen, cons
 }
 
 /* Everything for the kernels of one descriptor at one sample. */
-static jlt_status compare(jlt_verify_family *f, const sample *s, jlt_oracle *oracle, const jlt_descriptor *kernels,
+static jlt_status compare(jlt_verify_family *f, const jlt_verify_sample *s, jlt_oracle *oracle, const jlt_descriptor *kernels,
                           const jlt_descriptor *general)
 {
     const size_t n = general->state_count;
@@ -350,36 +231,20 @@ done:
     return st;
 }
 
-static jlt_status gradients_of(subject *sub, const jlt_verify_run *run)
-{
-    const ttc_model *model = run->oracle->model;
-    const size_t n = model->state_count;
-
-    sub->gradients = calloc(sub->family->left_null_count * n + 1, sizeof *sub->gradients);
-    if (sub->gradients == NULL) return JLT_ERR_NOMEM;
-    for (size_t k = 0; k < sub->family->left_null_count; k++) {
-        uint32_t claim = 0;
-        if (!ttc_model_find_claim(model, sub->family->left_null[k].name, &claim)) return JLT_ERR_UNSUPPORTED;
-        for (size_t j = 0; j < n; j++)
-            sub->gradients[k * n + j] = ttc_model_partial(model, model->claims[claim].expression, model->states[j]);
-    }
-    return JLT_OK;
-}
-
 static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
 {
     const jlt_descriptor *general = run->descriptor;
-    subject sub = { f->family, jlt_verify_claim(run, f->family), NULL };
-    sample *s = malloc(sizeof *s);
+    jlt_verify_subject subject = { 0 };
+    jlt_verify_sample *s = malloc(sizeof *s);
     jlt_status st = s == NULL ? JLT_ERR_NOMEM : JLT_OK;
 
-    if (st == JLT_OK) st = sub.claim == NULL ? JLT_ERR_UNSUPPORTED : gradients_of(&sub, run);
+    if (st == JLT_OK) st = jlt_verify_subject_init(&subject, run, f->family);
     for (size_t k = 0; st == JLT_OK && k < run->samples; k++) {
         const jlt_descriptor *special;
         jlt_status refused;
-        if (!draw(s, run, &sub, k)) break;
+        if (!jlt_verify_sample_draw(s, run, &subject, k)) break;
         f->samples++;
-        refused = enclose(s, run, &sub);
+        refused = jlt_verify_sample_enclose(s, run, &subject);
         if (refused == JLT_OK) refused = compare(f, s, run->oracle, general, general);
         special = jlt_descriptor_choose(general->model, NULL, NULL, s->params);
         if (refused == JLT_OK && special != NULL && special != general) refused = compare(f, s, run->oracle, special, general);
@@ -389,7 +254,7 @@ static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
     for (size_t i = 0; i < f->check_count; i++) *(f->checks[i].worst_part <= 1.0 ? &run->held : &run->failed) += 1;
     /* Nothing compared is nothing verified. */
     if (f->samples == f->refused) run->failed++;
-    free(sub.gradients);
+    jlt_verify_subject_clear(&subject);
     free(s);
     return st;
 }
@@ -399,7 +264,8 @@ jlt_status jlt_verify_families(jlt_verify_run *run)
     const jlt_descriptor *d = run->descriptor;
     jlt_status st = JLT_OK;
 
-    if (d->equilibria_count > 0 && (d->state_count > SIZE || d->param_count > PARAMS_MAX)) return JLT_ERR_UNSUPPORTED;
+    if (d->equilibria_count > 0 && (d->state_count > SIZE || d->param_count > JLT_VERIFY_PARAMS_MAX))
+        return JLT_ERR_UNSUPPORTED;
     run->families = calloc(d->equilibria_count + 1, sizeof *run->families);
     if (run->families == NULL) return JLT_ERR_NOMEM;
     for (; st == JLT_OK && run->family_count < d->equilibria_count; run->family_count++) {
