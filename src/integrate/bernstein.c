@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 enum { SIZE = JLT_BERNSTEIN_DEGREE_MAX + 1, DEPTH_MAX = 40 };
@@ -10,8 +11,9 @@ void jlt_bernstein_of(double *b, const double *c, size_t stride, unsigned degree
 {
     /* Scaled coefficients c_k/C(degree,k), then running sums: b is their table of binomial sums. */
     double binomial = 1;
-    for (unsigned k = 0; k <= degree; k++) {
+    for (unsigned k = 0; 2 * k <= degree; k++) {
         b[k] = c[k * stride] / binomial;
+        b[degree - k] = c[(degree - k) * stride] / binomial;
         binomial = binomial * (degree - k) / (k + 1);
     }
     for (unsigned round = 1; round <= degree; round++)
@@ -60,28 +62,40 @@ static unsigned variations(const double *b, unsigned degree)
     return count;
 }
 
-/* The one zero of b on (0, 1), by the Illinois method with bisection as a watchdog. */
+/* The one zero of b on (0, 1). With u = theta/(1 - theta) b is (1 - theta)^degree sum_j C(degree,j) b_j u^j, whose terms alternate
+ * no more than the b_j do; the half of the interval that holds the zero is turned so that u <= 1. Newton's method there, held
+ * in a bracket. */
 static double only_root(const double *b, unsigned degree)
 {
-    double lo = 0, hi = 1, at_lo = b[0], at_hi = b[degree];
-    int stayed = 0;
-
-    for (unsigned i = 0; i < 80 && hi - lo > DBL_EPSILON * hi; i++) {
-        double mid = i % 8 == 7 ? 0.5 * (lo + hi) : (lo * at_hi - hi * at_lo) / (at_hi - at_lo);
-        if (!(mid > lo && mid < hi)) mid = 0.5 * (lo + hi);
-        const double at_mid = jlt_bernstein_value(b, degree, mid);
-        if (at_mid == 0) return mid;
-        if (at_mid * at_lo > 0) {
-            lo = mid, at_lo = at_mid;
-            if (stayed > 0) at_hi *= 0.5;
-            stayed = 1;
-        } else {
-            hi = mid, at_hi = at_mid;
-            if (stayed < 0) at_lo *= 0.5;
-            stayed = -1;
-        }
+    double a[SIZE], binomial = 1, middle = 0;
+    for (unsigned j = 0; 2 * j <= degree; j++) {
+        a[j] = binomial * b[j];
+        a[degree - j] = binomial * b[degree - j];
+        binomial = binomial * (degree - j) / (j + 1);
     }
-    return 0.5 * (lo + hi);
+    for (unsigned j = 0; j <= degree; j++) middle += a[j];
+    const bool turned = b[0] * middle > 0;
+    for (unsigned j = 0; turned && 2 * j < degree; j++) {
+        const double other = a[degree - j];
+        a[degree - j] = a[j];
+        a[j] = other;
+    }
+    double lo = 0, hi = 1, u = a[0] / (a[0] - middle);
+    for (unsigned i = 0; i < 80; i++) {
+        double value = a[degree], slope = 0;
+        for (unsigned j = degree; j-- > 0;) {
+            slope = slope * u + value;
+            value = value * u + a[j];
+        }
+        if (value == 0) break;
+        if (value * a[0] > 0) lo = u;
+        else hi = u;
+        const double move = -value / slope, newton = u + move;
+        const bool inside = newton > lo && newton < hi, done = fabs(move) <= 1e-9 * u; /* what Newton's method leaves: its square */
+        u = inside ? newton : 0.5 * (lo + hi);
+        if ((inside && done) || hi - lo <= DBL_EPSILON * hi) break;
+    }
+    return turned ? 1 / (1 + u) : u / (1 + u);
 }
 
 typedef struct {
@@ -123,5 +137,51 @@ unsigned jlt_bernstein_sign_changes(double *roots, const double *b, unsigned deg
     }
     collection found = { .roots = roots, .degree = degree };
     if (degree > 0) collect(&found, inner, 0, 1, 0);
+    return found.count;
+}
+
+/* Coefficients as far from zero as the bound, all on one side, keep the polynomial there. */
+static bool stays_off(const double *b, unsigned degree, double bound)
+{
+    double least = b[0], most = b[0];
+    for (unsigned j = 1; j <= degree; j++) {
+        least = b[j] < least ? b[j] : least;
+        most = b[j] > most ? b[j] : most;
+    }
+    return least > bound || most < -bound;
+}
+
+static void collect_touches(collection *found, const double *b, double bound, double from, double width, unsigned depth)
+{
+    const unsigned degree = found->degree;
+    double slope[SIZE];
+
+    if (stays_off(b, degree, bound) || found->count == degree - 1) return;
+    jlt_bernstein_derive(slope, b, degree);
+    const unsigned changes = variations(slope, degree - 1);
+    if (changes == 0) return;
+    if (changes == 1) {
+        const double at = only_root(slope, degree - 1);
+        if (fabs(jlt_bernstein_value(b, degree, at)) <= bound) found->roots[found->count++] = from + width * at;
+        return;
+    }
+    if (depth == DEPTH_MAX) {
+        if (changes % 2 == 1) found->roots[found->count++] = from + 0.5 * width;
+        return;
+    }
+    double left[SIZE], right[SIZE], theta = 0.5;
+    split(left, right, b, degree, theta);
+    if (right[1] == right[0]) {
+        theta = 0.4375;
+        split(left, right, b, degree, theta);
+    }
+    collect_touches(found, left, bound, from, width * theta, depth + 1);
+    collect_touches(found, right, bound, from + width * theta, width * (1 - theta), depth + 1);
+}
+
+unsigned jlt_bernstein_touches(double *at, const double *b, unsigned degree, double bound)
+{
+    collection found = { .roots = at, .degree = degree };
+    if (degree >= 2) collect_touches(&found, b, bound, 0, 1, 0);
     return found.count;
 }

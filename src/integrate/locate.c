@@ -152,17 +152,16 @@ static void settle_pair(zeros *z, const extremum *e, double noise)
 static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *stepper, const double *b, unsigned degree)
 {
     double slope[SIZE], bend[SIZE], at[SIZE], size = 0;
-    if (degree < 2) return JLT_OK;
 
     for (unsigned j = 0; j <= degree; j++) size = fmax(size, fabs(b[j]));
     size += fabs(self->event.value == NULL ? self->event.level : 0);
     const double doubt = stepper->dense_error * fmax(size, 1), noise = 16 * DBL_EPSILON * size;
+    const unsigned count = jlt_bernstein_touches(at, b, degree, doubt);
+    if (count == 0) return JLT_OK;
     jlt_bernstein_derive(slope, b, degree);
     jlt_bernstein_derive(bend, slope, degree - 1);
-    const unsigned count = jlt_bernstein_sign_changes(at, slope, degree - 1);
     for (unsigned i = 0; i < count; i++) {
         extremum e = { .theta = at[i], .value = jlt_bernstein_value(b, degree, at[i]) };
-        if (fabs(e.value) > doubt) continue;
         e.bend = jlt_bernstein_value(bend, degree - 2, e.theta);
         if (e.bend == 0 || 0.5 * fabs(e.bend) < noise) continue;
         e.past = e.value * e.bend < 0;

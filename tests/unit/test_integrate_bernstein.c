@@ -91,6 +91,27 @@ static void dividing_by_theta_and_deriving_match_the_coefficients(void **unused)
     assert_near(jlt_bernstein_value(b, 3, 0.3), 3 - 7 * 0.3 + 2 * 0.09 + 5 * 0.027, 1e-14);
 }
 
+/* (theta - 0.3)^2 (theta - 0.7)^2 (theta + 1) + lift has minima of value lift at 0.3 and 0.7, and a maximum of 2.4e-3 between
+ * them. Simple zeros of the slope, whose derivative there is 0.4: 1e-8 is far above rounding. */
+static void touches_are_the_extrema_within_the_bound_and_no_others(void **unused)
+{
+    (void)unused;
+    const double zeros[5] = { 0.3, 0.3, 0.7, 0.7, -1 };
+    double c[6], b[6], at[5];
+    from_zeros(c, zeros, 5, 1);
+    for (int side = -1; side <= 1; side += 2) {
+        const double lift = side * 1e-7;
+        jlt_bernstein_of(b, c, 1, 5);
+        for (unsigned j = 0; j <= 5; j++) b[j] += lift;
+        assert_int_equal(jlt_bernstein_touches(at, b, 5, 0.5e-7), 0);
+        assert_int_equal(jlt_bernstein_touches(at, b, 5, 1.5e-7), 2);
+        assert_near(at[0], 0.3, 1e-8);
+        assert_near(at[1], 0.7, 1e-8);
+        assert_int_equal(jlt_bernstein_touches(at, b, 5, 1), 3);
+        assert_true(at[1] > 0.4 && at[1] < 0.6);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -98,6 +119,7 @@ int main(void)
         cmocka_unit_test(a_zero_at_the_cut_is_found_once),
         cmocka_unit_test(two_near_zeros_are_two_and_a_double_zero_is_none),
         cmocka_unit_test(zeros_at_the_ends_belong_to_nobody),
+        cmocka_unit_test(touches_are_the_extrema_within_the_bound_and_no_others),
         cmocka_unit_test(dividing_by_theta_and_deriving_match_the_coefficients),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
