@@ -5,8 +5,8 @@
  *
  * Error. Let a_k be the coefficients of f on the step in Legendre polynomials, n_k their size relative to the states times h.
  * For analytic solutions n_k falls like r^k, and the quadrature at the end errs by the aliased part, ~ n_0 r^16. With
- * r = (n_7/n_0)^(1/7), where n_0 is the largest of the first three, the estimate is n_7 (n_7/n_0)^(9/7), proportional to h^17. The polynomial inside the step errs by
- * the part left out, n_8 ~ r n_7.
+ * r = (n_7/n_0)^(1/7), where n_0 is the largest of the first three, the estimate is n_7 (n_7/n_0)^(9/7), proportional to
+ * h^17. The polynomial inside the step errs by the part left out, n_8 ~ r n_7.
  *
  * Sweeps. They contract by a factor proportional to h. They end when what is left, change * rate/(1 - rate), is below a
  * twentieth of the tolerance or at the rounding level; a step that contracts slower than 0.7 is halved. */
@@ -21,7 +21,8 @@
 #include "integrate/step_control.h"
 
 enum { N = JLT_GAUSS_NODES, SWEEPS_MAX = 24 };
-static const double rounding = 4e-16, slowest_rate = 0.7, growth_max = 2.5, safety = 0.75;
+static const double rounding = 8e-16; /* half a unit in each of 48 values, root of the sum of squares */
+static const double slowest_rate = 0.7, growth_max = 2.5, safety = 0.65;
 
 typedef struct {
     double *block;             /* all arrays below */
@@ -32,8 +33,8 @@ typedef struct {
     double *partial;           /* (columns, N): of a partial step, or powers for the polynomial */
     double *end;               /* (stride,) */
     double *origin;            /* (dim,) */
-    double *inverse_weight;    /* (dim,) */
-    double (*basis)[N];        /* (N, N): P_k at the nodes of the next step */
+    double *inverse_weight;    /* (columns,) */
+    double *sizes;             /* (N,): of the Legendre coefficients, relative to the states */
     double dense_error;
     unsigned sweeps;           /* of the last solved step */
     bool has_past;
@@ -59,18 +60,18 @@ static jlt_status create(jlt_stepper *stepper)
     if (self == NULL) return JLT_ERR_NOMEM;
 
     /* Rows of eight first, so that all of them stay aligned. */
-    double *block = jlt_memory_array((2 * dim + 1 + 3 * columns + N) * N + stepper->stride + 4 * dim, sizeof *block);
+    double *block = jlt_memory_array((2 * dim + 2 + 3 * columns) * N + stepper->stride + 4 * dim + 1, sizeof *block);
     if (block == NULL) return JLT_ERR_NOMEM;
     self->block = self->legendre = block;
     self->trial = self->legendre + columns * N;
     self->partial = self->trial + columns * N;
-    self->basis = (double (*)[N])(void *)(self->partial + columns * N);
-    self->nodes.x = self->partial + columns * N + N * N;
+    self->sizes = self->partial + columns * N;
+    self->nodes.x = self->sizes + N;
     self->nodes.f = self->nodes.x + dim * N;
     self->end = self->nodes.f + (dim + 1) * N;
     self->origin = self->end + stepper->stride;
     self->inverse_weight = self->origin + dim;
-    self->nodes.scratch = self->inverse_weight + dim;
+    self->nodes.scratch = self->inverse_weight + columns;
     self->nodes.origin = self->origin;
     self->nodes.inverse_weight = self->inverse_weight;
     self->nodes.kernels = field->batch;
@@ -90,39 +91,25 @@ static void destroy(jlt_stepper *stepper)
     free(self);
 }
 
-/* P_k(u_i) for all k and i, by the recurrence (k + 1) P_(k+1) = (2k + 1) u P_k - k P_(k-1). */
-static void make_basis(double (*basis)[N], const double *u)
-{
-    static const double up[N] = { 0, 0, 3.0 / 2, 5.0 / 3, 7.0 / 4, 9.0 / 5, 11.0 / 6, 13.0 / 7 };
-    static const double down[N] = { 0, 0, 1.0 / 2, 2.0 / 3, 3.0 / 4, 4.0 / 5, 5.0 / 6, 6.0 / 7 };
-    for (unsigned i = 0; i < N; i++) {
-        basis[0][i] = 1;
-        basis[1][i] = u[i];
-    }
-    for (unsigned k = 2; k < N; k++)
-        for (unsigned i = 0; i < N; i++) basis[k][i] = up[k] * u[i] * basis[k - 1][i] - down[k] * basis[k - 2][i];
-}
-
 /* Solve for the nodes of a step h from x0, beginning with what stands in nodes.f. */
 static bool solve(gauss *self, const jlt_stepper *stepper, const double *x0, double h)
 {
-    const unsigned dim = stepper->field->dim;
-    double last = INFINITY, enough = 0.05 * stepper->tolerance;
+    const double enough = 0.05 * stepper->tolerance;
+    double last = INFINITY;
 
-    for (unsigned c = 0; c < dim; c++) {
-        self->origin[c] = x0[c];
+    for (unsigned c = 0; c < stepper->field->dim; c++) self->origin[c] = x0[c];
+    for (unsigned c = 0; c < stepper->columns; c++)
         self->inverse_weight[c] = 1 / jlt_larger(fabs(x0[c]), stepper->scale[c]);
-    }
     for (self->sweeps = 1; self->sweeps <= SWEEPS_MAX; self->sweeps++) {
-        const double change = self->batch->sweep(&self->nodes, h);
+        const double change = sqrt(self->batch->sweep(&self->nodes, h));
         if (self->sweeps == 1) continue; /* the change from another step's nodes says nothing */
         if (!(change < 1e3)) return false;
         if (change <= rounding) return true;
-        const double rate = change / last;
+        const double before = last;
         last = change;
         if (self->sweeps == 2) continue;
-        if (change * rate <= enough * (1 - rate)) return true;
-        if (rate > slowest_rate) {
+        if (change * change <= enough * (before - change)) return true;
+        if (change > slowest_rate * before) {
             if (change < 1e-13) return true; /* rounding errors go round */
             if (self->sweeps > 3) return false;
         }
@@ -136,16 +123,6 @@ static void guess_constant(gauss *self, const jlt_stepper *stepper)
         for (unsigned i = 0; i < N; i++) self->nodes.f[c * N + i] = stepper->f[c];
 }
 
-/* First guess of f at the nodes of a step from `from` to `from + length`, both in units of the step that has these Legendre
- * coefficients. */
-static void guess(gauss *self, const jlt_stepper *stepper, const double *legendre, double from, double length)
-{
-    double u[N];
-    for (unsigned i = 0; i < N; i++) u[i] = 2 * (from + length * jlt_gauss_node[i]) - 1;
-    make_basis(self->basis, u);
-    self->batch->transform(self->nodes.f, legendre, (const double (*)[N])self->basis, stepper->field->dim);
-}
-
 /* Legendre coefficients of the solved step. */
 static void expand(gauss *self, const jlt_stepper *stepper, double *legendre)
 {
@@ -153,23 +130,19 @@ static void expand(gauss *self, const jlt_stepper *stepper, double *legendre)
     self->batch->transform(legendre, self->nodes.f, jlt_gauss_legendre, stepper->columns);
 }
 
-/* Local error at the end, in units of the tolerance; self->dense_error as a side result. */
+/* Binary logarithm of the local error at the end in units of the tolerance; self->dense_error as a side result. Logarithms
+ * alone: the next step waits for this, and quotients and roots would be most of it. */
 static double error_norm(gauss *self, const jlt_stepper *stepper, double h)
 {
-    double size = 0, six = 0, seven = 0;
-    for (unsigned c = 0; c < stepper->columns; c++) {
-        const double *a = self->trial + c * N, unit = fabs(h) / jlt_larger(fabs(stepper->x[c]), stepper->scale[c]);
-        size = jlt_larger(size, unit * jlt_larger(jlt_larger(fabs(a[0]), fabs(a[1])), fabs(a[2])));
-        six = jlt_larger(six, unit * fabs(a[6]));
-        seven = jlt_larger(seven, unit * fabs(a[7]));
-    }
-    if (!(size < INFINITY)) return NAN;
-    if (size == 0) return 0;
+    self->batch->sizes(self->sizes, self->trial, self->inverse_weight, stepper->columns);
+    const double *n = self->sizes, largest = jlt_larger(jlt_larger(n[0], n[1]), n[2]);
+    if (!(fabs(h) * largest < INFINITY)) return NAN;
+    const double size = jlt_rough_log2(largest), six = jlt_rough_log2(n[6]);
     /* A seventh coefficient may vanish by chance; the sixth then stands in, one factor r lower. */
-    const double by_six = six / jlt_inverse_root(six / size, 1.0 / 6);
-    const double last = jlt_larger(seven, by_six), r = 1 / jlt_inverse_root(last / size, 1.0 / 7);
-    self->dense_error = last * r;
-    return last * (last / size) * r * r / stepper->tolerance;
+    const double last = jlt_larger(jlt_rough_log2(n[7]), six + (six - size) / 6), r = (last - size) / 7;
+    const double length = jlt_rough_log2(fabs(h));
+    self->dense_error = jlt_rough_exp2(length + last + r);
+    return length + 2 * last - size + 2 * r - jlt_rough_log2(stepper->tolerance);
 }
 
 static jlt_status step(jlt_stepper *stepper, double limit)
@@ -178,20 +151,20 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     const jlt_field *field = stepper->field;
     const unsigned columns = stepper->columns, stride = stepper->stride;
     const double asked = jlt_smaller(stepper->h_next, stepper->max_step), size = jlt_smaller(asked, limit);
-    double h = stepper->direction * size, error = NAN, solved_h = 0;
+    double h = stepper->direction * size, error = NAN, solved_h = 0; /* error: its logarithm */
     bool rejected = false, finite = true;
 
     for (;;) {
         if (jlt_step_vanishes(stepper->tau, h)) return finite ? JLT_ERR_NO_PROGRESS : JLT_ERR_NONFINITE;
-        if (solved_h != 0) guess(self, stepper, self->trial, 0, h / solved_h);
-        else if (self->has_past) guess(self, stepper, self->legendre, 1, h / stepper->h);
+        if (solved_h != 0) self->batch->continue_at(self->nodes.f, self->trial, 0, h / solved_h, field->dim);
+        else if (self->has_past) self->batch->continue_at(self->nodes.f, self->legendre, 1, h / stepper->h, field->dim);
         else guess_constant(self, stepper);
         const bool solved = solve(self, stepper, stepper->x, h);
         stepper->evaluations += N * self->sweeps;
         if (solved) {
             expand(self, stepper, self->trial);
             error = error_norm(self, stepper, h);
-            if (error <= 1) {
+            if (error <= 0) {
                 for (unsigned c = 0; c < columns; c++) self->end[c] = stepper->x[c] + (h * self->trial[c * N] + stepper->x_low[c]);
                 double *f = self->nodes.x; /* the nodes are not needed any more; (columns,) fits in (dim, N) */
                 field->call(self->end, field->p, f);
@@ -204,12 +177,12 @@ static jlt_status step(jlt_stepper *stepper, double limit)
         }
         finite = solved && isfinite(error);
         solved_h = finite ? h : 0; /* a longer step that was solved guesses the shorter one well */
-        h *= finite && error > 1 ? jlt_larger(safety * jlt_inverse_root(error, 1.0 / 17), 0.3) : 0.5;
+        h *= finite && error > 0 ? jlt_larger(safety * jlt_rough_exp2(-error / 17), 0.3) : 0.5;
         stepper->rejected++;
         rejected = true;
     }
 
-    double factor = jlt_smaller(safety * jlt_inverse_root(error, 1.0 / 17), rejected ? 1 : growth_max);
+    double factor = jlt_smaller(safety * jlt_rough_exp2(-error / 17), rejected ? 1 : growth_max);
     const double proposed = fabs(h) * factor;
     stepper->h_next = !rejected && size < asked ? jlt_larger(proposed, asked) : proposed;
     stepper->h = h;
@@ -263,7 +236,7 @@ static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
 {
     gauss *self = stepper->state;
     const double h = theta * stepper->h;
-    guess(self, stepper, self->legendre, 0, theta);
+    self->batch->continue_at(self->nodes.f, self->legendre, 0, theta, stepper->field->dim);
     const bool solved = solve(self, stepper, stepper->x_start, h);
     stepper->evaluations += N * self->sweeps;
     if (!solved) return JLT_ERR_NO_CONVERGENCE;

@@ -14,7 +14,7 @@ typedef struct {
     const double *p;
     unsigned dim;
     const double *origin;         /* (dim,): the state at the start */
-    const double *inverse_weight; /* (dim,): what a change is multiplied by to be relative; 0: not looked at */
+    const double *inverse_weight; /* (dim or more,): what a change is multiplied by to be relative; 0: not looked at */
     double *x, *f;                /* (dim, 8) and (dim + 1, 8): states at the nodes, and the field there; f[dim] is dt/dtau */
     double *scratch;              /* (2 dim,): without batched kernels */
 } jlt_gauss_nodes;
@@ -22,12 +22,17 @@ typedef struct {
 typedef struct {
     unsigned lanes;
     /* One sweep: x <- origin + h * (integral to each node of the polynomial through f), f <- field at x.
-     * Returns the largest change of x, relative; infinite when one is NaN. */
+     * Returns the sum of the squares of all changes of x, relative; not finite when one is not. */
     double (*sweep)(const jlt_gauss_nodes *nodes, double h);
     /* f[dim] from the states at the nodes. */
     void (*clock)(const jlt_gauss_nodes *nodes);
     /* out[c] = sum over j of in[c][j] * table[j], `rows` rows of eight. */
     void (*transform)(double *out, const double *in, const double (*table)[JLT_GAUSS_BATCH_NODES], unsigned rows);
+    /* The polynomials with these Legendre coefficients on [0, 1], `rows` rows of eight, at the nodes of
+     * [from, from + length]. */
+    void (*continue_at)(double *out, const double *legendre, double from, double length, unsigned rows);
+    /* out (8,): the largest |in[c][k]| weight[c] over the rows c; NaN is passed over. */
+    void (*sizes)(double *out, const double *in, const double *weight, unsigned rows);
 } jlt_gauss_batch;
 
 extern const jlt_gauss_batch jlt_gauss_batch_baseline;

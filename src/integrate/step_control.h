@@ -7,19 +7,33 @@
 #include <stdint.h>
 #include <string.h>
 
-/** a^(-r) for a > 0 within 6 r percent, 0 < r <= 1: bits of a double are a piecewise linear logarithm. a is clipped to
- *  [1e-60, 1e60]; NaN gives the value at 1e60. */
-static inline double jlt_inverse_root(double a, double r)
+#define JLT_BITS_OF_ONE INT64_C(0x3ff0000000000000)
+
+/** Binary logarithm of a > 0 within 0.09: the bits of a double are a piecewise linear one. a is clipped to [1e-60, 1e60]; NaN
+ *  gives the value at 1e60. */
+static inline double jlt_rough_log2(double a)
 {
-    const int64_t one = INT64_C(0x3ff0000000000000);
     int64_t bits;
 
     if (!(a < 1e60)) a = 1e60;
     if (a < 1e-60) a = 1e-60;
     memcpy(&bits, &a, sizeof bits);
-    bits = one - (int64_t)((double)(bits - one) * r);
+    return (double)(bits - JLT_BITS_OF_ONE) * 0x1p-52;
+}
+
+/** 2^l within 6 percent, |l| < 1000; the inverse of jlt_rough_log2. */
+static inline double jlt_rough_exp2(double l)
+{
+    const int64_t bits = JLT_BITS_OF_ONE + (int64_t)(l * 0x1p52);
+    double a;
     memcpy(&a, &bits, sizeof a);
     return a;
+}
+
+/** a^(-r) within 6 r percent, 0 < r <= 1, for a as above. */
+static inline double jlt_inverse_root(double a, double r)
+{
+    return jlt_rough_exp2(-r * jlt_rough_log2(a));
 }
 
 /** Comparison alone, where fmax and fmin would be calls into the mathematical library. A NaN in a gives b. */

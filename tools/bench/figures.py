@@ -95,7 +95,7 @@ def threads():
 
 
 def tiers():
-    rows = [row for row in read("tiers") if float(row["tolerance"]) in (1e-11, 1e-12)]
+    rows = [row for row in read("tiers") if float(row["tolerance"]) in (1e-11, 1e-12) and row["error"]]
     tolerance = max((row["tolerance"] for row in rows), key=lambda text: -float(text), default=None)
     rows = [row for row in rows if row["tolerance"] == tolerance]
     return table(f"Tiers, the same question at tolerance {tolerance}", ("orbit", "tier", "states", "time [µs]", "steps", "evaluations", "error"),
