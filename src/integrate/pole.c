@@ -92,7 +92,7 @@ jlt_status jlt_pole_judge(jlt_pole_verdict *out, const jlt_stepper *stepper)
     unsigned count;
     jlt_status st;
 
-    *out = (jlt_pole_verdict){ .ends = false };
+    out->ends = false;
     if (field->root < 0 || field->dim > DIM_MAX) return JLT_OK;
 
     const double s = stepper->x[field->root], rate = stepper->f[field->root];

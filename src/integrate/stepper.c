@@ -173,10 +173,15 @@ jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
 /* The polynomial is bent by a smooth step, so that it ends at the point exactly. */
 static void meet_end(jlt_stepper *self)
 {
-    for (unsigned i = 0; i < self->columns; i++) {
-        const double gap = self->x[i] - jlt_stepper_value(self, i, 1);
-        self->dense[2 * self->stride + i] += 3 * gap;
-        self->dense[3 * self->stride + i] -= 2 * gap;
+    for (unsigned from = 0; from < self->stride; from += WIDTH) {
+        double gap[WIDTH], *c = self->dense + from;
+        for (unsigned i = 0; i < WIDTH; i++) gap[i] = self->x[from + i];
+        for (unsigned k = 0; k <= self->dense_degree; k++)
+            for (unsigned i = 0; i < WIDTH; i++) gap[i] -= c[k * (size_t)self->stride + i];
+        for (unsigned i = 0; i < WIDTH; i++) {
+            c[2 * self->stride + i] += 3 * gap[i];
+            c[3 * self->stride + i] -= 2 * gap[i];
+        }
     }
 }
 

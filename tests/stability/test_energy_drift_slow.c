@@ -1,4 +1,4 @@
-/* The drift of test_energy_drift.c over 10^5 returns by every method, and over 10^6 by batches of DOP853 (JLT_RETURNS in the
+/* The drift of test_energy_drift.c over 10^5 returns by every method, and over 10^6 by batches (JLT_RETURNS in the
  * environment: so many instead). */
 #include "drift.h"
 
