@@ -56,7 +56,7 @@ def against(title, peers, mine, wanted):
 
 
 def sections():
-    rows = [row for row in read("section") if row["threads"] == "1" and not row["form"].endswith("_t")]
+    rows = [row for row in read("section") if row["threads"] == "1"]
     mine = [row for row in rows if row["program"] == "jellett"]
     batch, scalar = [row for row in mine if " " in row["method"]], [row for row in mine if " " not in row["method"]]
     heyoka = [row for row in rows if row["program"] == "heyoka"]
