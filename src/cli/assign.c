@@ -119,7 +119,7 @@ jlt_exit jlt_assign_model(const jlt_descriptor **descriptor, double **params, co
     *params = NULL;
     if (d == NULL) return no_model(model);
     values = jlt_memory_array(d->param_count, sizeof *values);
-    if (values == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (values == NULL) return jlt_command_no_memory();
     for (unsigned i = 0; i < d->param_count; i++) values[i] = d->params[i].value;
     code = jlt_assign_apply(values, NULL, list, d->params, d->param_count, "parameter", d->model);
     for (unsigned i = 0; code == JLT_EXIT_DONE && i < d->param_count; i++)

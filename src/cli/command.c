@@ -21,6 +21,17 @@ jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...)
     return code;
 }
 
+jlt_exit jlt_command_no_memory(void)
+{
+    return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+}
+
+jlt_exit jlt_command_cannot_write(const char *path)
+{
+    return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': %s (choose a folder that exists and has room)", path,
+                            strerror(errno));
+}
+
 jlt_exit jlt_command_exit(jlt_status status)
 {
     switch (status) {
@@ -64,22 +75,27 @@ jlt_status jlt_command_open(jlt_command_output *output)
     return output->stream == NULL ? JLT_ERR_NOMEM : JLT_OK;
 }
 
-jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path)
+jlt_status jlt_command_close(jlt_command_output *output)
 {
-    jlt_exit code = JLT_EXIT_DONE;
     const int failed = ferror(output->stream) | fclose(output->stream);
 
     output->stream = NULL;
-    if (failed) {
-        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    return failed ? JLT_ERR_NOMEM : JLT_OK;
+}
+
+jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path)
+{
+    jlt_exit code = JLT_EXIT_DONE;
+
+    if (jlt_command_close(output) != JLT_OK) {
+        code = jlt_command_no_memory();
     } else if (path == NULL || strcmp(path, "-") == 0) {
         if (fwrite(output->text, 1, output->size, stdout) != output->size || fflush(stdout) != 0) {
             code = jlt_command_fail(JLT_EXIT_IO, "cannot write to standard output: %s", strerror(errno));
             clearerr(stdout);
         }
     } else if (jlt_file_write(path, output->text, output->size) != JLT_OK) {
-        code = jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': %s (choose a folder that exists and has room)", path,
-                                strerror(errno));
+        code = jlt_command_cannot_write(path);
     }
     jlt_command_discard(output);
     return code;

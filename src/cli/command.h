@@ -55,6 +55,10 @@ __attribute__((format(printf, 2, 3)))
 #endif
 jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...);
 
+/* Messages of every command. */
+jlt_exit jlt_command_no_memory(void);
+jlt_exit jlt_command_cannot_write(const char *path); /* the reason is errno */
+
 /* The exit status that a library status calls for. */
 jlt_exit jlt_command_exit(jlt_status status);
 
@@ -70,6 +74,9 @@ typedef struct {
 } jlt_command_output;
 
 JLT_CHECKED jlt_status jlt_command_open(jlt_command_output *output);
+
+/* All that was written is in `text` then. Errors: NOMEM. */
+JLT_CHECKED jlt_status jlt_command_close(jlt_command_output *output);
 
 /* Deliver and close; path NULL or "-" is standard output. Says what went wrong, and returns the exit status. */
 jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path);

@@ -1,7 +1,6 @@
 #include "cli/bench.h"
-#include "cli/grid.h"
+#include "cli/common.h"
 
-#include <argp.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,15 +33,14 @@ static const struct argp_option option_table[] = {
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
-    jlt_exit code = JLT_EXIT_DONE;
 
     switch (key) {
     case 'r': o->bench.reference = value; return 0;
     case 'f': o->bench.form = value; return 0;
     case 'm': o->bench.method = value; return 0;
-    case 'n': code = jlt_grid_count(&o->bench.returns, value, 1, 1000000, "--returns"); break;
-    case 'k': code = jlt_grid_count(&o->bench.repeats, value, 1, 1000, "--repeats"); break;
-    case 't': code = jlt_grid_count(&o->bench.threads, value, 1, 1024, "--threads"); break;
+    case 'n': jlt_common_count(&o->bench.returns, value, 1, 1000000, "--returns"); return 0;
+    case 'k': jlt_common_count(&o->bench.repeats, value, 1, 1000, "--repeats"); return 0;
+    case 't': jlt_common_count(&o->bench.threads, value, 1, 1024, "--threads"); return 0;
     case 'q': o->bench.quick = true; return 0;
     case 'l': o->bench.list = true; return 0;
     case 'o': o->output = value; return 0;
@@ -58,8 +56,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
-    if (code != JLT_EXIT_DONE) exit((int)code);
-    return 0;
 }
 
 /* The list of kinds after the options. */
@@ -110,7 +106,7 @@ static jlt_exit run(int argc, char **argv)
 
     if (argp_parse(&parser, argc, argv, 0, NULL, &o) != 0) goto done;
     if (command == NULL || jlt_command_open(&output) != JLT_OK) {
-        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+        code = jlt_command_no_memory();
         goto done;
     }
     if (!o.bench.list) write_header(output.stream, &o, command);

@@ -29,19 +29,14 @@ static const struct argp_option option_table[] = {
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
-    jlt_exit code = JLT_EXIT_DONE;
 
     switch (key) {
     case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
     case ALONG: o->along = value; return 0;
     case 'a': o->start = value; return 0;
-    case 'n': code = jlt_grid_count(&o->period, value, 1, JLT_PERIODIC_MAX / 2, "--period"); break;
-    case 'c': code = jlt_grid_count(&o->points, value, 1, 10000000, "--count"); break;
-    case STEP:
-        code = jlt_grid_number(&o->step, value, strlen(value), "--step");
-        if (code == JLT_EXIT_DONE && !(o->step > 0))
-            code = jlt_command_fail(JLT_EXIT_INPUT, "--step: '%s' is not positive", value);
-        break;
+    case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX / 2, "--period"); return 0;
+    case 'c': jlt_common_count(&o->points, value, 1, 10000000, "--count"); return 0;
+    case STEP: jlt_common_positive(&o->step, value, "--step"); return 0;
     case DOWN: o->direction = -1; return 0;
     case FOLLOW: o->follow = true; return 0;
     case ARGP_KEY_END:
@@ -49,8 +44,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
-    if (code != JLT_EXIT_DONE) exit((int)code);
-    return 0;
 }
 
 static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, { 0 } };
@@ -145,12 +138,11 @@ static jlt_status follow_branches(sink *to, const jlt_family *family, const jlt_
 
 static jlt_exit draw(const options *o, const jlt_system *system, const char *name, const char *points)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Periodic orbits as %s runs, from ", points, name);
     jlt_motion_caption(stream, system);
     fprintf(stream,
@@ -160,10 +152,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
         fprintf(stream, ", $POINTS using 1:($3==%d?$2:1/0) with points pt %d lc %d title '%s'", kind, kind + 4, kind + 1,
                 jlt_continuation_bifurcation_name((jlt_bifurcation)kind));
     fputc('\n', stream);
-    fclose(stream);
-    code = jlt_motion_draw(&o->motion, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&o->motion.common, &script);
 }
 
 /* NAME=LOW:HIGH; a count may follow and says nothing. */
@@ -223,16 +212,16 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && !system->is_top)
         code = jlt_command_fail(JLT_EXIT_INPUT, "orbits of the spherical top can be continued, those of %s not",
-                                o.motion.model);
+                                o.motion.common.model);
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
     if (code == JLT_EXIT_DONE && jlt_system_value(&system->values, axis.name) == NULL)
         code = jlt_command_fail(JLT_EXIT_INPUT, "--along: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axis.name);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     family = (jlt_system_family){ .values = system->values, .name = axis.name, .options = o.motion.flow };
     family.options.max_steps = 20000;
     to.file = stream.file;
-    if (o.motion.plot != NULL) to.points = open_memstream(&points, &size);
+    if (o.motion.common.plot != NULL) to.points = open_memstream(&points, &size);
     jlt_motion_header(stream.file, &o.motion, system);
     fprintf(stream.file, "branch,%s,arc,period,eta,gamma3,T,trace,det,mu1_re,mu1_im,mu2_re,mu2_im,symmetric,type,residual,"
                          "bifurcation\n", axis.name);

@@ -32,9 +32,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
     case 'a': o->start = value; return 0;
-    case 'n':
-        if (jlt_grid_count(&o->returns, value, 1, (size_t)1 << 40, "--returns") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
-        return 0;
+    case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
     case PROJECT: o->project = true; return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -154,7 +152,7 @@ static jlt_exit run_all(run_state *r)
     FILE *notes = open_memstream(&slopes, &size);
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (notes == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (notes == NULL) return jlt_command_no_memory();
     for (size_t m = 0; jlt_method_at(m) != NULL && !jlt_motion_interrupted(&r->o->motion); m++) {
         const jlt_method *method = jlt_method_at(m);
         sample rows[ROWS_MAX];
@@ -180,12 +178,12 @@ static jlt_exit run_all(run_state *r)
 
 static jlt_exit draw(const run_state *r, const jlt_system *system, const char *points)
 {
-    char *script = NULL;
-    size_t size, colour = 0;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    size_t colour = 0;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fprintf(stream, "set encoding utf8\n%sset title \"Drift of the integrals, ", points);
     jlt_motion_caption(stream, system);
     fprintf(stream, "\\nstart %s, tolerance %.3g%s\" noenhanced\n", r->o->start, r->o->motion.flow.tolerance,
@@ -200,10 +198,7 @@ static jlt_exit draw(const run_state *r, const jlt_system *system, const char *p
         colour++;
     }
     fputc('\n', stream);
-    fclose(stream);
-    code = jlt_motion_draw(&r->o->motion, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&r->o->motion.common, &script);
 }
 
 /* The tier five, with its parameters and the start. */
@@ -243,12 +238,12 @@ static jlt_exit run(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && !system->is_top)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "E and G are integrals of the spherical top, not of %s", o.motion.model);
+        code = jlt_command_fail(JLT_EXIT_INPUT, "E and G are integrals of the spherical top, not of %s", o.motion.common.model);
     if (code == JLT_EXIT_DONE) code = open_five(&r, &instance, system);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
-    if (o.motion.plot != NULL) r.points = open_memstream(&points, &size);
-    jlt_csv_header(stream.file, o.motion.command, instance->descriptor, instance->params);
+    if (o.motion.common.plot != NULL) r.points = open_memstream(&points, &size);
+    jlt_csv_header(stream.file, o.motion.common.command, instance->descriptor, instance->params);
     fprintf(stream.file, "# levels E=%.17g G=%.17g; start %s; tolerance %.3g%s; nothing is random, so there is no seed\n",
             system->values.E, system->values.G, o.start, o.motion.flow.tolerance, o.project ? ", projected" : "");
     fputs("method,returns,t,evaluations,drift_E,drift_G\n", stream.file);

@@ -1,24 +1,19 @@
 #include "cli/eigen.h"
 
 #include "kernel/descriptor.h"
-#include "report/picture.h"
 
-#include <argp.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { KEY_FIND = 256, KEY_SWEEP, KEY_PLOT };
+enum { KEY_FIND = 256, KEY_SWEEP };
 
 static const struct argp_option option_table[] = {
-    { "set", 's', "NAME=VALUE,...", 0, "Parameters; the table's defaults hold for the others", 0 },
-    { "at", 'a', "NAME=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 0 },
-    { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and go to an equilibrium nearby by Newton's method", 0 },
-    { "sweep", KEY_SWEEP, "NAME=FROM:TO:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 0 },
-    { "json", 'j', NULL, 0, "Print JSON", 0 },
-    { "csv", 'c', NULL, 0, "Print CSV with a comment header (a sweep does so by itself)", 0 },
-    { "plot", KEY_PLOT, "FILE", 0, "Draw the eigenvalues, or their root locus: FILE.svg, .png or .pdf", 0 },
-    { "output", 'o', "FILE", 0, "Write to FILE instead of standard output", 0 },
+    { "at", 'a', "NAME=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 1 },
+    { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and go to an equilibrium nearby by Newton's method", 1 },
+    { "sweep", KEY_SWEEP, "NAME=FROM:TO:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
+    { "json", 'j', NULL, 0, "Print JSON", 1 },
+    { "csv", 'c', NULL, 0, "Print CSV with a comment header (a sweep does so by itself)", 1 },
     { 0 },
 };
 
@@ -28,21 +23,12 @@ static error_t parse(int key, char *value, struct argp_state *state)
     jlt_exit code = JLT_EXIT_DONE;
 
     switch (key) {
-    case 's': code = jlt_assign_parse(&r->set, value, "--set"); break;
-    case 'a': code = jlt_assign_parse(&r->at, value, "--at"); break;
+    case ARGP_KEY_INIT: state->child_inputs[0] = &r->common; break;
+    case 'a': jlt_common_list(&r->at, value, "--at"); break;
     case KEY_FIND: r->find = true; break;
     case KEY_SWEEP: code = jlt_eigen_parse_sweep(r, value); break;
     case 'j': r->json = true; break;
     case 'c': r->csv = true; break;
-    case KEY_PLOT:
-        r->plot = value;
-        if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' must end in .svg, .png or .pdf", value);
-        break;
-    case 'o': r->output = value; break;
-    case ARGP_KEY_ARG:
-        if (state->arg_num > 0) argp_error(state, "one model at most: '%s' is too many", value);
-        r->model = value;
-        break;
     case ARGP_KEY_END:
         if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
         break;
@@ -51,6 +37,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     if (code != JLT_EXIT_DONE) exit((int)code);
     return 0;
 }
+
+static const struct argp_child children[] = { { &jlt_common_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -63,7 +51,7 @@ static const struct argp parser = {
     "Values are read exactly (1/3, 0.51). Eigenvalues that integrals force to vanish are deflated through the integrals' "
     "gradients, and are exactly zero; each other one comes with its condition number and a bound on its error, which counts "
     "the rounding of the values typed. A state whose residual is more than rounding is refused with status 3.",
-    NULL, NULL, NULL,
+    children, NULL, NULL,
 };
 
 static void explain(jlt_eigen_row *row, const char *text)
@@ -83,7 +71,7 @@ static jlt_status entry_errors(double *errors, double *gradient_errors, jlt_eige
     if (st == JLT_OK) st = jlt_linearization_residual(&row->result, q->descriptor, params, x);
     if (st == JLT_OK) {
         const bool moved = q->find || q->axis_count > 0;
-        jlt_oracle_set_params(q->oracle, params, q->axis_count > 0 ? NULL : &q->set);
+        jlt_oracle_set_params(q->oracle, params, q->axis_count > 0 ? NULL : &q->common.set);
         jlt_oracle_set_states(q->oracle, x, moved ? NULL : &q->at);
         st = jlt_oracle_enclose(q->oracle, exact, q->oracle->jacobian, n * n);
     }
@@ -149,17 +137,17 @@ static jlt_exit single(jlt_eigen_request *r)
 
     if (row == NULL || jlt_command_open(&output) != JLT_OK) {
         free(row);
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+        return jlt_command_no_memory();
     }
     jlt_eigen_compute(row, r, r->params, r->x, r->given);
     if (row->status != JLT_OK) {
         code = jlt_command_fail(jlt_command_exit(row->status), "%s", row->reason);
         goto done;
     }
-    if (r->plot != NULL && (code = jlt_eigen_draw(r, row, 1)) != JLT_EXIT_DONE) goto done;
+    if (r->common.plot != NULL && (code = jlt_eigen_draw(r, row, 1)) != JLT_EXIT_DONE) goto done;
     if (r->json) {
         if (jlt_eigen_write_json(output.stream, row, 1, false) != JLT_OK) {
-            code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+            code = jlt_command_no_memory();
             goto done;
         }
     } else if (r->csv) {
@@ -168,7 +156,7 @@ static jlt_exit single(jlt_eigen_request *r)
     } else {
         jlt_eigen_write_text(output.stream, row);
     }
-    code = jlt_command_deliver(&output, r->output);
+    code = jlt_command_deliver(&output, r->common.output);
 done:
     jlt_command_discard(&output);
     free(row);
@@ -179,7 +167,7 @@ done:
 static jlt_exit prepare(jlt_eigen_request *r)
 {
     const jlt_descriptor *d;
-    jlt_exit code = jlt_assign_model(&r->descriptor, &r->params, r->model, &r->set);
+    jlt_exit code = jlt_common_open(&r->common, &r->descriptor, &r->params);
 
     if (code != JLT_EXIT_DONE) return code;
     d = r->descriptor;
@@ -211,23 +199,21 @@ void jlt_eigen_clear(jlt_eigen_request *request)
     for (size_t i = 0; i < request->axis_count; i++) free(request->axes[i].name);
     free(request->axes);
     free(request->params);
-    jlt_assign_clear(&request->set);
+    jlt_common_end(&request->common);
     jlt_assign_clear(&request->at);
     jlt_oracle_destroy(request->oracle);
 }
 
 static jlt_exit run(int argc, char **argv)
 {
-    jlt_eigen_request request = { .model = "spherical_top" };
-    char *command = jlt_command_line(argc, argv);
+    jlt_eigen_request request = { .axis_count = 0 };
     jlt_exit code;
 
+    jlt_common_begin(&request.common, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &request);
-    request.command = command;
     code = prepare(&request);
     if (code == JLT_EXIT_DONE) code = request.axis_count > 0 ? jlt_eigen_sweep(&request) : single(&request);
     jlt_eigen_clear(&request);
-    free(command);
     return code;
 }
 

@@ -34,9 +34,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
-    case 'n':
-        if (jlt_grid_count(&o->returns, value, 1, 1000000000000, "--returns") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
-        return 0;
+    case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
     case SWEEP: o->sweep = value; return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -155,15 +153,15 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
     static const char *const colours[] = { "#303030", "#d04020", "#3060c0", "#e0b000", "#909090" };
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     const char *grid = grid_of(o);
-    char *script = NULL, how[128] = "points pt 5 ps 0.7";
-    size_t size;
+    jlt_command_output script;
+    char how[128] = "points pt 5 ps 0.7";
     bool first = true;
     FILE *stream;
     jlt_exit code = jlt_motion_axes(axes, system, grid);
 
     if (code != JLT_EXIT_DONE) return code;
-    stream = open_memstream(&script, &size);
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     const double width = half_cell(&axes[0], system->flow.chart->period[0]), height = half_cell(&axes[1], 0);
     const bool cells = grid != NULL && width > 0 && height > 0;
     if (cells) snprintf(how, sizeof how, "boxxyerror fill solid noborder");
@@ -181,10 +179,7 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
         first = false;
     }
     fputc('\n', stream);
-    fclose(stream);
-    code = jlt_motion_draw(&o->motion, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&o->motion.common, &script);
 }
 
 static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_system *system)
@@ -193,7 +188,7 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
     jlt_progress progress;
     char *points = NULL;
     size_t size;
-    FILE *copy = o->motion.plot != NULL ? open_memstream(&points, &size) : NULL;
+    FILE *copy = o->motion.common.plot != NULL ? open_memstream(&points, &size) : NULL;
     jlt_exit code;
 
     jlt_motion_header(stream->file, &o->motion, system);
@@ -216,12 +211,11 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
 
 static jlt_exit draw_sweep(const options *o, const jlt_system *system, const char *name, const char *points)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fprintf(stream, "set encoding utf8\n$SHARES << END\n%sEND\nset title \"Share of orbits that turn over as %s runs; otherwise ",
             points, name);
     jlt_motion_caption(stream, system);
@@ -230,10 +224,7 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
             "set yrange [0:1]\nset key tmargin center horizontal\n"
             "plot $SHARES using 1:2:3 with yerrorlines pt 7 ps 0.6 title 'turned over', "
             "$SHARES using 1:4 with linespoints pt 6 ps 0.6 title 'turned over with N > 0 all the way'\n", name);
-    fclose(stream);
-    code = jlt_motion_draw(&o->motion, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&o->motion.common, &script);
 }
 
 /* A row of the sweep, and its point of the picture when there is one. */
@@ -266,7 +257,7 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
     entry = jlt_system_value(&values, axis.name);
     if (entry == NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axis.name);
-    copy = o->motion.plot != NULL ? open_memstream(&points, &size) : NULL;
+    copy = o->motion.common.plot != NULL ? open_memstream(&points, &size) : NULL;
     jlt_motion_header(stream->file, &o->motion, base);
     fprintf(stream->file, "%s,starts,low_starts,pole+,pole-,lost_contact,alive,budget,turned,turned_error,turned_in_contact\n",
             axis.name);
@@ -303,13 +294,13 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     o.starts = calloc((size_t)argc, sizeof *o.starts);
-    if (o.starts == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && !system->is_top)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "fates are those of the spherical top, and %s has no poles", o.motion.model);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+        code = jlt_command_fail(JLT_EXIT_INPUT, "fates are those of the spherical top, and %s has no poles", o.motion.common.model);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&stream, &o, system) : one_system(&stream, &o, system);
     jlt_stream_discard(&stream);
     jlt_system_destroy(system);

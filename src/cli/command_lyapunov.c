@@ -27,9 +27,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
     case 'a': o->start = value; return 0;
     case 'g': o->grid = value; return 0;
-    case 'n':
-        if (jlt_grid_count(&o->returns, value, 1, 1000000000000, "--returns") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
-        return 0;
+    case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -85,12 +83,11 @@ static int observe(void *context, const jlt_lyapunov_state *state)
 
 static jlt_exit draw_history(const options *o, const jlt_system *system, const char *points)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fprintf(stream, "set encoding utf8\n$HISTORY << END\n%sEND\nset title \"Lyapunov exponents from %s, ", points, o->start);
     jlt_motion_caption(stream, system);
     fputs("\" noenhanced\nset xlabel \"t\"\nset ylabel \"λ [1/time]\"\nset logscale x\nset key tmargin center horizontal\nplot ",
@@ -98,10 +95,7 @@ static jlt_exit draw_history(const options *o, const jlt_system *system, const c
     for (unsigned k = 0; k < system->flow.chart->dim; k++)
         fprintf(stream, "%s$HISTORY using 1:%u with linespoints pt 7 ps 0.3 title 'λ_%u'", k == 0 ? "" : ", ", k + 2, k + 1);
     fputc('\n', stream);
-    fclose(stream);
-    code = jlt_motion_draw(&o->motion, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&o->motion.common, &script);
 }
 
 static jlt_exit run_history(jlt_stream *stream, char **points, jlt_map *map, options *o, const jlt_system *system)
@@ -116,7 +110,7 @@ static jlt_exit run_history(jlt_stream *stream, char **points, jlt_map *map, opt
 
     if (code != JLT_EXIT_DONE) return code;
     if (o->returns == 0) o->returns = 1000;
-    if (o->motion.plot != NULL) self.points = open_memstream(points, &size);
+    if (o->motion.common.plot != NULL) self.points = open_memstream(points, &size);
     fputs("return,t", self.file);
     for (unsigned k = 0; k < chart->dim; k++) fprintf(self.file, ",lambda%u", k + 1);
     fputs(",divergence\n", self.file);
@@ -138,21 +132,17 @@ static jlt_exit run_history(jlt_stream *stream, char **points, jlt_map *map, opt
 
 static jlt_exit draw_chart(const options *o, const jlt_system *system, const char *points)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fprintf(stream, "set encoding utf8\n$CHART << END\n%sEND\nset title \"Finite-time exponent over %zu returns, ", points,
             o->returns);
     jlt_motion_caption(stream, system);
     fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset cblabel \"exponent [1/time]\"\nunset key\n"
           "plot $CHART using 1:2:3 with image\n", stream);
-    fclose(stream);
-    code = jlt_motion_draw(&o->motion, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&o->motion.common, &script);
 }
 
 static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, options *o, const jlt_system *system)
@@ -168,7 +158,7 @@ static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, optio
     if (code != JLT_EXIT_DONE) return code;
     if (o->returns == 0) o->returns = 10;
     all = jlt_motion_grid_size(axes, system);
-    if (o->motion.plot != NULL) copy = open_memstream(points, &size);
+    if (o->motion.common.plot != NULL) copy = open_memstream(points, &size);
     for (unsigned k = 0; k < chart->dim; k++) fprintf(stream->file, "%s,", chart->names[k]);
     fputs("exponent,t\n", stream->file);
     jlt_progress_start(&progress, "starts");
@@ -203,7 +193,7 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (o.grid != NULL) system->flow.max_steps = 20000;
     st = jlt_map_create(&map, &system->flow);

@@ -31,22 +31,6 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
-static void number_option(double *value, const char *text, const char *name)
-{
-    jlt_exit code = jlt_grid_number(value, text, strlen(text), name);
-
-    if (code == JLT_EXIT_DONE && !(*value > 0))
-        code = jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' is not positive", name, text);
-    if (code != JLT_EXIT_DONE) exit((int)code);
-}
-
-static void count_option(size_t *value, const char *text, size_t low, size_t high, const char *name)
-{
-    const jlt_exit code = jlt_grid_count(value, text, low, high, name);
-
-    if (code != JLT_EXIT_DONE) exit((int)code);
-}
-
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
@@ -54,12 +38,12 @@ static error_t parse(int key, char *value, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
     case 'a': o->start = value; return 0;
-    case 'n': count_option(&o->period, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
-    case LENGTH: number_option(&o->growth.length_max, value, "--length"); return 0;
-    case SPACING: number_option(&o->growth.spacing, value, "--spacing"); return 0;
-    case TURN: number_option(&o->growth.turn, value, "--turn"); return 0;
-    case COUNT: count_option(&o->growth.points_max, value, 2, 10000000, "--count"); return 0;
-    case SEED: number_option(&o->seed, value, "--seed"); return 0;
+    case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
+    case LENGTH: jlt_common_positive(&o->growth.length_max, value, "--length"); return 0;
+    case SPACING: jlt_common_positive(&o->growth.spacing, value, "--spacing"); return 0;
+    case TURN: jlt_common_positive(&o->growth.turn, value, "--turn"); return 0;
+    case COUNT: jlt_common_count(&o->growth.points_max, value, 2, 10000000, "--count"); return 0;
+    case SEED: jlt_common_positive(&o->seed, value, "--seed"); return 0;
     case CROSSINGS: o->points = value; return 0;
     case NO_CROSSINGS: o->no_crossings = true; return 0;
     default: return ARGP_ERR_UNKNOWN;
@@ -183,12 +167,11 @@ static void write_all(FILE *file, const portrait *p, const jlt_periodic *saddle)
 
 static jlt_exit draw(const options *o, const jlt_system *system, const portrait *p, const jlt_periodic *saddle)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fputs("set encoding utf8\n", stream);
     for (int half = 0; half < 2; half++) {
         fprintf(stream, "$%s << END\n", half == 0 ? "UNSTABLE" : "STABLE");
@@ -211,16 +194,13 @@ static jlt_exit draw(const options *o, const jlt_system *system, const portrait 
           "$STABLE with lines lc rgb '#2040c0' title 'stable', "
           "$CROSSINGS with points pt 7 ps 0.4 lc rgb 'black' title 'saddle and homoclinic points'\n",
           stream);
-    fclose(stream);
-    code = jlt_motion_draw(&o->motion, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&o->motion.common, &script);
 }
 
 static jlt_exit save(const options *o, const jlt_system *system, const portrait *p, const jlt_periodic *saddle)
 {
     jlt_stream stream = { 0 };
-    jlt_exit code = jlt_stream_open(&stream, o->motion.output);
+    jlt_exit code = jlt_stream_open(&stream, o->motion.common.output);
 
     if (code != JLT_EXIT_DONE) return code;
     jlt_motion_header(stream.file, &o->motion, system);
@@ -233,7 +213,7 @@ static jlt_exit save(const options *o, const jlt_system *system, const portrait 
         write_crossings(stream.file, p, "");
         code = jlt_stream_close(&stream);
     }
-    if (code == JLT_EXIT_DONE && o->motion.plot != NULL) code = draw(o, system, p, saddle);
+    if (code == JLT_EXIT_DONE && o->motion.common.plot != NULL) code = draw(o, system, p, saddle);
     return code;
 }
 

@@ -1,4 +1,4 @@
-#include "cli/assign.h"
+#include "cli/common.h"
 #include "cli/measure.h"
 
 #include "analysis/linearization.h"
@@ -6,23 +6,18 @@
 #include "report/csv.h"
 #include "report/decimal.h"
 #include "report/json.h"
-#include "report/picture.h"
 
-#include <argp.h>
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { KEY_PLOT = 256, KEY_SEED, KEY_POINTS, POINTS = 41 };
+enum { KEY_SEED = 256, KEY_POINTS, POINTS = 41 };
 enum { POINTS_MAX = 100001, RESIDUAL_SAMPLES = 1000, MEASURES_MAX = 64, TRIES = 64 };
 
 typedef struct {
-    const char *model, *plot, *output, *command;
+    jlt_common common;
     bool json, csv;
-    uint64_t seed;
-    size_t points;
-    jlt_assign_list set;
+    size_t seed, points;
 } request;
 
 /* What was found. */
@@ -38,57 +33,31 @@ typedef struct {
 } finding;
 
 static const struct argp_option option_table[] = {
-    { "set", 's', "NAME=VALUE,...", 0, "Parameters; the table's defaults hold for the others", 0 },
-    { "points", KEY_POINTS, "N", 0, "Rows of the density's table (41)", 0 },
-    { "seed", KEY_SEED, "N", 0, "Seed of the random states (1)", 0 },
-    { "json", 'j', NULL, 0, "Print JSON", 0 },
-    { "csv", 'c', NULL, 0, "Print the table as CSV with a comment header", 0 },
-    { "plot", KEY_PLOT, "FILE", 0, "Draw the density: FILE.svg, .png or .pdf", 0 },
-    { "output", 'o', "FILE", 0, "Write to FILE instead of standard output", 0 },
+    { "points", KEY_POINTS, "N", 0, "Rows of the density's table (41)", 1 },
+    { "seed", KEY_SEED, "N", 0, "Seed of the random states (1)", 1 },
+    { "json", 'j', NULL, 0, "Print JSON", 1 },
+    { "csv", 'c', NULL, 0, "Print the table as CSV with a comment header", 1 },
     { 0 },
 };
-
-static uint64_t whole_number(const char *text, const char *option, uint64_t low, uint64_t high, struct argp_state *state)
-{
-    char *end;
-    uint64_t value;
-
-    errno = 0;
-    value = strtoull(text, &end, 10);
-    if (*text < '0' || *text > '9' || errno != 0 || *end != '\0' || value < low || value > high)
-        argp_error(state, "%s: '%s' is no whole number from %llu to %llu", option, text, (unsigned long long)low,
-                   (unsigned long long)high);
-    return value;
-}
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     request *r = state->input;
-    jlt_exit code = JLT_EXIT_DONE;
 
     switch (key) {
-    case 's': code = jlt_assign_parse(&r->set, value, "--set"); break;
-    case KEY_POINTS: r->points = (size_t)whole_number(value, "--points", 3, POINTS_MAX, state); break;
-    case KEY_SEED: r->seed = whole_number(value, "--seed", 0, INT64_MAX, state); break;
-    case 'j': r->json = true; break;
-    case 'c': r->csv = true; break;
-    case KEY_PLOT:
-        r->plot = value;
-        if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' must end in .svg, .png or .pdf", value);
-        break;
-    case 'o': r->output = value; break;
-    case ARGP_KEY_ARG:
-        if (state->arg_num > 0) argp_error(state, "one model at most: '%s' is too many", value);
-        r->model = value;
-        break;
+    case ARGP_KEY_INIT: state->child_inputs[0] = &r->common; return 0;
+    case KEY_POINTS: jlt_common_count(&r->points, value, 3, POINTS_MAX, "--points"); return 0;
+    case KEY_SEED: jlt_common_count(&r->seed, value, 0, INT64_MAX, "--seed"); return 0;
+    case 'j': r->json = true; return 0;
+    case 'c': r->csv = true; return 0;
     case ARGP_KEY_END:
         if (r->json && r->csv) argp_error(state, "--json and --csv exclude each other");
-        break;
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
-    if (code != JLT_EXIT_DONE) exit((int)code);
-    return 0;
 }
+
+static const struct argp_child children[] = { { &jlt_common_argp, 0, NULL, 0 }, { 0 } };
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
@@ -99,7 +68,7 @@ static const struct argp parser = {
     "A density rho of one state q alone obeys d ln rho/dq = -div f/f_q: where the right-hand side depends on q alone, a "
     "quadrature gives rho, and it is compared with the table's. Otherwise the defect says by how much it varies with the "
     "other states. Beside it, the residual of div(rho f) for every density that the table claims at these parameters.",
-    NULL, NULL, NULL,
+    children, NULL, NULL,
 };
 
 /* An equilibrium of the table's families, at these parameters, whose trace is not zero. */
@@ -240,7 +209,7 @@ static void write_csv(FILE *stream, const finding *f, const request *r)
 {
     const jlt_measure_attempt *a = &f->attempt;
 
-    jlt_csv_header(stream, r->command, f->instance->descriptor, f->params);
+    jlt_csv_header(stream, r->common.command, f->instance->descriptor, f->params);
     fprintf(stream, "# defect of %s: %.17g\n%s,density,error,closed_form\n", along_name(f), a->defect, along_name(f));
     for (size_t i = 0; a->points != NULL && i < a->count; i++) {
         const double row[4] = { a->points[i].at, a->points[i].density, a->points[i].error,
@@ -253,15 +222,13 @@ static jlt_exit draw(const finding *f, const request *r)
 {
     const jlt_descriptor *d = f->instance->descriptor;
     const jlt_measure_attempt *a = &f->attempt;
-    char *script = NULL;
-    size_t size = 0;
+    jlt_command_output script;
     FILE *stream;
-    jlt_status st;
 
     if (a->points == NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "--plot: there is no density to draw at these parameters");
-    stream = open_memstream(&script, &size);
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fputs("$density << EOD\n", stream);
     for (size_t i = 0; i < a->count; i++)
         fprintf(stream, "%.17g %.17g %.17g\n", a->points[i].at, a->points[i].density,
@@ -273,12 +240,7 @@ static jlt_exit draw(const finding *f, const request *r)
     fputs("plot ", stream);
     if (a->closed != NULL) fprintf(stream, "$density using 1:3 with lines lw 2 title 'closed form %s' noenhanced, ", a->closed_form);
     fputs("$density using 1:2 with points pt 6 title 'quadrature of the divergence'\n", stream);
-    st = fclose(stream) == 0 ? jlt_picture_draw(r->plot, script, NULL) : JLT_ERR_NOMEM;
-    free(script);
-    if (st == JLT_OK) return JLT_EXIT_DONE;
-    if (st == JLT_ERR_IO) return jlt_command_fail(JLT_EXIT_IO, "--plot: cannot write '%s': %s", r->plot, strerror(errno));
-    return jlt_command_fail(JLT_EXIT_IO, "--plot: %s",
-                            st == JLT_ERR_UNSUPPORTED ? "the program gnuplot is not installed" : jlt_status_text(st));
+    return jlt_common_draw(&r->common, &script);
 }
 
 static jlt_exit deliver(const finding *f, const request *r)
@@ -291,31 +253,30 @@ static jlt_exit deliver(const finding *f, const request *r)
         else if (r->csv) write_csv(output.stream, f, r);
         else write_text(output.stream, f);
     }
-    if (st == JLT_OK) return jlt_command_deliver(&output, r->output);
+    if (st == JLT_OK) return jlt_command_deliver(&output, r->common.output);
     jlt_command_discard(&output);
     return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(st));
 }
 
 static jlt_exit run(int argc, char **argv)
 {
-    request r = { .model = "spherical_top", .seed = 1, .points = POINTS };
-    char *command = jlt_command_line(argc, argv);
+    request r = { .seed = 1, .points = POINTS };
     finding *f = calloc(1, sizeof *f);
     jlt_exit code = JLT_EXIT_NUMERICAL;
     jlt_status st;
 
+    jlt_common_begin(&r.common, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
-    r.command = command;
     if (f == NULL) {
-        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+        code = jlt_command_no_memory();
         goto done;
     }
-    code = jlt_assign_model(&f->general, &f->params, r.model, &r.set);
+    code = jlt_common_open(&r.common, &f->general, &f->params);
     if (code != JLT_EXIT_DONE) goto done;
     st = investigate(f, &r);
-    if (st == JLT_OK && r.plot != NULL) code = draw(f, &r);
+    if (st == JLT_OK && r.common.plot != NULL) code = draw(f, &r);
     if (st != JLT_OK)
-        code = jlt_command_fail(jlt_command_exit(st), "measure %s: %s%s", r.model, jlt_status_text(st),
+        code = jlt_command_fail(jlt_command_exit(st), "measure %s: %s%s", f->general->model, jlt_status_text(st),
                                 st == JLT_ERR_NONFINITE ? " (use units in which parameters are nearer one)" : "");
     if (code == JLT_EXIT_DONE) code = deliver(f, &r);
 done:
@@ -325,8 +286,7 @@ done:
         free(f->params);
     }
     free(f);
-    free(command);
-    jlt_assign_clear(&r.set);
+    jlt_common_end(&r.common);
     return code;
 }
 

@@ -166,7 +166,7 @@ static jlt_exit run(int argc, char **argv)
 
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (jlt_command_open(&output) != JLT_OK)
-        return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+        return jlt_command_no_memory();
     if (o.json) all = json_array();
     for (size_t i = 0; i < jlt_descriptor_count(); i++) {
         const jlt_descriptor *d = jlt_descriptor_at(i);
@@ -190,7 +190,7 @@ static jlt_exit run(int argc, char **argv)
         char *text;
         if (jlt_json_text(&text, all) != JLT_OK) {
             jlt_command_discard(&output);
-            return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+            return jlt_command_no_memory();
         }
         fputs(text, output.stream);
         free(text);

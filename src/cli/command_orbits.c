@@ -31,26 +31,17 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
-static void count_option(size_t *value, const char *text, size_t low, size_t high, const char *name)
-{
-    const jlt_exit code = jlt_grid_count(value, text, low, high, name);
-
-    if (code != JLT_EXIT_DONE) exit((int)code);
-}
-
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     options *o = state->input;
 
     switch (key) {
     case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
-    case 'n': count_option(&o->period_max, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
+    case 'n': jlt_common_count(&o->period_max, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
     case 'g': o->grid = value; return 0;
-    case NEAR:
-        if (jlt_grid_number(&o->near, value, strlen(value), "--near") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
-        return 0;
-    case SETTLE: count_option(&o->settle, value, 0, 1000000000, "--settle"); return 0;
-    case SAMPLES: count_option(&o->samples, value, 0, 1000000000, "--samples"); return 0;
+    case NEAR: jlt_common_positive(&o->near, value, "--near"); return 0;
+    case SETTLE: jlt_common_count(&o->settle, value, 0, 1000000000, "--settle"); return 0;
+    case SAMPLES: jlt_common_count(&o->samples, value, 0, 1000000000, "--samples"); return 0;
     case LINE: o->line = value; return 0;
     case HOLD: o->hold = value; return 0;
     case 'a': o->start = value; return 0;
@@ -204,12 +195,11 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
 static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbits *list)
 {
     const jlt_chart *chart = system->flow.chart;
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fputs("set encoding utf8\n$POINTS << END\n", stream);
     for (size_t i = 0; i < list->count; i++)
         for (size_t k = 0; k < list->orbits[i].period; k++)
@@ -225,10 +215,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
         fprintf(stream, "%s$POINTS using 1:($3==%d?$2:1/0) with points pt %d ps 0.8 lc %d title \"%s\"", type == 0 ? "" : ", ",
                 type, type + 4, type + 1, jlt_periodic_type_name((jlt_orbit_type)type));
     fputc('\n', stream);
-    fclose(stream);
-    code = jlt_motion_draw(&o->motion, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&o->motion.common, &script);
 }
 
 static jlt_exit run(int argc, char **argv)
@@ -248,7 +235,7 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE && o.line != NULL && o.start == NULL)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--line goes through a point: add --start");
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     system->flow.max_steps = 20000;
     st = jlt_map_create(&map, &system->flow);
@@ -260,7 +247,7 @@ static jlt_exit run(int argc, char **argv)
     column_names(stream.file, system->flow.chart);
     for (size_t i = 0; i < list.count; i++) write_orbit(stream.file, system->flow.chart, &list.orbits[i]);
     code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE && o.motion.plot != NULL) code = draw(&o, system, &list);
+    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = draw(&o, system, &list);
 done:
     jlt_stream_discard(&stream);
     jlt_orbits_clear(&list);

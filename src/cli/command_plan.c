@@ -72,8 +72,8 @@ static jlt_exit bind(jlt_session *session, const jlt_scene_job *job)
     const bool whole = strcmp(job->what, "simulate") == 0 || strcmp(job->what, "portrait") == 0;
     jlt_exit code = JLT_EXIT_DONE;
 
-    session->model = job->model;
-    if (set != NULL) code = jlt_assign_parse(&session->set, set, "parameters");
+    session->common.model = job->model;
+    if (set != NULL) code = jlt_assign_parse(&session->common.set, set, "parameters");
     if (code == JLT_EXIT_DONE && start != NULL && whole) code = jlt_assign_parse(&session->start, start, "start");
     if (code == JLT_EXIT_DONE) code = jlt_session_open(session);
     if (code == JLT_EXIT_DONE && start != NULL && whole) code = jlt_session_start(session);

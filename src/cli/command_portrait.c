@@ -24,21 +24,15 @@ static const struct argp_option option_table[] = {
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     jlt_portrait_request *r = state->input;
-    jlt_exit code = JLT_EXIT_DONE;
 
     switch (key) {
     case ARGP_KEY_INIT: state->child_inputs[0] = &r->session; return 0;
-    case 'l': code = jlt_assign_parse(&r->level, value, "--level"); break;
-    case ORBITS: code = jlt_grid_count(&r->orbits, value, 0, 100000, "--orbits"); break;
-    case UNTIL:
-        code = jlt_grid_number(&r->until, value, strlen(value), "--until");
-        if (code == JLT_EXIT_DONE && !(r->until > 0)) argp_error(state, "--until must be positive");
-        break;
-    case TRAJECTORIES: r->trajectories = value; break;
+    case 'l': jlt_common_list(&r->level, value, "--level"); return 0;
+    case ORBITS: jlt_common_count(&r->orbits, value, 0, 100000, "--orbits"); return 0;
+    case UNTIL: jlt_common_positive(&r->until, value, "--until"); return 0;
+    case TRAJECTORIES: r->trajectories = value; return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
-    if (code != JLT_EXIT_DONE) exit((int)code);
-    return 0;
 }
 
 static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 }, { 0 } };
@@ -92,12 +86,12 @@ static jlt_exit open_top(jlt_portrait_request *r)
     size_t a3;
     jlt_exit code;
 
-    if (r->session.model != NULL && strcmp(r->session.model, "spherical_top") != 0)
-        return jlt_command_fail(JLT_EXIT_INPUT, "M^2 is a surface of spherical_top, not of %s", r->session.model);
+    if (r->session.common.model != NULL && strcmp(r->session.common.model, "spherical_top") != 0)
+        return jlt_command_fail(JLT_EXIT_INPUT, "M^2 is a surface of spherical_top, not of %s", r->session.common.model);
     code = jlt_session_open(&r->session);
     if (code != JLT_EXIT_DONE) return code;
     if (jlt_descriptor_param(r->session.descriptor, "a3", &a3)) {
-        const char *given = jlt_assign_fraction(&r->session.set, "a3");
+        const char *given = jlt_assign_fraction(&r->session.common.set, "a3");
         if (given != NULL && strcmp(given, "0") != 0)
             return jlt_command_fail(JLT_EXIT_INPUT, "--set a3=%s: M^2 exists for the balanced sphere alone, a3 = 0", given);
         r->session.params[a3] = 0;
@@ -118,7 +112,7 @@ static const char *type_of(const jlt_fixed_point *point)
 
 static void write_fixed_points(FILE *file, const jlt_portrait_request *r)
 {
-    jlt_csv_header(file, r->session.command, r->session.descriptor, r->session.params);
+    jlt_csv_header(file, r->session.common.command, r->session.descriptor, r->session.params);
     fprintf(file, "# levels E=%.17g G=%.17g F0=%.17g, horizontal momentum %.17g; method %s, tolerance %.3g; nothing is random, so "
                   "there is no seed\n",
             r->levels.E, r->levels.G, r->levels.F0, r->levels.M, r->session.method->name, r->session.tolerance);
@@ -218,7 +212,7 @@ static jlt_exit follow_all(jlt_portrait_request *r, FILE *file)
     size_t done = 0, tried = 0;
 
     if (file != NULL) {
-        jlt_csv_header(file, r->session.command, r->session.descriptor, r->session.params);
+        jlt_csv_header(file, r->session.common.command, r->session.descriptor, r->session.params);
         fputs("orbit,t,gamma3,psi,v_slip,v_nu,omega_tau,omega_n,omega3\n", file);
     }
     jlt_progress_start(&progress, "orbits");
@@ -252,13 +246,13 @@ static jlt_exit run(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &r);
     code = open_top(&r);
     if (code == JLT_EXIT_DONE) code = read_levels(&r);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.output);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
     if (code == JLT_EXIT_DONE && r.trajectories != NULL) code = jlt_stream_open(&trajectories, r.trajectories);
     if (code != JLT_EXIT_DONE) goto done;
     st = jlt_balanced_fixed_points(r.fixed, &r.fixed_count, &r.top, &r.levels);
     r.fixed_curve = st == JLT_ERR_UNSUPPORTED;
     write_fixed_points(stream.file, &r);
-    if (r.session.plot != NULL) r.points = open_memstream(&points, &size);
+    if (r.session.common.plot != NULL) r.points = open_memstream(&points, &size);
     if (r.points != NULL || r.trajectories != NULL) code = follow_all(&r, trajectories.file);
     if (r.points != NULL) fclose(r.points);
     if (code == JLT_EXIT_DONE) code = jlt_stream_close(&stream);

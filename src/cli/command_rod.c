@@ -134,7 +134,7 @@ static jlt_exit write_rows(FILE *file, request *r)
     size_t all = 1;
     jlt_exit code = JLT_EXIT_DONE;
 
-    jlt_csv_header(file, r->session.command, r->session.descriptor, r->session.params);
+    jlt_csv_header(file, r->session.common.command, r->session.descriptor, r->session.params);
     fputs("# start", file);
     for (unsigned i = 0; i < r->session.descriptor->state_count; i++)
         fprintf(file, " %s=%.17g", r->session.descriptor->states[i].name, r->session.x[i]);
@@ -158,12 +158,11 @@ static jlt_exit write_rows(FILE *file, request *r)
 
 static jlt_exit draw(const request *r, const char *points)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--plot");
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fprintf(stream, "set grid\n$ROWS << END\n%sEND\nset multiplot layout 2,1 title \"I3 = 0: ", points);
     jlt_session_caption(stream, &r->session);
     fprintf(stream,
@@ -171,10 +170,7 @@ static jlt_exit draw(const request *r, const char *points)
             "plot $ROWS using 1:2 with lines lc rgb '#202060' notitle\nset ylabel 'rotation number'\n"
             "plot $ROWS using 1:3 with lines lc rgb '#b2182b' notitle\nunset multiplot\n",
             r->axes[0].name);
-    if (fclose(stream) != 0) code = jlt_session_fail(JLT_ERR_NOMEM, "--plot");
-    else code = jlt_session_draw(&r->session, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&r->session.common, &script);
 }
 
 static jlt_exit run(int argc, char **argv)
@@ -187,22 +183,22 @@ static jlt_exit run(int argc, char **argv)
 
     jlt_session_begin(&r.session, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &r);
-    if (r.session.model != NULL && strcmp(r.session.model, "spherical_top") != 0)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "the quadratures are those of spherical_top, not of %s", r.session.model);
+    if (r.session.common.model != NULL && strcmp(r.session.common.model, "spherical_top") != 0)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "the quadratures are those of spherical_top, not of %s", r.session.common.model);
     else code = jlt_session_open(&r.session);
     if (code == JLT_EXIT_DONE && jlt_descriptor_param(r.session.descriptor, "I3", &I3)) {
-        const char *given = jlt_assign_fraction(&r.session.set, "I3");
+        const char *given = jlt_assign_fraction(&r.session.common.set, "I3");
         if (given != NULL && strcmp(given, "0") != 0)
             code = jlt_command_fail(JLT_EXIT_INPUT, "--set I3=%s: the quadratures are those of I3 = 0", given);
         r.session.params[I3] = 0;
     }
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
     if (code == JLT_EXIT_DONE) code = bind_axes(&r);
-    if (code == JLT_EXIT_DONE && r.session.plot != NULL && r.axis_count != 1)
+    if (code == JLT_EXIT_DONE && r.session.common.plot != NULL && r.axis_count != 1)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.output);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
     if (code != JLT_EXIT_DONE) goto done;
-    if (r.session.plot != NULL) r.points = open_memstream(&points, &size);
+    if (r.session.common.plot != NULL) r.points = open_memstream(&points, &size);
     code = write_rows(stream.file, &r);
     if (r.points != NULL) fclose(r.points);
     if (code != JLT_EXIT_DONE) goto done;

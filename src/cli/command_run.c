@@ -153,7 +153,7 @@ static jlt_exit run_jobs(const jlt_scene *scene, const options *o)
         const jlt_command *command = jlt_command_find(job->what);
         int argc = 0;
         char **argv = arguments_of(job, &argc);
-        if (argv == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+        if (argv == NULL) return jlt_command_no_memory();
         if (command == NULL)
             code = jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: this program has no command '%s'", scene->file, job->line,
                                     job->what);

@@ -42,11 +42,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
     case 'a': o->starts[o->start_count++] = value; return 0;
     case 'g': o->grid = value; return 0;
-    case 'n': {
-        const jlt_exit code = jlt_grid_count(&o->returns, value, 1, SIZE_MAX / 2, "--returns");
-        if (code != JLT_EXIT_DONE) exit((int)code);
-        return 0;
-    }
+    case 'n': jlt_common_count(&o->returns, value, 1, SIZE_MAX / 2, "--returns"); return 0;
     case BACKWARD: o->time_direction = -1; return 0;
     case CHECK: o->check = true; return 0;
     case ARGP_KEY_END:
@@ -217,13 +213,12 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *poi
         const char *name, *colour;
     } looks[] = { { "alive", "#202060" }, { "end at pole +1", "#e07050" }, { "end at pole -1", "#30a0c0" },
                   { "lost contact", "#c0a000" }, { "out of budget", "#909090" } };
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
+    jlt_command_output script;
     bool first = true;
-    jlt_exit code;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fputs("set encoding utf8\n$POINTS << END\n", stream);
     fputs(points, stream);
     fputs("END\nset title \"Poincaré map on the section, ", stream);
@@ -243,10 +238,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *poi
         first = false;
     }
     fputs("\n", stream);
-    fclose(stream);
-    code = jlt_motion_draw(&o->motion, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&o->motion.common, &script);
 }
 
 static void column_names(FILE *file, const options *o, const jlt_system *system)
@@ -301,13 +293,13 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     o.starts = calloc((size_t)argc, sizeof *o.starts);
-    if (o.starts == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
-    if (o.motion.plot != NULL) sum.points = open_memstream(&points, &size);
+    if (o.motion.common.plot != NULL) sum.points = open_memstream(&points, &size);
     jlt_motion_header(stream.file, &o.motion, system);
     column_names(stream.file, &o, system);
     code = run_all(&sum, &stream, &o, system);

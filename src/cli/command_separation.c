@@ -29,12 +29,8 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ARGP_KEY_INIT: state->child_inputs[0] = &o->motion; return 0;
     case 'g': o->grid = value; return 0;
     case CELLS: o->cells = value; return 0;
-    case 'n':
-        if (jlt_grid_count(&o->returns, value, 1, (size_t)1 << 40, "--returns") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
-        return 0;
-    case SETTLE:
-        if (jlt_grid_count(&o->settle, value, 0, (size_t)1 << 40, "--settle") != JLT_EXIT_DONE) exit(JLT_EXIT_INPUT);
-        return 0;
+    case 'n': jlt_common_count(&o->returns, value, 1, (size_t)1 << 40, "--returns"); return 0;
+    case SETTLE: jlt_common_count(&o->settle, value, 0, (size_t)1 << 40, "--settle"); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -85,12 +81,11 @@ static jlt_exit measure(jlt_separation *table, size_t *rows, const options *o, c
 
 static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separation *table, size_t rows)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fputs("set encoding utf8\n$OVERLAP << END\n", stream);
     for (size_t i = 0; i < rows; i++)
         fprintf(stream, "%zu %.9g %.9g\n", table[i].returns, table[i].overlap, table[i].mirror_overlap);
@@ -100,10 +95,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
           "set key tmargin center horizontal\n"
           "plot $OVERLAP using 1:2 with linespoints pt 7 title 'forward and backward', "
           "$OVERLAP using 1:3 with linespoints pt 6 title 'mirror image of forward, and backward'\n", stream);
-    fclose(stream);
-    code = jlt_motion_draw(&o->motion, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&o->motion.common, &script);
 }
 
 static jlt_exit run(int argc, char **argv)
@@ -118,7 +110,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.output);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code == JLT_EXIT_DONE) code = measure(table, &rows, &o, system);
     if (code != JLT_EXIT_DONE) goto done;
     jlt_motion_header(stream.file, &o.motion, system);
@@ -129,7 +121,7 @@ static jlt_exit run(int argc, char **argv)
                 row->forward, row->backward, row->common, row->overlap, row->mirror_overlap);
     }
     code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE && o.motion.plot != NULL) code = draw(&o, system, table, rows);
+    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = draw(&o, system, table, rows);
 done:
     jlt_stream_discard(&stream);
     jlt_system_destroy(system);

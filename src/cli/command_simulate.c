@@ -22,15 +22,6 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
-static double number(const char *text, size_t length, const char *option)
-{
-    double value = 0;
-    const jlt_exit code = jlt_grid_number(&value, text, length, option);
-
-    if (code != JLT_EXIT_DONE) exit((int)code);
-    return value;
-}
-
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     jlt_simulate_request *r = state->input;
@@ -38,16 +29,16 @@ static error_t parse(int key, char *value, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT: state->child_inputs[0] = &r->session; return 0;
     case TIMES: r->times_text = value; return 0;
-    case UNTIL: r->until = number(value, strlen(value), "--until"); return 0;
-    case EVERY: r->every = number(value, strlen(value), "--every"); return 0;
+    case UNTIL: jlt_common_number(&r->until, value, "--until"); return 0;
+    case EVERY: jlt_common_positive(&r->every, value, "--every"); return 0;
     case TIER: r->tier = value; return 0;
     case COMPARE: r->compare = value; return 0;
     case TRACK: r->track = true; return 0;
     case PROJECT: r->project = true; return 0;
     case ARGP_KEY_END:
-        if ((r->times_text == NULL) == isnan(r->until)) argp_error(state, "say when: --times, or --until with --every");
+        if (r->times_text == NULL && isnan(r->until)) argp_error(state, "say when: --times, or --until with --every");
+        if (r->times_text != NULL && !isnan(r->until)) argp_error(state, "--times and --until exclude each other");
         if (isnan(r->until) && !isnan(r->every)) argp_error(state, "--every goes with --until");
-        if (!isnan(r->every) && !(r->every > 0)) argp_error(state, "--every must be positive");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -78,7 +69,8 @@ static jlt_exit listed_times(jlt_simulate_request *r)
     if (r->times == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--times");
     for (const char *at = r->times_text;; at++) {
         const size_t length = strcspn(at, ",");
-        r->times[r->time_count++] = number(at, length, "--times");
+        const jlt_exit code = jlt_grid_number(&r->times[r->time_count++], at, length, "--times");
+        if (code != JLT_EXIT_DONE) return code;
         at += length;
         if (*at == '\0') break;
     }
@@ -167,7 +159,7 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     const jlt_instance *kernel = jlt_course_kernel(r->courses[0]);
     const jlt_tier *tier = plan->candidates[plan->chosen].tier;
 
-    jlt_csv_header(file, s->command, kernel->descriptor, kernel->params);
+    jlt_csv_header(file, s->common.command, kernel->descriptor, kernel->params);
     fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
             tier != NULL ? tier->meaning : "the model's own field", s->method->name, s->tolerance,
             r->project ? ", projected" : "");
@@ -293,9 +285,9 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = jlt_session_start(&r.session);
     if (code == JLT_EXIT_DONE) code = r.times_text != NULL ? listed_times(&r) : regular_times(&r);
     if (code == JLT_EXIT_DONE) code = open_courses(&r);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.output);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
     if (code != JLT_EXIT_DONE) goto done;
-    if (r.session.plot != NULL) r.points = open_memstream(&r.points_text, &size);
+    if (r.session.common.plot != NULL) r.points = open_memstream(&r.points_text, &size);
     write_header(stream.file, &r);
     code = follow(&r, &stream);
     if (r.points != NULL) fclose(r.points);

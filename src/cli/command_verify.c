@@ -1,9 +1,8 @@
+#include "cli/common.h"
 #include "cli/verify.h"
 
 #include "kernel/descriptor.h"
 
-#include <argp.h>
-#include <errno.h>
 #include <stdlib.h>
 
 enum { KEY_SEED = 256, KEY_SAMPLES, SAMPLES_DEFAULT = 400, SAMPLES_MAX = 10000000 };
@@ -15,32 +14,14 @@ static const struct argp_option option_table[] = {
     { 0 },
 };
 
-static bool whole_number(uint64_t *value, const char *text)
-{
-    char *end;
-
-    if (*text < '0' || *text > '9') return false;
-    errno = 0;
-    *value = strtoull(text, &end, 10);
-    return errno == 0 && *end == '\0';
-}
-
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     jlt_verify_run *run = state->input;
-    uint64_t number;
 
     switch (key) {
     case 'j': run->json = true; return 0;
-    case KEY_SEED:
-        if (!whole_number(&run->seed, value) || run->seed > INT64_MAX)
-            argp_error(state, "--seed: '%s' is no whole number from 0 to 9223372036854775807", value);
-        return 0;
-    case KEY_SAMPLES:
-        if (!whole_number(&number, value) || number < 1 || number > SAMPLES_MAX)
-            argp_error(state, "--samples: '%s' is no whole number from 1 to %d", value, SAMPLES_MAX);
-        run->samples = (size_t)number;
-        return 0;
+    case KEY_SEED: jlt_common_count(&run->seed, value, 0, INT64_MAX, "--seed"); return 0;
+    case KEY_SAMPLES: jlt_common_count(&run->samples, value, 1, SAMPLES_MAX, "--samples"); return 0;
     case ARGP_KEY_ARG:
         if (state->arg_num > 0) argp_error(state, "one model at most: '%s' is too many", value);
         run->model = value;

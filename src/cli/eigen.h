@@ -3,7 +3,7 @@
 #define JLT_CLI_EIGEN_H
 
 #include "analysis/linearization.h"
-#include "cli/assign.h"
+#include "cli/common.h"
 #include "cli/oracle.h"
 
 typedef struct {
@@ -15,9 +15,9 @@ typedef struct {
 } jlt_eigen_axis;
 
 typedef struct {
-    const char *model, *plot, *output;
+    jlt_common common;
     bool json, csv, find;
-    jlt_assign_list set, at;
+    jlt_assign_list at;
     jlt_eigen_axis *axes;
     size_t axis_count;
     const jlt_descriptor *descriptor; /* general field */
@@ -26,7 +26,6 @@ typedef struct {
     unsigned char given[JLT_LINEARIZATION_SIZE_MAX];
     size_t order[JLT_LINEARIZATION_SIZE_MAX], held; /* the states given, as typed */
     jlt_oracle *oracle;
-    const char *command;              /* as typed, for headers */
 } jlt_eigen_request;
 
 typedef struct {

@@ -1,12 +1,5 @@
 #include "cli/eigen.h"
 
-#include "report/picture.h"
-
-#include <errno.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 /* Values that stay the same over the picture, for its caption. */
 static void write_caption(FILE *stream, const jlt_eigen_request *r)
 {
@@ -59,22 +52,9 @@ static void write_script(FILE *stream, const jlt_eigen_request *r, const jlt_eig
 
 jlt_exit jlt_eigen_draw(const jlt_eigen_request *request, const jlt_eigen_row *rows, size_t count)
 {
-    char *script = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_status st = stream == NULL ? JLT_ERR_NOMEM : JLT_OK;
-    jlt_exit code = JLT_EXIT_DONE;
+    jlt_command_output script;
 
-    if (stream != NULL) {
-        write_script(stream, request, rows, count);
-        if (fclose(stream) != 0) st = JLT_ERR_NOMEM;
-    }
-    if (st == JLT_OK) st = jlt_picture_draw(request->plot, script, NULL);
-    if (st == JLT_ERR_UNSUPPORTED)
-        code = jlt_command_fail(JLT_EXIT_IO, "--plot: the program gnuplot is not installed");
-    else if (st == JLT_ERR_IO)
-        code = jlt_command_fail(JLT_EXIT_IO, "--plot: cannot write '%s': %s", request->plot, strerror(errno));
-    else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "--plot: %s", jlt_status_text(st));
-    free(script);
-    return code;
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    write_script(script.stream, request, rows, count);
+    return jlt_common_draw(&request->common, &script);
 }

@@ -159,7 +159,7 @@ void jlt_eigen_write_csv_header(FILE *stream, const jlt_eigen_request *request)
 {
     const jlt_descriptor *d = request->descriptor;
 
-    jlt_csv_header(stream, request->command, d, request->params);
+    jlt_csv_header(stream, request->common.command, d, request->params);
     fputs("# eigenvalues: first those that integrals make zero, then ascending; error_k bounds the error of the k-th\n", stream);
     for (size_t i = 0; i < request->axis_count; i++)
         if (!request->axes[i].is_state) fprintf(stream, "%s,", request->axes[i].name);

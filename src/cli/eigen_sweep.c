@@ -30,7 +30,7 @@ static jlt_exit parse_axis(jlt_eigen_axis *axis, const char *text, size_t length
         return refuse(text, length);
     axis->count = (size_t)count;
     axis->name = strndup(text, (size_t)(equals - text));
-    return axis->name == NULL ? jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM)) : JLT_EXIT_DONE;
+    return axis->name == NULL ? jlt_command_no_memory() : JLT_EXIT_DONE;
 }
 
 jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text)
@@ -41,7 +41,7 @@ jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text)
         const size_t length = strcspn(text, ",");
         jlt_eigen_axis *axes = realloc(request->axes, (request->axis_count + 1) * sizeof *axes);
         jlt_exit code;
-        if (axes == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+        if (axes == NULL) return jlt_command_no_memory();
         request->axes = axes;
         axes[request->axis_count] = (jlt_eigen_axis){ 0 };
         code = parse_axis(&axes[request->axis_count], text, length);
@@ -117,8 +117,8 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     if (st == JLT_OK) st = jlt_command_open(&output);
     if (st == JLT_OK) st = write_rows(&output, request, rows, count);
     if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
-    if (code == JLT_EXIT_DONE && request->plot != NULL) code = jlt_eigen_draw(request, rows, count);
-    if (code == JLT_EXIT_DONE) code = jlt_command_deliver(&output, request->output);
+    if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows, count);
+    if (code == JLT_EXIT_DONE) code = jlt_command_deliver(&output, request->common.output);
     if (code == JLT_EXIT_DONE && first != NULL)
         code = jlt_command_fail(jlt_command_exit(first->status), "%zu of %zu points refused; the first: %s", refused, count,
                                 first->reason);

@@ -1,6 +1,5 @@
 #include "cli/motion.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,31 +7,19 @@
 #include "cli/interrupt.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
-#include "report/picture.h"
 
 static const double pi = 3.14159265358979323846;
 
-enum { SECTION = 1000, MIRROR, CONTACT, KEEP, METHOD };
+enum { SECTION = 1100, MIRROR, CONTACT };
 
 static const struct argp_option option_table[] = {
-    { NULL, 0, NULL, 0, "The system:", 10 },
-    { "set", 's', "NAME=VALUE,...", 0, "Parameters; default (5.1) of the paper, m=1,R=1,g=1,I1=1/3,I3=1/3,a3=0.51", 10 },
     { "level", 'l', "E=VALUE,G=VALUE", 0, "Levels of energy and of Jellett's integral; default E=2.15,G=-0.56", 10 },
     { "section", SECTION, "STATE=VALUE", 0, "Section of another model", 10 },
     { "mirror", MIRROR, "STATE,...", 0, "States whose sign another model's reversor changes", 10 },
-    { NULL, 0, NULL, 0, "The computation:", 11 },
     { "direction", 'd', "up|down|both", 0, "Crossings that count; default up", 11 },
-    { "tol", 't', "VALUE", 0, "Tolerance of the local error; default 1e-12", 11 },
-    { "method", METHOD, "NAME", 0,
-      "gauss (default), dop853 (default where derivatives of the map are computed), taylor (derivatives by dop853), rk8pd, "
-      "rkf45, msadams", 11 },
     { "contact", CONTACT, "ignore|report|end", 0,
       "What to do where the support stops pushing (N <= 0), so that the model no longer holds: go on and say at the end how "
       "many orbits did (default), tell the least N in a column of its own, or end the orbit as lost_contact", 11 },
-    { NULL, 0, NULL, 0, "Output:", 12 },
-    { "output", 'o', "FILE", 0, "Write rows there; default standard output", 12 },
-    { "plot", 'p', "FILE", 0, "Draw .svg, .png or .pdf", 12 },
-    { "keep", KEEP, "FILE", 0, "Keep the gnuplot script, data included", 12 },
     { 0 },
 };
 
@@ -44,62 +31,32 @@ static void parse_direction(jlt_motion_options *o, const char *value, struct arg
     else argp_error(state, "--direction is up, down or both, not '%s'", value);
 }
 
-static void parse_method(jlt_motion_options *o, const char *value, struct argp_state *state)
-{
-    o->flow.method = jlt_method_find(value);
-    if (o->flow.method == NULL)
-        argp_error(state, "there is no method '%s'; there are gauss, dop853, taylor, rk8pd, rkf45, msadams", value);
-}
-
-static void parse_tolerance(jlt_motion_options *o, const char *value)
-{
-    jlt_exit code = jlt_grid_number(&o->flow.tolerance, value, strlen(value), "--tol");
-
-    if (code == JLT_EXIT_DONE && !(o->flow.tolerance >= 1e-16 && o->flow.tolerance <= 0.1))
-        code = jlt_command_fail(JLT_EXIT_INPUT, "--tol %s: a tolerance lies between 1e-16 and 0.1", value);
-    if (code != JLT_EXIT_DONE) exit((int)code);
-}
-
-static void parse_list(jlt_assign_list *list, const char *value, const char *option)
-{
-    const jlt_exit code = jlt_assign_parse(list, value, option);
-
-    if (code != JLT_EXIT_DONE) exit((int)code);
-}
-
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     jlt_motion_options *o = state->input;
 
     switch (key) {
-    case 's': parse_list(&o->set, value, "--set"); return 0;
-    case 'l': parse_list(&o->level, value, "--level"); return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &o->common;
+        state->child_inputs[1] = &o->accuracy;
+        return 0;
+    case 'l': jlt_common_list(&o->level, value, "--level"); return 0;
     case SECTION: o->section = value; return 0;
     case MIRROR: o->mirror = value; return 0;
     case 'd': parse_direction(o, value, state); return 0;
-    case 't': parse_tolerance(o, value); return 0;
-    case METHOD: parse_method(o, value, state); return 0;
     case CONTACT:
         if (strcmp(value, "ignore") != 0 && strcmp(value, "report") != 0 && strcmp(value, "end") != 0)
             argp_error(state, "--contact is ignore, report or end, not '%s'", value);
         o->contact = value;
         o->flow.end_at_contact_loss = strcmp(value, "end") == 0;
         return 0;
-    case 'o': o->output = value; return 0;
-    case 'p':
-        if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' is no .svg, .png or .pdf", value);
-        o->plot = value;
-        return 0;
-    case KEEP: o->keep = value; return 0;
-    case ARGP_KEY_ARG:
-        if (o->model != NULL) argp_error(state, "one model at most: '%s' is too many", value);
-        o->model = value;
-        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
 
-const struct argp jlt_motion_argp = { option_table, parse, NULL, NULL, NULL, NULL, NULL };
+static const struct argp_child children[] = { { &jlt_common_argp, 0, NULL, 0 }, { &jlt_accuracy_argp, 0, NULL, 0 }, { 0 } };
+
+const struct argp jlt_motion_argp = { option_table, parse, NULL, NULL, children, NULL, NULL };
 
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv)
 {
@@ -108,15 +65,14 @@ void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv)
     options->flow.tolerance = 1e-12;
     options->flow.method = jlt_method_find(NULL);
     options->flow.interrupt = jlt_interrupt_install();
-    options->command = jlt_command_line(argc, argv);
+    options->accuracy = (jlt_accuracy){ &options->flow.tolerance, &options->flow.method };
+    jlt_common_begin(&options->common, argc, argv);
 }
 
 void jlt_motion_end(jlt_motion_options *options)
 {
-    jlt_assign_clear(&options->set);
+    jlt_common_end(&options->common);
     jlt_assign_clear(&options->level);
-    free(options->command);
-    options->command = NULL;
 }
 
 bool jlt_motion_interrupted(const jlt_motion_options *options)
@@ -139,7 +95,7 @@ static double least_energy(const jlt_top_values *v)
 static jlt_exit top_system(jlt_system **system, const jlt_motion_options *options)
 {
     jlt_top_values values = jlt_system_defaults();
-    const jlt_assign_list *const lists[] = { &options->set, &options->level };
+    const jlt_assign_list *const lists[] = { &options->common.set, &options->level };
     jlt_status st;
 
     for (size_t k = 0; k < 2; k++)
@@ -194,7 +150,7 @@ static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *opti
     jlt_status st;
     jlt_exit code;
 
-    code = jlt_assign_model(&descriptor, &params, options->model, &options->set);
+    code = jlt_common_open(&options->common, &descriptor, &params);
     if (code != JLT_EXIT_DONE) return code;
     if (options->section == NULL)
         code = jlt_command_fail(JLT_EXIT_USAGE, "say which section of %s: --section STATE=VALUE", descriptor->model);
@@ -216,11 +172,9 @@ static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *opti
 
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options)
 {
-    const char *model = options->model;
+    const char *model = options->common.model;
 
     *system = NULL;
-    if (options->keep != NULL && options->plot == NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--keep keeps the script of a picture: add --plot FILE");
     if (model == NULL || strcmp(model, "spherical_top") == 0 || strcmp(model, "spherical_top_level") == 0)
         return top_system(system, options);
     return plane_system(system, options);
@@ -313,7 +267,7 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
     const jlt_chart *chart = system->flow.chart;
 
-    jlt_csv_header(stream, options->command, system->instance->descriptor, system->instance->params);
+    jlt_csv_header(stream, options->common.command, system->instance->descriptor, system->instance->params);
     if (system->is_top) fprintf(stream, "# levels E=%.17g G=%.17g\n", system->values.E, system->values.G);
     fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,
             chart->level, directions[options->flow.direction + 1], options->flow.method->name, options->flow.tolerance);
@@ -329,15 +283,4 @@ void jlt_motion_caption(FILE *stream, const jlt_system *system)
         if (strcmp(d->params[i].name, "G") != 0)
             fprintf(stream, "%s%s=%.6g", i == 0 ? "" : ", ", d->params[i].name, system->instance->params[i]);
     if (system->is_top) fprintf(stream, ", E=%.6g, G=%.6g", system->values.E, system->values.G);
-}
-
-jlt_exit jlt_motion_draw(const jlt_motion_options *options, const char *script)
-{
-    const jlt_status st = jlt_picture_draw(options->plot, script, options->keep);
-
-    if (st == JLT_OK) return JLT_EXIT_DONE;
-    if (st == JLT_ERR_UNSUPPORTED)
-        return jlt_command_fail(JLT_EXIT_IO, "no gnuplot to be found: install gnuplot to draw pictures");
-    return jlt_command_fail(jlt_command_exit(st), "cannot draw '%s': %s", options->plot,
-                            st == JLT_ERR_IO ? strerror(errno) : jlt_status_text(st));
 }

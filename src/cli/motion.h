@@ -2,28 +2,26 @@
 #ifndef JLT_CLI_MOTION_H
 #define JLT_CLI_MOTION_H
 
-#include <argp.h>
-
-#include "cli/assign.h"
+#include "cli/common.h"
 #include "cli/grid.h"
 #include "cli/stream.h"
 #include "dynamics/system.h"
 
 typedef struct {
-    const char *model;   /* NULL: the spherical top */
+    jlt_common common;
+    jlt_accuracy accuracy; /* refers to flow */
     const char *section; /* STATE=VALUE, for other models */
     const char *mirror;  /* states whose sign the reversor changes, for other models */
-    jlt_assign_list set, level;
+    jlt_assign_list level;
     jlt_flow flow;
     const char *contact; /* ignore (default), report, end */
-    const char *output, *plot, *keep;
-    char *command;       /* as typed, owned */
 } jlt_motion_options;
 
-/* Child parsers: put these into a command's table of children, with its jlt_motion_options as input of the child. */
+/* Child parser, the options of common.h with it; its input is a jlt_motion_options. */
 extern const struct argp jlt_motion_argp;
 
-/** To be called before argp_parse, with its argv. Installs the handler of Ctrl-C. */
+/** To be called before argp_parse, with its argv; the options must not move after that. Installs the
+ *  handler of Ctrl-C. */
 void jlt_motion_begin(jlt_motion_options *options, int argc, char **argv);
 void jlt_motion_end(jlt_motion_options *options);
 
@@ -48,9 +46,6 @@ void jlt_motion_caption(FILE *stream, const jlt_system *system);
 
 /** "WHAT: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);
-
-/** Draw a gnuplot script to options->plot, keeping it where asked. Says what is wrong. */
-jlt_exit jlt_motion_draw(const jlt_motion_options *options, const char *script);
 
 bool jlt_motion_interrupted(const jlt_motion_options *options);
 

@@ -23,12 +23,11 @@ static void draw_half(FILE *stream, const jlt_portrait_request *r, int side)
 jlt_exit jlt_portrait_draw(const jlt_portrait_request *request, const char *points)
 {
     const jlt_portrait_request *r = request;
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--plot");
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fprintf(stream, "set encoding utf8\nset grid\n$ORBITS << END\n%s\n", points);
     fputs("END\nset multiplot layout 1,2 title \"Flow on M^2: ", stream);
     jlt_session_caption(stream, &r->session);
@@ -43,8 +42,5 @@ jlt_exit jlt_portrait_draw(const jlt_portrait_request *request, const char *poin
     draw_half(stream, r, 1);
     draw_half(stream, r, -1);
     fputs("unset multiplot\n", stream);
-    if (fclose(stream) != 0) code = jlt_session_fail(JLT_ERR_NOMEM, "--plot");
-    else code = jlt_session_draw(&r->session, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&r->session.common, &script);
 }

@@ -1,20 +1,17 @@
-/** What the commands that follow single orbits have in common: options, parameters and start, headers, pictures. */
+/** What the commands that follow single orbits have in common: options, parameters and start. */
 #ifndef JLT_CLI_SESSION_H
 #define JLT_CLI_SESSION_H
 
-#include <argp.h>
-
-#include "cli/assign.h"
+#include "cli/common.h"
 #include "cli/stream.h"
 #include "scene/course.h"
 
 typedef struct {
-    const char *model;   /* NULL: the spherical top */
-    jlt_assign_list set, start;
-    double tolerance;    /* default 1e-12 */
+    jlt_common common;
+    jlt_accuracy accuracy; /* refers to the next two */
+    double tolerance;      /* default 1e-12 */
     const jlt_method *method;
-    const char *output, *plot, *keep;
-    char *command;       /* as typed, owned */
+    jlt_assign_list start;
     const volatile sig_atomic_t *interrupt;
 
     /* after jlt_session_open */
@@ -22,10 +19,11 @@ typedef struct {
     double *params, *x;               /* owned */
 } jlt_session;
 
-/* Child parser: --set, --start, --tol, --method, --output, --plot, --keep and the model; its input is a jlt_session. */
+/* Child parser: the options of common.h and --start; its input is a jlt_session. */
 extern const struct argp jlt_session_argp;
 
-/** To be called before argp_parse, with its argv. Installs the handler of Ctrl-C. */
+/** To be called before argp_parse, with its argv; the session must not move after that. Installs the
+ *  handler of Ctrl-C. */
 void jlt_session_begin(jlt_session *self, int argc, char **argv);
 void jlt_session_end(jlt_session *self);
 
@@ -42,8 +40,5 @@ void jlt_session_caption(FILE *stream, const jlt_session *self);
 
 /** "what: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_session_fail(jlt_status status, const char *what);
-
-/** Draw a gnuplot script to --plot, keeping it where asked. Says what is wrong. */
-jlt_exit jlt_session_draw(const jlt_session *self, const char *script);
 
 #endif

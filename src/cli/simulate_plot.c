@@ -83,20 +83,16 @@ static void draw_track(FILE *stream, const jlt_simulate_request *r)
 
 jlt_exit jlt_simulate_draw(const jlt_simulate_request *request)
 {
-    char *script = NULL;
-    size_t size;
-    FILE *stream = open_memstream(&script, &size);
-    jlt_exit code;
+    jlt_command_output script;
+    FILE *stream;
 
-    if (stream == NULL) return jlt_session_fail(JLT_ERR_NOMEM, "--plot");
+    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
+    stream = script.stream;
     fputs("set encoding utf8\nset grid\n$ROWS << END\n", stream);
     fputs(request->points_text, stream);
     fputs("END\n", stream);
     if (request->track) draw_track(stream, request);
     else draw_states(stream, request);
     fputs("unset multiplot\n", stream);
-    if (fclose(stream) != 0) code = jlt_session_fail(JLT_ERR_NOMEM, "--plot");
-    else code = jlt_session_draw(&request->session, script);
-    free(script);
-    return code;
+    return jlt_common_draw(&request->session.common, &script);
 }

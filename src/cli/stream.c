@@ -8,8 +8,8 @@
 
 static jlt_exit cannot_write(const jlt_stream *self, int reason)
 {
-    return jlt_command_fail(JLT_EXIT_IO, "cannot write '%s': %s (choose a folder that exists and has room)", self->path,
-                            strerror(reason));
+    errno = reason;
+    return jlt_command_cannot_write(self->path);
 }
 
 jlt_exit jlt_stream_open(jlt_stream *self, const char *path)
@@ -30,7 +30,7 @@ jlt_exit jlt_stream_open(jlt_stream *self, const char *path)
         return self->file != NULL ? JLT_EXIT_DONE : cannot_write(self, errno);
     }
     self->temporary = malloc(strlen(path) + sizeof suffix);
-    if (self->temporary == NULL) return jlt_command_fail(JLT_EXIT_NUMERICAL, "%s", jlt_status_text(JLT_ERR_NOMEM));
+    if (self->temporary == NULL) return jlt_command_no_memory();
     strcpy(self->temporary, path);
     strcat(self->temporary, suffix);
     mask = umask(0);

@@ -62,8 +62,7 @@ typedef struct {
 typedef struct {
     const char *model;
     bool json;
-    uint64_t seed;
-    size_t samples;
+    size_t seed, samples;
     const jlt_descriptor *descriptor; /* general field */
     jlt_oracle *oracle;
     jlt_random random;

@@ -88,7 +88,6 @@ static jlt_status draw(char **data, size_t *size, const char *text, size_t lengt
     if (*data == NULL) st = JLT_ERR_NOMEM;
     else if (WIFEXITED(status) && WEXITSTATUS(status) == 127) st = JLT_ERR_UNSUPPORTED;
     else if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && *size > 0) st = JLT_OK;
-    else errno = EPIPE;
 done:
     if (channel[0] >= 0) close(channel[0]);
     if (channel[1] >= 0) close(channel[1]);
@@ -96,7 +95,7 @@ done:
     return st;
 }
 
-jlt_status jlt_picture_draw(const char *path, const char *script, const char *keep)
+jlt_status jlt_picture_draw(const char *path, const char *script, const char *keep, const char **refused)
 {
     const char *terminal = terminal_of(path);
     char *whole = NULL, *data = NULL;
@@ -104,16 +103,24 @@ jlt_status jlt_picture_draw(const char *path, const char *script, const char *ke
     jlt_status st = JLT_ERR_NOMEM;
     FILE *stream;
 
+    *refused = NULL;
     if (terminal == NULL) return JLT_ERR_ARG;
     stream = open_memstream(&whole, &length);
     if (stream == NULL) return JLT_ERR_NOMEM;
     fprintf(stream, "set terminal %s\n%s", terminal, script);
     if (fclose(stream) != 0) goto done;
+    *refused = keep;
     if (keep != NULL) JLT_TRY(jlt_file_write(keep, whole, length));
+    *refused = NULL;
     JLT_TRY(draw(&data, &size, whole, length));
+    *refused = path;
     JLT_TRY(jlt_file_write(path, data, size));
 done:
-    free(data);
-    free(whole);
+    {
+        const int reason = errno;
+        free(data);
+        free(whole);
+        errno = reason;
+    }
     return st;
 }

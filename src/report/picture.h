@@ -13,8 +13,10 @@ bool jlt_picture_known(const char *path);
  *  In: script, gnuplot commands without terminal and output, data in `$NAME << EOD` blocks; keep, a path under which the
  *      whole script is kept as well (with the terminal), or NULL.
  *  The file is written whole or not at all, as by jlt_file_write.
+ *  Out: refused, on IO the file that cannot be written, with errno; NULL when gnuplot failed, and said why on standard error.
  *  Errors: ARG (another extension), UNSUPPORTED (no gnuplot to be found), IO, NOMEM.
  *  Cost: a process, about 0.1 s. */
-JLT_CHECKED jlt_status jlt_picture_draw(const char *path, const char *script, const char *keep);
+JLT_CHECKED jlt_status jlt_picture_draw(const char *path, const char *script, const char *keep,
+                                        const char **refused);
 
 #endif

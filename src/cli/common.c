@@ -1,0 +1,147 @@
+#include "cli/common.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/grid.h"
+#include "report/picture.h"
+
+enum { METHOD = 1000, KEEP };
+
+static const struct argp_option common_table[] = {
+    { NULL, 0, NULL, 0, "The system:", 10 },
+    { "set", 's', "NAME=VALUE,...", 0,
+      "Parameters; the others have the table's defaults, for the spherical top (5.1) of the paper: "
+      "m=1,R=1,g=1,I1=1/3,I3=1/3,a3=0.51", 10 },
+    { NULL, 0, NULL, 0, "Output:", 12 },
+    { "output", 'o', "FILE", 0, "Where the results go; default standard output", 12 },
+    { "plot", 'p', "FILE", 0, "Draw FILE.svg, .png or .pdf", 12 },
+    { "keep", KEEP, "FILE", 0, "Keep the picture's gnuplot script, data included", 12 },
+    { 0 },
+};
+
+static const struct argp_option accuracy_table[] = {
+    { NULL, 0, NULL, 0, "The computation:", 11 },
+    { "tol", 't', "VALUE", 0, "Tolerance of the local error; default 1e-12", 11 },
+    { "method", METHOD, "NAME", 0,
+      "gauss (default), dop853 (default where derivatives of the map are computed), taylor (derivatives by dop853), rk8pd, "
+      "rkf45, msadams", 11 },
+    { 0 },
+};
+
+static error_t parse_common(int key, char *value, struct argp_state *state)
+{
+    jlt_common *self = state->input;
+
+    switch (key) {
+    case 's': jlt_common_list(&self->set, value, "--set"); return 0;
+    case 'o': self->output = value; return 0;
+    case 'p':
+        if (!jlt_picture_known(value)) argp_error(state, "--plot: '%s' is no .svg, .png or .pdf", value);
+        self->plot = value;
+        return 0;
+    case KEEP: self->keep = value; return 0;
+    case ARGP_KEY_ARG:
+        if (self->model != NULL) argp_error(state, "one model at most: '%s' is too many", value);
+        self->model = value;
+        return 0;
+    case ARGP_KEY_END:
+        if (self->keep != NULL && self->plot == NULL)
+            argp_error(state, "--keep keeps the script of a picture: add --plot FILE");
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static void no_method(const struct argp_state *state, const char *name)
+{
+    char known[256] = "";
+    size_t used = 0;
+
+    for (size_t i = 0; jlt_method_at(i) != NULL && used < sizeof known; i++)
+        used += (size_t)snprintf(known + used, sizeof known - used, "%s %s", i == 0 ? "" : ",", jlt_method_at(i)->name);
+    argp_error(state, "--method: there is no method '%s'; there are%s", name, known);
+}
+
+static error_t parse_accuracy(int key, char *value, struct argp_state *state)
+{
+    const jlt_accuracy *self = state->input;
+
+    switch (key) {
+    case 't':
+        jlt_common_number(self->tolerance, value, "--tol");
+        if (!(*self->tolerance >= 1e-16 && *self->tolerance <= 0.1))
+            exit((int)jlt_command_fail(JLT_EXIT_INPUT, "--tol %s: a tolerance lies between 1e-16 and 0.1", value));
+        return 0;
+    case METHOD:
+        *self->method = jlt_method_find(value);
+        if (*self->method == NULL) no_method(state, value);
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+const struct argp jlt_common_argp = { common_table, parse_common, NULL, NULL, NULL, NULL, NULL };
+const struct argp jlt_accuracy_argp = { accuracy_table, parse_accuracy, NULL, NULL, NULL, NULL, NULL };
+
+void jlt_common_begin(jlt_common *self, int argc, char **argv)
+{
+    *self = (jlt_common){ .command = jlt_command_line(argc, argv) };
+}
+
+void jlt_common_end(jlt_common *self)
+{
+    jlt_assign_clear(&self->set);
+    free(self->command);
+    self->command = NULL;
+}
+
+jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params)
+{
+    return jlt_assign_model(descriptor, params, self->model != NULL ? self->model : "spherical_top", &self->set);
+}
+
+jlt_exit jlt_common_draw(const jlt_common *self, jlt_command_output *script)
+{
+    const char *refused = NULL;
+    jlt_exit code = JLT_EXIT_DONE;
+    jlt_status st = jlt_command_close(script);
+
+    if (st == JLT_OK) st = jlt_picture_draw(self->plot, script->text, self->keep, &refused);
+    if (st == JLT_ERR_UNSUPPORTED)
+        code = jlt_command_fail(JLT_EXIT_IO, "--plot: no gnuplot to be found: install gnuplot to draw pictures");
+    else if (st == JLT_ERR_IO && refused != NULL) code = jlt_command_cannot_write(refused);
+    else if (st == JLT_ERR_IO)
+        code = jlt_command_fail(JLT_EXIT_IO, "--plot: gnuplot could not draw '%s' (what it says is above)", self->plot);
+    else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "--plot: %s", jlt_status_text(st));
+    jlt_command_discard(script);
+    return code;
+}
+
+void jlt_common_list(jlt_assign_list *list, const char *text, const char *option)
+{
+    const jlt_exit code = jlt_assign_parse(list, text, option);
+
+    if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+void jlt_common_count(size_t *value, const char *text, size_t low, size_t high, const char *option)
+{
+    const jlt_exit code = jlt_grid_count(value, text, low, high, option);
+
+    if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+void jlt_common_number(double *value, const char *text, const char *option)
+{
+    const jlt_exit code = jlt_grid_number(value, text, strlen(text), option);
+
+    if (code != JLT_EXIT_DONE) exit((int)code);
+}
+
+void jlt_common_positive(double *value, const char *text, const char *option)
+{
+    jlt_common_number(value, text, option);
+    if (!(*value > 0)) exit((int)jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' is not positive", option, text));
+}

@@ -1,0 +1,42 @@
+/** What most commands share: the model with its parameters, accuracy, where results go; options, and the picture. */
+#ifndef JLT_CLI_COMMON_H
+#define JLT_CLI_COMMON_H
+
+#include <argp.h>
+
+#include "cli/assign.h"
+#include "integrate/method.h"
+
+typedef struct {
+    const char *model; /* NULL: none was named, which means the spherical top */
+    jlt_assign_list set;
+    const char *output, *plot, *keep;
+    char *command;     /* as typed, owned */
+} jlt_common;
+
+/* What --tol and --method set; in begin, they have their defaults. */
+typedef struct {
+    double *tolerance;
+    const jlt_method **method;
+} jlt_accuracy;
+
+/* Child parsers: MODEL, --set, --output, --plot, --keep with a jlt_common for input; --tol, --method with a jlt_accuracy. */
+extern const struct argp jlt_common_argp, jlt_accuracy_argp;
+
+/** To be called before argp_parse, with its argv. */
+void jlt_common_begin(jlt_common *self, int argc, char **argv);
+void jlt_common_end(jlt_common *self);
+
+/** The model's general field and its parameters, checked; params for the caller to free(). Says what is wrong. */
+jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params);
+
+/** Draw a gnuplot script to --plot, keeping it where asked; the script is discarded. Says what is wrong. */
+jlt_exit jlt_common_draw(const jlt_common *self, jlt_command_output *script);
+
+/* Values of options. Where they cannot be used, these say so and end the program, as argp does. */
+void jlt_common_list(jlt_assign_list *list, const char *text, const char *option);
+void jlt_common_count(size_t *value, const char *text, size_t low, size_t high, const char *option);
+void jlt_common_number(double *value, const char *text, const char *option);
+void jlt_common_positive(double *value, const char *text, const char *option);
+
+#endif
