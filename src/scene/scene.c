@@ -1,12 +1,10 @@
 #include "scene/scene.h"
 
-#include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "kernel/descriptor.h"
-#include "scene/value.h"
+#include "scene/source.h"
 
 enum { NAMES_MAX = 256 };
 
@@ -165,31 +163,26 @@ jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path)
     jlt_value_reader r = { path, message, NULL };
     jlt_scene *scene = NULL;
     config_t config;
-    FILE *file = NULL;
+    char *text = NULL;
 
     *out = NULL;
     *message = '\0';
     config_init(&config);
-    file = fopen(path, "r");
-    if (file == NULL) {
-        (void)jlt_value_complain(&r, 0, "%s", strerror(errno));
-        st = JLT_ERR_IO;
-        goto done;
-    }
-    if (config_read(&config, file) == CONFIG_FALSE) {
+    JLT_TRY(jlt_source_read(&text, &r));
+    if (config_read_string(&config, text) == CONFIG_FALSE) {
         st = jlt_value_complain(&r, config_error_line(&config), "%s", config_error_text(&config));
         goto done;
     }
     scene = calloc(1, sizeof *scene);
     if (scene == NULL) st = JLT_ERR_NOMEM;
     else st = read_all(&r, scene, config_root_setting(&config));
-    if (st == JLT_ERR_NOMEM) (void)jlt_value_complain(&r, 0, "out of memory");
     if (st != JLT_OK) goto done;
     *out = scene;
     scene = NULL;
 done:
+    if (st == JLT_ERR_NOMEM) (void)jlt_value_complain(&r, 0, "out of memory");
     jlt_scene_destroy(scene);
-    if (file != NULL) fclose(file);
+    free(text);
     config_destroy(&config);
     return st;
 }

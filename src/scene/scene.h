@@ -42,7 +42,7 @@ typedef struct {
 } jlt_scene;
 
 /** Read and check. message, shape (JLT_SCENE_MESSAGE_MAX,): on failure "FILE:LINE: error: ...", a whole line without the
- *  newline. Errors: IO (no such file), ARG (a bad scene), NOMEM. */
+ *  newline. Errors: IO (a file that cannot be read), ARG (a bad scene), NOMEM. */
 JLT_CHECKED jlt_status jlt_scene_read(jlt_scene **out, char *message, const char *path);
 void jlt_scene_destroy(jlt_scene *scene); /* NULL is legal */
 

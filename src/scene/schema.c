@@ -78,7 +78,7 @@ static const jlt_schema schemas[] = {
 
 static const jlt_key accuracy_keys[] = {
     { "tolerance", "tol", JLT_KEY_NUMBER, NULL },
-    { "method", "method", JLT_KEY_TEXT, "dop853|taylor|rk8pd|rkf45|msadams" },
+    { "method", "method", JLT_KEY_TEXT, JLT_KEY_METHODS },
     { "tier", "tier", JLT_KEY_TEXT, NULL },
 };
 

@@ -21,6 +21,7 @@ typedef enum {
 #define JLT_KEY_STATES "@states"           /* of the scene's model */
 #define JLT_KEY_PARAMS "@params"
 #define JLT_KEY_QUANTITIES "@quantities"   /* either */
+#define JLT_KEY_METHODS "@methods"         /* of integration */
 
 typedef struct {
     const char *key;    /* in the scene */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "ext/number.h"
+#include "integrate/method.h"
 #include "kernel/descriptor.h"
 #include "scene/scene.h"
 
@@ -37,17 +38,20 @@ static bool is_allowed(const jlt_value_reader *r, const char *allowed, const cha
     if (strcmp(allowed, JLT_KEY_PARAMS) == 0) return jlt_descriptor_param(r->model, word, &index);
     if (strcmp(allowed, JLT_KEY_QUANTITIES) == 0)
         return jlt_descriptor_state(r->model, word, &index) || jlt_descriptor_param(r->model, word, &index);
+    if (strcmp(allowed, JLT_KEY_METHODS) == 0) return jlt_method_find(word) != NULL;
     return jlt_schema_listed(allowed, word);
+}
+
+static void list_name(char *out, size_t size, const char *name)
+{
+    const size_t used = strlen(out);
+
+    snprintf(out + used, size - used, "%s%s", used > 0 ? ", " : "", name);
 }
 
 static void list_quantities(char *out, size_t size, const jlt_quantity *quantities, unsigned count)
 {
-    size_t used = strlen(out);
-
-    for (unsigned i = 0; i < count && used < size; i++) {
-        snprintf(out + used, size - used, "%s%s", used > 0 ? ", " : "", quantities[i].name);
-        used += strlen(out + used);
-    }
+    for (unsigned i = 0; i < count; i++) list_name(out, size, quantities[i].name);
 }
 
 static jlt_status check_word(const jlt_value_reader *r, const config_setting_t *at, const char *allowed, const char *name,
@@ -60,6 +64,8 @@ static jlt_status check_word(const jlt_value_reader *r, const config_setting_t *
         list_quantities(known, sizeof known, r->model->states, r->model->state_count);
     if (strcmp(allowed, JLT_KEY_PARAMS) == 0 || strcmp(allowed, JLT_KEY_QUANTITIES) == 0)
         list_quantities(known, sizeof known, r->model->params, r->model->param_count);
+    for (size_t i = 0; strcmp(allowed, JLT_KEY_METHODS) == 0 && jlt_method_at(i) != NULL; i++)
+        list_name(known, sizeof known, jlt_method_at(i)->name);
     if (known[0] == '\0') {
         snprintf(known, sizeof known, "%s", allowed);
         for (char *c = known; *c != '\0'; c++)

@@ -94,7 +94,14 @@ static void every_mistake_is_named_with_its_line(void **unused)
         { "compute = ( { what = \"section\"; direction = \"left\"; } );",
           ":1: error: 'direction' does not know 'left' (it knows up down both)" },
         { "accuracy = { method = \"euler\"; };\ncompute = ( { what = \"section\"; } );",
-          ":1: error: 'method' does not know 'euler' (it knows dop853" },
+          ":1: error: 'method' does not know 'euler' (it knows gauss, dop853" },
+        { "parameters = { a3 = 3000000000; };\ncompute = ( { what = \"section\"; } );",
+          ":1: error: the whole number 3000000000 is too large" },
+        { "compute = ( { what = \"section\"; returns = 0x80000000; } );", ":1: error: the whole number 0x80000000 is too large" },
+        { "# 99999999999\n/* 99999999999\n*/ title = \"99999999999 \\\" 99999999999\"; // 99999999999\n"
+          "parameters = { a3 = 99999999999999999999L; };\ncompute = ( { what = \"section\"; } );",
+          ":4: error: the whole number 99999999999999999999L is too large" },
+        { "title = \"@include\";\n@include \"x\"\n", ":2: error: @include" },
         { "title = \"a\";\ntitle = \"b\";\n", ":2: error: duplicate setting name" },
     };
 
@@ -107,6 +114,36 @@ static void every_mistake_is_named_with_its_line(void **unused)
         if (strncmp(message, cases[i].message, strlen(cases[i].message)) != 0)
             fail_msg("expected '%s...', got '%s'", cases[i].message, message);
     }
+}
+
+static void numbers_and_methods_are_those_of_the_commands(void **unused)
+{
+    char message[JLT_SCENE_MESSAGE_MAX];
+    jlt_scene *scene = NULL;
+
+    (void)unused;
+    assert_int_equal(read_text(&scene, message,
+                               "parameters = { m = 3000000000L; R = 1e-300; g = 99999999999.5; I1 = 2147483647; };\n"
+                               "accuracy = { method = \"gauss\"; };\n"
+                               "compute = ( { what = \"section\"; returns = 9223372036854775807L; } );\n"),
+                     JLT_OK);
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "set"), "m=3000000000,R=1e-300,g=99999999999.5,I1=2147483647");
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "method"), "gauss");
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "returns"), "9223372036854775807");
+    jlt_scene_destroy(scene);
+}
+
+static void a_file_that_cannot_be_read_is_no_bad_scene(void **unused)
+{
+    char message[JLT_SCENE_MESSAGE_MAX];
+    jlt_scene *scene = NULL;
+
+    (void)unused;
+    assert_int_equal(jlt_scene_read(&scene, message, "/tmp"), JLT_ERR_IO);
+    assert_null(scene);
+    assert_string_equal(message, "/tmp: error: Is a directory");
+    assert_int_equal(jlt_scene_read(&scene, message, "/dev/zero"), JLT_ERR_ARG); /* without an end */
+    assert_null(scene);
 }
 
 static void a_missing_file_is_an_input_error_of_its_own(void **unused)
@@ -125,6 +162,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_scene_becomes_options_of_commands_with_exact_numbers),
         cmocka_unit_test(every_mistake_is_named_with_its_line),
+        cmocka_unit_test(numbers_and_methods_are_those_of_the_commands),
+        cmocka_unit_test(a_file_that_cannot_be_read_is_no_bad_scene),
         cmocka_unit_test(a_missing_file_is_an_input_error_of_its_own),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
