@@ -108,6 +108,14 @@ static const char *condition(jlt_sign sign)
     return sign == JLT_POSITIVE ? "> 0" : sign == JLT_NONNEGATIVE ? ">= 0" : "!= 0";
 }
 
+jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, double value)
+{
+    const jlt_quantity *q = &descriptor->params[index];
+
+    return jlt_command_fail(JLT_EXIT_INPUT, "parameter %s = %.17g: %s needs %s %s", q->name, value, descriptor->model, q->name,
+                            condition(q->sign));
+}
+
 jlt_exit jlt_assign_model(const jlt_descriptor **descriptor, double **params, const char *model,
                           const jlt_assign_list *list)
 {
@@ -127,8 +135,7 @@ jlt_exit jlt_assign_model(const jlt_descriptor **descriptor, double **params, co
             code = jlt_command_fail(JLT_EXIT_INPUT, "parameter %s has no default in %s: add --set %s=VALUE",
                                     d->params[i].name, d->model, d->params[i].name);
     if (code == JLT_EXIT_DONE && jlt_descriptor_check_params(d, values, &index) != JLT_OK)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "parameter %s = %.17g: %s needs %s %s", d->params[index].name,
-                                values[index], d->model, d->params[index].name, condition(d->params[index].sign));
+        code = jlt_assign_refuse(d, index, values[index]);
     if (code != JLT_EXIT_DONE) {
         free(values);
         return code;

@@ -31,6 +31,9 @@ jlt_exit jlt_assign_apply(double *values, unsigned char *given, const jlt_assign
 /* The exact value given to a name, or NULL when there is none. */
 const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name);
 
+/** Say that parameter number `index` must not have this value, and which the table allows. */
+jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, double value);
+
 /** The model's general field, its parameters set: defaults of the table, then the list. Checks the table's conditions.
  *  Out: *descriptor; params, for the caller to free(). */
 jlt_exit jlt_assign_model(const jlt_descriptor **descriptor, double **params, const char *model,

@@ -155,39 +155,51 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
     return jlt_common_draw(&o->motion.common, &script);
 }
 
-/* NAME=LOW:HIGH; a count may follow and says nothing. */
 static jlt_exit parse_range(jlt_grid_axis *axis, const char *text)
 {
+    const char *colon = strchr(text, ':');
     char with_count[256];
-    const char *first = strchr(text, ':');
+    jlt_exit code;
 
-    snprintf(with_count, sizeof with_count, "%s%s", text, first != NULL && strchr(first + 1, ':') == NULL ? ":1" : "");
-    return jlt_grid_axis_parse(axis, with_count, strlen(with_count), "--along");
+    axis->high = axis->low;
+    snprintf(with_count, sizeof with_count, "%s:1", text);
+    if (strchr(text, '=') == NULL || colon == NULL || strchr(colon + 1, ':') != NULL) code = JLT_EXIT_DONE;
+    else code = jlt_grid_axis_parse(axis, with_count, strlen(with_count), "--along");
+    if (code == JLT_EXIT_DONE && !(axis->low < axis->high))
+        code = jlt_command_fail(JLT_EXIT_USAGE, "--along: '%s' is no range (write NAME=LOW:HIGH, LOW below HIGH)", text);
+    return code;
 }
 
-static jlt_exit run_all(sink *to, jlt_system_family *family, const jlt_grid_axis *axis, const options *o,
-                        const jlt_system *system)
+/* The orbit that the run begins with. */
+static jlt_exit find_first(jlt_continuation_point *first, jlt_system_family *family, const jlt_grid_axis *axis,
+                           const options *o, const jlt_system *system)
 {
-    const jlt_family maps = { jlt_system_map_at, family };
-    const jlt_continuation_options run = { .step = o->step, .step_max = 5 * o->step, .low = axis->low, .high = axis->high,
-                                           .points_max = o->points, .interrupt = o->motion.flow.interrupt };
-    jlt_continuation_point start = { .arc = 0 };
-    jlt_continuation_end end = JLT_CONTINUATION_RANGE;
     double q[JLT_CHART_DIM_MAX];
     jlt_map *map;
     jlt_status st;
     jlt_exit code = jlt_motion_start(q, system, o->start);
 
     if (code != JLT_EXIT_DONE) return code;
-    start.value = *jlt_system_value(&family->values, axis->name);
-    if (!(start.value >= axis->low && start.value <= axis->high))
+    *first = (jlt_continuation_point){ .value = *jlt_system_value(&family->values, axis->name) };
+    if (!(first->value >= axis->low && first->value <= axis->high))
         return jlt_command_fail(JLT_EXIT_INPUT, "--along: the run begins at %s=%.10g, outside of the range", axis->name,
-                                start.value);
-    st = jlt_system_map_at(family, &map, start.value);
-    if (st == JLT_OK) st = jlt_periodic_find(map, &start.orbit, q, o->period, NULL);
-    if (st != JLT_OK) return jlt_motion_fail(st, system, o->start);
+                                first->value);
+    st = jlt_system_map_at(family, &map, first->value);
+    if (st == JLT_OK) st = jlt_periodic_find(map, &first->orbit, q, o->period, NULL);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, o->start);
+}
+
+static jlt_exit run_all(sink *to, jlt_system_family *family, const jlt_grid_axis *axis, const jlt_continuation_point *first,
+                        const options *o, const jlt_system *system)
+{
+    const jlt_family maps = { jlt_system_map_at, family };
+    const jlt_continuation_options run = { .step = o->step, .step_max = 5 * o->step, .low = axis->low, .high = axis->high,
+                                           .points_max = o->points, .interrupt = o->motion.flow.interrupt };
+    jlt_continuation_end end = JLT_CONTINUATION_RANGE;
+    jlt_status st;
+
     to->keep = o->follow;
-    st = jlt_continuation_run(&end, &maps, &start, o->direction, &run, take, to);
+    st = jlt_continuation_run(&end, &maps, first, o->direction, &run, take, to);
     if (st == JLT_OK) fprintf(stderr, "jellett: branch 0: %s\n", ends[end]);
     if (st == JLT_OK && o->follow && end != JLT_CONTINUATION_INTERRUPT) st = follow_branches(to, &maps, &run);
     return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
@@ -201,6 +213,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
     jlt_grid_axis axis = { .count = 1 };
+    jlt_continuation_point first;
     char *points = NULL;
     size_t size;
     jlt_exit code;
@@ -209,23 +222,22 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.tolerance = 1e-13;
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && !system->is_top)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "orbits of the spherical top can be continued, those of %s not",
-                                o.motion.common.model);
+    code = jlt_motion_top(&system, &o.motion, "families to continue");
     if (code == JLT_EXIT_DONE) code = parse_range(&axis, o.along);
     if (code == JLT_EXIT_DONE && jlt_system_value(&system->values, axis.name) == NULL)
         code = jlt_command_fail(JLT_EXIT_INPUT, "--along: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axis.name);
-    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     family = (jlt_system_family){ .values = system->values, .name = axis.name, .options = o.motion.flow };
     family.options.max_steps = 20000;
+    code = find_first(&first, &family, &axis, &o, system);
+    if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
+    if (code != JLT_EXIT_DONE) goto done;
     to.file = stream.file;
     if (o.motion.common.plot != NULL) to.points = open_memstream(&points, &size);
     jlt_motion_header(stream.file, &o.motion, system);
     fprintf(stream.file, "branch,%s,arc,period,eta,gamma3,T,trace,det,mu1_re,mu1_im,mu2_re,mu2_im,symmetric,type,residual,"
                          "bifurcation\n", axis.name);
-    code = run_all(&to, &family, &axis, &o, system);
+    code = run_all(&to, &family, &axis, &first, &o, system);
     if (to.points != NULL) fclose(to.points);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);

@@ -90,6 +90,7 @@ typedef struct {
     jlt_invariants invariants;
     double start[STATES];
     jlt_progress progress;
+    unsigned drawn; /* bit k: method k has points in the picture */
 } run_state;
 
 static void write_row(run_state *r, const jlt_method *method, const sample *row, double t, size_t evaluations)
@@ -163,7 +164,8 @@ static jlt_exit run_all(run_state *r)
         const jlt_status st = follow(r, rows, &count, method);
         jlt_progress_end(&r->progress);
         if (r->points != NULL) fputs("END\n", r->points);
-        if (st == JLT_ERR_UNSUPPORTED) code = jlt_command_fail(JLT_EXIT_INPUT, "--project: not with the multistep method %s", method->name);
+        if (count > 0) r->drawn |= 1u << m;
+        if (st == JLT_ERR_UNSUPPORTED) code = jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", method->name);
         else if (st == JLT_ERR_DOMAIN)
             code = jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends at a pole: choose another --start, or fewer --returns",
                                     method->name);
@@ -192,7 +194,7 @@ static jlt_exit draw(const run_state *r, const jlt_system *system, const char *p
           "set grid\nset key top left\nplot ", stream);
     for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
         const char *name = jlt_method_at(m)->name;
-        if (!asked(r->o, jlt_method_at(m))) continue;
+        if ((r->drawn >> m & 1u) == 0) continue;
         fprintf(stream, "%s$%s using 1:2 with lines lw 2 lc %zu title '%s', $%s using 1:3 with lines dt 2 lc %zu notitle",
                 colour > 0 ? ", " : "", name, colour + 1, name, name, colour + 1);
         colour++;
@@ -236,9 +238,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_motion_begin(&o.motion, argc, argv);
     o.motion.flow.method = NULL;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && !system->is_top)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "E and G are integrals of the spherical top, not of %s", o.motion.common.model);
+    code = jlt_motion_top(&system, &o.motion, "E and G");
     if (code == JLT_EXIT_DONE) code = open_five(&r, &instance, system);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
@@ -254,7 +254,7 @@ static jlt_exit run(int argc, char **argv)
         if (closed != JLT_EXIT_DONE) code = closed;
         else if (jlt_motion_interrupted(&o.motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream.path);
     }
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&r, system, points);
+    if (code == JLT_EXIT_DONE && r.drawn != 0 && points != NULL) code = draw(&r, system, points);
 done:
     jlt_stream_discard(&stream);
     jlt_instance_destroy(instance);

@@ -98,7 +98,7 @@ static jlt_exit follow_all(shares *sum, FILE *file, FILE *points, const options 
     double q[JLT_CHART_DIM_MAX];
     jlt_fates_end end;
     size_t all, i;
-    jlt_exit code = jlt_motion_axes(axes, system, grid);
+    jlt_exit code = jlt_motion_axes(axes, system, grid, "--grid");
     jlt_status st = code == JLT_EXIT_DONE ? jlt_section_create(&section, &system->flow) : JLT_OK;
 
     if (st != JLT_OK) code = jlt_motion_fail(st, system, "section");
@@ -157,7 +157,7 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
     char how[128] = "points pt 5 ps 0.7";
     bool first = true;
     FILE *stream;
-    jlt_exit code = jlt_motion_axes(axes, system, grid);
+    jlt_exit code = jlt_motion_axes(axes, system, grid, "--grid");
 
     if (code != JLT_EXIT_DONE) return code;
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
@@ -198,6 +198,8 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
     code = follow_all(&sum, stream->file, copy, o, system, &progress, 0, 0);
     jlt_progress_end(&progress);
     if (copy != NULL) fclose(copy);
+    if (code == JLT_EXIT_DONE && sum.all.starts == 0 && sum.empty > 0)
+        code = jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_stream_close(stream);
     if (code == JLT_EXIT_DONE) {
         if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream->path);
@@ -291,15 +293,17 @@ static jlt_exit run(int argc, char **argv)
     options o = { .returns = 200 };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_exit code;
 
     o.starts = calloc((size_t)argc, sizeof *o.starts);
     if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
-    code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && !system->is_top)
-        code = jlt_command_fail(JLT_EXIT_INPUT, "fates are those of the spherical top, and %s has no poles", o.motion.common.model);
+    o.motion.tells_contact = true;
+    code = jlt_motion_top(&system, &o.motion, "fates");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(axes, system, o.grid, "--grid");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code == JLT_EXIT_DONE) code = o.sweep != NULL ? sweep(&stream, &o, system) : one_system(&stream, &o, system);
     jlt_stream_discard(&stream);

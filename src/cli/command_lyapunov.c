@@ -28,6 +28,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'a': o->start = value; return 0;
     case 'g': o->grid = value; return 0;
     case 'n': jlt_common_count(&o->returns, value, 1, 1000000000000, "--returns"); return 0;
+    case ARGP_KEY_END:
+        if (o->start != NULL && o->grid != NULL) argp_error(state, "--start and --grid exclude each other");
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -153,7 +156,7 @@ static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, optio
     double q[JLT_CHART_DIM_MAX], exponent, t;
     FILE *copy = NULL;
     size_t all, size;
-    jlt_exit code = jlt_motion_axes(axes, system, o->grid);
+    jlt_exit code = jlt_motion_axes(axes, system, o->grid, "--grid");
 
     if (code != JLT_EXIT_DONE) return code;
     if (o->returns == 0) o->returns = 10;
@@ -181,7 +184,7 @@ static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, optio
 
 static jlt_exit run(int argc, char **argv)
 {
-    options o = { .start = "eta=0.1,gamma3=-0.6" };
+    options o = { .start = NULL };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
     jlt_map *map = NULL;
@@ -193,6 +196,11 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE && o.start == NULL && o.grid == NULL) {
+        if (system->is_top) o.start = "eta=0.1,gamma3=-0.6";
+        else code = jlt_command_fail(JLT_EXIT_USAGE, "say where to start: --start or --grid");
+    }
+    if (code == JLT_EXIT_DONE && o.start != NULL) code = jlt_motion_check_starts(system, &o.start, 1);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (o.grid != NULL) system->flow.max_steps = 20000;

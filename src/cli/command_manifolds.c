@@ -46,6 +46,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case SEED: jlt_common_positive(&o->seed, value, "--seed"); return 0;
     case CROSSINGS: o->points = value; return 0;
     case NO_CROSSINGS: o->no_crossings = true; return 0;
+    case ARGP_KEY_END:
+        if (o->no_crossings && o->points != NULL) argp_error(state, "--crossings and --no-crossings exclude each other");
+        if (jlt_common_two_tables(&o->motion.common, o->points)) argp_error(state, "two tables on standard output: name a file for --crossings");
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -213,6 +217,8 @@ static jlt_exit save(const options *o, const jlt_system *system, const portrait 
         write_crossings(stream.file, p, "");
         code = jlt_stream_close(&stream);
     }
+    if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
+        fprintf(stderr, "jellett: interrupted; the branches as far as they have grown are saved in %s\n", stream.path);
     if (code == JLT_EXIT_DONE && o->motion.common.plot != NULL) code = draw(o, system, p, saddle);
     return code;
 }

@@ -45,6 +45,11 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case LINE: o->line = value; return 0;
     case HOLD: o->hold = value; return 0;
     case 'a': o->start = value; return 0;
+    case ARGP_KEY_END:
+        if (o->start == NULL && o->line != NULL) argp_error(state, "--line goes through a point: add --start");
+        if (o->start == NULL && o->hold != NULL) argp_error(state, "--hold keeps coordinates of --start: add it");
+        if (o->start != NULL && o->grid != NULL) argp_error(state, "--start and --grid exclude each other");
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -152,6 +157,8 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, con
     code = jlt_grid_axis_parse(&axis, o->line, strlen(o->line), "--line");
     if (code != JLT_EXIT_DONE) return code;
     while (line.free < chart->dim && strcmp(chart->names[line.free], axis.name) != 0) line.free++;
+    if (line.free == chart->dim)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--line: the section has no coordinate '%s'", axis.name);
     line.low = axis.low, line.high = axis.high, line.samples = axis.count;
     st = jlt_orbits_search(list, map, &search);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "--line");
@@ -166,7 +173,8 @@ static jlt_exit search_all(jlt_orbits *list, jlt_map *map, const options *o, con
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_progress progress;
     jlt_status st;
-    jlt_exit code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : system->is_top ? "40x40" : NULL);
+    jlt_exit code = jlt_motion_axes(axes, system, no_grid ? NULL : o->grid != NULL ? o->grid : system->is_top ? "40x40" : NULL,
+                                    "--grid");
 
     if (code != JLT_EXIT_DONE) return code;
     for (unsigned k = 0; k < chart->dim; k++) {
@@ -233,8 +241,6 @@ static jlt_exit run(int argc, char **argv)
     o.motion.flow.method = jlt_map_method();
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     code = jlt_motion_system(&system, &o.motion);
-    if (code == JLT_EXIT_DONE && o.line != NULL && o.start == NULL)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "--line goes through a point: add --start");
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     system->flow.max_steps = 20000;

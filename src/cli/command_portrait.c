@@ -31,6 +31,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case ORBITS: jlt_common_count(&r->orbits, value, 0, 100000, "--orbits"); return 0;
     case UNTIL: jlt_common_positive(&r->until, value, "--until"); return 0;
     case TRAJECTORIES: r->trajectories = value; return 0;
+    case ARGP_KEY_END:
+        if (jlt_common_two_tables(&r->session.common, r->trajectories))
+            argp_error(state, "two tables on standard output: name a file for --trajectories");
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }

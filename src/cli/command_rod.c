@@ -17,13 +17,14 @@ typedef struct {
     double *targets[AXES_MAX]; /* what an axis runs over: an entry of the session's params or x */
     size_t axis_count;
     const char *sweep;
+    size_t rows;
     bool check;
     FILE *points;
 } request;
 
 static const struct argp_option option_table[] = {
     { "sweep", SWEEP, "NAME=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
-    { "check", CHECK, NULL, 0, "Integrate over the period as well: columns with what is left", 1 },
+    { "check", CHECK, NULL, 0, "Integrate over the period as well (--tol, here 1e-15 by default): columns with what is left", 1 },
     { 0 },
 };
 
@@ -53,6 +54,20 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
+/* Parameters are positive or not negative by the table: what holds at both ends of an axis holds between them. */
+static jlt_exit check_end(request *r, double *target, double value)
+{
+    const jlt_descriptor *d = r->session.descriptor;
+    const double before = *target;
+    size_t index = 0;
+    jlt_exit code = JLT_EXIT_DONE;
+
+    *target = value;
+    if (jlt_descriptor_check_params(d, r->session.params, &index) != JLT_OK) code = jlt_assign_refuse(d, index, value);
+    *target = before;
+    return code;
+}
+
 static jlt_exit bind_axes(request *r)
 {
     jlt_session *s = &r->session;
@@ -67,6 +82,8 @@ static jlt_exit bind_axes(request *r)
         else if (jlt_descriptor_param(s->descriptor, r->axes[k].name, &index)) r->targets[k] = &s->params[index];
         else if (jlt_descriptor_state(s->descriptor, r->axes[k].name, &index)) r->targets[k] = &s->x[index];
         else code = jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no state or parameter '%s'", r->axes[k].name);
+        if (code == JLT_EXIT_DONE) code = check_end(r, r->targets[k], r->axes[k].low);
+        if (code == JLT_EXIT_DONE) code = check_end(r, r->targets[k], r->axes[k].high);
     }
     return code;
 }
@@ -76,7 +93,7 @@ static jlt_status integrate(double defects[3], const request *r, const jlt_rod *
 {
     const jlt_session *s = &r->session;
     const jlt_question question = { s->descriptor, s->params, s->x, false, false, "level" };
-    const jlt_course_options options = { .method = s->method, .tolerance = 1e-15, .interrupt = s->interrupt };
+    const jlt_course_options options = { .method = s->method, .tolerance = s->tolerance, .interrupt = s->interrupt };
     const double pi = acos(-1), *x = s->x;
     jlt_plan plan;
     jlt_course *course = NULL;
@@ -97,21 +114,36 @@ done:
     return st;
 }
 
+static jlt_status open_rod(jlt_rod *rod, const request *r)
+{
+    jlt_top top;
+    const jlt_status st = jlt_top_read(&top, r->session.descriptor, r->session.params);
+
+    return st == JLT_OK ? jlt_rod_open(rod, &top, r->session.x) : st;
+}
+
+/* Without a sweep the one row there is must have a value. */
+static jlt_exit check_start(const request *r)
+{
+    jlt_rod rod;
+    const jlt_status st = r->axis_count > 0 ? JLT_OK : open_rod(&rod, r);
+
+    if (st == JLT_OK) return JLT_EXIT_DONE;
+    if (st != JLT_ERR_DOMAIN) return jlt_session_fail(st, "the quadrature");
+    return jlt_command_fail(JLT_EXIT_INPUT, "G = 0: the orbit runs through the poles, and there is no quadrature for it "
+                                            "(give omega_n a value other than 0)");
+}
+
 static jlt_exit write_row(FILE *file, request *r)
 {
     double values[AXES_MAX + 16];
     size_t count = 0;
-    jlt_top top;
     jlt_rod rod;
-    jlt_status st = jlt_top_read(&top, r->session.descriptor, r->session.params);
+    jlt_status st = open_rod(&rod, r);
 
     for (size_t k = 0; k < r->axis_count; k++) values[count++] = *r->targets[k];
-    if (st == JLT_OK) st = jlt_rod_open(&rod, &top, r->session.x);
-    if (st == JLT_ERR_DOMAIN && r->axis_count > 0) { /* G = 0 or |gamma3| >= 1: a point of the grid without a value */
+    if (st == JLT_ERR_DOMAIN) { /* G = 0 or |gamma3| >= 1: a point of the grid without a value */
         while (count < r->axis_count + 7 + (r->check ? 3 : 0)) values[count++] = NAN;
-    } else if (st == JLT_ERR_DOMAIN) {
-        return jlt_command_fail(JLT_EXIT_INPUT, "G = 0: the orbit runs through the poles, and there is no quadrature for it "
-                                                "(give omega_n a value other than 0)");
     } else {
         if (st != JLT_OK) return jlt_session_fail(st, "the quadrature");
         const double row[] = { rod.E1, rod.E2, rod.G, rod.below - 1, 1 - rod.above, rod.period, jlt_rod_rotation(&rod) };
@@ -145,8 +177,8 @@ static jlt_exit write_rows(FILE *file, request *r)
     }
     fprintf(file, "E1,E2,G,gamma3_low,gamma3_high,period,rotation%s\n",
             r->check ? ",defect_gamma3,defect_turn,defect_state" : "");
-    for (size_t i = 0; code == JLT_EXIT_DONE && i < all && !jlt_session_interrupted(&r->session); i++) {
-        size_t index = i;
+    for (; code == JLT_EXIT_DONE && r->rows < all && !jlt_session_interrupted(&r->session); r->rows++) {
+        size_t index = r->rows;
         for (size_t k = 0; k < r->axis_count; k++) {
             *r->targets[k] = jlt_grid_value(&r->axes[k], index % r->axes[k].count, 0);
             index /= r->axes[k].count;
@@ -182,6 +214,7 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code;
 
     jlt_session_begin(&r.session, argc, argv);
+    r.session.tolerance = 1e-15;
     argp_parse(&parser, argc, argv, 0, NULL, &r);
     if (r.session.common.model != NULL && strcmp(r.session.common.model, "spherical_top") != 0)
         code = jlt_command_fail(JLT_EXIT_INPUT, "the quadratures are those of spherical_top, not of %s", r.session.common.model);
@@ -196,6 +229,7 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = bind_axes(&r);
     if (code == JLT_EXIT_DONE && r.session.common.plot != NULL && r.axis_count != 1)
         code = jlt_command_fail(JLT_EXIT_USAGE, "--plot draws against what one --sweep runs over");
+    if (code == JLT_EXIT_DONE) code = check_start(&r);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, r.session.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (r.session.common.plot != NULL) r.points = open_memstream(&points, &size);
@@ -203,6 +237,8 @@ static jlt_exit run(int argc, char **argv)
     if (r.points != NULL) fclose(r.points);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);
+    if (code == JLT_EXIT_DONE && jlt_session_interrupted(&r.session))
+        fprintf(stderr, "jellett: interrupted; %zu whole rows are saved in %s\n", r.rows, stream.path);
     if (code == JLT_EXIT_DONE && points != NULL) code = draw(&r, points);
 done:
     jlt_stream_discard(&stream);

@@ -15,6 +15,7 @@ typedef struct {
     const char **starts;
     size_t start_count;
     const char *grid;
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX]; /* of the grid */
     size_t returns;
     int time_direction;
     bool check;
@@ -194,16 +195,14 @@ static jlt_exit closing_words(const totals *sum, const options *o, const jlt_str
 /* The whole section, or a third more than the grid that was named. */
 static void frame(FILE *stream, const options *o, const jlt_system *system)
 {
-    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
-
-    if (o->grid == NULL || jlt_motion_axes(axes, system, o->grid) != JLT_EXIT_DONE) return;
+    if (o->grid == NULL) return;
     if (strchr(o->grid, '=') == NULL) {
         if (system->is_top) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
         return;
     }
     for (unsigned k = 0; k < 2; k++) {
-        const double more = (axes[k].high - axes[k].low) / 6;
-        if (more > 0) fprintf(stream, "set %crange [%.9g:%.9g]\n", k == 0 ? 'x' : 'y', axes[k].low - more, axes[k].high + more);
+        const double low = o->axes[k].low, high = o->axes[k].high, more = (high - low) / 6;
+        if (more > 0) fprintf(stream, "set %crange [%.9g:%.9g]\n", k == 0 ? 'x' : 'y', low - more, high + more);
     }
 }
 
@@ -254,23 +253,22 @@ static void column_names(FILE *file, const options *o, const jlt_system *system)
 /* All starts, those of --start first. */
 static jlt_exit run_all(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system)
 {
-    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     jlt_section *section = NULL;
     jlt_progress progress;
     double q[JLT_CHART_DIM_MAX];
     size_t grid = 0, all, i;
-    jlt_exit code = jlt_motion_axes(axes, system, o->grid);
-    jlt_status st = code == JLT_EXIT_DONE ? jlt_section_create(&section, &system->flow) : JLT_OK;
+    jlt_exit code = JLT_EXIT_DONE;
+    jlt_status st = jlt_section_create(&section, &system->flow);
 
     if (st == JLT_OK && o->check) st = jlt_map_create(&sum->map, &system->flow);
     if (st != JLT_OK) code = jlt_motion_fail(st, system, "section");
-    if (o->grid != NULL) grid = jlt_motion_grid_size(axes, system);
+    if (o->grid != NULL) grid = jlt_motion_grid_size(o->axes, system);
     all = o->start_count + grid;
     jlt_progress_start(&progress, "returns");
     for (i = 0; code == JLT_EXIT_DONE && i < all && !jlt_motion_interrupted(&o->motion); i++) {
         const char *what = i < o->start_count ? o->starts[i] : "a start of the grid";
         if (i < o->start_count) code = jlt_motion_start(q, system, o->starts[i]);
-        else jlt_motion_grid_point(q, axes, system, i - o->start_count);
+        else jlt_motion_grid_point(q, o->axes, system, i - o->start_count);
         if (code != JLT_EXIT_DONE) break;
         st = run_orbit(sum, stream, o, system, section, q, &progress, all);
         if (i >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) sum->empty++;
@@ -279,6 +277,7 @@ static jlt_exit run_all(totals *sum, jlt_stream *stream, const options *o, const
     }
     jlt_progress_end(&progress);
     jlt_section_destroy(section);
+    if (code == JLT_EXIT_DONE && sum->orbits == 0 && sum->empty > 0) code = jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
     return code;
 }
 
@@ -296,7 +295,10 @@ static jlt_exit run(int argc, char **argv)
     if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    o.motion.tells_contact = true;
     code = jlt_motion_system(&system, &o.motion);
+    if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.grid, "--grid");
+    if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (o.motion.common.plot != NULL) sum.points = open_memstream(&points, &size);

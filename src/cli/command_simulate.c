@@ -121,10 +121,11 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     if (st == JLT_ERR_UNSUPPORTED && tier != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", tier, plan->candidates[plan->chosen].refusal);
     if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
+    if (st == JLT_ERR_UNSUPPORTED && options.project && s->method->multistep)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", s->method->name);
     if (st == JLT_ERR_UNSUPPORTED && options.project)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--project: not with the tier %s (it serves up to %d integrals) or not with the method %s (one-step "
-                                "methods alone); leave it out, or choose another",
-                                jlt_plan_tier(plan), JLT_INVARIANTS_MAX, s->method->name);
+        return jlt_command_fail(JLT_EXIT_INPUT, "--project: not with the tier %s, which has more than %d integrals",
+                                jlt_plan_tier(plan), JLT_INVARIANTS_MAX);
     if (st == JLT_ERR_UNSUPPORTED)
         return jlt_command_fail(JLT_EXIT_INPUT, "the kernels of %s have not what the method %s needs", s->descriptor->model,
                                 s->method->name);

@@ -102,6 +102,16 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
     return jlt_assign_model(descriptor, params, self->model != NULL ? self->model : "spherical_top", &self->set);
 }
 
+static bool is_standard_output(const char *path)
+{
+    return path == NULL || strcmp(path, "-") == 0;
+}
+
+bool jlt_common_two_tables(const jlt_common *self, const char *path)
+{
+    return path != NULL && is_standard_output(path) && is_standard_output(self->output);
+}
+
 jlt_exit jlt_common_draw(const jlt_common *self, jlt_command_output *script)
 {
     const char *refused = NULL;

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -72,6 +73,7 @@ jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t lengt
 jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option)
 {
     jlt_exit code = JLT_EXIT_DONE;
+    const bool named = *count == room;
     size_t i = 0;
 
     if (strchr(text, '=') == NULL) {
@@ -92,8 +94,10 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
         code = jlt_grid_axis_parse(&axis, text, length, option);
         if (code != JLT_EXIT_DONE) break;
         while (at < *count && strcmp(axes[at].name, axis.name) != 0) at++;
-        if (at == *count && *count == room)
+        if (at == *count && named)
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no coordinate '%s' here", option, axis.name);
+        if (at == *count && *count == room)
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: more than %zu names", option, room);
         if (at == *count) ++*count;
         axes[at] = axis;
         text += length;

@@ -98,6 +98,11 @@ static jlt_exit top_system(jlt_system **system, const jlt_motion_options *option
     const jlt_assign_list *const lists[] = { &options->common.set, &options->level };
     jlt_status st;
 
+    if (options->section != NULL || options->mirror != NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE,
+                                "--section and --mirror are for other models: that of the spherical top is omega_tau = 0");
+    if (strcmp(options->contact, "report") == 0 && !options->tells_contact)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--contact report: only section and fates have a column for it");
     for (size_t k = 0; k < 2; k++)
         for (size_t i = 0; i < lists[k]->count; i++) {
             const jlt_assignment *item = &lists[k]->items[i];
@@ -140,6 +145,13 @@ static jlt_exit mirror_signs(int *signs, const jlt_descriptor *d, const char *te
     return JLT_EXIT_DONE;
 }
 
+static jlt_exit read_section(jlt_grid_axis *section, const char *text)
+{
+    if (strchr(text, '=') == NULL || strchr(text, ':') != NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--section: '%s' is no section (write STATE=VALUE)", text);
+    return jlt_grid_axis_parse(section, text, strlen(text), "--section");
+}
+
 static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *options)
 {
     const jlt_descriptor *descriptor;
@@ -154,7 +166,10 @@ static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *opti
     if (code != JLT_EXIT_DONE) return code;
     if (options->section == NULL)
         code = jlt_command_fail(JLT_EXIT_USAGE, "say which section of %s: --section STATE=VALUE", descriptor->model);
-    else code = jlt_grid_axis_parse(&section, options->section, strlen(options->section), "--section");
+    else if (options->level.count > 0 || strcmp(options->contact, "ignore") != 0)
+        code = jlt_command_fail(JLT_EXIT_USAGE, "--%s is for the spherical top, not for %s",
+                                options->level.count > 0 ? "level" : "contact", descriptor->model);
+    else code = read_section(&section, options->section);
     if (code == JLT_EXIT_DONE && !jlt_descriptor_state(descriptor, section.name, &column))
         code = jlt_command_fail(JLT_EXIT_INPUT, "--section: %s has no state '%s'", descriptor->model, section.name);
     if (code == JLT_EXIT_DONE && descriptor->state_count > JLT_CHART_STATES_MAX)
@@ -170,14 +185,22 @@ static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *opti
     return code;
 }
 
+static bool is_top(const char *model)
+{
+    return model == NULL || strcmp(model, "spherical_top") == 0 || strcmp(model, "spherical_top_level") == 0;
+}
+
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options)
 {
-    const char *model = options->common.model;
-
     *system = NULL;
-    if (model == NULL || strcmp(model, "spherical_top") == 0 || strcmp(model, "spherical_top_level") == 0)
-        return top_system(system, options);
-    return plane_system(system, options);
+    return is_top(options->common.model) ? top_system(system, options) : plane_system(system, options);
+}
+
+jlt_exit jlt_motion_top(jlt_system **system, const jlt_motion_options *options, const char *what)
+{
+    *system = NULL;
+    if (is_top(options->common.model)) return top_system(system, options);
+    return jlt_command_fail(JLT_EXIT_INPUT, "%s are those of the spherical top, not of %s", what, options->common.model);
 }
 
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what)
@@ -206,12 +229,12 @@ static unsigned coordinate(const jlt_chart *chart, const char *name)
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
 {
     const jlt_chart *chart = system->flow.chart;
-    jlt_grid_axis axes[JLT_CHART_DIM_MAX];
+    jlt_grid_axis axes[JLT_CHART_DIM_MAX + 1];
     bool given[JLT_CHART_DIM_MAX] = { false };
     size_t count = 0;
-    jlt_exit code = strchr(text, '=') == NULL
+    jlt_exit code = strchr(text, '=') == NULL || strchr(text, ':') != NULL
                         ? jlt_command_fail(JLT_EXIT_USAGE, "--start: '%s' is no start (write NAME=VALUE,...)", text)
-                        : jlt_grid_parse(axes, &count, chart->dim, text, "--start");
+                        : jlt_grid_parse(axes, &count, chart->dim + 1, text, "--start");
 
     for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
         const unsigned k = coordinate(chart, axes[i].name);
@@ -225,7 +248,23 @@ jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text)
     return code;
 }
 
-jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text)
+jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count)
+{
+    jlt_section *section = NULL;
+    double q[JLT_CHART_DIM_MAX];
+    jlt_status st = jlt_section_create(&section, &system->flow);
+    jlt_exit code = st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "section");
+
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) {
+        code = jlt_motion_start(q, system, starts[i]);
+        if (code == JLT_EXIT_DONE) st = jlt_section_start(section, NULL, q, 1);
+        if (code == JLT_EXIT_DONE && st != JLT_OK) code = jlt_motion_fail(st, system, starts[i]);
+    }
+    jlt_section_destroy(section);
+    return code;
+}
+
+jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option)
 {
     const jlt_chart *chart = system->flow.chart;
     size_t count = chart->dim;
@@ -243,7 +282,7 @@ jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const ch
             axes[1].high = high - (high - low) / 200;
         }
     }
-    return text == NULL ? JLT_EXIT_DONE : jlt_grid_parse(axes, &count, chart->dim, text, "--grid");
+    return text == NULL ? JLT_EXIT_DONE : jlt_grid_parse(axes, &count, chart->dim, text, option);
 }
 
 size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system)

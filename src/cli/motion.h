@@ -15,6 +15,7 @@ typedef struct {
     jlt_assign_list level;
     jlt_flow flow;
     const char *contact; /* ignore (default), report, end */
+    bool tells_contact;  /* the command has a column for `report` */
 } jlt_motion_options;
 
 /* Child parser, the options of common.h with it; its input is a jlt_motion_options. */
@@ -28,11 +29,18 @@ void jlt_motion_end(jlt_motion_options *options);
 /** The system that the options describe. Says what is wrong. */
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options);
 
+/** The same for a command that knows the spherical top alone; what: its subject, in the plural. */
+jlt_exit jlt_motion_top(jlt_system **system, const jlt_motion_options *options, const char *what);
+
 /** One start, NAME=VALUE,... for all coordinates of the section. */
 jlt_exit jlt_motion_start(double *q, const jlt_system *system, const char *text);
 
-/** Default axes of a grid over the section: angles over their period, gamma3 over the interval of the levels. */
-jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text);
+/** Whether an orbit can begin at each of these starts, before anything is written. Says what is wrong. */
+jlt_exit jlt_motion_check_starts(const jlt_system *system, const char *const *starts, size_t count);
+
+/** Axes of a grid over the section: as in `text`, by default angles over their period, gamma3 over the interval of the
+ *  levels. */
+jlt_exit jlt_motion_axes(jlt_grid_axis *axes, const jlt_system *system, const char *text, const char *option);
 
 /** Grid point number `index` (the first coordinate runs fastest), or the number of points. */
 void jlt_motion_grid_point(double *q, const jlt_grid_axis *axes, const jlt_system *system, size_t index);

@@ -82,6 +82,24 @@ for signal in INT TERM KILL; do
     cmp -s <(grep -v '^#' "$scratch/d/out") <(head -n "$lines" "$scratch/rows" | grep -v '^#') ||
         fail "SIG$signal: section's rows are not the first ones of a whole run"
 done
+# Others say as well what is saved, and draw what there is.
+at=gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0
+for command in "drift --returns 10000000" "rod --start $at --sweep omega_n=1:2:10000000" "manifolds --length 100"; do
+    rm -rf "$scratch/d"
+    mkdir "$scratch/d"
+    set -m
+    # shellcheck disable=SC2086
+    jellett $command --output "$scratch/d/out" --plot "$scratch/d/p.svg" > /dev/null 2> "$scratch/err" &
+    job=$!
+    set +m
+    sleep 0.5
+    kill -INT $job
+    wait $job 2> /dev/null
+    code=$?
+    [ $code -eq 130 ] || fail "SIGINT: $command ends with $code"
+    [ "$(ls -A "$scratch/d" | tr '\n' ' ')" = "out p.svg " ] || fail "SIGINT: $command leaves '$(ls -A "$scratch/d")'"
+    grep -q "interrupted; .*saved in $scratch/d/out" "$scratch/err" || fail "SIGINT: $command says '$(cat "$scratch/err")'"
+done
 for command in "section --start eta=0.1,gamma3=-0.6 --returns 5" "orbits --period 1 --grid 0x0 --samples 20" \
     "simulate --start gamma3=-0.6,v_nu=0.5,omega_tau=0.3,omega_n=1,omega3=0.8 --until 1 --every 0.1" measure; do
     # shellcheck disable=SC2086

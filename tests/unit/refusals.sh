@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# What a command cannot use it refuses before it writes anything: nothing on standard output, no file, and a message that
+# names the option and says what to write. No option is accepted and then ignored.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+status=0
+fail() { echo "$*"; status=1; }
+
+refuse() { # STATUS WORDS COMMAND...: WORDS is a pattern for the message
+    local want=$1 words=$2 code
+    shift 2
+    "$@" > "$scratch/.out" 2> "$scratch/.err" < /dev/null
+    code=$?
+    [ $code -eq "$want" ] || fail "$*: status $code, not $want"
+    [ ! -s "$scratch/.out" ] || fail "$*: writes to standard output before it refuses"
+    grep -qE -- "$words" "$scratch/.err" || fail "$*: says '$(head -c 300 "$scratch/.err")', not '$words'"
+    [ "$(ls)" = folder ] || { fail "$*: leaves $(ls)"; find . -name '[a-z]*' ! -name folder -delete; }
+}
+
+mkdir folder
+start=gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0
+point=eta=0.1,gamma3=-0.6
+
+# A start that no row can begin with.
+for command in section fates "lyapunov --returns 5" "continue --along E=2:2.2" "drift --returns 2" \
+    "orbits --period 1" "manifolds --length 0.01"; do
+    # shellcheck disable=SC2086
+    {
+        refuse 3 "gamma3 must lie strictly between -1 and 1" jellett $command --start eta=0.1,gamma3=1
+        refuse 3 "gamma3 must lie strictly between -1 and 1" jellett $command --start eta=0.1,gamma3=-1
+        refuse 3 "'nan' is no finite number" jellett $command --start eta=0.1,gamma3=nan
+        refuse 3 "give gamma3 as well" jellett $command --start eta=0.1
+        refuse 3 "no coordinate 'x'" jellett $command --start "x=1,$point"
+        refuse 2 "is no start" jellett $command --start eta=0.1,gamma3=-0.6:-0.5:3
+    }
+done
+refuse 3 "gamma3 must lie" jellett section --start "$point" --start eta=0,gamma3=2
+refuse 3 "--grid: no state has these levels" jellett section --grid gamma3=2:3:3 --output rows
+refuse 3 "--grid: no state has these levels" jellett fates --grid gamma3=2:3:3 --output rows
+refuse 3 "no coordinate 'x'" jellett section --grid x=0:1:3
+refuse 3 "G = 0" jellett rod --start gamma3=0.2,v_nu=0,omega_tau=0,omega_n=0,omega3=0
+refuse 2 "say where to start" jellett lyapunov lorenz --section z=27
+
+# Ranges.
+for range in E E=1 E=1:2:5 E=2:1; do refuse 2 "is no range \(write NAME=LOW:HIGH, LOW below HIGH\)" jellett continue --along $range; done
+refuse 3 "outside of the range" jellett continue --along E=3:4
+refuse 3 "I1 = -1: spherical_top needs I1 > 0" jellett rod --start "$start" --sweep I1=-1:1:3
+refuse 3 "--sweep: more than 3 names" jellett rod --start "$start" --sweep v_nu=0:1:2,omega_n=1:2:2,gamma3=0:1:2,I1=1:2:2
+refuse 3 "--cells: '0' is no whole number" jellett separation --grid 2x2 --cells 0x0
+refuse 3 "--near: '-1' is not positive" jellett orbits --near -1
+refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z
+refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z=1:2:3
+
+# Options that say nothing here.
+refuse 2 "--section and --mirror are for other models" jellett section --start "$point" --section gamma3=0
+refuse 2 "--section and --mirror are for other models" jellett section --start "$point" --mirror v_nu
+refuse 2 "--level is for the spherical top" jellett section lorenz --start x=1,y=1 --section z=27 --level E=1
+refuse 2 "--contact is for the spherical top" jellett section lorenz --start x=1,y=1 --section z=27 --contact report
+refuse 2 "only section and fates" jellett orbits --contact report
+refuse 2 "--hold keeps coordinates of --start" jellett orbits --hold eta
+refuse 2 "--start and --grid exclude each other" jellett orbits --start "$point" --grid 3x3
+refuse 2 "--start and --grid exclude each other" jellett lyapunov --start "$point" --grid 3x3
+refuse 3 "--line: the section has no coordinate 'x'" jellett orbits --start "$point" --line x=0:1:3
+refuse 2 "exclude each other" jellett manifolds --no-crossings --crossings file
+refuse 2 "--times and --until exclude each other" jellett simulate --start "$start" --times 1 --until 2
+refuse 2 "two tables" jellett portrait --level E=1,G=-0.2,F0=0.15 --trajectories -
+refuse 2 "two tables" jellett manifolds --length 0.01 --crossings -
+refuse 3 "--project: one-step methods alone, not the multistep method msadams" jellett simulate --start "$start" --until 1 --project --method msadams
+for command in fates "continue --along E=1:2" drift; do
+    # shellcheck disable=SC2086
+    refuse 3 "of the spherical top, not of lorenz" jellett $command lorenz
+done
+
+# The file that cannot be written is the one that is named.
+refuse 5 "cannot write 'none/script'" jellett measure --set I3=0 --plot folder/p.svg --keep none/script --output folder/out
+refuse 5 "cannot write 'none/p.svg'" jellett measure --set I3=0 --plot none/p.svg --output folder/out
+[ -z "$(ls folder)" ] || fail "left in the folder: $(ls folder)"
+refuse 5 "Is a directory" jellett run folder
+refuse 5 "Is a directory" jellett plan folder
+exit $status
