@@ -153,7 +153,7 @@ def peer(row):
 
 
 def section(results, kind, table, title):
-    rows = [row for row in read(f"{results}/{table}.csv") if not row["form"].endswith("_t")]
+    rows = read(f"{results}/{table}.csv")
     if not rows:
         return
     groups = [(f"{who}, {how}", lambda row, c=chosen, lifted=lifted: c(row) and (row["form"] in LIFTED) == lifted)
