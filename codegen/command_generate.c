@@ -79,12 +79,24 @@ static bool is_failed(const ttc_output *output)
     return failed;
 }
 
+static void complain(const char *file, const ttc_model *model, const ttc_output *output)
+{
+    const ttc_graph_status error = ttc_graph_error(model->graph);
+    fprintf(stderr, "%s: error: cannot generate kernels: ", file);
+    if (output->taken != NULL)
+        fprintf(stderr, "'%s' would be written twice (tables, and variants, times and eliminations of one, need names of their own)\n",
+                output->taken);
+    else if (error != TTC_GRAPH_OK) fprintf(stderr, "%s\n", ttc_graph_status_text(error));
+    else fprintf(stderr, "%s\n", output->failed ? "out of memory" : "a number is beyond double precision, or memory is out");
+}
+
 static int write_files(const ttc_output *output, const char *folder)
 {
     const char *where = NULL;
     int error = ttc_output_write(output, folder, &where);
     if (error == 0) return TTC_EXIT_DONE;
-    fprintf(stderr, "ttc: cannot write %s below %s: %s; nothing was changed\n", where, folder, strerror(error));
+    if (where == folder) fprintf(stderr, "ttc: cannot make the folder %s: %s (the one above it must exist)\n", folder, strerror(error));
+    else fprintf(stderr, "ttc: cannot write %s below %s: %s; nothing was changed\n", where, folder, strerror(error));
     return TTC_EXIT_IO;
 }
 
@@ -107,12 +119,11 @@ int ttc_command_generate(const ttc_options *options)
     for (size_t i = 0; i < options->file_count; i++) models[i] = ttc_command_read(options->files[i], &status);
     for (size_t i = 0; i < options->file_count && status == TTC_EXIT_DONE; i++)
         if (!ttc_plan_create(plans + i, models[i]) || !generate_model(&output, plans + i)) {
-            fprintf(stderr, "%s: error: cannot generate kernels: memory is out, an expression grows beyond the limits, a "
-                            "number is beyond double precision, or two kernels have the same name\n", options->files[i]);
+            complain(options->files[i], models[i], &output);
             status = TTC_EXIT_BAD_TABLE;
         }
     if (status == TTC_EXIT_DONE && (!generate_shared(&output, plans, options->file_count) || is_failed(&output))) {
-        fprintf(stderr, "ttc: cannot generate: memory is out, or two tables have the same model name\n");
+        fprintf(stderr, "ttc: cannot generate: out of memory\n");
         status = TTC_EXIT_BAD_TABLE;
     }
     if (status == TTC_EXIT_DONE) status = write_files(&output, options->out);

@@ -24,6 +24,7 @@ ttc_text *ttc_output_add(ttc_output *output, const char *path)
     for (size_t i = 0; i < output->count; i++)
         if (strcmp(output->files[i].path, path) == 0) {
             output->failed = true;
+            output->taken = output->files[i].path;
             return NULL;
         }
     if (output->count == output->capacity) {

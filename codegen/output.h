@@ -13,6 +13,7 @@ typedef struct {
     ttc_output_file *files;
     size_t count, capacity;
     bool failed;
+    const char *taken; /* a path that was asked for twice, borrowed from the set; NULL: none */
 } ttc_output;
 
 void ttc_output_clear(ttc_output *output); /* legal on a zeroed set */

@@ -71,7 +71,8 @@ static char *help_filter(int key, const char *text, void *input)
     for (size_t i = 0; i < KINDS; i++)
         fprintf(stream, "\n  %s: %s\n    %s\n", kinds[i]->name, kinds[i]->meaning, kinds[i]->columns);
     fputs("\nTimes are medians of the repeats, with the least and the largest. An error is empty where the method failed before it "
-          "could be measured. Example:\n\n  jellett bench section --reference tests/reference/data/grid_regular_51.csv --form level\n", stream);
+          "could be measured. Example:\n\n  jellett bench section --reference tests/reference/data/grid_regular_51.csv \\\n"
+          "    --form level\n", stream);
     fclose(stream);
     return out;
 }

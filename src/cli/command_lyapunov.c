@@ -44,7 +44,8 @@ static const struct argp parser = {
     "\vColumns: return, t, lambda1, lambda2, ..., divergence: the mean divergence along the orbit, which the sum of the "
     "exponents tends to. Returns are shown at powers of two and at quarters between them. Chart: eta, gamma3, exponent, t; "
     "orbits that end before N returns have an empty exponent.\n\n"
-    "  jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 20000 --plot history.svg\n"
+    "  jellett lyapunov --start eta=0.02,gamma3=-0.61 --returns 20000 \\\n"
+    "    --plot history.svg\n"
     "  jellett lyapunov --grid 200x150 --returns 5 --plot chart.png > chart.csv",
     children, NULL, NULL,
 };

@@ -63,8 +63,8 @@ static const struct argp parser = {
     option_table, parse, "[MODEL]",
     "The density of an invariant measure, computed from the field's divergence alone; or what excludes one."
     "\vExamples:\n"
-    "  jellett measure --set I3=0 --plot density.svg     the density of Euler and Jacobi\n"
-    "  jellett measure --set a3=0                        Proposition 1: an equilibrium with a trace\n\n"
+    "  jellett measure --set I3=0 --plot density.svg   # of Euler and Jacobi\n"
+    "  jellett measure --set a3=0                      # obstructed\n\n"
     "A density rho of one state q alone obeys d ln rho/dq = -div f/f_q: where the right-hand side depends on q alone, a "
     "quadrature gives rho, and it is compared with the table's. Otherwise the defect says by how much it varies with the "
     "other states. Beside it, the residual of div(rho f) for every density that the table claims at these parameters.",

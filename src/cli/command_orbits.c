@@ -65,7 +65,8 @@ static const struct argp parser = {
     "integrated divergence, which DP's own determinant is checked against. An orbit that is not symmetric and has det != 1 "
     "excludes a smooth positive invariant measure; its mirror image has 1/det.\n\n"
     "  jellett orbits --period 4\n"
-    "  jellett orbits --set I1=0.591,I3=0.494,a3=0.548 --level E=2.15,G=0.161 --period 1",
+    "  jellett orbits --set I1=0.591,I3=0.494,a3=0.548 \\\n"
+    "    --level E=2.15,G=0.161 --period 1",
     children, NULL, NULL,
 };
 

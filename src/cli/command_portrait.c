@@ -48,7 +48,8 @@ static const struct argp parser = {
     "\vColumns: gamma3, v_nu, omega3, psi, v_slip, trace, determinant, re1, im1, re2, im2 (the two eigenvalues that the "
     "integrals leave), type. psi is the angle of the horizontal angular momentum about the contact point, which is a constant "
     "vector in space; v_slip the velocity of the contact point along nu, whose sign tells the two halves of M^2.\n\n"
-    "  jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --plot m2.svg\n"
+    "  jellett portrait --set I1=2/5,I3=1/4 \\\n"
+    "    --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 --plot m2.svg\n"
     "  jellett portrait --set I1=2/5,I3=1/4 --level E=1,G=-0.2,F0=0.15",
     children, NULL, NULL,
 };

@@ -49,8 +49,10 @@ static const struct argp parser = {
     "\vColumns: the quantities swept, E1, E2, G, gamma3_low, gamma3_high, period, rotation; with --check the distance from the "
     "start after one period of the integrated orbit: defect_gamma3, defect_turn (radians; empty on E1 = 0), and defect_state, all five states, "
     "which vanishes on E1 = 0 alone.\n\n"
-    "  jellett rod --set I1=0.7,a3=0.3 --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 --check\n"
-    "  jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 --sweep omega_n=0.2:2:181 --plot rod.svg",
+    "  jellett rod --set I1=0.7,a3=0.3 \\\n"
+    "    --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 --check\n"
+    "  jellett rod --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0 \\\n"
+    "    --sweep omega_n=0.2:2:181 --plot rod.svg",
     children, NULL, NULL,
 };
 

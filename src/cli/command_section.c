@@ -65,7 +65,8 @@ static const struct argp parser = {
     "section are empty there. With --check: trace and det of DP at that return, divergence (its integral on the levels), and "
     "defect, det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is beyond 10000 "
     "tolerances.\n\n"
-    "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 --returns 10 --tol 1e-13\n"
+    "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 \\\n"
+    "    --returns 10 --tol 1e-13\n"
     "  jellett section --grid 24x16 --returns 400 --plot section.svg > section.csv",
     children, NULL, NULL,
 };

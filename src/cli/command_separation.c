@@ -45,7 +45,8 @@ static const struct argp parser = {
     "overlap is common/union: 1 where the sets agree, as in conservative dynamics, 0 where they are apart; in between lies "
     "mixed dynamics. mirror_overlap compares the mirror image of the forward set with the backward one: its distance from 1 "
     "is the error of finite length.\n\n"
-    "  jellett separation --grid eta=-0.5:0.5:20,gamma3=-0.75:-0.5:20 --returns 4096",
+    "  jellett separation --grid eta=-0.5:0.5:20,gamma3=-0.75:-0.5:20 \\\n"
+    "    --returns 4096",
     children, NULL, NULL,
 };
 

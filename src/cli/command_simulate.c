@@ -52,8 +52,11 @@ static const struct argp parser = {
     "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to max(1, |F|)), contact_force, the tiers "
     "compared, and fate: alive, lost_contact (the plane would have had to pull since the start: the model no longer holds), "
     "pole+ or pole- (the orbit ends there: the last row has the time and the limits, and later times have none).\n\n"
-    "  jellett simulate --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3 --times 0,0.5,1\n"
-    "  jellett simulate --set I3=0 --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 \\\n"
+    "  jellett simulate \\\n"
+    "    --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3 \\\n"
+    "    --times 0,0.5,1\n"
+    "  jellett simulate --set I3=0 \\\n"
+    "    --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1.3,omega3=-0.8 \\\n"
     "    --until 10 --every 1/10 --compare five --plot rod.svg",
     children, NULL, NULL,
 };

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The documentation keeps pace with the programs: every command that --help names is in the man page with its
-# options, and in the README, and every program and file that the README names exists.
+# options, and in the README, every program and file that the README names exists, and examples can be copied.
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 status=0
@@ -13,6 +13,11 @@ for program in ttc jellett; do
     for command in $commands; do
         grep -qx "\.Ss $command" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: '$command' is missing"
         grep -qE "\b$program $command\b" README.md || fail "README.md: '$program $command' is not mentioned"
+        # An indented example that argp has wrapped goes on at the left edge.
+        $program "$command" --help | awk -v what="$program $command --help" '
+            example && /^[^ ]/ { print what ": wrapped example: " last; wrapped = 1 }
+            { example = /^  (jellett|ttc) |^    --/; last = $0 }
+            END { exit wrapped }' || status=1
         for option in $($program "$command" --help | grep -oE -- '--[a-z][a-z-]*' | sort -u); do
             grep -qF -- "${option//-/\\-}" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: $option is missing"
         done

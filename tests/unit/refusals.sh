@@ -79,4 +79,12 @@ refuse 5 "cannot write 'none/p.svg'" jellett measure --set I3=0 --plot none/p.sv
 [ -z "$(ls folder)" ] || fail "left in the folder: $(ls folder)"
 refuse 5 "Is a directory" jellett run folder
 refuse 5 "Is a directory" jellett plan folder
+
+# ttc generate: why it cannot.
+mkdir .tables
+printf 'model large\nstate x\neq x = 1e400*x\n' > .tables/large.tt
+sleigh=$JLT_SOURCE_DIR/codegen/models/chaplygin_sleigh.tt
+refuse 3 "beyond double precision" ttc generate --out folder/out .tables/large.tt
+refuse 3 "'chaplygin_sleigh/table.c' would be written twice" ttc generate --out folder/out "$sleigh" "$sleigh"
+refuse 5 "cannot make the folder none/out: No such file or directory" ttc generate --out none/out "$sleigh"
 exit $status
