@@ -99,4 +99,9 @@ for command in models verify "eigen --set a3=0 --at $at" "measure --set I3=0" "s
     # shellcheck disable=SC2086
     expect 5 into_full jellett $command
 done
+for tool in build test run install-deps regenerate; do expect 0 "$JLT_SOURCE_DIR/tools/$tool" --help; done
+for tool in build install-deps regenerate "test --preset"; do
+    # shellcheck disable=SC2086
+    expect 2 "$JLT_SOURCE_DIR"/tools/$tool none
+done
 exit $status
