@@ -11,7 +11,7 @@ enum { KEY_FIND = 256, KEY_SWEEP };
 static const struct argp_option option_table[] = {
     { "at", 'a', "NAME=VALUE,...", 0, "States of the equilibrium; those not named follow from its family, or are zero", 1 },
     { "find", KEY_FIND, NULL, 0, "Take the states as a guess, and go to an equilibrium nearby by Newton's method", 1 },
-    { "sweep", KEY_SWEEP, "NAME=FROM:TO:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
+    { "sweep", KEY_SWEEP, "NAME=LOW:HIGH:COUNT,...", 0, "A row for each point of a grid in these states or parameters", 1 },
     { "json", 'j', NULL, 0, "Print JSON", 1 },
     { "csv", 'c', NULL, 0, "Print CSV with a comment header (a sweep does so by itself)", 1 },
     { 0 },
@@ -184,10 +184,10 @@ static jlt_exit prepare(jlt_eigen_request *r)
         if (known == r->held) r->order[r->held++] = index;
     }
     for (size_t i = 0; i < r->axis_count; i++) {
-        jlt_eigen_axis *axis = &r->axes[i];
-        axis->is_state = jlt_descriptor_state(d, axis->name, &axis->index);
-        if (!axis->is_state && !jlt_descriptor_param(d, axis->name, &axis->index))
-            return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: %s has no state or parameter '%s'", d->model, axis->name);
+        jlt_eigen_target *target = &r->targets[i];
+        target->is_state = jlt_descriptor_state(d, r->axes[i].name, &target->index);
+        if (!target->is_state && !jlt_descriptor_param(d, r->axes[i].name, &target->index))
+            return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: %s has no state or parameter '%s'", d->model, r->axes[i].name);
     }
     if (jlt_oracle_create(&r->oracle, d) != JLT_OK)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot read the table of %s back: %s", d->model,
@@ -197,8 +197,6 @@ static jlt_exit prepare(jlt_eigen_request *r)
 
 void jlt_eigen_clear(jlt_eigen_request *request)
 {
-    for (size_t i = 0; i < request->axis_count; i++) free(request->axes[i].name);
-    free(request->axes);
     free(request->params);
     jlt_common_end(&request->common);
     jlt_assign_clear(&request->at);

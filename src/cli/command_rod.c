@@ -76,8 +76,6 @@ static jlt_exit bind_axes(request *r)
     size_t index;
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (r->sweep != NULL && strchr(r->sweep, '=') == NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: '%s' is no range (write NAME=LOW:HIGH:COUNT,...)", r->sweep);
     if (r->sweep != NULL) code = jlt_grid_parse(r->axes, &r->axis_count, AXES_MAX, r->sweep, "--sweep");
     for (size_t k = 0; code == JLT_EXIT_DONE && k < r->axis_count; k++) {
         if (strcmp(r->axes[k].name, "I3") == 0) code = jlt_command_fail(JLT_EXIT_INPUT, "--sweep: I3 is 0 here");

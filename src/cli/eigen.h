@@ -4,21 +4,23 @@
 
 #include "analysis/linearization.h"
 #include "cli/common.h"
+#include "cli/grid.h"
 #include "cli/oracle.h"
 
+enum { JLT_EIGEN_AXES_MAX = 8 };
+
+/* What an axis of a sweep runs over. */
 typedef struct {
-    char *name;
-    double from, to;
-    size_t count;
     bool is_state;
     size_t index; /* of the state or parameter */
-} jlt_eigen_axis;
+} jlt_eigen_target;
 
 typedef struct {
     jlt_common common;
     bool json, csv, find;
     jlt_assign_list at;
-    jlt_eigen_axis *axes;
+    jlt_grid_axis axes[JLT_EIGEN_AXES_MAX];
+    jlt_eigen_target targets[JLT_EIGEN_AXES_MAX]; /* of the axes */
     size_t axis_count;
     const jlt_descriptor *descriptor; /* general field */
     double *params;                   /* shape (params,) */
@@ -40,7 +42,7 @@ typedef struct {
 void jlt_eigen_compute(jlt_eigen_row *row, const jlt_eigen_request *request, double *params, double *x,
                        const unsigned char *given);
 
-/* NAME=FROM:TO:COUNT,... added to the request's axes. */
+/* NAME=LOW:HIGH:COUNT,... added to the request's axes. */
 jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text);
 jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request);
 void jlt_eigen_clear(jlt_eigen_request *request);

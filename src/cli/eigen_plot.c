@@ -11,7 +11,7 @@ static void write_caption(FILE *stream, const jlt_eigen_request *r)
         const unsigned index = state ? i - d->param_count : i;
         bool swept = false;
         for (size_t k = 0; k < r->axis_count; k++)
-            swept = swept || (r->axes[k].is_state == state && r->axes[k].index == index);
+            swept = swept || (r->targets[k].is_state == state && r->targets[k].index == index);
         if (swept || (state && r->axis_count > 0 && !r->given[index])) continue;
         fprintf(stream, " %s=%.6g", state ? d->states[index].name : d->params[index].name,
                 state ? r->x[index] : r->params[index]);
@@ -21,7 +21,7 @@ static void write_caption(FILE *stream, const jlt_eigen_request *r)
 
 static void write_script(FILE *stream, const jlt_eigen_request *r, const jlt_eigen_row *rows, size_t count)
 {
-    const jlt_eigen_axis *axis = r->axis_count > 0 ? &r->axes[0] : NULL;
+    const jlt_eigen_target *axis = r->axis_count > 0 ? &r->targets[0] : NULL;
 
     fputs("$values << EOD\n", stream);
     for (size_t k = 0; k < count; k++) {
@@ -44,7 +44,7 @@ static void write_script(FILE *stream, const jlt_eigen_request *r, const jlt_eig
               stream);
         return;
     }
-    fprintf(stream, "set cblabel '%s' noenhanced\nset palette defined (0 '#2166ac', 1 '#bbbbbb', 2 '#b2182b')\n", axis->name);
+    fprintf(stream, "set cblabel '%s' noenhanced\nset palette defined (0 '#2166ac', 1 '#bbbbbb', 2 '#b2182b')\n", r->axes[0].name);
     fputs("plot $values using 1:2:3 with points pt 7 ps 0.5 palette notitle, "
           "'-' using 1:2 with points pt 2 ps 1.5 lc black title 'zero, by the integrals'\n0 0\ne\n",
           stream);

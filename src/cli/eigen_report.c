@@ -162,7 +162,7 @@ void jlt_eigen_write_csv_header(FILE *stream, const jlt_eigen_request *request)
     jlt_csv_header(stream, request->common.command, d, request->params);
     fputs("# eigenvalues: first those that integrals make zero, then ascending; error_k bounds the error of the k-th\n", stream);
     for (size_t i = 0; i < request->axis_count; i++)
-        if (!request->axes[i].is_state) fprintf(stream, "%s,", request->axes[i].name);
+        if (!request->targets[i].is_state) fprintf(stream, "%s,", request->axes[i].name);
     for (unsigned i = 0; i < d->state_count; i++) fprintf(stream, "%s,", d->states[i].name);
     fputs("residual,trace,trace_formula", stream);
     for (unsigned k = 1; k <= d->state_count; k++) fprintf(stream, ",c%u", k);
@@ -184,7 +184,7 @@ void jlt_eigen_write_csv_row(FILE *stream, const jlt_eigen_row *row)
     const bool good = row->status == JLT_OK;
 
     for (size_t i = 0; i < q->axis_count; i++)
-        if (!q->axes[i].is_state) field(stream, row->params[q->axes[i].index]);
+        if (!q->targets[i].is_state) field(stream, row->params[q->targets[i].index]);
     for (size_t i = 0; i < n; i++) field(stream, row->x[i]);
     field(stream, good || row->status == JLT_ERR_EMPTY ? r->residual : NAN);
     field(stream, good ? r->trace : NAN);

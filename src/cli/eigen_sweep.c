@@ -1,65 +1,19 @@
 #include "cli/eigen.h"
 
-#include "ext/number.h"
-
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { POINTS_MAX = 1000000 };
 
-static jlt_exit refuse(const char *text, size_t length)
-{
-    return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: '%.*s' is no range (write NAME=FROM:TO:COUNT, COUNT from 1 to %d)",
-                            (int)length, text, POINTS_MAX);
-}
-
-static jlt_exit parse_axis(jlt_eigen_axis *axis, const char *text, size_t length)
-{
-    const char *const end = text + length, *equals = memchr(text, '=', length), *first, *second;
-    double count;
-
-    if (equals == NULL || equals == text) return refuse(text, length);
-    first = memchr(equals, ':', (size_t)(end - equals));
-    second = first == NULL ? NULL : memchr(first + 1, ':', (size_t)(end - first - 1));
-    if (second == NULL) return refuse(text, length);
-    if (jlt_number_parse(&axis->from, equals + 1, (size_t)(first - equals - 1)) != JLT_OK ||
-        jlt_number_parse(&axis->to, first + 1, (size_t)(second - first - 1)) != JLT_OK ||
-        jlt_number_parse(&count, second + 1, (size_t)(end - second - 1)) != JLT_OK || !(count >= 1.0) ||
-        count > POINTS_MAX || count != floor(count))
-        return refuse(text, length);
-    axis->count = (size_t)count;
-    axis->name = strndup(text, (size_t)(equals - text));
-    return axis->name == NULL ? jlt_command_no_memory() : JLT_EXIT_DONE;
-}
-
 jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text)
 {
     double points = 1.0;
+    const jlt_exit code = jlt_grid_parse(request->axes, &request->axis_count, JLT_EIGEN_AXES_MAX, text, "--sweep");
 
-    while (*text != '\0') {
-        const size_t length = strcspn(text, ",");
-        jlt_eigen_axis *axes = realloc(request->axes, (request->axis_count + 1) * sizeof *axes);
-        jlt_exit code;
-        if (axes == NULL) return jlt_command_no_memory();
-        request->axes = axes;
-        axes[request->axis_count] = (jlt_eigen_axis){ 0 };
-        code = parse_axis(&axes[request->axis_count], text, length);
-        if (code != JLT_EXIT_DONE) return code;
-        request->axis_count++;
-        text += length;
-        if (*text == ',') text++;
-    }
     for (size_t i = 0; i < request->axis_count; i++) points *= (double)request->axes[i].count;
-    if (points > POINTS_MAX)
-        return jlt_command_fail(JLT_EXIT_USAGE, "--sweep: the grid has %.0f points; %d at most", points, POINTS_MAX);
-    return JLT_EXIT_DONE;
-}
-
-static double point_of(const jlt_eigen_axis *axis, size_t k)
-{
-    const double part = axis->count == 1 ? 0.0 : (double)k / (double)(axis->count - 1);
-    return axis->from * (1.0 - part) + axis->to * part;
+    if (code == JLT_EXIT_DONE && points > POINTS_MAX)
+        return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: the grid has %.0f points; %d at most", points, POINTS_MAX);
+    return code;
 }
 
 /* Row `k` of the grid, the last axis fastest; its parameters and states are copies that it owns. */
@@ -76,14 +30,14 @@ static jlt_status compute_row(jlt_eigen_row *row, const jlt_eigen_request *r, si
     memcpy(x, r->x, d->state_count * sizeof *x);
     memcpy(given, r->given, sizeof given);
     for (size_t i = r->axis_count; i-- > 0;) {
-        const jlt_eigen_axis *axis = &r->axes[i];
-        const double value = point_of(axis, k % axis->count);
-        k /= axis->count;
-        if (axis->is_state) {
-            x[axis->index] = value;
-            given[axis->index] = 1;
+        const jlt_eigen_target *target = &r->targets[i];
+        const double value = jlt_grid_value(&r->axes[i], k % r->axes[i].count, 0);
+        k /= r->axes[i].count;
+        if (target->is_state) {
+            x[target->index] = value;
+            given[target->index] = 1;
         } else {
-            params[axis->index] = value;
+            params[target->index] = value;
         }
     }
     jlt_eigen_compute(row, r, params, x, given);

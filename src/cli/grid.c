@@ -76,7 +76,7 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
     const bool named = *count == room;
     size_t i = 0;
 
-    if (strchr(text, '=') == NULL) {
+    if (strchr(text, '=') == NULL && *count > 0) {
         for (i = 0; code == JLT_EXIT_DONE && i < *count; i++) {
             const size_t length = strcspn(text, "x");
             code = count_part(&axes[i].count, text, length, option);

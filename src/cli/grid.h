@@ -16,7 +16,7 @@ typedef struct {
 jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t length, const char *option);
 
 /** Axes separated by commas into axes[0 .. *count - 1], at most `room`; or COUNTxCOUNT, which sets the counts of the axes as
- *  they stand. */
+ *  they stand, where *count > 0. Where *count == room, no other names are known. */
 jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option);
 
 /* Value number `index`: ends included, or for a periodic axis that spans its period the high end left out. */
