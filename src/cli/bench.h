@@ -20,7 +20,8 @@ typedef struct {
 typedef struct {
     const char *name, *meaning;
     const char *columns;   /* the table's header */
-    bool needs_reference;
+    bool needs_reference;  /* or takes none */
+    bool has_forms, has_methods; /* takes --form, --method */
     /* Writes rows. Says what is wrong, and returns the exit status. */
     jlt_exit (*run)(FILE *table, const jlt_bench_options *options);
 } jlt_bench_kind;
@@ -37,7 +38,7 @@ typedef struct {
 JLT_CHECKED jlt_status jlt_bench_read(jlt_bench_table *table, const char *path, size_t columns);
 void jlt_bench_clear(jlt_bench_table *table); /* legal on a zeroed table */
 
-/** "PATH: reason", with the exit status that it calls for. */
+/** Say that a table could not be read, and why (for IO in errno), with the exit status that it calls for. */
 jlt_exit jlt_bench_unread(const char *path, jlt_status status);
 
 /** Least, median and largest of the repeats, in seconds. */

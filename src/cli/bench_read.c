@@ -1,5 +1,6 @@
 #include "cli/bench.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,6 +32,7 @@ jlt_status jlt_bench_read(jlt_bench_table *table, const char *path, size_t colum
 
     *table = (jlt_bench_table){ .columns = columns };
     if (file == NULL) return JLT_ERR_IO;
+    errno = 0;
     while (fgets(line, sizeof line, file) != NULL) {
         if (strchr("+-0123456789", line[0]) == NULL) continue;
         if (table->rows == room) {
@@ -48,13 +50,18 @@ jlt_status jlt_bench_read(jlt_bench_table *table, const char *path, size_t colum
     }
     st = ferror(file) ? JLT_ERR_IO : table->rows == 0 ? JLT_ERR_ARG : JLT_OK;
 done:
-    fclose(file);
+    {
+        const int reason = errno;
+        fclose(file);
+        errno = reason;
+    }
     if (st != JLT_OK) jlt_bench_clear(table);
     return st;
 }
 
 jlt_exit jlt_bench_unread(const char *path, jlt_status status)
 {
-    return jlt_command_fail(status == JLT_ERR_IO ? JLT_EXIT_IO : status == JLT_ERR_ARG ? JLT_EXIT_INPUT : JLT_EXIT_NUMERICAL,
-                            "%s: %s (its columns are said by 'jellett bench --help')", path, jlt_status_text(status));
+    if (status == JLT_ERR_IO) return jlt_command_fail(JLT_EXIT_IO, "--reference: cannot read '%s': %s", path, strerror(errno));
+    if (status == JLT_ERR_NOMEM) return jlt_command_no_memory();
+    return jlt_command_fail(JLT_EXIT_INPUT, "--reference: '%s' is no such table (tests/reference/data has those that are wanted)", path);
 }

@@ -53,6 +53,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (o->kind == NULL) argp_error(state, "what is to be measured? See --help");
         if (o->kind->needs_reference && o->bench.reference == NULL)
             argp_error(state, "%s needs --reference FILE: errors are measured against it", o->kind->name);
+        if (!o->kind->needs_reference && o->bench.reference != NULL) argp_error(state, "%s knows no --reference", o->kind->name);
+        if (!o->kind->has_forms && o->bench.form != NULL) argp_error(state, "%s knows no --form", o->kind->name);
+        if (!o->kind->has_methods && o->bench.method != NULL) argp_error(state, "%s knows no --method", o->kind->name);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -111,7 +114,11 @@ static jlt_exit run(int argc, char **argv)
         goto done;
     }
     if (!o.bench.list) write_header(output.stream, &o, command);
+    const long before = ftell(output.stream);
     code = o.kind->run(output.stream, &o.bench);
+    if (code == JLT_EXIT_DONE && ftell(output.stream) == before)
+        code = jlt_command_fail(JLT_EXIT_INPUT, "%s: nothing goes by these names; without --form and --method, --list shows what there is",
+                                o.kind->name);
     if (code == JLT_EXIT_DONE) code = jlt_command_deliver(&output, o.output);
 done:
     jlt_command_discard(&output);

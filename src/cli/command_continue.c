@@ -186,7 +186,7 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_system_family *fam
                                 first->value);
     st = jlt_system_map_at(family, &map, first->value);
     if (st == JLT_OK) st = jlt_periodic_find(map, &first->orbit, q, o->period, NULL);
-    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, o->start);
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->start);
 }
 
 static jlt_exit run_all(sink *to, jlt_system_family *family, const jlt_grid_axis *axis, const jlt_continuation_point *first,

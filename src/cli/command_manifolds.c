@@ -201,24 +201,21 @@ static jlt_exit draw(const options *o, const jlt_system *system, const portrait 
     return jlt_common_draw(&o->motion.common, &script);
 }
 
-static jlt_exit save(const options *o, const jlt_system *system, const portrait *p, const jlt_periodic *saddle)
+static jlt_exit save(jlt_stream *stream, jlt_stream *crossings, const options *o, const jlt_system *system, const portrait *p,
+                     const jlt_periodic *saddle)
 {
-    jlt_stream stream = { 0 };
-    jlt_exit code = jlt_stream_open(&stream, o->motion.common.output);
+    jlt_exit code;
 
-    if (code != JLT_EXIT_DONE) return code;
-    jlt_motion_header(stream.file, &o->motion, system);
-    write_all(stream.file, p, saddle);
-    code = jlt_stream_close(&stream);
+    jlt_motion_header(stream->file, &o->motion, system);
+    write_all(stream->file, p, saddle);
+    code = jlt_stream_close(stream);
     if (code == JLT_EXIT_DONE && o->points != NULL) {
-        code = jlt_stream_open(&stream, o->points);
-        if (code != JLT_EXIT_DONE) return code;
-        jlt_motion_header(stream.file, &o->motion, system);
-        write_crossings(stream.file, p, "");
-        code = jlt_stream_close(&stream);
+        jlt_motion_header(crossings->file, &o->motion, system);
+        write_crossings(crossings->file, p, "");
+        code = jlt_stream_close(crossings);
     }
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
-        fprintf(stderr, "jellett: interrupted; the branches as far as they have grown are saved in %s\n", stream.path);
+        fprintf(stderr, "jellett: interrupted; the branches as far as they have grown are saved in %s\n", stream->path);
     if (code == JLT_EXIT_DONE && o->motion.common.plot != NULL) code = draw(o, system, p, saddle);
     return code;
 }
@@ -227,6 +224,7 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .start = "eta=0,gamma3=-0.61", .period = 1, .seed = 1e-4 };
     portrait p = { .count = { { 0 } } };
+    jlt_stream stream = { 0 }, crossings = { 0 };
     jlt_system *system = NULL;
     jlt_map *map = NULL;
     jlt_periodic saddle;
@@ -247,19 +245,28 @@ static jlt_exit run(int argc, char **argv)
         code = jlt_command_fail(JLT_EXIT_INPUT, "manifolds need a section of two coordinates");
         goto done;
     }
+    code = jlt_stream_open(&stream, o.motion.common.output);
+    if (code == JLT_EXIT_DONE && o.points != NULL) code = jlt_stream_open(&crossings, o.points);
+    if (code != JLT_EXIT_DONE) goto done;
     st = jlt_map_create(&map, &system->flow);
     if (st == JLT_OK) st = jlt_periodic_find(map, &saddle, q, o.period, NULL);
-    if (st == JLT_OK && saddle.type != JLT_ORBIT_SADDLE && saddle.type != JLT_ORBIT_FLIP_SADDLE) {
+    if (st != JLT_OK) {
+        code = jlt_motion_no_orbit(st, system, o.start);
+        goto done;
+    }
+    if (saddle.type != JLT_ORBIT_SADDLE && saddle.type != JLT_ORBIT_FLIP_SADDLE) {
         code = jlt_command_fail(JLT_EXIT_INPUT,
                                 "the orbit near %s (eta=%.10g, gamma3=%.10g) is no saddle but %s; 'jellett orbits' lists "
                                 "what there is",
                                 o.start, saddle.points[0], saddle.points[1], jlt_periodic_type_name(saddle.type));
         goto done;
     }
-    if (st == JLT_OK) st = grow(&p, map, &saddle, &o);
+    st = grow(&p, map, &saddle, &o);
     if (st == JLT_OK && !o.no_crossings && !jlt_motion_interrupted(&o.motion)) st = cross(&p, system);
-    code = st == JLT_OK ? save(&o, system, &p, &saddle) : jlt_motion_fail(st, system, o.start);
+    code = st == JLT_OK ? save(&stream, &crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.start);
 done:
+    jlt_stream_discard(&stream);
+    jlt_stream_discard(&crossings);
     clear(&p);
     jlt_map_destroy(map);
     jlt_system_destroy(system);

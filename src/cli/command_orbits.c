@@ -153,7 +153,7 @@ static jlt_exit from_start(jlt_orbits *list, jlt_map *map, const options *o, con
     if (o->line == NULL) {
         st = jlt_periodic_find(map, &orbit, line.base, o->period_max, held);
         if (st == JLT_OK) st = jlt_orbits_add(list, chart, &orbit);
-        return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, o->start);
+        return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->start);
     }
     code = jlt_grid_axis_parse(&axis, o->line, strlen(o->line), "--line");
     if (code != JLT_EXIT_DONE) return code;

@@ -218,6 +218,13 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
     return jlt_command_fail(jlt_command_exit(status), "%s: %s", what, jlt_status_text(status));
 }
 
+jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start)
+{
+    if (status != JLT_ERR_NO_CONVERGENCE) return jlt_motion_fail(status, system, start);
+    return jlt_command_fail(JLT_EXIT_NUMERICAL, "Newton's method finds no periodic orbit from %s: try another --start or --period",
+                            start);
+}
+
 static unsigned coordinate(const jlt_chart *chart, const char *name)
 {
     unsigned k = 0;

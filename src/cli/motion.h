@@ -55,6 +55,9 @@ void jlt_motion_caption(FILE *stream, const jlt_system *system);
 /** "WHAT: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);
 
+/** The same for Newton's method, which finds no periodic orbit from `start`. */
+jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start);
+
 bool jlt_motion_interrupted(const jlt_motion_options *options);
 
 #endif

@@ -53,6 +53,8 @@ refuse 3 "--near: '-1' is not positive" jellett orbits --near -1
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z
 refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=1,y=1 --section z=1:2:3
 
+refuse 4 "finds no periodic orbit from .*: try another --start or --period" jellett orbits lorenz --section z=27 --start x=1,y=1 --period 1
+
 # Options that say nothing here.
 refuse 2 "--section and --mirror are for other models" jellett section --start "$point" --section gamma3=0
 refuse 2 "--section and --mirror are for other models" jellett section --start "$point" --mirror v_nu
@@ -72,10 +74,20 @@ for command in fates "continue --along E=1:2" drift; do
     # shellcheck disable=SC2086
     refuse 3 "of the spherical top, not of lorenz" jellett $command lorenz
 done
+data=$JLT_SOURCE_DIR/tests/reference/data
+refuse 2 "jacobian knows no --method" jellett bench jacobian --method gauss
+refuse 2 "slope knows no --form" jellett bench slope --reference "$data/slopes_regular_51.csv" --form five
+refuse 2 "eigenvalues knows no --reference" jellett bench eigenvalues --reference "$data/grid_regular_51.csv"
+refuse 3 "section: nothing goes by these names" jellett bench section --reference "$data/grid_regular_51.csv" --form none
+refuse 3 "slope: nothing goes by these names" jellett bench slope --reference "$data/slopes_regular_51.csv" --method none
+refuse 5 "cannot read 'none': No such file" jellett bench section --reference none
+refuse 3 "is no such table" jellett bench section --reference /dev/null
 
 # The file that cannot be written is the one that is named.
 refuse 5 "cannot write 'none/script'" jellett measure --set I3=0 --plot folder/p.svg --keep none/script --output folder/out
 refuse 5 "cannot write 'none/p.svg'" jellett measure --set I3=0 --plot none/p.svg --output folder/out
+refuse 5 "cannot write 'none/out'" jellett manifolds --output none/out
+refuse 5 "cannot write 'none/crossings'" jellett manifolds --output folder/out --crossings none/crossings
 [ -z "$(ls folder)" ] || fail "left in the folder: $(ls folder)"
 refuse 5 "Is a directory" jellett run folder
 refuse 5 "Is a directory" jellett plan folder
