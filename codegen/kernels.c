@@ -157,7 +157,7 @@ static bool build_jet(ttc_kernels *k)
     if (outputs == NULL) return false;
     memcpy(outputs, k->field->rhs, n * sizeof *outputs);
     outputs[n] = k->field->factor;
-    k->jet = ttc_optimize(k->field, outputs, NULL, n + (k->field->time != NULL), true, &k->block);
+    k->jet = ttc_optimize(k->field, outputs, NULL, n + (k->field->time != NULL), TTC_FOR_JETS, &k->block);
     free(outputs);
     return k->jet != NULL;
 }
@@ -172,8 +172,8 @@ static bool build_programs(ttc_kernels *k)
             if (kernel->outputs[i] == TTC_NONE) return false;
         kernel->naive = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ 0 });
         kernel->reference = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ .share = true });
-        bool is_stepped = kind <= TTC_KERNEL_DIVERGENCE; /* many orbits at a time; the others serve one point */
-        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count, is_stepped, &k->block);
+        ttc_purpose purpose = kind <= TTC_KERNEL_DIVERGENCE ? TTC_FOR_STEPS : TTC_FOR_POINTS;
+        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count, purpose, &k->block);
         if (kernel->naive == NULL || kernel->reference == NULL || kernel->optimized == NULL) return false;
     }
     if (!build_jet(k)) return false;

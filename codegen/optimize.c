@@ -4,6 +4,7 @@
 #include "system.h"
 #include "system_lower.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 /* An operation counts 2, and each of its flops 1 more: what a target with fused operations and one without pay, on the
@@ -16,21 +17,28 @@ static unsigned cost_of(const ttc_program *program)
 
 /* Searches from each start, several where they are cheap; in each, first extractions, then rounds of undoing and redoing,
  * until so many in a row have brought nothing. Work is counted in comparisons and bounded, so that a search ends at the
- * same place on every machine: EFFORT is what a kernel may take before it is searched again, WORK_LIMIT ends one search. */
-enum { REPEATS = 8, SEEDS = 8, PATIENCE = 80 };
+ * same place on every machine: EFFORT is what a kernel may take before it is searched again, WORK_LIMIT ends one search.
+ * FINISHES ways to the program are tried at last. */
+enum { REPEATS = 8, SEEDS = 8, PATIENCE = 80, FINISHES = 16 };
 #define EFFORT UINT64_C(500000)
 #define WORK_LIMIT UINT64_C(60000000)
 
-static ttc_program *finish(const ttc_system *system, ttc_block *block, bool one_division)
+/* How a system becomes a program. seed: of the last extraction; above 0 it also finds what reciprocals share. */
+typedef struct {
+    bool one_division;
+    uint64_t seed;
+} manner;
+
+static ttc_program *finish(const ttc_system *system, ttc_block *block, manner how)
 {
     ttc_program *fused = NULL;
     ttc_system *copy = ttc_system_clone(system);
     if (copy == NULL) return NULL;
-    if (one_division) ttc_system_share_reciprocals(copy);
+    if (how.one_division) ttc_system_share_reciprocals(copy, how.seed > 0);
     /* The products that recover reciprocals meet other factors, so there may be more to take out. */
     ttc_system_tidy(copy);
     ttc_system_cancel(copy);
-    ttc_system_extract(copy, 0);
+    ttc_system_extract(copy, how.seed);
     ttc_system_tidy(copy);
     if (!copy->failed) {
         ttc_program *program = ttc_system_lower(copy, block);
@@ -41,15 +49,22 @@ static ttc_program *finish(const ttc_system *system, ttc_block *block, bool one_
     return fused;
 }
 
-/* Cost of a system's program; the block's entries are thrown away. UINT_MAX on failure. */
-static unsigned cost_of_system(const ttc_system *system)
+/* What a program takes: cost among others, where operations fill the processor; latency alone, where they wait for each
+ * other. */
+typedef struct {
+    unsigned cost, latency; /* UINT_MAX on failure */
+} rating;
+
+/* The block's entries are thrown away. */
+static rating rate(const ttc_system *system, manner how)
 {
     ttc_block scratch = { .field = system->field };
-    ttc_program *program = finish(system, &scratch, true);
-    unsigned cost = program == NULL ? (unsigned)-1 : cost_of(program);
+    ttc_program *program = finish(system, &scratch, how);
+    rating r = { UINT_MAX, UINT_MAX };
+    if (program != NULL) r = (rating){ cost_of(program), ttc_program_latency(program) };
     ttc_program_destroy(program);
     ttc_block_clear(&scratch);
-    return cost;
+    return r;
 }
 
 /* True when divisions of their own save at least four operations each: a quotient needs none of the products that make
@@ -57,7 +72,7 @@ static unsigned cost_of_system(const ttc_system *system)
 static bool several_divisions_serve(const ttc_system *system)
 {
     ttc_block scratch = { .field = system->field };
-    ttc_program *one = finish(system, &scratch, true), *several = finish(system, &scratch, false);
+    ttc_program *one = finish(system, &scratch, (manner){ true, 0 }), *several = finish(system, &scratch, (manner){ false, 0 });
     bool serve = false;
     if (one != NULL && several != NULL) {
         ttc_count a = ttc_program_count(one), b = ttc_program_count(several);
@@ -79,7 +94,7 @@ typedef struct {
 /* Takes ownership of the system. */
 static void enter(contest *c, ttc_system *system)
 {
-    unsigned cost = system == NULL || system->failed ? (unsigned)-1 : cost_of_system(system);
+    unsigned cost = system == NULL || system->failed ? UINT_MAX : rate(system, (manner){ true, 0 }).cost;
     if (system != NULL && cost <= c->cost) {
         ttc_system_destroy(c->best);
         c->best = system;
@@ -121,7 +136,7 @@ static void ruin_and_recreate(contest *c, uint64_t round)
 /* One search from one start. */
 static contest search(const ttc_system *start, uint64_t number)
 {
-    contest c = { NULL, (unsigned)-1, 0 };
+    contest c = { NULL, UINT_MAX, 0 };
     for (uint64_t seed = 0; seed < SEEDS && c.work < WORK_LIMIT; seed++)
         extract_from(&c, start, seed == 0 ? number % 2 : number * SEEDS + seed);
     unsigned before = c.cost;
@@ -155,15 +170,13 @@ static bool make_starts(ttc_system **starts, ttc_field *field, const ttc_id *out
     return true;
 }
 
-ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, bool one_division,
-                          ttc_block *block)
+/* The best system of searches from all starts. */
+static ttc_system *search_all(ttc_system *const *starts)
 {
-    ttc_system *starts[STARTS];
-    contest best = { NULL, (unsigned)-1, 0 };
-    bool ok = make_starts(starts, field, outputs, other, count);
+    contest best = { NULL, UINT_MAX, 0 };
     uint64_t work = 0;
     for (uint64_t k = 0; k < STARTS || (k < STARTS * REPEATS && work < EFFORT); k++) {
-        if (!ok || starts[k % STARTS] == NULL) continue;
+        if (starts[k % STARTS] == NULL) continue;
         contest c = search(starts[k % STARTS], k);
         work += c.work;
         if (c.best != NULL && c.cost < best.cost) {
@@ -173,11 +186,62 @@ ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id 
             ttc_system_destroy(c.best);
         }
     }
-    one_division = one_division || best.best == NULL || !several_divisions_serve(best.best);
-    ttc_program *program = best.best == NULL ? NULL : finish(best.best, block, one_division);
-    ttc_program *scheduled = program == NULL ? NULL : ttc_program_schedule(program);
+    return best.best;
+}
+
+/* A system and its program's way of being made. */
+typedef struct {
+    ttc_system *system;
+    manner how;
+    rating rating;
+} choice;
+
+/* Of several ways to the program, the quickest that costs no more than the first. */
+static choice choose(ttc_system *system, ttc_purpose purpose)
+{
+    choice c = { system, { purpose != TTC_FOR_POINTS || !several_divisions_serve(system), 0 }, { UINT_MAX, UINT_MAX } };
+    c.rating = rate(system, c.how);
+    for (uint64_t seed = 1; seed < FINISHES && purpose != TTC_FOR_JETS; seed++) {
+        manner how = { c.how.one_division, seed };
+        rating r = rate(system, how);
+        if (r.cost > c.rating.cost || r.latency >= c.rating.latency) continue;
+        c.how = how;
+        c.rating = r;
+    }
+    return c;
+}
+
+/* The system, or one in which no division waits for a root, if this is a shorter way from states to outputs for at most a
+ * thirtieth more work: an integration waits for each of its calls, while a batch is as slow as its operations are many.
+ * Takes ownership. */
+static choice choose_quick(ttc_system *system, ttc_purpose purpose)
+{
+    choice c = choose(system, purpose);
+    ttc_system *other = purpose == TTC_FOR_JETS ? NULL : ttc_system_clone(system);
+    if (other == NULL || !ttc_system_divide_by_radicands(other)) {
+        ttc_system_destroy(other);
+        return c;
+    }
+    ttc_system_tidy(other);
+    choice o = choose(other, purpose);
+    bool is_quicker = !other->failed && o.rating.latency < c.rating.latency && 30 * o.rating.cost <= 31 * c.rating.cost;
+    ttc_system_destroy(is_quicker ? system : other);
+    return is_quicker ? o : c;
+}
+
+ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, ttc_purpose purpose,
+                          ttc_block *block)
+{
+    ttc_system *starts[STARTS], *best = NULL;
+    ttc_program *program = NULL, *scheduled = NULL;
+    if (make_starts(starts, field, outputs, other, count)) best = search_all(starts);
+    if (best != NULL) {
+        choice c = choose_quick(best, purpose);
+        program = finish(c.system, block, c.how);
+        ttc_system_destroy(c.system);
+    }
+    if (program != NULL) scheduled = ttc_program_schedule(program);
     ttc_program_destroy(program);
-    ttc_system_destroy(best.best);
     for (int k = 0; k < STARTS; k++) ttc_system_destroy(starts[k]);
     return scheduled;
 }

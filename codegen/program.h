@@ -82,6 +82,9 @@ size_t ttc_program_output_count(const ttc_program *program);
 ttc_value ttc_program_output_at(const ttc_program *program, size_t index);
 /* Number of operands of an operation: 0 to 3, in the order a, b, c. */
 unsigned ttc_op_arity(ttc_op op);
+/* Time from operands to result, in that of a multiplication; 0 for what is there at once. Rough, from tables of processors of
+ * the years around 2020: a multiplication takes 4 cycles, a division 13 to 15, a root 13 to 19. */
+unsigned ttc_op_latency(ttc_op op);
 
 /* An operation as it is, not folded: for copying from a program that is folded already. */
 ttc_value ttc_program_copy(ttc_program *program, ttc_op op, ttc_value a, ttc_value b, ttc_value c);
@@ -99,6 +102,8 @@ ttc_program *ttc_program_trim(const ttc_program *program);
 void ttc_program_mark(const ttc_program *program, unsigned char *reached);
 
 ttc_count ttc_program_count(const ttc_program *program);
+/* The longest chain of operations that wait for each other, in multiplications. UINT_MAX: memory. */
+unsigned ttc_program_latency(const ttc_program *program);
 /* Operations with an fma counted as two. */
 unsigned ttc_count_flops(ttc_count count);
 

@@ -1,6 +1,7 @@
-/* Operation counts, depth and live temporaries of a program. */
+/* Operation counts, depth, latency and live temporaries of a program. */
 #include "program.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 static void tally(ttc_count *count, ttc_op op)
@@ -76,4 +77,40 @@ done:
     free(last_use);
     free(depth);
     return count;
+}
+
+unsigned ttc_op_latency(ttc_op op)
+{
+    switch (op) {
+    case TTC_OP_INPUT:
+    case TTC_OP_PARAMETER:
+    case TTC_OP_CONSTANT:
+        return 0;
+    case TTC_OP_DIVIDE:
+        return 4;
+    case TTC_OP_ROOT:
+        return 5;
+    case TTC_OP_COSINE:
+    case TTC_OP_SINE:
+        return 15;
+    default:
+        return 1;
+    }
+}
+
+unsigned ttc_program_latency(const ttc_program *program)
+{
+    size_t n = ttc_program_size(program);
+    unsigned *ready = calloc(n + 1, sizeof *ready), longest = 0;
+    if (ready == NULL) return UINT_MAX;
+    for (size_t k = 0; k < n; k++) {
+        const ttc_instruction *i = ttc_program_at(program, (ttc_value)k);
+        const ttc_value operands[] = { i->a, i->b, i->c };
+        for (unsigned j = 0; j < ttc_op_arity(i->op); j++)
+            if (ready[operands[j]] > ready[k]) ready[k] = ready[operands[j]];
+        ready[k] += ttc_op_latency(i->op);
+        if (ready[k] > longest) longest = ready[k];
+    }
+    free(ready);
+    return longest;
 }

@@ -18,24 +18,6 @@ typedef struct {
     unsigned *counts;    /* a copy of uses, for a fresh try */
 } scheduler;
 
-static unsigned latency_of(ttc_op op)
-{
-    switch (op) {
-    case TTC_OP_INPUT:
-    case TTC_OP_PARAMETER:
-    case TTC_OP_CONSTANT:
-        return 0;
-    case TTC_OP_DIVIDE:
-    case TTC_OP_ROOT:
-        return 4;
-    case TTC_OP_COSINE:
-    case TTC_OP_SINE:
-        return 15;
-    default:
-        return 1;
-    }
-}
-
 static bool is_leaf(const scheduler *s, ttc_value value)
 {
     return ttc_op_arity(ttc_program_at(s->program, value)->op) == 0;
@@ -60,7 +42,7 @@ static void prepare(scheduler *s)
     ttc_value operands[3];
     for (size_t k = s->n; k-- > 0;) {
         unsigned count = operands_of(s, (ttc_value)k, operands);
-        unsigned chain = s->chain[k] + latency_of(ttc_program_at(s->program, (ttc_value)k)->op);
+        unsigned chain = s->chain[k] + ttc_op_latency(ttc_program_at(s->program, (ttc_value)k)->op);
         for (unsigned j = 0; j < count; j++) {
             s->counts[operands[j]]++;
             if (s->chain[operands[j]] < chain) s->chain[operands[j]] = chain;

@@ -63,6 +63,18 @@ void ttc_system_write_name(const ttc_system *system, ttc_text *text, uint32_t va
     if (bracket) ttc_text_add(text, ")");
 }
 
+void ttc_system_name(ttc_system *system, uint32_t variable, ttc_text *label)
+{
+    char **names = label->failed ? NULL : realloc(system->names, (system->name_count + 1) * sizeof *names);
+    if (names == NULL) {
+        ttc_text_clear(label);
+        return;
+    }
+    system->names = names;
+    names[system->name_count++] = label->bytes;
+    system->variables[variable].label = label->bytes;
+}
+
 uint32_t ttc_system_add_variable(ttc_system *system, ttc_variable_kind kind, uint32_t operand)
 {
     if (system->count == system->capacity) {

@@ -57,6 +57,9 @@ void ttc_system_destroy(ttc_system *system);            /* legal on NULL */
 /* What a variable is called in comments, "" when it has no name. */
 void ttc_system_write_name(const ttc_system *system, ttc_text *text, uint32_t variable);
 
+/* Give a variable a label; takes ownership of the text. It has none when memory is out. */
+void ttc_system_name(ttc_system *system, uint32_t variable, ttc_text *label);
+
 uint32_t ttc_system_add_variable(ttc_system *system, ttc_variable_kind kind, uint32_t operand);
 void ttc_polynomial_add(ttc_system *system, ttc_polynomial *p, const ttc_cube *cube);
 /* The same, where a cube of equal factors takes the new one in, scales added. */
@@ -78,8 +81,9 @@ unsigned ttc_cube_cost(const ttc_system *system, const ttc_cube *cube);
 bool ttc_scale_is_safe(const ttc_field *field, ttc_id scale);
 
 /** One division for all reciprocals that do not need each other: 1/(d_1 ... d_k), from which the single ones, and the
- *  products of them that are in use, are recovered by multiplications along a tree of subsets. To be done last. */
-void ttc_system_share_reciprocals(ttc_system *system);
+ *  products of them that are in use, are recovered by multiplications: along a tree of subsets, or each written out, for an
+ *  extraction to find what they share. To be done last. */
+void ttc_system_share_reciprocals(ttc_system *system, bool written_out);
 
 /** Take out common factors, common products and common sums until nothing is gained. seed 0 always takes what gains
  *  most; others prefer it with some chance. Returns the work done, in comparisons. */
@@ -99,6 +103,10 @@ bool ttc_system_write_out(ttc_system *system);
 
 /* Where the reciprocal of a root occurs in multiples of one power only, r^-3 say, it becomes that of r^3 = r r^2. */
 void ttc_system_raise_reciprocals(ttc_system *system);
+
+/** Every reciprocal of a root, 1/r, becomes r (1/r^2): a division by what the root is taken of need not wait for the root.
+ *  Returns whether there were any. */
+bool ttc_system_divide_by_radicands(ttc_system *system);
 
 /* Divide units by one of their scales where that saves multiplications. */
 void ttc_system_rescale(ttc_system *system);

@@ -1,4 +1,4 @@
-/* Products written out, what cancels in them, and reciprocals of powers of roots. */
+/* Products written out, what cancels in them, and reciprocals of roots and of their powers. */
 #include "system.h"
 
 #include <stdlib.h>
@@ -104,4 +104,42 @@ void ttc_system_raise_reciprocals(ttc_system *system)
                 }
             }
     }
+}
+
+/* The reciprocal of a variable: the one there is, or a new one. */
+static uint32_t reciprocal_of(ttc_system *system, uint32_t variable)
+{
+    for (uint32_t v = 0; v < system->count; v++)
+        if (system->variables[v].kind == TTC_VARIABLE_RECIPROCAL && system->variables[v].operand == variable) return v;
+    return ttc_system_add_variable(system, TTC_VARIABLE_RECIPROCAL, variable);
+}
+
+/* The radicand of a root r is called r^2, unless it has a name. */
+static void name_radicand(ttc_system *system, uint32_t root)
+{
+    uint32_t radicand = system->variables[root].operand;
+    ttc_text text = { 0 };
+    if (system->variables[root].label == NULL || system->variables[radicand].label != NULL) return;
+    ttc_text_format(&text, "%s^2", system->variables[root].label);
+    ttc_system_name(system, radicand, &text);
+}
+
+bool ttc_system_divide_by_radicands(ttc_system *system)
+{
+    uint32_t count = system->count;
+    bool changed = false;
+    for (uint32_t v = 0; v < count && !system->failed; v++) {
+        uint32_t root = system->variables[v].operand;
+        if (system->variables[v].kind != TTC_VARIABLE_RECIPROCAL || system->variables[root].kind != TTC_VARIABLE_ROOT) continue;
+        name_radicand(system, root);
+        ttc_cube cube = ttc_cube_one(system);
+        ttc_cube_multiply(&cube, root);
+        ttc_cube_multiply(&cube, reciprocal_of(system, system->variables[root].operand));
+        system->variables[v].kind = TTC_VARIABLE_UNIT;
+        if (!system->failed) ttc_polynomial_add(system, &system->variables[v].definition, &cube);
+        ttc_system_inline(system, v);
+        changed = true;
+    }
+    if (changed) ttc_system_cancel(system);
+    return changed;
 }

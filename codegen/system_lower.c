@@ -2,9 +2,6 @@
 
 #include <stdlib.h>
 
-/* Rough latencies, in the time of a multiplication: they only order operations. */
-enum { TIME_SIMPLE = 1, TIME_DIVIDE = 4, TIME_ROOT = 5, TIME_ELEMENTARY = 15 };
-
 typedef struct {
     const ttc_system *system;
     ttc_block *block;
@@ -16,21 +13,6 @@ typedef struct {
 } lowering;
 
 static ttc_value lower_variable(lowering *l, uint32_t variable);
-
-static unsigned time_of(ttc_op op)
-{
-    switch (op) {
-    case TTC_OP_DIVIDE:
-        return TIME_DIVIDE;
-    case TTC_OP_ROOT:
-        return TIME_ROOT;
-    case TTC_OP_COSINE:
-    case TTC_OP_SINE:
-        return TIME_ELEMENTARY;
-    default:
-        return TIME_SIMPLE;
-    }
-}
 
 /* Note when a value is ready, which needs its operands noted. */
 static ttc_value note(lowering *l, ttc_value value)
@@ -55,7 +37,7 @@ static ttc_value note(lowering *l, ttc_value value)
     unsigned arity = ttc_op_arity(i->op), start = 0;
     for (unsigned k = 0; k < arity; k++)
         if (operands[k] < l->ready_capacity && l->ready[operands[k]] > start) start = l->ready[operands[k]];
-    if (arity > 0) l->ready[value] = start + time_of(i->op);
+    if (arity > 0) l->ready[value] = start + ttc_op_latency(i->op);
     return value;
 }
 

@@ -1,5 +1,6 @@
 /* One division for many denominators. With R = 1/(d_1 ... d_k), the reciprocal of a product over a subset S is that over
- * S and one more j, times d_j: so all reciprocals in use are nodes of a tree that hangs from the full set. */
+ * S and one more j, times d_j: so all reciprocals in use are nodes of a tree that hangs from the full set. Or each is
+ * written out, R times the denominators outside S, for an extraction to find what they share. */
 #include "system.h"
 
 #include <stdlib.h>
@@ -11,6 +12,7 @@ typedef struct {
     ttc_system *system;
     uint32_t members[MOST]; /* reciprocal variables of one level */
     unsigned count;
+    bool written_out;
     uint32_t operands[MOST];
     uint32_t *variable;     /* by subset: variable + 1 that holds it */
 } group;
@@ -77,25 +79,16 @@ static void name_subset(group *g, uint32_t variable, unsigned subset)
         ttc_text_clear(&name);
     }
     if (size_of(subset) > 1) ttc_text_add(&text, ")");
-    char **names = named && !text.failed ? realloc(system->names, (system->name_count + 1) * sizeof *names) : NULL;
-    if (names == NULL) {
-        ttc_text_clear(&text);
-        return;
-    }
-    system->names = names;
-    names[system->name_count++] = text.bytes;
-    system->variables[variable].label = text.bytes;
+    if (named) ttc_system_name(system, variable, &text);
+    else ttc_text_clear(&text);
 }
 
-static void define_by_product(ttc_system *system, uint32_t variable, uint32_t a, uint32_t b)
+static void define_by(ttc_system *system, uint32_t variable, const ttc_cube *cube)
 {
-    ttc_cube cube = ttc_cube_one(system);
-    ttc_cube_multiply(&cube, a);
-    ttc_cube_multiply(&cube, b);
     ttc_variable *v = system->variables + variable;
     v->kind = TTC_VARIABLE_UNIT;
     v->definition.count = 0;
-    ttc_polynomial_add(system, &v->definition, &cube);
+    ttc_polynomial_add(system, &v->definition, cube);
 }
 
 /* Of the members outside `subset`, the one whose addition leads to a subset that is wanted, or that most wanted ones
@@ -116,32 +109,42 @@ static unsigned next_member(const group *g, const unsigned char *wanted, unsigne
     return best;
 }
 
-/* Make `subset` available: from the smallest available one that holds it, along wanted ones where possible. */
-static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset)
+static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset);
+
+/* From the smallest available subset that holds this one, along wanted ones where possible. */
+static ttc_cube cube_along_tree(group *g, const unsigned char *wanted, unsigned subset)
 {
-    ttc_system *system = g->system;
-    if (g->variable[subset] != 0) return g->variable[subset] - 1;
+    ttc_cube cube = ttc_cube_one(g->system);
     unsigned full = (1u << g->count) - 1, target = full;
     for (unsigned s = subset; s <= full; s++)
         if (g->variable[s] != 0 && (subset & ~s) == 0 && size_of(s) < size_of(target)) target = s;
     unsigned member = next_member(g, wanted, subset, target);
-    uint32_t larger = derive(g, wanted, subset | 1u << member);
+    ttc_cube_multiply(&cube, derive(g, wanted, subset | 1u << member));
+    ttc_cube_multiply(&cube, g->operands[member]);
+    return cube;
+}
+
+static ttc_cube cube_written_out(const group *g, unsigned subset)
+{
+    ttc_cube cube = ttc_cube_one(g->system);
+    ttc_cube_multiply(&cube, g->variable[(1u << g->count) - 1] - 1);
+    for (unsigned i = 0; i < g->count; i++)
+        if ((subset & 1u << i) == 0) ttc_cube_multiply(&cube, g->operands[i]);
+    return cube;
+}
+
+/* Make `subset` available. */
+static uint32_t derive(group *g, const unsigned char *wanted, unsigned subset)
+{
+    ttc_system *system = g->system;
+    if (g->variable[subset] != 0) return g->variable[subset] - 1;
+    ttc_cube cube = g->written_out ? cube_written_out(g, subset) : cube_along_tree(g, wanted, subset);
     uint32_t variable = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
     if (system->failed) return 0;
-    define_by_product(system, variable, larger, g->operands[member]);
+    define_by(system, variable, &cube);
     name_subset(g, variable, subset);
     g->variable[subset] = variable + 1;
     return variable;
-}
-
-static void set_alias(ttc_system *system, uint32_t variable, uint32_t of)
-{
-    ttc_cube cube = ttc_cube_one(system);
-    ttc_cube_multiply(&cube, of);
-    ttc_variable *v = system->variables + variable;
-    v->kind = TTC_VARIABLE_UNIT;
-    v->definition.count = 0;
-    ttc_polynomial_add(system, &v->definition, &cube);
 }
 
 static void share_group(group *g)
@@ -168,15 +171,19 @@ static void share_group(group *g)
     for (unsigned size = g->count; size > 0 && !system->failed; size--)
         for (unsigned s = 1; s < subsets; s++)
             if (wanted[s] && size_of(s) == size) derive(g, wanted, s);
-    for (uint32_t v = 0; v < known && !system->failed; v++)
-        if (subset[v] != 0) set_alias(system, v, g->variable[subset[v]] - 1);
+    for (uint32_t v = 0; v < known && !system->failed; v++) {
+        ttc_cube alias = ttc_cube_one(system);
+        if (subset[v] == 0) continue;
+        ttc_cube_multiply(&alias, g->variable[subset[v]] - 1);
+        define_by(system, v, &alias);
+    }
 done:
     free(wanted);
     free(subset);
     free(g->variable);
 }
 
-void ttc_system_share_reciprocals(ttc_system *system)
+void ttc_system_share_reciprocals(ttc_system *system, bool written_out)
 {
     uint32_t count = system->count;
     unsigned *levels = calloc(count + 1, sizeof *levels), deepest = 0;
@@ -185,7 +192,7 @@ void ttc_system_share_reciprocals(ttc_system *system)
         if (system->variables[v].kind == TTC_VARIABLE_RECIPROCAL && level_of(system, levels, v) > deepest)
             deepest = levels[v];
     for (unsigned level = 2; level <= deepest && !system->failed; level++) {
-        group g = { .system = system };
+        group g = { .system = system, .written_out = written_out };
         for (uint32_t v = 0; v < count && g.count < MOST; v++)
             if (system->variables[v].kind == TTC_VARIABLE_RECIPROCAL && levels[v] == level) {
                 g.members[g.count] = v;

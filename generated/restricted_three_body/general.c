@@ -6,8 +6,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3    8    7    1    2    0      9    6   (40)
- *  jacobian            4   15    7    1    2    0     12    8   (104)
- *  rhs_jacobian        4   17   11    1    2    0     13   10   (133)
+ *  jacobian            4   15    7    1    2    0     11    8   (104)
+ *  rhs_jacobian        4   17   11    1    2    0     12   10   (133)
  *  divergence          0    0    0    0    0    0      0    0   (0)
  *  integral_values     2    3    7    1    2    0      7    5   (27)
  *  integral_gradients  3    3    5    2    2    0      7    6   (36)
@@ -90,36 +90,36 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[7] = 1.0;
     out[11] = 2.0;
     out[14] = (-2.0);
-    const double t0 = x[1]*x[1]; /* y*y */
-    const double t1 = p[1] + x[0]; /* -1 + mu + x */
-    const double t2 = x[0] + p[0]; /* x + mu */
-    const double t3 = JLT_FMA(t1, t1, t0); /* (-1 + mu + x)*(-1 + mu + x) + y*y */
-    const double t4 = sqrt(t3); /* r2 = sqrt((-1 + mu + x)*(-1 + mu + x) + y*y) */
-    const double t5 = JLT_FMA(t2, t2, t0); /* (x + mu)*(x + mu) + y*y */
-    const double t6 = sqrt(t5); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
-    const double t7 = t4*t6; /* r2*r1 */
-    const double t8 = 1.0/t7; /* 1/(r2*r1) */
-    const double t9 = t4*t8; /* 1/r1 = r2*1/(r2*r1) */
-    const double t10 = t6*t8; /* 1/r2 = r1*1/(r2*r1) */
-    const double t11 = t9*t9; /* 1/r1*1/r1 */
-    const double t12 = t9*t11; /* 1/r1*1/r1*1/r1 */
-    const double t13 = p[3]*t11; /* (-3 + 3*mu)*1/r1*1/r1 */
-    const double t14 = t12*t13; /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t15 = JLT_FMA(p[1], t12, 1.0); /* (-1 + mu)*1/r1*1/r1*1/r1 + 1 */
-    const double t16 = t10*t10; /* 1/r2*1/r2 */
-    const double t17 = t10*t16; /* 1/r2*1/r2*1/r2 */
-    const double t18 = p[2]*t16; /* 3*mu*1/r2*1/r2 */
-    const double t19 = t17*t18; /* 1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
-    const double t20 = JLT_FNMA(p[0], t17, t15); /* (-1 + mu)*1/r1*1/r1*1/r1 + 1 - mu*1/r2*1/r2*1/r2 */
-    const double t21 = t1*t19; /* (-1 + mu + x)*1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
-    const double t22 = JLT_FMA(t1, t21, t20); /* (-1 + mu + x)*(-1 + mu + x)*1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 + (-1 + mu)*1/r1*1/r1*1/r1 + 1 - mu*1/r2*1/r2*1/r2 */
-    const double t23 = t14 - t19; /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 - 1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
-    const double t24 = JLT_FNMA(t0, t23, t20); /* (-1 + mu)*1/r1*1/r1*1/r1 + 1 - mu*1/r2*1/r2*1/r2 - y*y*t23 */
+    const double t0 = p[0] + x[0]; /* mu + x */
+    const double t1 = x[1]*x[1]; /* y*y */
+    const double t2 = p[1] + x[0]; /* -1 + mu + x */
+    const double t3 = JLT_FMA(t0, t0, t1); /* r1^2 = (mu + x)*(mu + x) + y*y */
+    const double t4 = JLT_FMA(t2, t2, t1); /* r2^2 = (-1 + mu + x)*(-1 + mu + x) + y*y */
+    const double t5 = t3*t4; /* r1^2*r2^2 */
+    const double t6 = 1.0/t5; /* 1/(r1^2*r2^2) */
+    const double t7 = sqrt(t3); /* r1 = sqrt(r1^2) */
+    const double t8 = t3*t6; /* 1/r2^2 = r1^2*1/(r1^2*r2^2) */
+    const double t9 = t4*t6; /* 1/r1^2 = r2^2*1/(r1^2*r2^2) */
+    const double t10 = sqrt(t4); /* r2 = sqrt(r2^2) */
+    const double t11 = t7*t9; /* r1*1/r1^2 */
+    const double t12 = t8*t10; /* 1/r2^2*r2 */
+    const double t13 = t9*t11; /* 1/r1^2*r1*1/r1^2 */
+    const double t14 = t8*t12; /* 1/r2^2*1/r2^2*r2 */
+    const double t15 = p[2]*t8; /* 3*mu*1/r2^2 */
+    const double t16 = p[3]*t9; /* (-3 + 3*mu)*1/r1^2 */
+    const double t17 = t14*t15; /* 1/r2^2*1/r2^2*r2*3*mu*1/r2^2 */
+    const double t18 = t13*t16; /* 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    const double t19 = JLT_FMA(p[1], t13, 1.0); /* (-1 + mu)*1/r1^2*r1*1/r1^2 + 1 */
+    const double t20 = JLT_FNMA(p[0], t14, t19); /* (-1 + mu)*1/r1^2*r1*1/r1^2 + 1 - mu*1/r2^2*1/r2^2*r2 */
+    const double t21 = t2*t17; /* (-1 + mu + x)*1/r2^2*1/r2^2*r2*3*mu*1/r2^2 */
+    const double t22 = JLT_FMA(t2, t21, t20); /* (-1 + mu + x)*(-1 + mu + x)*1/r2^2*1/r2^2*r2*3*mu*1/r2^2 + (-1 + mu)*1/r1^2*r1*1/r1^2 + 1 - mu*1/r2^2*1/r2^2*r2 */
+    const double t23 = t18 - t17; /* 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 - 1/r2^2*1/r2^2*r2*3*mu*1/r2^2 */
+    const double t24 = JLT_FNMA(t1, t23, t20); /* (-1 + mu)*1/r1^2*r1*1/r1^2 + 1 - mu*1/r2^2*1/r2^2*r2 - y*y*t23 */
     out[13] = t24;
-    const double t25 = t2*t14; /* (x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t26 = JLT_FNMA(t2, t25, t22); /* t22 - (x + mu)*(x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    const double t25 = t0*t18; /* (mu + x)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    const double t26 = JLT_FNMA(t0, t25, t22); /* t22 - (mu + x)*(mu + x)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
     out[8] = t26;
-    const double t27 = t21 - t25; /* (-1 + mu + x)*1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 - (x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    const double t27 = t21 - t25; /* (-1 + mu + x)*1/r2^2*1/r2^2*r2*3*mu*1/r2^2 - (mu + x)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
     const double t28 = x[1]*t27; /* y*t27 */
     out[9] = t28;
     out[12] = t28;
@@ -142,45 +142,45 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[19] = 0.0;
     out[18] = (-2.0);
     const double t0 = x[0] + p[1]; /* x + -1 + mu */
-    const double t1 = x[0] + p[0]; /* x + mu */
-    const double t2 = x[1]*x[1]; /* y*y */
-    const double t3 = JLT_FMA(t1, t1, t2); /* (x + mu)*(x + mu) + y*y */
-    const double t4 = sqrt(t3); /* r1 = sqrt((x + mu)*(x + mu) + y*y) */
-    const double t5 = JLT_FMA(t0, t0, t2); /* (x + -1 + mu)*(x + -1 + mu) + y*y */
-    const double t6 = sqrt(t5); /* r2 = sqrt((x + -1 + mu)*(x + -1 + mu) + y*y) */
-    const double t7 = t4*t6; /* r1*r2 */
-    const double t8 = 1.0/t7; /* 1/(r1*r2) */
-    const double t9 = t6*t8; /* 1/r1 = r2*1/(r1*r2) */
-    const double t10 = t4*t8; /* 1/r2 = r1*1/(r1*r2) */
-    const double t11 = t9*t9; /* 1/r1*1/r1 */
-    const double t12 = t9*t11; /* 1/r1*1/r1*1/r1 */
-    const double t13 = p[3]*t11; /* (-3 + 3*mu)*1/r1*1/r1 */
-    const double t14 = t12*t13; /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t15 = p[1]*t12; /* (-1 + mu)*1/r1*1/r1*1/r1 */
-    const double t16 = t10*t10; /* 1/r2*1/r2 */
-    const double t17 = t10*t16; /* 1/r2*1/r2*1/r2 */
-    const double t18 = p[2]*t16; /* 3*mu*1/r2*1/r2 */
-    const double t19 = t0*t17; /* (x + -1 + mu)*1/r2*1/r2*1/r2 */
-    const double t20 = 1.0 + t15; /* 1 + (-1 + mu)*1/r1*1/r1*1/r1 */
-    const double t21 = JLT_FNMA(p[0], t17, t20); /* 1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2 */
-    const double t22 = JLT_FNMA(t17, t18, t14); /* 1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 - 1/r2*1/r2*1/r2*3*mu*1/r2*1/r2 */
-    const double t23 = JLT_FNMA(t2, t22, t21); /* 1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2 - y*y*t22 */
+    const double t1 = x[1]*x[1]; /* y*y */
+    const double t2 = x[0] + p[0]; /* x + mu */
+    const double t3 = JLT_FMA(t0, t0, t1); /* r2^2 = (x + -1 + mu)*(x + -1 + mu) + y*y */
+    const double t4 = JLT_FMA(t2, t2, t1); /* r1^2 = (x + mu)*(x + mu) + y*y */
+    const double t5 = t3*t4; /* r2^2*r1^2 */
+    const double t6 = 1.0/t5; /* 1/(r2^2*r1^2) */
+    const double t7 = sqrt(t4); /* r1 = sqrt(r1^2) */
+    const double t8 = t4*t6; /* 1/r2^2 = r1^2*1/(r2^2*r1^2) */
+    const double t9 = t3*t6; /* 1/r1^2 = r2^2*1/(r2^2*r1^2) */
+    const double t10 = sqrt(t3); /* r2 = sqrt(r2^2) */
+    const double t11 = t7*t9; /* r1*1/r1^2 */
+    const double t12 = t8*t10; /* 1/r2^2*r2 */
+    const double t13 = t9*t11; /* 1/r1^2*r1*1/r1^2 */
+    const double t14 = t8*t12; /* 1/r2^2*1/r2^2*r2 */
+    const double t15 = p[3]*t9; /* (-3 + 3*mu)*1/r1^2 */
+    const double t16 = p[2]*t8; /* 3*mu*1/r2^2 */
+    const double t17 = t13*t15; /* 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    const double t18 = p[1]*t13; /* (-1 + mu)*1/r1^2*r1*1/r1^2 */
+    const double t19 = t0*t14; /* (x + -1 + mu)*1/r2^2*1/r2^2*r2 */
+    const double t20 = 1.0 + t18; /* 1 + (-1 + mu)*1/r1^2*r1*1/r1^2 */
+    const double t21 = JLT_FNMA(p[0], t14, t20); /* 1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2 */
+    const double t22 = JLT_FNMA(t14, t16, t17); /* 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 - 1/r2^2*1/r2^2*r2*3*mu*1/r2^2 */
+    const double t23 = JLT_FNMA(t1, t22, t21); /* 1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2 - y*y*t22 */
     out[17] = t23;
-    const double t24 = t18*t19; /* 3*mu*1/r2*1/r2*(x + -1 + mu)*1/r2*1/r2*1/r2 */
-    const double t25 = t1*t14; /* (x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
-    const double t26 = JLT_FMA(t0, t24, t21); /* (x + -1 + mu)*3*mu*1/r2*1/r2*(x + -1 + mu)*1/r2*1/r2*1/r2 + 1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2 */
-    const double t27 = JLT_FNMA(t1, t25, t26); /* t26 - (x + mu)*(x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    const double t24 = t16*t19; /* 3*mu*1/r2^2*(x + -1 + mu)*1/r2^2*1/r2^2*r2 */
+    const double t25 = t2*t17; /* (x + mu)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
+    const double t26 = JLT_FMA(t0, t24, t21); /* (x + -1 + mu)*3*mu*1/r2^2*(x + -1 + mu)*1/r2^2*1/r2^2*r2 + 1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2 */
+    const double t27 = JLT_FNMA(t2, t25, t26); /* t26 - (x + mu)*(x + mu)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
     out[12] = t27;
-    const double t28 = t24 - t25; /* 3*mu*1/r2*1/r2*(x + -1 + mu)*1/r2*1/r2*1/r2 - (x + mu)*1/r1*1/r1*1/r1*(-3 + 3*mu)*1/r1*1/r1 */
+    const double t28 = t24 - t25; /* 3*mu*1/r2^2*(x + -1 + mu)*1/r2^2*1/r2^2*r2 - (x + mu)*1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 */
     const double t29 = x[1]*t28; /* y*t28 */
     out[13] = t29;
     out[16] = t29;
-    const double t30 = x[1]*t21; /* y*(1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2) */
-    const double t31 = JLT_FNMA(x[2], 2.0, t30); /* y*(1 + (-1 + mu)*1/r1*1/r1*1/r1 - mu*1/r2*1/r2*1/r2) - vx*2 */
+    const double t30 = x[1]*t21; /* y*(1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2) */
+    const double t31 = JLT_FNMA(x[2], 2.0, t30); /* y*(1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2) - vx*2 */
     out[3] = t31;
     const double t32 = JLT_FMA(x[3], 2.0, x[0]); /* vy*2 + x */
-    const double t33 = JLT_FNMA(p[0], t19, t32); /* vy*2 + x - mu*(x + -1 + mu)*1/r2*1/r2*1/r2 */
-    const double t34 = JLT_FMA(t1, t15, t33); /* (x + mu)*(-1 + mu)*1/r1*1/r1*1/r1 + vy*2 + x - mu*(x + -1 + mu)*1/r2*1/r2*1/r2 */
+    const double t33 = JLT_FNMA(p[0], t19, t32); /* vy*2 + x - mu*(x + -1 + mu)*1/r2^2*1/r2^2*r2 */
+    const double t34 = JLT_FMA(t2, t18, t33); /* (x + mu)*(-1 + mu)*1/r1^2*r1*1/r1^2 + vy*2 + x - mu*(x + -1 + mu)*1/r2^2*1/r2^2*r2 */
     out[2] = t34;
 }
 
@@ -367,9 +367,9 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 3, 8, 7, 1, 2, 0, 9, 6 }, { 16, 18, 0, 4, 2, 0, 10, 7 },
         "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 16, { 4, 15, 7, 1, 2, 0, 12, 8 }, { 30, 60, 0, 12, 2, 0, 13, 7 },
+    .jacobian = { jacobian, 16, { 4, 15, 7, 1, 2, 0, 11, 8 }, { 30, 60, 0, 12, 2, 0, 13, 7 },
         "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 4, 17, 11, 1, 2, 0, 13, 10 }, { 41, 74, 0, 16, 2, 0, 13, 7 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 4, 17, 11, 1, 2, 0, 12, 10 }, { 41, 74, 0, 16, 2, 0, 13, 7 },
         "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },

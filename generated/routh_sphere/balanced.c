@@ -6,9 +6,9 @@
  *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   16    5    1    1    0     11    6   (65)
- *  jacobian            7   31    8    1    1    0     14   12   (196)
- *  rhs_jacobian        7   32   11    1    1    0     14   12   (237)
+ *  rhs                 3   16    4    1    1    0     10    5   (65)
+ *  jacobian            7   32    8    1    1    0     14   13   (196)
+ *  rhs_jacobian        8   33    8    1    1    0     15   12   (237)
  *  divergence          3    5    1    1    1    0      5    4   (24)
  *  integral_values     2   10    8    0    2    0      7    5   (47)
  *  integral_gradients  2   16    7    1    2    0      9    6   (71)
@@ -62,7 +62,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t3 = params[4]/t2; /* I1/K */
     out[16] = t3;
     const double t4 = t1/t2; /* m*R*R/K */
-    out[11] = t4;
+    out[15] = t4;
     const double t5 = t3 + t4; /* I1/K + m*R*R/K */
     out[6] = t5;
     const double t6 = params[4]*params[5]; /* I1*I3 */
@@ -72,169 +72,171 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t8 = t1*params[5]; /* m*R*R*I3 */
     out[9] = t8;
     const double t9 = params[5]/t2; /* I3/K */
-    out[10] = t9;
-    const double t10 = params[5]*params[5]; /* I3*I3 */
-    const double t11 = t8 + t10; /* m*R*R*I3 + I3*I3 */
-    out[12] = t11;
-    const double t12 = params[4] - params[5]; /* I1 - I3 */
-    const double t13 = t1*t12; /* m*R*R*(I1 - I3) */
-    out[13] = t13;
-    const double t14 = params[5]/t1; /* I3/(m*R*R) */
-    out[14] = t14;
-    const double t15 = params[5]/params[4]; /* I3/I1 */
-    out[15] = t15;
-    const double t16 = t3*2.0; /* I1/K*2 */
-    const double t17 = -t16; /* -I1/K*2 */
-    const double t18 = t4*2.0; /* m*R*R/K*2 */
-    const double t19 = t17 - t18; /* -I1/K*2 - m*R*R/K*2 */
-    out[17] = t19;
-    const double t20 = -t9; /* -I3/K */
-    out[18] = t20;
-    const double t21 = -t4; /* -m*R*R/K */
-    out[19] = t21;
-    const double t22 = t20 - t4; /* -I3/K - m*R*R/K */
-    out[20] = t22;
-    const double t23 = t7 - t8; /* I1*m*R*R - m*R*R*I3 */
-    const double t24 = 2.0*t23; /* 2*(I1*m*R*R - m*R*R*I3) */
-    const double t25 = t24/t7; /* 2*(I1*m*R*R - m*R*R*I3)/(I1*m*R*R) */
-    out[21] = t25;
-    const double t26 = t11/t7; /* (m*R*R*I3 + I3*I3)/(I1*m*R*R) */
-    out[22] = t26;
-    const double t27 = t12/params[4]; /* (I1 - I3)/I1 */
-    out[23] = t27;
-    const double t28 = t16 + t18; /* I1/K*2 + m*R*R/K*2 */
-    out[24] = t28;
-    const double t29 = params[0]*params[0]; /* m*m */
-    const double t30 = t0*t0; /* R*R*R*R */
-    const double t31 = t29*t30; /* m*m*R*R*R*R */
-    const double t32 = params[4]*params[4]; /* I1*I1 */
-    const double t33 = t31*t32; /* m*m*R*R*R*R*I1*I1 */
-    const double t34 = t11*2.0; /* (m*R*R*I3 + I3*I3)*2 */
-    const double t35 = t23*t34; /* (I1*m*R*R - m*R*R*I3)*(m*R*R*I3 + I3*I3)*2 */
-    const double t36 = t35/t33; /* (I1*m*R*R - m*R*R*I3)*(m*R*R*I3 + I3*I3)*2/(m*m*R*R*R*R*I1*I1) */
-    out[25] = t36;
-    const double t37 = params[4]/2.0; /* I1/2 */
-    out[26] = t37;
-    const double t38 = params[5]/2.0; /* I3/2 */
-    out[27] = t38;
-    const double t39 = t1/2.0; /* m*R*R/2 */
-    out[28] = t39;
-    const double t40 = params[4]*params[1]; /* I1*R */
-    out[29] = t40;
-    const double t41 = params[1]*params[5]; /* R*I3 */
-    out[30] = t41;
-    const double t42 = -t40; /* -I1*R */
-    out[33] = t42;
-    const double t43 = -t41; /* -R*I3 */
-    out[34] = t43;
-    const double t44 = t8 - t7; /* m*R*R*I3 - I1*m*R*R */
-    out[35] = t44;
-    const double t45 = t23 - t13; /* I1*m*R*R - m*R*R*I3 - m*R*R*(I1 - I3) */
-    const double t46 = t2*t45; /* K*(I1*m*R*R - m*R*R*I3 - m*R*R*(I1 - I3)) */
-    const double t47 = -t46; /* -K*(I1*m*R*R - m*R*R*I3 - m*R*R*(I1 - I3)) */
-    out[37] = t47;
+    out[38] = t9;
+    const double t10 = t4 + t9; /* m*R*R/K + I3/K */
+    out[10] = t10;
+    const double t11 = params[5]*params[5]; /* I3*I3 */
+    const double t12 = t8 + t11; /* m*R*R*I3 + I3*I3 */
+    out[11] = t12;
+    const double t13 = params[4] - params[5]; /* I1 - I3 */
+    const double t14 = t1*t13; /* m*R*R*(I1 - I3) */
+    out[12] = t14;
+    const double t15 = params[5]/t1; /* I3/(m*R*R) */
+    out[13] = t15;
+    const double t16 = params[5]/params[4]; /* I3/I1 */
+    out[14] = t16;
+    const double t17 = t3*2.0; /* I1/K*2 */
+    const double t18 = -t17; /* -I1/K*2 */
+    const double t19 = t4*2.0; /* m*R*R/K*2 */
+    const double t20 = t18 - t19; /* -I1/K*2 - m*R*R/K*2 */
+    out[17] = t20;
+    const double t21 = -t9; /* -I3/K */
+    out[18] = t21;
+    const double t22 = -t4; /* -m*R*R/K */
+    out[19] = t22;
+    const double t23 = t21 - t4; /* -I3/K - m*R*R/K */
+    out[20] = t23;
+    const double t24 = t7 - t8; /* I1*m*R*R - m*R*R*I3 */
+    const double t25 = 2.0*t24; /* 2*(I1*m*R*R - m*R*R*I3) */
+    const double t26 = t25/t7; /* 2*(I1*m*R*R - m*R*R*I3)/(I1*m*R*R) */
+    out[21] = t26;
+    const double t27 = t12/t7; /* (m*R*R*I3 + I3*I3)/(I1*m*R*R) */
+    out[22] = t27;
+    const double t28 = t13/params[4]; /* (I1 - I3)/I1 */
+    out[23] = t28;
+    const double t29 = t17 + t19; /* I1/K*2 + m*R*R/K*2 */
+    out[24] = t29;
+    const double t30 = params[0]*params[0]; /* m*m */
+    const double t31 = t0*t0; /* R*R*R*R */
+    const double t32 = t30*t31; /* m*m*R*R*R*R */
+    const double t33 = params[4]*params[4]; /* I1*I1 */
+    const double t34 = t32*t33; /* m*m*R*R*R*R*I1*I1 */
+    const double t35 = t12*2.0; /* (m*R*R*I3 + I3*I3)*2 */
+    const double t36 = t24*t35; /* (I1*m*R*R - m*R*R*I3)*(m*R*R*I3 + I3*I3)*2 */
+    const double t37 = t36/t34; /* (I1*m*R*R - m*R*R*I3)*(m*R*R*I3 + I3*I3)*2/(m*m*R*R*R*R*I1*I1) */
+    out[25] = t37;
+    const double t38 = params[4]/2.0; /* I1/2 */
+    out[26] = t38;
+    const double t39 = params[5]/2.0; /* I3/2 */
+    out[27] = t39;
+    const double t40 = t1/2.0; /* m*R*R/2 */
+    out[28] = t40;
+    const double t41 = params[4]*params[1]; /* I1*R */
+    out[29] = t41;
+    const double t42 = params[1]*params[5]; /* R*I3 */
+    out[30] = t42;
+    const double t43 = -t41; /* -I1*R */
+    out[33] = t43;
+    const double t44 = -t42; /* -R*I3 */
+    out[34] = t44;
+    const double t45 = t8 - t7; /* m*R*R*I3 - I1*m*R*R */
+    out[35] = t45;
+    const double t46 = t24 - t14; /* I1*m*R*R - m*R*R*I3 - m*R*R*(I1 - I3) */
+    const double t47 = t2*t46; /* K*(I1*m*R*R - m*R*R*I3 - m*R*R*(I1 - I3)) */
+    const double t48 = -t47; /* -K*(I1*m*R*R - m*R*R*I3 - m*R*R*(I1 - I3)) */
+    out[37] = t48;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = x[0]*p[9]; /* gamma3*m*R^2*I3 */
     const double t4 = JLT_FMA(x[0], t3, p[7]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t5 = JLT_FMA(p[8], t2, t4); /* Theta = m*R^2*I1*(1 - gamma3)*(1 + gamma3) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t7 = t5*t6; /* Theta*s */
-    const double t8 = 1.0/t7; /* 1/(Theta*s) */
-    const double t9 = t5*t8; /* 1/s = Theta*1/(Theta*s) */
-    const double t10 = x[0]*x[2]; /* gamma3*omega_n */
-    const double t11 = t9*t10; /* 1/s*gamma3*omega_n */
-    const double t12 = p[11]*t6; /* m*R^2/K*s */
-    const double t13 = JLT_FMA(t9, t12, p[10]); /* 1/s*m*R^2/K*s + I3/K */
-    const double t14 = p[6]*t11; /* (I1/K + m*R^2/K)*1/s*gamma3*omega_n */
-    const double t15 = JLT_FMA(x[3], t13, t14); /* omega3*(1/s*m*R^2/K*s + I3/K) + (I1/K + m*R^2/K)*1/s*gamma3*omega_n */
-    const double t16 = x[2]*t15; /* omega_n*t15 */
-    const double t17 = -t16; /* -omega_n*t15 */
-    out[1] = t17;
-    const double t18 = x[3]*t6; /* omega3*s */
-    const double t19 = t8*t18; /* 1/(Theta*s)*omega3*s */
-    const double t20 = x[1]*t6; /* omega_tau*s */
-    out[0] = t20;
-    const double t21 = JLT_FMA(p[12], t19, t11); /* (I3^2 + m*R^2*I3)*1/(Theta*s)*omega3*s + 1/s*gamma3*omega_n */
-    const double t22 = x[1]*t21; /* omega_tau*((I3^2 + m*R^2*I3)*1/(Theta*s)*omega3*s + 1/s*gamma3*omega_n) */
-    out[2] = t22;
-    const double t23 = x[0]*p[13]; /* gamma3*m*R^2*(I1 - I3) */
-    const double t24 = t20*t23; /* omega_tau*s*gamma3*m*R^2*(I1 - I3) */
-    const double t25 = t19*t24; /* 1/(Theta*s)*omega3*s*omega_tau*s*gamma3*m*R^2*(I1 - I3) */
-    out[3] = t25;
+    const double t5 = JLT_FMA(p[8], t2, t4); /* Theta = m*R^2*I1*s^2 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t6 = t2*t5; /* s^2*Theta */
+    const double t7 = 1.0/t6; /* 1/(s^2*Theta) */
+    const double t8 = x[0]*x[2]; /* gamma3*omega_n */
+    const double t9 = t5*t8; /* Theta*gamma3*omega_n */
+    const double t10 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t11 = t9*t10; /* Theta*gamma3*omega_n*s */
+    const double t12 = t7*t11; /* 1/(s^2*Theta)*Theta*gamma3*omega_n*s */
+    const double t13 = x[3]*t2; /* omega3*s^2 */
+    const double t14 = t7*t13; /* 1/(s^2*Theta)*omega3*s^2 */
+    const double t15 = x[1]*t10; /* omega_tau*s */
+    out[0] = t15;
+    const double t16 = p[6]*t12; /* (I1/K + m*R^2/K)*1/(s^2*Theta)*Theta*gamma3*omega_n*s */
+    const double t17 = JLT_FMA(p[10], x[3], t16); /* (I3/K + m*R^2/K)*omega3 + (I1/K + m*R^2/K)*1/(s^2*Theta)*Theta*gamma3*omega_n*s */
+    const double t18 = x[2]*t17; /* omega_n*t17 */
+    const double t19 = -t18; /* -omega_n*t17 */
+    out[1] = t19;
+    const double t20 = JLT_FMA(p[11], t14, t12); /* (I3^2 + m*R^2*I3)*1/(s^2*Theta)*omega3*s^2 + 1/(s^2*Theta)*Theta*gamma3*omega_n*s */
+    const double t21 = x[1]*t20; /* omega_tau*t20 */
+    out[2] = t21;
+    const double t22 = x[0]*p[12]; /* gamma3*m*R^2*(I1 - I3) */
+    const double t23 = t15*t22; /* omega_tau*s*gamma3*m*R^2*(I1 - I3) */
+    const double t24 = t14*t23; /* 1/(s^2*Theta)*omega3*s^2*omega_tau*s*gamma3*m*R^2*(I1 - I3) */
+    out[3] = t24;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = x[0]*p[15]; /* gamma3*I3/I1 */
-    const double t4 = p[14] + t2; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[1] = t6;
-    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*s */
-    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*s) */
-    const double t9 = t5*t8; /* 1/s = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
-    const double t10 = x[0]*t9; /* gamma3*1/s */
-    const double t11 = x[1]*t10; /* omega_tau*gamma3*1/s */
-    out[10] = t11;
-    const double t12 = -t11; /* -omega_tau*gamma3*1/s */
-    out[0] = t12;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    out[1] = t3;
+    const double t4 = x[0]*p[14]; /* gamma3*I3/I1 */
+    const double t5 = t2 + p[13]; /* s^2 + I3/(m*R^2) */
+    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s^2 + I3/(m*R^2) */
+    const double t7 = t2*t6; /* s^2*Theta/(m*R^2*I1) */
+    const double t8 = 1.0/t7; /* 1/(s^2*Theta/(m*R^2*I1)) */
+    const double t9 = t3*t6; /* s*Theta/(m*R^2*I1) */
+    const double t10 = t8*t9; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
+    const double t11 = x[0]*t10; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
+    const double t12 = x[1]*t11; /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
+    out[10] = t12;
+    const double t13 = -t12; /* -omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
+    out[0] = t13;
     out[2] = 0.0;
     out[3] = 0.0;
     out[5] = 0.0;
     out[14] = 0.0;
-    const double t13 = t9*x[2]; /* 1/s*omega_n */
-    const double t14 = t10*x[3]; /* gamma3*1/s*omega3 */
-    const double t15 = x[0]*t13; /* gamma3*1/s*omega_n */
-    const double t16 = t6*x[3]; /* s*omega3 */
-    const double t17 = t9*t16; /* 1/s*s*omega3 */
-    const double t18 = t15 + t17; /* gamma3*1/s*omega_n + 1/s*s*omega3 */
-    const double t19 = t14 - x[2]; /* gamma3*1/s*omega3 - omega_n */
-    const double t20 = JLT_FNMA(t10, t18, t19); /* gamma3*1/s*omega3 - omega_n - gamma3*1/s*(gamma3*1/s*omega_n + 1/s*s*omega3) */
-    const double t21 = p[11]*t20; /* m*R^2/K*t20 */
-    const double t22 = t9*t13; /* 1/s*1/s*omega_n */
-    const double t23 = JLT_FNMA(p[16], t22, t21); /* m*R^2/K*t20 - I1/K*1/s*1/s*omega_n */
-    const double t24 = t13*t23; /* 1/s*omega_n*(m*R^2/K*t20 - I1/K*1/s*1/s*omega_n) */
-    out[4] = t24;
-    const double t25 = x[3]*p[18]; /* omega3*(-I3/K) */
-    const double t26 = JLT_FMA(t17, p[19], t25); /* 1/s*s*omega3*(-m*R^2/K) + omega3*(-I3/K) */
-    const double t27 = JLT_FMA(t15, p[17], t26); /* gamma3*1/s*omega_n*(-2*I1/K - 2*m*R^2/K) + 1/s*s*omega3*(-m*R^2/K) + omega3*(-I3/K) */
-    out[6] = t27;
-    const double t28 = x[2]*p[20]; /* omega_n*(-I3/K - m*R^2/K) */
-    out[7] = t28;
-    const double t29 = t9*t22; /* 1/s*1/s*1/s*omega_n */
-    const double t30 = t6*t8; /* 1/(Theta/(m*R^2*I1)) = s*1/(Theta/(m*R^2*I1)*s) */
-    const double t31 = x[0]*p[21]; /* gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
-    const double t32 = t30*t31; /* 1/(Theta/(m*R^2*I1))*gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
-    const double t33 = t30*p[22]; /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t34 = x[3]*t33; /* omega3*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t35 = JLT_FMA(t32, t34, t29); /* t32*omega3*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + 1/s*1/s*1/s*omega_n */
-    const double t36 = x[1]*t35; /* omega_tau*t35 */
-    out[8] = t36;
-    const double t37 = t15 + t34; /* gamma3*1/s*omega_n + omega3*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    out[9] = t37;
-    const double t38 = x[1]*t33; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    out[11] = t38;
-    const double t39 = t30*p[23]; /* 1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t40 = x[0]*t39; /* gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t41 = JLT_FMA(t32, t40, t39); /* t32*gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 + 1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t42 = x[1]*t16; /* omega_tau*s*omega3 */
-    const double t43 = t41*t42; /* t41*omega_tau*s*omega3 */
-    const double t44 = x[1]*t40; /* omega_tau*gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t45 = JLT_FNMA(t14, t44, t43); /* t41*omega_tau*s*omega3 - gamma3*1/s*omega3*omega_tau*gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    out[12] = t45;
-    const double t46 = t16*t40; /* s*omega3*gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    out[13] = t46;
-    const double t47 = t6*t44; /* s*omega_tau*gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    out[15] = t47;
+    const double t14 = t10*x[2]; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
+    const double t15 = t11*x[3]; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega3 */
+    const double t16 = x[0]*t14; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
+    const double t17 = t3*x[3]; /* s*omega3 */
+    const double t18 = t10*t17; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*s*omega3 */
+    const double t19 = t16 + t18; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n + 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*s*omega3 */
+    const double t20 = t15 - x[2]; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega3 - omega_n */
+    const double t21 = JLT_FNMA(t11, t19, t20); /* t20 - gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*t19 */
+    const double t22 = p[15]*t21; /* m*R^2/K*(t20 - gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*t19) */
+    const double t23 = t10*t14; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
+    const double t24 = JLT_FNMA(p[16], t23, t22); /* t22 - I1/K*t23 */
+    const double t25 = t14*t24; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n*(t22 - I1/K*t23) */
+    out[4] = t25;
+    const double t26 = x[3]*p[18]; /* omega3*(-I3/K) */
+    const double t27 = JLT_FMA(t18, p[19], t26); /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*s*omega3*(-m*R^2/K) + omega3*(-I3/K) */
+    const double t28 = JLT_FMA(t16, p[17], t27); /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n*(-2*I1/K - 2*m*R^2/K) + t27 */
+    out[6] = t28;
+    const double t29 = x[2]*p[20]; /* omega_n*(-I3/K - m*R^2/K) */
+    out[7] = t29;
+    const double t30 = t10*t23; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*t23 */
+    const double t31 = t2*t8; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t32 = x[0]*p[21]; /* gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
+    const double t33 = t31*t32; /* 1/(Theta/(m*R^2*I1))*gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
+    const double t34 = t31*p[22]; /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t35 = x[3]*t34; /* omega3*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t36 = JLT_FMA(t33, t35, t30); /* t33*omega3*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*t23 */
+    const double t37 = x[1]*t36; /* omega_tau*t36 */
+    out[8] = t37;
+    const double t38 = t16 + t35; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n + omega3*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[9] = t38;
+    const double t39 = x[1]*t34; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[11] = t39;
+    const double t40 = t31*p[23]; /* 1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t41 = x[0]*t40; /* gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t42 = JLT_FMA(t33, t41, t40); /* t33*gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 + 1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t43 = x[1]*t17; /* omega_tau*s*omega3 */
+    const double t44 = t42*t43; /* t42*omega_tau*s*omega3 */
+    const double t45 = x[1]*t41; /* omega_tau*gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t46 = JLT_FNMA(t15, t45, t44); /* t42*omega_tau*s*omega3 - gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega3*omega_tau*gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    out[12] = t46;
+    const double t47 = t17*t41; /* s*omega3*gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    out[13] = t47;
+    const double t48 = t3*t45; /* s*omega_tau*gamma3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    out[15] = t48;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -247,70 +249,69 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[11] = t0;
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(1 + gamma3) */
-    const double t4 = x[0]*p[15]; /* gamma3*I3/I1 */
-    const double t5 = p[14] + t3; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = sqrt(t3); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[5] = t7;
-    const double t8 = t6*t7; /* Theta/(m*R^2*I1)*s */
-    const double t9 = 1.0/t8; /* 1/(Theta/(m*R^2*I1)*s) */
-    const double t10 = t6*t9; /* 1/s = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
-    const double t11 = t7*t9; /* 1/(Theta/(m*R^2*I1)) = s*1/(Theta/(m*R^2*I1)*s) */
-    const double t12 = t7*t10; /* s*1/s */
-    const double t13 = x[0]*t10; /* gamma3*1/s */
-    const double t14 = x[2]*t13; /* omega_n*gamma3*1/s */
-    const double t15 = 1.0 - t12; /* 1 - s*1/s */
-    const double t16 = JLT_FMA(p[11], t12, p[10]); /* m*R^2/K*s*1/s + I3/K */
-    const double t17 = JLT_FMS(x[3], t15, t14); /* omega3*(1 - s*1/s) - omega_n*gamma3*1/s */
-    const double t18 = x[3]*t16; /* omega3*(m*R^2/K*s*1/s + I3/K) */
-    const double t19 = JLT_FMS(t13, t17, x[2]); /* gamma3*1/s*(omega3*(1 - s*1/s) - omega_n*gamma3*1/s) - omega_n */
-    const double t20 = x[1]*t13; /* omega_tau*gamma3*1/s */
-    out[14] = t20;
-    const double t21 = p[11]*t19; /* m*R^2/K*t19 */
-    const double t22 = -t20; /* -omega_tau*gamma3*1/s */
-    out[4] = t22;
-    const double t23 = x[2]*t10; /* omega_n*1/s */
-    const double t24 = x[1]*t7; /* omega_tau*s */
-    out[0] = t24;
-    const double t25 = x[3]*t11; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t26 = t10*t23; /* 1/s*omega_n*1/s */
-    const double t27 = t10*t26; /* 1/s*1/s*omega_n*1/s */
-    const double t28 = JLT_FNMA(p[16], t26, t21); /* m*R^2/K*t19 - I1/K*1/s*omega_n*1/s */
-    const double t29 = t23*t28; /* omega_n*1/s*(m*R^2/K*t19 - I1/K*1/s*omega_n*1/s) */
-    out[8] = t29;
-    const double t30 = x[0]*t11; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t31 = JLT_FMA(p[6], t14, t18); /* (I1/K + m*R^2/K)*omega_n*gamma3*1/s + omega3*(m*R^2/K*s*1/s + I3/K) */
-    const double t32 = x[2]*t31; /* omega_n*t31 */
-    const double t33 = -t32; /* -omega_n*t31 */
-    out[1] = t33;
-    const double t34 = JLT_FMA(p[24], t14, t18); /* (2*I1/K + 2*m*R^2/K)*omega_n*gamma3*1/s + omega3*(m*R^2/K*s*1/s + I3/K) */
-    const double t35 = -t34; /* -t34 */
-    out[10] = t35;
-    const double t36 = JLT_FMA(p[22], t25, t14); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/s */
-    out[13] = t36;
-    const double t37 = x[1]*t36; /* omega_tau*t36 */
-    out[2] = t37;
-    const double t38 = p[23]*t25; /* (I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t39 = p[25]*t30; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t40 = JLT_FMA(t25, t39, t27); /* omega3*1/(Theta/(m*R^2*I1))*t39 + 1/s*1/s*omega_n*1/s */
-    const double t41 = x[1]*t40; /* omega_tau*(omega3*1/(Theta/(m*R^2*I1))*t39 + 1/s*1/s*omega_n*1/s) */
-    out[12] = t41;
-    const double t42 = t24*t30; /* omega_tau*s*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t43 = JLT_FNMA(p[21], t42, t20); /* omega_tau*gamma3*1/s - 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*omega_tau*s*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t44 = p[23]*t42; /* (I1 - I3)/I1*omega_tau*s*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[19] = t44;
-    const double t45 = x[0]*t38; /* gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t46 = t7*t45; /* s*gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
-    out[17] = t46;
-    const double t47 = t24*t38; /* omega_tau*s*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t48 = JLT_FNMA(t43, t45, t47); /* omega_tau*s*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) - t43*gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
-    out[16] = t48;
-    const double t49 = t24*t45; /* omega_tau*s*gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
-    out[3] = t49;
-    const double t50 = x[1]*p[22]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t51 = t11*t50; /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    out[15] = t51;
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t4 = x[0]*p[14]; /* gamma3*I3/I1 */
+    const double t5 = p[13] + t3; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
+    const double t7 = t3*t6; /* s^2*Theta/(m*R^2*I1) */
+    const double t8 = 1.0/t7; /* 1/(s^2*Theta/(m*R^2*I1)) */
+    const double t9 = sqrt(t3); /* s = sqrt(s^2) */
+    out[5] = t9;
+    const double t10 = t6*t9; /* Theta/(m*R^2*I1)*s */
+    const double t11 = t8*t10; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t12 = t3*t8; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t13 = x[0]*t11; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t14 = x[2]*t13; /* omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t15 = t13*t14; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t16 = -t15; /* -t15 */
+    const double t17 = t16 - x[2]; /* -t15 - omega_n */
+    const double t18 = x[1]*t13; /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    out[14] = t18;
+    const double t19 = p[15]*t17; /* m*R^2/K*(-t15 - omega_n) */
+    const double t20 = -t18; /* -omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    out[4] = t20;
+    const double t21 = x[2]*t11; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t22 = x[1]*t9; /* omega_tau*s */
+    out[0] = t22;
+    const double t23 = p[10]*x[3]; /* (I3/K + m*R^2/K)*omega3 */
+    const double t24 = x[3]*t12; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t25 = t11*t21; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t26 = t11*t25; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t25 */
+    const double t27 = JLT_FNMA(p[16], t25, t19); /* m*R^2/K*(-t15 - omega_n) - I1/K*t25 */
+    const double t28 = t21*t27; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*(m*R^2/K*(-t15 - omega_n) - I1/K*t25) */
+    out[8] = t28;
+    const double t29 = x[0]*t12; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t30 = JLT_FMA(p[6], t14, t23); /* (I1/K + m*R^2/K)*omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + (I3/K + m*R^2/K)*omega3 */
+    const double t31 = x[2]*t30; /* omega_n*t30 */
+    const double t32 = -t31; /* -omega_n*t30 */
+    out[1] = t32;
+    const double t33 = JLT_FMA(p[24], t14, t23); /* (2*I1/K + 2*m*R^2/K)*omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + (I3/K + m*R^2/K)*omega3 */
+    const double t34 = -t33; /* -t33 */
+    out[10] = t34;
+    const double t35 = JLT_FMA(p[22], t24, t14); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    out[13] = t35;
+    const double t36 = x[1]*t35; /* omega_tau*t35 */
+    out[2] = t36;
+    const double t37 = p[23]*t24; /* (I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t38 = p[25]*t29; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t39 = JLT_FMA(t24, t38, t26); /* omega3*1/(Theta/(m*R^2*I1))*t38 + 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t25 */
+    const double t40 = x[1]*t39; /* omega_tau*t39 */
+    out[12] = t40;
+    const double t41 = t22*t29; /* omega_tau*s*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t42 = JLT_FNMA(p[21], t41, t18); /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*omega_tau*s*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t43 = p[23]*t41; /* (I1 - I3)/I1*omega_tau*s*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[19] = t43;
+    const double t44 = x[0]*t37; /* gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t45 = t9*t44; /* s*gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
+    out[17] = t45;
+    const double t46 = t22*t37; /* omega_tau*s*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t47 = JLT_FNMA(t42, t44, t46); /* omega_tau*s*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) - t42*gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
+    out[16] = t47;
+    const double t48 = t22*t44; /* omega_tau*s*gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
+    out[3] = t48;
+    const double t49 = x[1]*p[22]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t50 = t12*t49; /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[15] = t50;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -319,8 +320,8 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = x[0]*p[15]; /* gamma3*I3/I1 */
-    const double t5 = t2 + p[14]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
+    const double t4 = x[0]*p[14]; /* gamma3*I3/I1 */
+    const double t5 = t2 + p[13]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
     const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
     const double t7 = p[23]*x[0]; /* (I1 - I3)/I1*gamma3 */
     const double t8 = x[1]*t7; /* omega_tau*(I1 - I3)/I1*gamma3 */
@@ -476,8 +477,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t12[k] = (k == 0 ? 1.0 : 0) - x0[k];
         t13[k] = (k == 0 ? 1.0 : 0) + x0[k];
         t14[k] = jlt_jet_product(t12, t13, k);
-        t15[k] = x0[k]*p[15];
-        t16[k] = (k == 0 ? p[14] : 0) + t14[k];
+        t15[k] = x0[k]*p[14];
+        t16[k] = (k == 0 ? p[13] : 0) + t14[k];
         t17[k] = jlt_jet_product(x0, t15, k) + t16[k];
         t18[k] = jlt_jet_root(t14[k], t18, k);
         t19[k] = jlt_jet_product(t17, t18, k);
@@ -488,10 +489,10 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t24[k] = jlt_jet_product(t20, t22, k);
         t25[k] = jlt_jet_product(x0, x2, k);
         t26[k] = t22[k] + t25[k];
-        t27[k] = p[11]*t26[k];
+        t27[k] = p[15]*t26[k];
         t28[k] = jlt_jet_product(t21, t27, k);
         t29[k] = jlt_jet_product(t21, t25, k);
-        t30[k] = x3[k]*p[10] + t28[k];
+        t30[k] = x3[k]*p[38] + t28[k];
         t31[k] = p[16]*t29[k] + t30[k];
         t32[k] = jlt_jet_product(x2, t31, k);
         t33[k] = -t32[k];
@@ -613,16 +614,16 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0",
     .table = jlt_table_routh_sphere,
-    .state_count = 4, .param_count = 6, .block_count = 38,
+    .state_count = 4, .param_count = 6, .block_count = 39,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 3, 16, 5, 1, 1, 0, 11, 6 }, { 11, 46, 0, 7, 1, 0, 10, 7 },
+    .rhs = { rhs, 4, { 3, 16, 4, 1, 1, 0, 10, 5 }, { 11, 46, 0, 7, 1, 0, 10, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 16, { 7, 31, 8, 1, 1, 0, 14, 12 }, { 31, 137, 0, 27, 1, 0, 11, 8 },
+    .jacobian = { jacobian, 16, { 7, 32, 8, 1, 1, 0, 14, 13 }, { 31, 137, 0, 27, 1, 0, 11, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 7, 32, 11, 1, 1, 0, 14, 12 }, { 37, 165, 0, 34, 1, 0, 11, 10 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 8, 33, 8, 1, 1, 0, 15, 12 }, { 37, 165, 0, 34, 1, 0, 11, 10 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 3, 5, 1, 1, 1, 0, 5, 4 }, { 4, 18, 0, 1, 1, 0, 8, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },

@@ -12,7 +12,7 @@
  *  rhs_jacobian        10   36    9    1    0    0      8   11   (287)
  *  divergence          1    5    1    1    0    0      4    4   (22)
  *  integral_values     0   10    8    0    1    0      5    4   (44)
- *  integral_gradients  0   15    5    1    1    0      6    4   (62)
+ *  integral_gradients  0   16    5    1    1    0      6    5   (62)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy
@@ -421,11 +421,12 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t17 = JLT_FMA(x[0], t14, t16); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t18 = sqrt(t17); /* h = sqrt(Theta) */
     out[13] = t18;
-    const double t19 = x[3]/t18; /* omega3/h */
-    const double t20 = t14*t19; /* gamma3*m*R^2*I3*omega3/h */
-    out[10] = t20;
-    const double t21 = t15*t19; /* s*m*R^2*I1*omega3/h */
-    out[14] = t21;
+    const double t19 = x[3]/t17; /* omega3/Theta */
+    const double t20 = t18*t19; /* h*omega3/Theta */
+    const double t21 = t14*t20; /* gamma3*m*R^2*I3*h*omega3/Theta */
+    out[10] = t21;
+    const double t22 = t15*t20; /* s*m*R^2*I1*h*omega3/Theta */
+    out[14] = t22;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -577,7 +578,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular = {
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .integral_values = { integral_values, 3, { 0, 10, 8, 0, 1, 0, 5, 4 }, { 8, 35, 0, 0, 1, 0, 8, 5 },
         "takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 15, { 0, 15, 5, 1, 1, 0, 6, 4 }, { 8, 51, 0, 2, 1, 0, 8, 5 },
+    .integral_gradients = { integral_gradients, 15, { 0, 16, 5, 1, 1, 0, 6, 5 }, { 8, 51, 0, 2, 1, 0, 8, 5 },
         "divides by h: values and rounding errors grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

@@ -11,7 +11,7 @@
  *  rhs_jacobian        10   57   26    1    0    0     11   15   (407)
  *  divergence          2    7    4    1    0    0      6    6   (41)
  *  integral_values     0   13   12    0    1    0      6    7   (54)
- *  integral_gradients  0   24   12    1    1    0      6    8   (77)
+ *  integral_gradients  0   25   12    1    1    0      6    8   (77)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy
@@ -572,12 +572,13 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t32 = JLT_FMA(t4, t30, t31); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t33 = sqrt(t32); /* h = sqrt(Theta) */
     out[13] = t33;
-    const double t34 = x[3]/t33; /* omega3/h */
-    const double t35 = t4*p[42]; /* b*m*R*I3 */
-    const double t36 = t34*t35; /* omega3/h*b*m*R*I3 */
-    out[10] = t36;
-    const double t37 = t29*t34; /* s*m*R^2*I1*omega3/h */
-    out[14] = t37;
+    const double t34 = x[3]/t32; /* omega3/Theta */
+    const double t35 = t33*t34; /* h*omega3/Theta */
+    const double t36 = t4*p[42]; /* b*m*R*I3 */
+    const double t37 = t35*t36; /* h*omega3/Theta*b*m*R*I3 */
+    out[10] = t37;
+    const double t38 = t29*t35; /* s*m*R^2*I1*h*omega3/Theta */
+    out[14] = t38;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -764,7 +765,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_general_in_regular = {
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes" },
     .integral_values = { integral_values, 3, { 0, 13, 12, 0, 1, 0, 6, 7 }, { 12, 41, 0, 0, 1, 0, 12, 6 },
         "takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 15, { 0, 24, 12, 1, 1, 0, 6, 8 }, { 14, 60, 0, 2, 1, 0, 8, 8 },
+    .integral_gradients = { integral_gradients, 15, { 0, 25, 12, 1, 1, 0, 6, 8 }, { 14, 60, 0, 2, 1, 0, 8, 8 },
         "divides by h: values and rounding errors grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

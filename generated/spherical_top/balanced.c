@@ -7,8 +7,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   18    6    1    1    0     10    7   (72)
- *  jacobian            6   39   13    1    1    0     13   14   (239)
- *  rhs_jacobian        10   43   14    1    1    0     13   14   (293)
+ *  jacobian            6   40   13    1    1    0     13   14   (239)
+ *  rhs_jacobian        10   44   14    1    1    0     13   14   (293)
  *  divergence          3   10    3    1    1    0      8    5   (33)
  *  integral_values     3   14    9    0    1    0      8    8   (58)
  *  integral_gradients  3   20    7    1    1    0      6    7   (85)
@@ -144,39 +144,39 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     const double t4 = x[2]*t3; /* omega_tau*s */
     out[0] = t4;
     const double t5 = x[0]*p[7]; /* gamma3*I3/I1 */
-    const double t6 = t2 + p[6]; /* (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
-    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) + I3/(m*R^2) */
-    const double t8 = t3*t7; /* s*Theta/(m*R^2*I1) */
-    const double t9 = 1.0/t8; /* 1/(s*Theta/(m*R^2*I1)) */
-    const double t10 = x[0]*x[3]; /* gamma3*omega_n */
-    const double t11 = t7*t10; /* Theta/(m*R^2*I1)*gamma3*omega_n */
-    const double t12 = t9*t11; /* 1/(s*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*gamma3*omega_n */
-    const double t13 = t12 + x[4]; /* 1/(s*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*gamma3*omega_n + omega3 */
-    const double t14 = p[1]*x[3]; /* R*omega_n */
-    const double t15 = t13*t14; /* t13*R*omega_n */
-    out[1] = t15;
-    const double t16 = JLT_FMA(p[7], x[4], t12); /* I3/I1*omega3 + 1/(s*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*gamma3*omega_n */
-    const double t17 = x[3]*t16; /* omega_n*t16 */
-    const double t18 = -t17; /* -omega_n*t16 */
-    out[2] = t18;
-    const double t19 = t3*t9; /* 1/(Theta/(m*R^2*I1)) = s*1/(s*Theta/(m*R^2*I1)) */
-    const double t20 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t21 = t19*t20; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
-    const double t22 = p[8]*t21; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
-    const double t23 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t24 = t19*t23; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t25 = JLT_FNMA(p[7], t24, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t26 = JLT_FMA(t12, t25, t22); /* 1/(s*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*gamma3*omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) + t22 */
-    out[3] = t26;
-    const double t27 = x[3]*t24; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t28 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
-    const double t29 = t3*t28; /* s*gamma3*(I1 - I3)/I1 */
-    const double t30 = JLT_FMS(t21, t29, t27); /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*s*gamma3*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t6 = t2 + p[6]; /* s^2 + I3/(m*R^2) */
+    const double t7 = JLT_FMA(x[0], t5, t6); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s^2 + I3/(m*R^2) */
+    const double t8 = t2*t7; /* s^2*Theta/(m*R^2*I1) */
+    const double t9 = 1.0/t8; /* 1/(s^2*Theta/(m*R^2*I1)) */
+    const double t10 = x[0]*t3; /* gamma3*s */
+    const double t11 = x[3]*t7; /* omega_n*Theta/(m*R^2*I1) */
+    const double t12 = t10*t11; /* gamma3*s*omega_n*Theta/(m*R^2*I1) */
+    const double t13 = t9*t12; /* 1/(s^2*Theta/(m*R^2*I1))*gamma3*s*omega_n*Theta/(m*R^2*I1) */
+    const double t14 = t13 + x[4]; /* 1/(s^2*Theta/(m*R^2*I1))*gamma3*s*omega_n*Theta/(m*R^2*I1) + omega3 */
+    const double t15 = p[1]*x[3]; /* R*omega_n */
+    const double t16 = t14*t15; /* t14*R*omega_n */
+    out[1] = t16;
+    const double t17 = JLT_FMA(p[7], x[4], t13); /* I3/I1*omega3 + 1/(s^2*Theta/(m*R^2*I1))*gamma3*s*omega_n*Theta/(m*R^2*I1) */
+    const double t18 = x[3]*t17; /* omega_n*t17 */
+    const double t19 = -t18; /* -omega_n*t17 */
+    out[2] = t19;
+    const double t20 = t2*t9; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t21 = x[2]*x[4]; /* omega_tau*omega3 */
+    const double t22 = t20*t21; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t23 = p[8]*t22; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t24 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t25 = t20*t24; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t26 = JLT_FNMA(p[7], t25, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t27 = JLT_FMA(t13, t26, t23); /* 1/(s^2*Theta/(m*R^2*I1))*gamma3*s*omega_n*Theta/(m*R^2*I1)*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) + t23 */
+    out[3] = t27;
+    const double t28 = x[3]*t25; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t29 = t10*p[10]; /* gamma3*s*(I1 - I3)/I1 */
+    const double t30 = JLT_FMS(t22, t29, t28); /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*gamma3*s*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
     out[4] = t30;
 }
 
@@ -184,19 +184,20 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = x[0]*p[7]; /* gamma3*I3/I1 */
-    const double t4 = p[6] + t2; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t6;
-    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*s */
-    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*s) */
-    const double t9 = t5*t8; /* 1/s = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
-    const double t10 = x[0]*t9; /* gamma3*1/s */
-    const double t11 = x[2]*t10; /* omega_tau*gamma3*1/s */
-    const double t12 = -t11; /* -omega_tau*gamma3*1/s */
-    out[0] = t12;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t3;
+    const double t4 = x[0]*p[7]; /* gamma3*I3/I1 */
+    const double t5 = t2 + p[6]; /* s^2 + I3/(m*R^2) */
+    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s^2 + I3/(m*R^2) */
+    const double t7 = t2*t6; /* s^2*Theta/(m*R^2*I1) */
+    const double t8 = 1.0/t7; /* 1/(s^2*Theta/(m*R^2*I1)) */
+    const double t9 = t3*t6; /* s*Theta/(m*R^2*I1) */
+    const double t10 = t8*t9; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
+    const double t11 = x[0]*t10; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
+    const double t12 = x[2]*t11; /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
+    const double t13 = -t12; /* -omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
+    out[0] = t13;
     out[1] = 0.0;
     out[3] = 0.0;
     out[4] = 0.0;
@@ -204,69 +205,69 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[7] = 0.0;
     out[11] = 0.0;
     out[12] = 0.0;
-    const double t13 = t9*x[3]; /* 1/s*omega_n */
-    const double t14 = t9*t13; /* 1/s*1/s*omega_n */
-    const double t15 = t13*t14; /* 1/s*omega_n*1/s*1/s*omega_n */
-    const double t16 = p[1]*t15; /* R*1/s*omega_n*1/s*1/s*omega_n */
-    out[5] = t16;
-    const double t17 = p[1]*x[4]; /* R*omega3 */
-    const double t18 = t10*x[3]; /* gamma3*1/s*omega_n */
-    const double t19 = JLT_FMA(p[11], t18, t17); /* 2*R*gamma3*1/s*omega_n + R*omega3 */
-    out[8] = t19;
-    const double t20 = p[1]*x[3]; /* R*omega_n */
-    out[9] = t20;
-    const double t21 = -t15; /* -1/s*omega_n*1/s*1/s*omega_n */
-    out[10] = t21;
-    const double t22 = x[4]*p[12]; /* omega3*(-I3/I1) */
-    const double t23 = JLT_FMA(t18, (-2.0), t22); /* gamma3*1/s*omega_n*(-2) + omega3*(-I3/I1) */
-    out[13] = t23;
-    const double t24 = x[3]*p[12]; /* omega_n*(-I3/I1) */
-    out[14] = t24;
-    const double t25 = x[0]*p[13]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t26 = t6*t8; /* 1/(Theta/(m*R^2*I1)) = s*1/(Theta/(m*R^2*I1)*s) */
-    const double t27 = x[4]*t26; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t28 = x[2]*t26; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t29 = p[14]*t27; /* (I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t30 = t28*t29; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t31 = t18*t26; /* gamma3*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t32 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t33 = t26*t32; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t34 = p[15]*t33; /* I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
-    const double t35 = JLT_FNMA(t31, t34, t30); /* t30 - gamma3*1/s*omega_n*1/(Theta/(m*R^2*I1))*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
-    const double t36 = t25*t35; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t35 */
-    const double t37 = JLT_FNMA(p[7], t33, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t38 = t9*t14; /* 1/s*1/s*1/s*omega_n */
-    const double t39 = JLT_FMA(t37, t38, t36); /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*1/s*1/s*1/s*omega_n + gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t35 */
-    out[15] = t39;
-    const double t40 = t31*p[16]; /* gamma3*1/s*omega_n*1/(Theta/(m*R^2*I1))*(-I3/(R*I1)) */
-    out[16] = t40;
-    const double t41 = JLT_FMA(t27, p[8], t18); /* omega3*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + gamma3*1/s*omega_n */
-    const double t42 = JLT_FNMA(p[7], t31, t41); /* t41 - I3/I1*gamma3*1/s*omega_n*1/(Theta/(m*R^2*I1)) */
-    out[17] = t42;
-    const double t43 = t10*t37; /* gamma3*1/s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[18] = t43;
-    const double t44 = t28*p[8]; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    out[19] = t44;
-    const double t45 = t28*p[10]; /* omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t46 = x[0]*t6; /* gamma3*s */
-    const double t47 = t27*t46; /* omega3*1/(Theta/(m*R^2*I1))*gamma3*s */
-    const double t48 = t45*t47; /* omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1))*gamma3*s */
-    const double t49 = x[3]*t26; /* omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t50 = JLT_FNMA(t33, t49, t48); /* t48 - 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t51 = t25*p[17]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*1/(m*R^2*I1) */
-    const double t52 = t50*t51; /* (t48 - 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)))*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*1/(m*R^2*I1) */
-    const double t53 = JLT_FMS(x[0], t10, t6); /* gamma3*gamma3*1/s - s */
-    const double t54 = x[4]*t45; /* omega3*omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t55 = JLT_FNMA(t53, t54, t52); /* t52 - (gamma3*gamma3*1/s - s)*omega3*omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    out[20] = t55;
-    const double t56 = t49*p[18]; /* omega_n*1/(Theta/(m*R^2*I1))*(-1/R) */
-    out[21] = t56;
-    const double t57 = JLT_FMS(p[10], t47, t49); /* (I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1))*gamma3*s - omega_n*1/(Theta/(m*R^2*I1)) */
-    out[22] = t57;
-    const double t58 = -t33; /* -1/(Theta/(m*R^2*I1))*V/R */
-    out[23] = t58;
-    const double t59 = t45*t46; /* omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*gamma3*s */
-    out[24] = t59;
+    const double t14 = t10*x[3]; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
+    const double t15 = t10*t14; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
+    const double t16 = t14*t15; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n*t15 */
+    const double t17 = p[1]*t16; /* R*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n*t15 */
+    out[5] = t17;
+    const double t18 = p[1]*x[4]; /* R*omega3 */
+    const double t19 = t11*x[3]; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
+    const double t20 = JLT_FMA(p[11], t19, t18); /* 2*R*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n + R*omega3 */
+    out[8] = t20;
+    const double t21 = p[1]*x[3]; /* R*omega_n */
+    out[9] = t21;
+    const double t22 = -t16; /* -1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n*t15 */
+    out[10] = t22;
+    const double t23 = x[4]*p[12]; /* omega3*(-I3/I1) */
+    const double t24 = JLT_FMA(t19, (-2.0), t23); /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n*(-2) + omega3*(-I3/I1) */
+    out[13] = t24;
+    const double t25 = x[3]*p[12]; /* omega_n*(-I3/I1) */
+    out[14] = t25;
+    const double t26 = x[0]*p[13]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t27 = t2*t8; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t28 = x[4]*t27; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t29 = x[2]*t27; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t30 = p[14]*t28; /* (I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t31 = t29*t30; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t32 = t19*t27; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t33 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t34 = t27*t33; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t35 = p[15]*t34; /* I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t36 = JLT_FNMA(t32, t35, t31); /* t31 - t32*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t37 = t26*t36; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*(t31 - t32*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t38 = JLT_FNMA(p[7], t34, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t39 = t10*t15; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*t15 */
+    const double t40 = JLT_FMA(t38, t39, t37); /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*t15 + t37 */
+    out[15] = t40;
+    const double t41 = t32*p[16]; /* t32*(-I3/(R*I1)) */
+    out[16] = t41;
+    const double t42 = JLT_FMA(t28, p[8], t19); /* omega3*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
+    const double t43 = JLT_FNMA(p[7], t32, t42); /* t42 - I3/I1*t32 */
+    out[17] = t43;
+    const double t44 = t11*t38; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[18] = t44;
+    const double t45 = t29*p[8]; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[19] = t45;
+    const double t46 = t29*p[10]; /* omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t47 = x[0]*t3; /* gamma3*s */
+    const double t48 = t28*t47; /* omega3*1/(Theta/(m*R^2*I1))*gamma3*s */
+    const double t49 = t46*t48; /* omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1))*gamma3*s */
+    const double t50 = x[3]*t27; /* omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t51 = JLT_FNMA(t34, t50, t49); /* t49 - 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t52 = t26*p[17]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*1/(m*R^2*I1) */
+    const double t53 = t51*t52; /* (t49 - 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)))*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*1/(m*R^2*I1) */
+    const double t54 = JLT_FMS(x[0], t11, t3); /* gamma3*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) - s */
+    const double t55 = x[4]*t46; /* omega3*omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    const double t56 = JLT_FNMA(t54, t55, t53); /* t53 - t54*omega3*omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
+    out[20] = t56;
+    const double t57 = t50*p[18]; /* omega_n*1/(Theta/(m*R^2*I1))*(-1/R) */
+    out[21] = t57;
+    const double t58 = JLT_FMS(p[10], t48, t50); /* (I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1))*gamma3*s - omega_n*1/(Theta/(m*R^2*I1)) */
+    out[22] = t58;
+    const double t59 = -t34; /* -1/(Theta/(m*R^2*I1))*V/R */
+    out[23] = t59;
+    const double t60 = t46*t47; /* omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*gamma3*s */
+    out[24] = t60;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -282,116 +283,117 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[19] = t0;
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t4 = x[0]*p[7]; /* gamma3*I3/I1 */
-    const double t5 = p[6] + t3; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = sqrt(t3); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[7] = t7;
-    const double t8 = x[2]*t7; /* omega_tau*s */
-    out[0] = t8;
-    const double t9 = t6*t7; /* Theta/(m*R^2*I1)*s */
-    const double t10 = 1.0/t9; /* 1/(Theta/(m*R^2*I1)*s) */
-    const double t11 = t6*t10; /* 1/s = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
-    const double t12 = t7*t10; /* 1/(Theta/(m*R^2*I1)) = s*1/(Theta/(m*R^2*I1)*s) */
-    const double t13 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t14 = t12*t13; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t15 = -t14; /* -1/(Theta/(m*R^2*I1))*V/R */
-    out[28] = t15;
-    const double t16 = x[2]*t12; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t17 = p[8]*t16; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[24] = t17;
-    const double t18 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
-    const double t19 = t7*t18; /* s*gamma3*(I1 - I3)/I1 */
-    const double t20 = t16*t19; /* omega_tau*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 */
-    out[29] = t20;
-    const double t21 = x[4]*t16; /* omega3*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t22 = x[0]*t12; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t23 = x[3]*t11; /* omega_n*1/s */
-    const double t24 = p[19]*t22; /* 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t25 = t14*t24; /* 1/(Theta/(m*R^2*I1))*V/R*t24 */
-    const double t26 = x[0]*t23; /* gamma3*omega_n*1/s */
-    const double t27 = t25*t26; /* 1/(Theta/(m*R^2*I1))*V/R*t24*gamma3*omega_n*1/s */
-    const double t28 = x[4]*p[7]; /* omega3*I3/I1 */
-    const double t29 = t19*t21; /* s*gamma3*(I1 - I3)/I1*omega3*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t30 = JLT_FNMA(x[3], t14, t29); /* s*gamma3*(I1 - I3)/I1*omega3*omega_tau*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    out[4] = t30;
-    const double t31 = JLT_FNMA(p[7], t14, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t32 = t26 + t28; /* gamma3*omega_n*1/s + omega3*I3/I1 */
-    const double t33 = x[3]*t32; /* omega_n*(gamma3*omega_n*1/s + omega3*I3/I1) */
-    const double t34 = -t33; /* -omega_n*(gamma3*omega_n*1/s + omega3*I3/I1) */
-    out[2] = t34;
-    const double t35 = JLT_FMA(2.0, t26, t28); /* 2*gamma3*omega_n*1/s + omega3*I3/I1 */
-    const double t36 = -t35; /* -(2*gamma3*omega_n*1/s + omega3*I3/I1) */
-    out[18] = t36;
-    const double t37 = x[0]*t11; /* gamma3*1/s */
-    const double t38 = JLT_FMS(x[0], t37, t7); /* gamma3*gamma3*1/s - s */
-    const double t39 = t31*t37; /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*gamma3*1/s */
-    out[23] = t39;
-    const double t40 = x[2]*t37; /* omega_tau*gamma3*1/s */
-    const double t41 = -t40; /* -omega_tau*gamma3*1/s */
-    out[5] = t41;
-    const double t42 = t11*t23; /* 1/s*omega_n*1/s */
-    const double t43 = t23*t42; /* omega_n*1/s*1/s*omega_n*1/s */
-    const double t44 = t11*t42; /* 1/s*1/s*omega_n*1/s */
-    const double t45 = p[1]*t43; /* R*omega_n*1/s*1/s*omega_n*1/s */
-    out[10] = t45;
-    const double t46 = -t43; /* -omega_n*1/s*1/s*omega_n*1/s */
-    out[15] = t46;
-    const double t47 = p[20]*t22; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t48 = JLT_FMS(t21, t47, t27); /* omega3*omega_tau*1/(Theta/(m*R^2*I1))*t47 - 1/(Theta/(m*R^2*I1))*V/R*t24*gamma3*omega_n*1/s */
-    const double t49 = JLT_FMA(t31, t44, t48); /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*1/s*1/s*omega_n*1/s + t48 */
-    out[20] = t49;
-    const double t50 = p[21]*t22; /* 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t51 = t30*t50; /* t30*t50 */
-    const double t52 = t26*t31; /* gamma3*omega_n*1/s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t53 = JLT_FMA(p[8], t21, t52); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*omega_tau*1/(Theta/(m*R^2*I1)) + t52 */
-    out[3] = t53;
-    const double t54 = p[10]*t21; /* (I1 - I3)/I1*omega3*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t55 = JLT_FNMA(t38, t54, t51); /* t30*t50 - (gamma3*gamma3*1/s - s)*(I1 - I3)/I1*omega3*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[25] = t55;
-    const double t56 = x[4]*t12; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t57 = p[1]*x[3]; /* R*omega_n */
-    out[14] = t57;
-    const double t58 = x[4] + t26; /* omega3 + gamma3*omega_n*1/s */
-    const double t59 = t57*t58; /* R*omega_n*(omega3 + gamma3*omega_n*1/s) */
-    out[1] = t59;
-    const double t60 = p[1]*x[4]; /* R*omega3 */
-    const double t61 = JLT_FMA(p[11], t26, t60); /* 2*R*gamma3*omega_n*1/s + R*omega3 */
-    out[13] = t61;
-    const double t62 = t12*t26; /* 1/(Theta/(m*R^2*I1))*gamma3*omega_n*1/s */
-    const double t63 = JLT_FMA(p[8], t56, t26); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*omega_n*1/s */
-    const double t64 = JLT_FNMA(p[7], t62, t63); /* t63 - I3/I1*1/(Theta/(m*R^2*I1))*gamma3*omega_n*1/s */
-    out[22] = t64;
-    const double t65 = p[16]*t62; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*gamma3*omega_n*1/s */
-    out[21] = t65;
-    const double t66 = x[3]*t12; /* omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t67 = JLT_FMS(t19, t56, t66); /* s*gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1)) */
-    out[27] = t67;
-    const double t68 = p[18]*t66; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
-    out[26] = t68;
+    const double t5 = p[6] + t3; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
+    const double t7 = t3*t6; /* s^2*Theta/(m*R^2*I1) */
+    const double t8 = 1.0/t7; /* 1/(s^2*Theta/(m*R^2*I1)) */
+    const double t9 = sqrt(t3); /* s = sqrt(s^2) */
+    out[7] = t9;
+    const double t10 = t6*t9; /* Theta/(m*R^2*I1)*s */
+    const double t11 = t3*t8; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t12 = t8*t10; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t13 = x[2]*t9; /* omega_tau*s */
+    out[0] = t13;
+    const double t14 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t15 = t11*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t16 = -t15; /* -1/(Theta/(m*R^2*I1))*V/R */
+    out[28] = t16;
+    const double t17 = x[2]*t11; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t18 = p[8]*t17; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[24] = t18;
+    const double t19 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
+    const double t20 = t9*t19; /* s*gamma3*(I1 - I3)/I1 */
+    const double t21 = t17*t20; /* omega_tau*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 */
+    out[29] = t21;
+    const double t22 = x[4]*t17; /* omega3*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t23 = x[0]*t11; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t24 = x[3]*t12; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t25 = p[19]*t23; /* 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t26 = t15*t25; /* 1/(Theta/(m*R^2*I1))*V/R*t25 */
+    const double t27 = x[0]*t24; /* gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t28 = t26*t27; /* 1/(Theta/(m*R^2*I1))*V/R*t25*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t29 = x[4]*p[7]; /* omega3*I3/I1 */
+    const double t30 = t20*t22; /* s*gamma3*(I1 - I3)/I1*omega3*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t31 = JLT_FNMA(x[3], t15, t30); /* s*gamma3*(I1 - I3)/I1*omega3*omega_tau*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    out[4] = t31;
+    const double t32 = JLT_FNMA(p[7], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t33 = t27 + t29; /* gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + omega3*I3/I1 */
+    const double t34 = x[3]*t33; /* omega_n*t33 */
+    const double t35 = -t34; /* -omega_n*t33 */
+    out[2] = t35;
+    const double t36 = JLT_FMA(2.0, t27, t29); /* 2*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + omega3*I3/I1 */
+    const double t37 = -t36; /* -t36 */
+    out[18] = t37;
+    const double t38 = x[0]*t12; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t39 = JLT_FMS(x[0], t38, t9); /* gamma3*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s */
+    const double t40 = t32*t38; /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    out[23] = t40;
+    const double t41 = x[2]*t38; /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t42 = -t41; /* -omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    out[5] = t42;
+    const double t43 = t12*t24; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t44 = t24*t43; /* omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t43 */
+    const double t45 = t12*t43; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t43 */
+    const double t46 = p[1]*t44; /* R*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t43 */
+    out[10] = t46;
+    const double t47 = -t44; /* -omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t43 */
+    out[15] = t47;
+    const double t48 = p[20]*t23; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t49 = JLT_FMS(t22, t48, t28); /* omega3*omega_tau*1/(Theta/(m*R^2*I1))*t48 - t28 */
+    const double t50 = JLT_FMA(t32, t45, t49); /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t43 + omega3*omega_tau*1/(Theta/(m*R^2*I1))*t48 - t28 */
+    out[20] = t50;
+    const double t51 = p[21]*t23; /* 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t52 = t31*t51; /* t31*t51 */
+    const double t53 = t27*t32; /* gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t54 = JLT_FMA(p[8], t22, t53); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*omega_tau*1/(Theta/(m*R^2*I1)) + t53 */
+    out[3] = t54;
+    const double t55 = p[10]*t22; /* (I1 - I3)/I1*omega3*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t56 = JLT_FNMA(t39, t55, t52); /* t31*t51 - t39*(I1 - I3)/I1*omega3*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[25] = t56;
+    const double t57 = x[4]*t11; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t58 = p[1]*x[3]; /* R*omega_n */
+    out[14] = t58;
+    const double t59 = x[4] + t27; /* omega3 + gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t60 = t58*t59; /* R*omega_n*t59 */
+    out[1] = t60;
+    const double t61 = p[1]*x[4]; /* R*omega3 */
+    const double t62 = JLT_FMA(p[11], t27, t61); /* 2*R*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + R*omega3 */
+    out[13] = t62;
+    const double t63 = t11*t27; /* 1/(Theta/(m*R^2*I1))*gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t64 = JLT_FMA(p[8], t57, t27); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*omega_n*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
+    const double t65 = JLT_FNMA(p[7], t63, t64); /* t64 - I3/I1*t63 */
+    out[22] = t65;
+    const double t66 = p[16]*t63; /* (-I3/(R*I1))*t63 */
+    out[21] = t66;
+    const double t67 = x[3]*t11; /* omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t68 = JLT_FMS(t20, t57, t67); /* s*gamma3*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1)) */
+    out[27] = t68;
+    const double t69 = p[18]*t67; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
+    out[26] = t69;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0]*p[7]; /* gamma3*I3/I1 */
-    const double t4 = p[6] + t2; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*s */
-    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*s) */
-    const double t9 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t10 = p[22]*t9; /* I3/(R*I1)*V */
-    const double t11 = t5*t10; /* Theta/(m*R^2*I1)*I3/(R*I1)*V */
-    const double t12 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
-    const double t13 = t6*t12; /* s*(I1 - I3)/I1*omega_tau */
-    const double t14 = JLT_FNMA(t8, t11, t13); /* s*(I1 - I3)/I1*omega_tau - 1/(Theta/(m*R^2*I1)*s)*Theta/(m*R^2*I1)*I3/(R*I1)*V */
-    const double t15 = x[0]*t6; /* gamma3*s */
-    const double t16 = t8*t15; /* 1/(Theta/(m*R^2*I1)*s)*gamma3*s */
-    const double t17 = t14*t16; /* t14*1/(Theta/(m*R^2*I1)*s)*gamma3*s */
+    const double t4 = p[6] + t2; /* I3/(m*R^2) + s^2 */
+    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
+    const double t6 = t2*t5; /* s^2*Theta/(m*R^2*I1) */
+    const double t7 = 1.0/t6; /* 1/(s^2*Theta/(m*R^2*I1)) */
+    const double t8 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t9 = p[22]*t8; /* I3/(R*I1)*V */
+    const double t10 = t5*t9; /* Theta/(m*R^2*I1)*I3/(R*I1)*V */
+    const double t11 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t12 = x[0]*t2; /* gamma3*s^2 */
+    const double t13 = t11*t12; /* s*gamma3*s^2 */
+    const double t14 = t7*t13; /* 1/(s^2*Theta/(m*R^2*I1))*s*gamma3*s^2 */
+    const double t15 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
+    const double t16 = JLT_FNMA(t7, t10, t15); /* (I1 - I3)/I1*omega_tau - 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*I3/(R*I1)*V */
+    const double t17 = t14*t16; /* 1/(s^2*Theta/(m*R^2*I1))*s*gamma3*s^2*t16 */
     out[0] = t17;
 }
 
@@ -892,9 +894,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced = {
     .prepare = prepare,
     .rhs = { rhs, 5, { 5, 18, 6, 1, 1, 0, 10, 7 }, { 12, 50, 0, 9, 1, 0, 11, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 25, { 6, 39, 13, 1, 1, 0, 13, 14 }, { 36, 168, 0, 34, 1, 0, 14, 9 },
+    .jacobian = { jacobian, 25, { 6, 40, 13, 1, 1, 0, 13, 14 }, { 36, 168, 0, 34, 1, 0, 14, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 10, 43, 14, 1, 1, 0, 13, 14 }, { 44, 205, 0, 43, 1, 0, 14, 9 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 10, 44, 14, 1, 1, 0, 13, 14 }, { 44, 205, 0, 43, 1, 0, 14, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 3, 10, 3, 1, 1, 0, 8, 5 }, { 6, 24, 0, 2, 1, 0, 10, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },

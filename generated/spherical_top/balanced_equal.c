@@ -6,12 +6,12 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 5   14    3    1    1    0      9    5   (61)
- *  jacobian            8   25    4    1    1    0     10    6   (143)
- *  rhs_jacobian        11   30    5    1    1    0     11   10   (186)
+ *  rhs                 5   15    3    1    1    0      9    5   (61)
+ *  jacobian            8   26    4    1    1    0      9    6   (143)
+ *  rhs_jacobian        11   31    5    1    1    0     10   10   (186)
  *  divergence          2    7    1    1    1    0      7    5   (25)
  *  integral_values     2   10    7    0    1    0      8    5   (42)
- *  integral_gradients  2   13    6    1    1    0      7    5   (53)
+ *  integral_gradients  2   14    6    1    1    0      7    5   (53)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
@@ -92,33 +92,34 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     const double t4 = x[2]*t3; /* omega_tau*s */
     out[0] = t4;
-    const double t5 = t3*p[6]; /* s*(I3^2 + m*R^2*I3) */
-    const double t6 = 1.0/t5; /* 1/(s*(I3^2 + m*R^2*I3)) */
+    const double t5 = t2*p[6]; /* s^2*(I3^2 + m*R^2*I3) */
+    const double t6 = 1.0/t5; /* 1/(s^2*(I3^2 + m*R^2*I3)) */
     const double t7 = x[0]*p[6]; /* gamma3*(I3^2 + m*R^2*I3) */
     const double t8 = x[3]*t7; /* omega_n*gamma3*(I3^2 + m*R^2*I3) */
-    const double t9 = t6*t8; /* 1/(s*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
-    const double t10 = x[4] + t9; /* omega3 + 1/(s*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
-    const double t11 = x[3]*t10; /* omega_n*t10 */
-    const double t12 = p[1]*t11; /* R*omega_n*t10 */
-    out[1] = t12;
-    const double t13 = -t11; /* -omega_n*t10 */
-    out[2] = t13;
-    const double t14 = t3*t6; /* 1/Theta = s*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t15 = x[4]*p[6]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t16 = JLT_FMA(t14, t15, t9); /* 1/Theta*omega3*(I3^2 + m*R^2*I3) + 1/(s*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
-    const double t17 = x[2]*t16; /* omega_tau*t16 */
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t19 = p[7]*t18; /* m*R*I3*V */
-    const double t20 = t14*t19; /* 1/Theta*m*R*I3*V */
-    const double t21 = JLT_FNMA(t9, t20, t17); /* omega_tau*t16 - 1/(s*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3)*1/Theta*m*R*I3*V */
-    out[3] = t21;
-    const double t22 = x[3]*t20; /* omega_n*1/Theta*m*R*I3*V */
-    const double t23 = -t22; /* -omega_n*1/Theta*m*R*I3*V */
-    out[4] = t23;
+    const double t9 = t6*t8; /* 1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
+    const double t10 = t3*t9; /* s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
+    const double t11 = x[4] + t10; /* omega3 + s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
+    const double t12 = x[3]*t11; /* omega_n*t11 */
+    const double t13 = p[1]*t12; /* R*omega_n*t11 */
+    out[1] = t13;
+    const double t14 = -t12; /* -omega_n*t11 */
+    out[2] = t14;
+    const double t15 = t2*t6; /* 1/Theta = s^2*1/(s^2*(I3^2 + m*R^2*I3)) */
+    const double t16 = x[4]*p[6]; /* omega3*(I3^2 + m*R^2*I3) */
+    const double t17 = JLT_FMA(t15, t16, t10); /* 1/Theta*omega3*(I3^2 + m*R^2*I3) + s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
+    const double t18 = x[2]*t17; /* omega_tau*t17 */
+    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t20 = p[7]*t19; /* m*R*I3*V */
+    const double t21 = t15*t20; /* 1/Theta*m*R*I3*V */
+    const double t22 = JLT_FNMA(t10, t21, t18); /* omega_tau*t17 - s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3)*1/Theta*m*R*I3*V */
+    out[3] = t22;
+    const double t23 = x[3]*t21; /* omega_n*1/Theta*m*R*I3*V */
+    const double t24 = -t23; /* -omega_n*1/Theta*m*R*I3*V */
+    out[4] = t24;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -138,97 +139,99 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[14] = t1;
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t5;
-    const double t6 = p[6]*t5; /* (I3^2 + m*R^2*I3)*s */
-    const double t7 = 1.0/t6; /* 1/((I3^2 + m*R^2*I3)*s) */
-    const double t8 = t5*t7; /* 1/Theta = s*1/((I3^2 + m*R^2*I3)*s) */
-    const double t9 = p[6]*t7; /* 1/s = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
-    const double t10 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t11 = p[7]*t10; /* m*R*I3*V */
-    const double t12 = t8*t11; /* 1/Theta*m*R*I3*V */
-    const double t13 = -t12; /* -1/Theta*m*R*I3*V */
-    out[23] = t13;
-    const double t14 = x[2] - t12; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t15 = x[0]*t9; /* gamma3*1/s */
-    const double t16 = t14*t15; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s */
-    out[18] = t16;
-    const double t17 = t9*t14; /* 1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t18 = x[3]*t9; /* omega_n*1/s */
-    const double t19 = t9*t18; /* 1/s*omega_n*1/s */
-    const double t20 = t17*t19; /* 1/s*(omega_tau - 1/Theta*m*R*I3*V)*1/s*omega_n*1/s */
-    out[15] = t20;
-    const double t21 = t18*t19; /* omega_n*1/s*1/s*omega_n*1/s */
-    const double t22 = p[1]*t21; /* R*omega_n*1/s*1/s*omega_n*1/s */
-    out[5] = t22;
-    const double t23 = -t21; /* -omega_n*1/s*1/s*omega_n*1/s */
-    out[10] = t23;
-    const double t24 = x[3]*t15; /* omega_n*gamma3*1/s */
-    const double t25 = x[3]*t8; /* omega_n*1/Theta */
-    const double t26 = p[6]*t8; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t27 = x[2]*t26; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[19] = t27;
-    const double t28 = JLT_FMA(x[4], t26, t24); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + omega_n*gamma3*1/s */
-    const double t29 = JLT_FMA(2.0, t24, x[4]); /* 2*omega_n*gamma3*1/s + omega3 */
-    const double t30 = p[1]*t29; /* R*(2*omega_n*gamma3*1/s + omega3) */
-    out[8] = t30;
-    const double t31 = -t29; /* -(2*omega_n*gamma3*1/s + omega3) */
-    out[13] = t31;
-    const double t32 = p[8]*t25; /* (-m*R*I3)*omega_n*1/Theta */
-    out[21] = t32;
-    const double t33 = p[10]*t25; /* (-m*R^2*I3)*omega_n*1/Theta */
-    out[22] = t33;
-    const double t34 = t15*t25; /* gamma3*1/s*omega_n*1/Theta */
-    const double t35 = JLT_FNMA(p[9], t34, t28); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + omega_n*gamma3*1/s - m*R^2*I3*gamma3*1/s*omega_n*1/Theta */
-    out[17] = t35;
-    const double t36 = p[8]*t34; /* (-m*R*I3)*gamma3*1/s*omega_n*1/Theta */
-    out[16] = t36;
-    const double t37 = x[2]*t15; /* omega_tau*gamma3*1/s */
-    const double t38 = -t37; /* -omega_tau*gamma3*1/s */
-    out[0] = t38;
+    const double t4 = t2*t3; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = p[6]*t4; /* (I3^2 + m*R^2*I3)*s^2 */
+    const double t6 = 1.0/t5; /* 1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t7 = sqrt(t4); /* s = sqrt(s^2) */
+    out[2] = t7;
+    const double t8 = p[6]*t7; /* (I3^2 + m*R^2*I3)*s */
+    const double t9 = t6*t8; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t10 = t4*t6; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t12 = p[7]*t11; /* m*R*I3*V */
+    const double t13 = t10*t12; /* 1/Theta*m*R*I3*V */
+    const double t14 = -t13; /* -1/Theta*m*R*I3*V */
+    out[23] = t14;
+    const double t15 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t16 = x[0]*t9; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t17 = t15*t16; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    out[18] = t17;
+    const double t18 = t9*t15; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t19 = x[3]*t9; /* omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t20 = t9*t19; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t21 = t18*t20; /* t18*t20 */
+    out[15] = t21;
+    const double t22 = t19*t20; /* omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t20 */
+    const double t23 = p[1]*t22; /* R*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t20 */
+    out[5] = t23;
+    const double t24 = -t22; /* -omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t20 */
+    out[10] = t24;
+    const double t25 = x[3]*t16; /* omega_n*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t26 = x[3]*t10; /* omega_n*1/Theta */
+    const double t27 = p[6]*t10; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t28 = x[2]*t27; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[19] = t28;
+    const double t29 = JLT_FMA(x[4], t27, t25); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + omega_n*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t30 = JLT_FMA(2.0, t25, x[4]); /* 2*omega_n*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s + omega3 */
+    const double t31 = p[1]*t30; /* R*t30 */
+    out[8] = t31;
+    const double t32 = -t30; /* -t30 */
+    out[13] = t32;
+    const double t33 = p[8]*t26; /* (-m*R*I3)*omega_n*1/Theta */
+    out[21] = t33;
+    const double t34 = p[10]*t26; /* (-m*R^2*I3)*omega_n*1/Theta */
+    out[22] = t34;
+    const double t35 = t16*t26; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*omega_n*1/Theta */
+    const double t36 = JLT_FNMA(p[9], t35, t29); /* t29 - m*R^2*I3*t35 */
+    out[17] = t36;
+    const double t37 = p[8]*t35; /* (-m*R*I3)*t35 */
+    out[16] = t37;
+    const double t38 = x[2]*t16; /* omega_tau*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t39 = -t38; /* -t38 */
+    out[0] = t39;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     out[7] = t3;
     const double t4 = x[2]*t3; /* omega_tau*s */
     out[0] = t4;
-    const double t5 = t3*p[6]; /* s*(I3^2 + m*R^2*I3) */
-    const double t6 = 1.0/t5; /* 1/(s*(I3^2 + m*R^2*I3)) */
-    const double t7 = p[6]*t6; /* 1/s = (I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t8 = x[3]*t7; /* omega_n*1/s */
-    const double t9 = x[0]*t8; /* gamma3*omega_n*1/s */
-    const double t10 = x[4] + t9; /* omega3 + gamma3*omega_n*1/s */
-    const double t11 = x[3]*p[1]; /* omega_n*R */
-    out[14] = t11;
-    const double t12 = t10*t11; /* (omega3 + gamma3*omega_n*1/s)*omega_n*R */
-    out[1] = t12;
-    const double t13 = x[3]*t10; /* omega_n*(omega3 + gamma3*omega_n*1/s) */
-    const double t14 = -t13; /* -omega_n*(omega3 + gamma3*omega_n*1/s) */
-    out[2] = t14;
-    const double t15 = t3*t6; /* 1/Theta = s*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t16 = p[6]*t15; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t17 = x[2]*t16; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[24] = t17;
-    const double t18 = x[4]*t17; /* omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t20 = p[7]*t19; /* m*R*I3*V */
-    const double t21 = t15*t20; /* 1/Theta*m*R*I3*V */
-    const double t22 = x[2] - t21; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t23 = JLT_FMA(t9, t22, t18); /* gamma3*omega_n*1/s*(omega_tau - 1/Theta*m*R*I3*V) + omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[3] = t23;
-    const double t24 = x[3]*t21; /* omega_n*1/Theta*m*R*I3*V */
-    const double t25 = -t24; /* -omega_n*1/Theta*m*R*I3*V */
-    out[4] = t25;
-    const double t26 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t27 = t7*t26; /* 1/s*omega_tau*gamma3 */
-    const double t28 = -t27; /* -1/s*omega_tau*gamma3 */
-    out[5] = t28;
+    const double t5 = t2*p[6]; /* s^2*(I3^2 + m*R^2*I3) */
+    const double t6 = 1.0/t5; /* 1/(s^2*(I3^2 + m*R^2*I3)) */
+    const double t7 = t3*p[6]; /* s*(I3^2 + m*R^2*I3) */
+    const double t8 = t6*t7; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t9 = x[3]*t8; /* omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t10 = x[0]*t9; /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t11 = x[4] + t10; /* omega3 + gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t12 = x[3]*p[1]; /* omega_n*R */
+    out[14] = t12;
+    const double t13 = t11*t12; /* t11*omega_n*R */
+    out[1] = t13;
+    const double t14 = x[3]*t11; /* omega_n*t11 */
+    const double t15 = -t14; /* -omega_n*t11 */
+    out[2] = t15;
+    const double t16 = t2*t6; /* 1/Theta = s^2*1/(s^2*(I3^2 + m*R^2*I3)) */
+    const double t17 = p[6]*t16; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t18 = x[2]*t17; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[24] = t18;
+    const double t19 = x[4]*t18; /* omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t21 = p[7]*t20; /* m*R*I3*V */
+    const double t22 = t16*t21; /* 1/Theta*m*R*I3*V */
+    const double t23 = x[2] - t22; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t24 = JLT_FMA(t10, t23, t19); /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*(omega_tau - 1/Theta*m*R*I3*V) + omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[3] = t24;
+    const double t25 = x[3]*t22; /* omega_n*1/Theta*m*R*I3*V */
+    const double t26 = -t25; /* -omega_n*1/Theta*m*R*I3*V */
+    out[4] = t26;
+    const double t27 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t28 = t8*t27; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*omega_tau*gamma3 */
+    const double t29 = -t28; /* -t28 */
+    out[5] = t29;
     out[6] = 0.0;
     out[8] = 0.0;
     out[9] = 0.0;
@@ -238,37 +241,37 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[17] = 0.0;
     out[25] = 0.0;
     out[29] = 0.0;
-    const double t29 = t7*t8; /* 1/s*omega_n*1/s */
-    const double t30 = t8*t29; /* omega_n*1/s*1/s*omega_n*1/s */
-    const double t31 = p[1]*t30; /* R*omega_n*1/s*1/s*omega_n*1/s */
-    out[10] = t31;
-    const double t32 = JLT_FMA(t9, 2.0, x[4]); /* gamma3*omega_n*1/s*2 + omega3 */
-    const double t33 = p[1]*t32; /* R*(gamma3*omega_n*1/s*2 + omega3) */
-    out[13] = t33;
-    const double t34 = -t30; /* -omega_n*1/s*1/s*omega_n*1/s */
-    out[15] = t34;
-    const double t35 = -t32; /* -(gamma3*omega_n*1/s*2 + omega3) */
-    out[18] = t35;
-    const double t36 = -x[3]; /* -omega_n */
-    out[19] = t36;
-    const double t37 = t7*t22; /* 1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t38 = t29*t37; /* 1/s*omega_n*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[20] = t38;
-    const double t39 = t9*t15; /* gamma3*omega_n*1/s*1/Theta */
-    const double t40 = p[8]*t39; /* (-m*R*I3)*gamma3*omega_n*1/s*1/Theta */
-    out[21] = t40;
-    const double t41 = JLT_FMA(x[4], t16, t9); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/s */
-    const double t42 = JLT_FNMA(t39, p[9], t41); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/s - gamma3*omega_n*1/s*1/Theta*m*R^2*I3 */
-    out[22] = t42;
-    const double t43 = x[0]*t37; /* gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[23] = t43;
-    const double t44 = x[3]*t15; /* omega_n*1/Theta */
-    const double t45 = p[8]*t44; /* (-m*R*I3)*omega_n*1/Theta */
-    out[26] = t45;
-    const double t46 = t44*p[10]; /* omega_n*1/Theta*(-m*R^2*I3) */
-    out[27] = t46;
-    const double t47 = -t21; /* -1/Theta*m*R*I3*V */
-    out[28] = t47;
+    const double t30 = t8*t9; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t31 = t9*t30; /* omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*t30 */
+    const double t32 = p[1]*t31; /* R*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*t30 */
+    out[10] = t32;
+    const double t33 = JLT_FMA(t10, 2.0, x[4]); /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*2 + omega3 */
+    const double t34 = p[1]*t33; /* R*t33 */
+    out[13] = t34;
+    const double t35 = -t31; /* -omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*t30 */
+    out[15] = t35;
+    const double t36 = -t33; /* -t33 */
+    out[18] = t36;
+    const double t37 = -x[3]; /* -omega_n */
+    out[19] = t37;
+    const double t38 = t8*t23; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t39 = t30*t38; /* t30*t38 */
+    out[20] = t39;
+    const double t40 = t10*t16; /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t41 = p[8]*t40; /* (-m*R*I3)*t40 */
+    out[21] = t41;
+    const double t42 = JLT_FMA(x[4], t17, t10); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t43 = JLT_FNMA(t40, p[9], t42); /* t42 - t40*m*R^2*I3 */
+    out[22] = t43;
+    const double t44 = x[0]*t38; /* gamma3*t38 */
+    out[23] = t44;
+    const double t45 = x[3]*t16; /* omega_n*1/Theta */
+    const double t46 = p[8]*t45; /* (-m*R*I3)*omega_n*1/Theta */
+    out[26] = t46;
+    const double t47 = t45*p[10]; /* omega_n*1/Theta*(-m*R^2*I3) */
+    out[27] = t47;
+    const double t48 = -t22; /* -1/Theta*m*R*I3*V */
+    out[28] = t48;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -321,28 +324,29 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[16] = 1.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = x[0]/t3; /* gamma3/s */
-    const double t5 = JLT_FNMA(x[4], t4, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*gamma3/s */
-    const double t6 = x[4]*t3; /* omega3*s */
-    const double t7 = JLT_FMA(x[3], x[0], t6); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t8 = p[17]*t7; /* m*R^2*v_tau/R */
-    const double t9 = t5*t8; /* d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R */
-    out[0] = t9;
-    const double t10 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t10;
-    const double t11 = p[5]*x[2]; /* I3*omega_tau */
-    out[2] = t11;
-    const double t12 = x[3]*p[5]; /* omega_n*I3 */
-    const double t13 = JLT_FMA(x[0], t8, t12); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau/R + omega_n*I3 */
-    out[3] = t13;
-    const double t14 = x[4]*p[5]; /* omega3*I3 */
-    const double t15 = JLT_FMA(t3, t8, t14); /* d(energy)/d(omega3) = s*m*R^2*v_tau/R + omega3*I3 */
-    out[4] = t15;
-    const double t16 = JLT_FMA(x[3], t4, x[4]); /* omega_n*gamma3/s + omega3 */
-    const double t17 = p[15]*t16; /* (-R*I3)*(omega_n*gamma3/s + omega3) */
-    out[5] = t17;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t4 = x[0]/t2; /* gamma3/s^2 */
+    const double t5 = t3*t4; /* s*gamma3/s^2 */
+    const double t6 = JLT_FNMA(x[4], t5, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
+    const double t7 = x[4]*t3; /* omega3*s */
+    const double t8 = JLT_FMA(x[3], x[0], t7); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t9 = p[17]*t8; /* m*R^2*v_tau/R */
+    const double t10 = t6*t9; /* d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R */
+    out[0] = t10;
+    const double t11 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t11;
+    const double t12 = p[5]*x[2]; /* I3*omega_tau */
+    out[2] = t12;
+    const double t13 = x[3]*p[5]; /* omega_n*I3 */
+    const double t14 = JLT_FMA(x[0], t9, t13); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau/R + omega_n*I3 */
+    out[3] = t14;
+    const double t15 = x[4]*p[5]; /* omega3*I3 */
+    const double t16 = JLT_FMA(t3, t9, t15); /* d(energy)/d(omega3) = s*m*R^2*v_tau/R + omega3*I3 */
+    out[4] = t16;
+    const double t17 = JLT_FMA(x[3], t5, x[4]); /* omega_n*s*gamma3/s^2 + omega3 */
+    const double t18 = p[15]*t17; /* (-R*I3)*(omega_n*s*gamma3/s^2 + omega3) */
+    out[5] = t18;
     out[6] = 0.0;
     out[7] = 0.0;
     out[10] = 0.0;
@@ -351,16 +355,16 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[15] = 0.0;
     out[18] = 0.0;
     out[19] = 0.0;
-    const double t18 = t3*p[18]; /* s*R*I3 */
-    out[8] = t18;
-    const double t19 = x[0]*p[15]; /* gamma3*(-R*I3) */
-    out[9] = t19;
+    const double t19 = t3*p[18]; /* s*R*I3 */
+    out[8] = t19;
+    const double t20 = x[0]*p[15]; /* gamma3*(-R*I3) */
+    out[9] = t20;
     out[17] = p[1];
-    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t21 = p[19]*t20; /* 2*m*I3^2*(omega_tau*R + v_nu) */
-    out[11] = t21;
-    const double t22 = t20*p[20]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
-    out[12] = t22;
+    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t22 = p[19]*t21; /* 2*m*I3^2*(omega_tau*R + v_nu) */
+    out[11] = t22;
+    const double t23 = t21*p[20]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
+    out[12] = t23;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -723,17 +727,17 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 5, 14, 3, 1, 1, 0, 9, 5 }, { 11, 42, 0, 7, 1, 0, 10, 7 },
+    .rhs = { rhs, 5, { 5, 15, 3, 1, 1, 0, 9, 5 }, { 11, 42, 0, 7, 1, 0, 10, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 25, { 8, 25, 4, 1, 1, 0, 10, 6 }, { 24, 95, 0, 23, 1, 0, 10, 7 },
+    .jacobian = { jacobian, 25, { 8, 26, 4, 1, 1, 0, 9, 6 }, { 24, 95, 0, 23, 1, 0, 10, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 30, 5, 1, 1, 0, 11, 10 }, { 31, 124, 0, 30, 1, 0, 10, 7 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 11, 31, 5, 1, 1, 0, 10, 10 }, { 31, 124, 0, 30, 1, 0, 10, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 7, 1, 1, 1, 0, 7, 5 }, { 5, 18, 0, 1, 1, 0, 9, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 4, { 2, 10, 7, 0, 1, 0, 8, 5 }, { 9, 32, 0, 0, 1, 0, 11, 5 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 20, { 2, 13, 6, 1, 1, 0, 7, 5 }, { 10, 40, 0, 2, 1, 0, 7, 6 },
+    .integral_gradients = { integral_gradients, 20, { 2, 14, 6, 1, 1, 0, 7, 5 }, { 10, 40, 0, 2, 1, 0, 7, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

@@ -7,11 +7,11 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   14    3    1    1    0     10    5   (45)
- *  jacobian            8   23    5    1    1    0     13    8   (123)
- *  rhs_jacobian        9   28    5    1    1    0     13    9   (143)
+ *  rhs                 3   15    3    1    1    0      9    5   (45)
+ *  jacobian            8   24    5    1    1    0     12    8   (123)
+ *  rhs_jacobian        9   29    5    1    1    0     12   10   (143)
  *  divergence          2    7    2    1    1    0      7    4   (28)
- *  integral_values     2   10    7    1    1    0      8    4   (42)
+ *  integral_values     2   11    7    1    1    0      9    4   (42)
  *  integral_gradients  2   15    7    1    1    0     14    8   (68)
  *  eliminated          2    3    1    1    1    0      4    3   (10)
  *
@@ -99,30 +99,31 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     const double t4 = x[2]*t3; /* omega_tau*s */
     out[0] = t4;
     const double t5 = x[0]*p[8]; /* gamma3*R*I3 */
     const double t6 = JLT_FMA(x[3], t5, p[6]); /* omega3*gamma3*R*I3 + G_level */
-    const double t7 = t3*p[9]; /* s*(I3^2 + m*R^2*I3) */
-    const double t8 = 1.0/t7; /* 1/(s*(I3^2 + m*R^2*I3)) */
-    const double t9 = p[9]*t8; /* 1/s = (I3^2 + m*R^2*I3)*1/(s*(I3^2 + m*R^2*I3)) */
-    const double t10 = p[7]*t6; /* 1/(R*I3)*(omega3*gamma3*R*I3 + G_level) */
-    const double t11 = t9*t10; /* omega_n = 1/s*1/(R*I3)*(omega3*gamma3*R*I3 + G_level) */
-    const double t12 = x[0]*t9; /* gamma3*1/s */
-    const double t13 = JLT_FMA(t11, t12, x[3]); /* omega_n*gamma3*1/s + omega3 */
-    const double t14 = t11*t13; /* omega_n*(omega_n*gamma3*1/s + omega3) */
-    const double t15 = p[1]*t14; /* R*omega_n*(omega_n*gamma3*1/s + omega3) */
-    out[1] = t15;
-    const double t16 = -t14; /* -omega_n*(omega_n*gamma3*1/s + omega3) */
-    out[2] = t16;
-    const double t17 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t18 = p[10]*t17; /* (-m*R*I3)*V */
-    const double t19 = t3*t18; /* s*(-m*R*I3)*V */
-    const double t20 = t8*t19; /* 1/(s*(I3^2 + m*R^2*I3))*s*(-m*R*I3)*V */
-    const double t21 = t11*t20; /* omega_n*1/(s*(I3^2 + m*R^2*I3))*s*(-m*R*I3)*V */
-    out[3] = t21;
+    const double t7 = t2*p[9]; /* s^2*(I3^2 + m*R^2*I3) */
+    const double t8 = 1.0/t7; /* 1/(s^2*(I3^2 + m*R^2*I3)) */
+    const double t9 = t3*p[9]; /* s*(I3^2 + m*R^2*I3) */
+    const double t10 = t8*t9; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t11 = p[7]*t6; /* 1/(R*I3)*(omega3*gamma3*R*I3 + G_level) */
+    const double t12 = t10*t11; /* omega_n = 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*1/(R*I3)*(omega3*gamma3*R*I3 + G_level) */
+    const double t13 = x[0]*t10; /* gamma3*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t14 = JLT_FMA(t12, t13, x[3]); /* omega_n*gamma3*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) + omega3 */
+    const double t15 = t12*t14; /* omega_n*t14 */
+    const double t16 = p[1]*t15; /* R*omega_n*t14 */
+    out[1] = t16;
+    const double t17 = -t15; /* -omega_n*t14 */
+    out[2] = t17;
+    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t19 = t2*p[10]; /* s^2*(-m*R*I3) */
+    const double t20 = t18*t19; /* V*s^2*(-m*R*I3) */
+    const double t21 = t8*t20; /* 1/(s^2*(I3^2 + m*R^2*I3))*V*s^2*(-m*R*I3) */
+    const double t22 = t12*t21; /* omega_n*1/(s^2*(I3^2 + m*R^2*I3))*V*s^2*(-m*R*I3) */
+    out[3] = t22;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -135,52 +136,53 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[10] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t3;
-    const double t4 = p[9]*t3; /* (I3^2 + m*R^2*I3)*s */
-    const double t5 = 1.0/t4; /* 1/((I3^2 + m*R^2*I3)*s) */
-    const double t6 = t3*t5; /* 1/Theta = s*1/((I3^2 + m*R^2*I3)*s) */
-    const double t7 = p[9]*t5; /* 1/s = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
-    const double t8 = x[0]*p[8]; /* gamma3*R*I3 */
-    const double t9 = JLT_FMA(x[3], t8, p[6]); /* omega3*gamma3*R*I3 + G_level */
-    const double t10 = t7*t9; /* 1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t11 = x[0]*t7; /* gamma3*1/s */
-    const double t12 = p[7]*t10; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t13 = t6*t10; /* 1/Theta*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t14 = p[12]*t13; /* (-m)*1/Theta*1/s*(omega3*gamma3*R*I3 + G_level) */
-    out[13] = t14;
-    const double t15 = p[13]*t13; /* (-m*R)*1/Theta*1/s*(omega3*gamma3*R*I3 + G_level) */
-    out[14] = t15;
-    const double t16 = t7*t12; /* 1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t17 = t11*t12; /* gamma3*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t19 = p[11]*t18; /* m*R*I3*V */
-    const double t20 = t6*t19; /* 1/Theta*m*R*I3*V */
-    const double t21 = t7*t16; /* 1/s*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t22 = t16*t21; /* 1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*1/s*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t23 = x[3] + t17; /* omega3 + gamma3*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t24 = t7*t23; /* d(omega_n)/d(gamma3) = 1/s*t23 */
-    const double t25 = JLT_FMA(2.0, t17, x[3]); /* 2*gamma3*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) + omega3 */
-    const double t26 = JLT_FMA(t24, t25, t22); /* d(omega_n)/d(gamma3)*t25 + t22 */
-    const double t27 = JLT_FMA(t11, t25, t12); /* gamma3*1/s*t25 + 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t28 = t20*t24; /* 1/Theta*m*R*I3*V*d(omega_n)/d(gamma3) */
-    const double t29 = -t28; /* -1/Theta*m*R*I3*V*d(omega_n)/d(gamma3) */
-    out[12] = t29;
-    const double t30 = t11*t20; /* gamma3*1/s*1/Theta*m*R*I3*V */
-    const double t31 = -t30; /* -gamma3*1/s*1/Theta*m*R*I3*V */
-    out[15] = t31;
-    const double t32 = x[2]*t11; /* omega_tau*gamma3*1/s */
-    const double t33 = -t32; /* -omega_tau*gamma3*1/s */
-    out[0] = t33;
-    const double t34 = p[1]*t26; /* R*(d(omega_n)/d(gamma3)*t25 + t22) */
-    out[4] = t34;
-    const double t35 = -t26; /* -(d(omega_n)/d(gamma3)*t25 + t22) */
-    out[8] = t35;
-    const double t36 = p[1]*t27; /* R*(gamma3*1/s*t25 + 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)) */
-    out[7] = t36;
-    const double t37 = -t27; /* -(gamma3*1/s*t25 + 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)) */
-    out[11] = t37;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = p[9]*t2; /* (I3^2 + m*R^2*I3)*s^2 */
+    const double t4 = 1.0/t3; /* 1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t5 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t5;
+    const double t6 = p[9]*t5; /* (I3^2 + m*R^2*I3)*s */
+    const double t7 = t4*t6; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t8 = t2*t4; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t9 = x[0]*p[8]; /* gamma3*R*I3 */
+    const double t10 = JLT_FMA(x[3], t9, p[6]); /* omega3*gamma3*R*I3 + G_level */
+    const double t11 = t7*t10; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega3*gamma3*R*I3 + G_level) */
+    const double t12 = x[0]*t7; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t13 = p[7]*t11; /* 1/(R*I3)*t11 */
+    const double t14 = t8*t11; /* 1/Theta*t11 */
+    const double t15 = p[12]*t14; /* (-m)*1/Theta*t11 */
+    out[13] = t15;
+    const double t16 = p[13]*t14; /* (-m*R)*1/Theta*t11 */
+    out[14] = t16;
+    const double t17 = t7*t13; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t11 */
+    const double t18 = t12*t13; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t11 */
+    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t20 = p[11]*t19; /* m*R*I3*V */
+    const double t21 = t8*t20; /* 1/Theta*m*R*I3*V */
+    const double t22 = t7*t17; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t11 */
+    const double t23 = t17*t22; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t11*t22 */
+    const double t24 = x[3] + t18; /* omega3 + t18 */
+    const double t25 = t7*t24; /* d(omega_n)/d(gamma3) = 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega3 + t18) */
+    const double t26 = JLT_FMA(2.0, t18, x[3]); /* 2*t18 + omega3 */
+    const double t27 = JLT_FMA(t25, t26, t23); /* d(omega_n)/d(gamma3)*(2*t18 + omega3) + t23 */
+    const double t28 = JLT_FMA(t12, t26, t13); /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(2*t18 + omega3) + 1/(R*I3)*t11 */
+    const double t29 = t21*t25; /* 1/Theta*m*R*I3*V*d(omega_n)/d(gamma3) */
+    const double t30 = -t29; /* -1/Theta*m*R*I3*V*d(omega_n)/d(gamma3) */
+    out[12] = t30;
+    const double t31 = t12*t21; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/Theta*m*R*I3*V */
+    const double t32 = -t31; /* -t31 */
+    out[15] = t32;
+    const double t33 = x[2]*t12; /* omega_tau*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t34 = -t33; /* -t33 */
+    out[0] = t34;
+    const double t35 = p[1]*t27; /* R*(d(omega_n)/d(gamma3)*(2*t18 + omega3) + t23) */
+    out[4] = t35;
+    const double t36 = -t27; /* -(d(omega_n)/d(gamma3)*(2*t18 + omega3) + t23) */
+    out[8] = t36;
+    const double t37 = p[1]*t28; /* R*t28 */
+    out[7] = t37;
+    const double t38 = -t28; /* -t28 */
+    out[11] = t38;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -193,62 +195,63 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[14] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[6] = t3;
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    out[0] = t4;
-    const double t5 = p[9]*t3; /* (I3^2 + m*R^2*I3)*s */
-    const double t6 = 1.0/t5; /* 1/((I3^2 + m*R^2*I3)*s) */
-    const double t7 = t3*t6; /* 1/Theta = s*1/((I3^2 + m*R^2*I3)*s) */
-    const double t8 = p[9]*t6; /* 1/s = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s) */
-    const double t9 = x[0]*p[8]; /* gamma3*R*I3 */
-    const double t10 = JLT_FMA(x[3], t9, p[6]); /* omega3*gamma3*R*I3 + G_level */
-    const double t11 = t8*t10; /* 1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t12 = p[7]*t11; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t13 = x[0]*t8; /* gamma3*1/s */
-    const double t14 = t12*t13; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s */
-    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t16 = t7*t15; /* 1/Theta*V */
-    const double t17 = t7*t11; /* 1/Theta*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t18 = p[12]*t11; /* (-m)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t19 = t16*t18; /* 1/Theta*V*(-m)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    out[3] = t19;
-    const double t20 = p[11]*t16; /* m*R*I3*1/Theta*V */
-    const double t21 = p[12]*t17; /* (-m)*1/Theta*1/s*(omega3*gamma3*R*I3 + G_level) */
-    out[17] = t21;
-    const double t22 = p[13]*t17; /* (-m*R)*1/Theta*1/s*(omega3*gamma3*R*I3 + G_level) */
-    out[18] = t22;
-    const double t23 = t8*t12; /* 1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t24 = x[3] + t14; /* omega3 + 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s */
-    const double t25 = JLT_FMA(2.0, t14, x[3]); /* 2*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*gamma3*1/s + omega3 */
-    const double t26 = t8*t23; /* 1/s*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t27 = t23*t26; /* 1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*1/s*1/s*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t28 = t8*t24; /* d(omega_n)/d(gamma3) = 1/s*t24 */
-    const double t29 = t12*t24; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*t24 */
-    const double t30 = JLT_FMA(t25, t28, t27); /* t25*d(omega_n)/d(gamma3) + t27 */
-    const double t31 = JLT_FMA(t13, t25, t12); /* gamma3*1/s*t25 + 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t32 = t20*t28; /* m*R*I3*1/Theta*V*d(omega_n)/d(gamma3) */
-    const double t33 = -t32; /* -m*R*I3*1/Theta*V*d(omega_n)/d(gamma3) */
-    out[16] = t33;
-    const double t34 = t13*t20; /* gamma3*1/s*m*R*I3*1/Theta*V */
-    const double t35 = -t34; /* -gamma3*1/s*m*R*I3*1/Theta*V */
-    out[19] = t35;
-    const double t36 = x[2]*t13; /* omega_tau*gamma3*1/s */
-    const double t37 = -t36; /* -omega_tau*gamma3*1/s */
-    out[4] = t37;
-    const double t38 = p[1]*t29; /* R*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*t24 */
-    out[1] = t38;
-    const double t39 = -t29; /* -1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*t24 */
-    out[2] = t39;
-    const double t40 = p[1]*t30; /* R*(t25*d(omega_n)/d(gamma3) + t27) */
-    out[8] = t40;
-    const double t41 = -t30; /* -(t25*d(omega_n)/d(gamma3) + t27) */
-    out[12] = t41;
-    const double t42 = p[1]*t31; /* R*(gamma3*1/s*t25 + 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)) */
-    out[11] = t42;
-    const double t43 = -t31; /* -(gamma3*1/s*t25 + 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)) */
-    out[15] = t43;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = p[9]*t2; /* (I3^2 + m*R^2*I3)*s^2 */
+    const double t4 = 1.0/t3; /* 1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t5 = sqrt(t2); /* s = sqrt(s^2) */
+    out[6] = t5;
+    const double t6 = t2*t4; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t7 = x[2]*t5; /* omega_tau*s */
+    out[0] = t7;
+    const double t8 = p[9]*t5; /* (I3^2 + m*R^2*I3)*s */
+    const double t9 = t4*t8; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t10 = x[0]*p[8]; /* gamma3*R*I3 */
+    const double t11 = JLT_FMA(x[3], t10, p[6]); /* omega3*gamma3*R*I3 + G_level */
+    const double t12 = t9*t11; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega3*gamma3*R*I3 + G_level) */
+    const double t13 = p[7]*t12; /* 1/(R*I3)*t12 */
+    const double t14 = x[0]*t9; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t15 = t13*t14; /* 1/(R*I3)*t12*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t17 = t6*t16; /* 1/Theta*V */
+    const double t18 = t6*t12; /* 1/Theta*t12 */
+    const double t19 = p[12]*t18; /* (-m)*1/Theta*t12 */
+    out[17] = t19;
+    const double t20 = p[13]*t18; /* (-m*R)*1/Theta*t12 */
+    out[18] = t20;
+    const double t21 = t9*t13; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t12 */
+    const double t22 = x[3] + t15; /* omega3 + t15 */
+    const double t23 = JLT_FMA(2.0, t15, x[3]); /* 2*t15 + omega3 */
+    const double t24 = t9*t21; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t12 */
+    const double t25 = t21*t24; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t12*t24 */
+    const double t26 = t9*t22; /* d(omega_n)/d(gamma3) = 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega3 + t15) */
+    const double t27 = t13*t22; /* 1/(R*I3)*t12*(omega3 + t15) */
+    const double t28 = JLT_FMA(t23, t26, t25); /* (2*t15 + omega3)*d(omega_n)/d(gamma3) + t25 */
+    const double t29 = JLT_FMA(t14, t23, t13); /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(2*t15 + omega3) + 1/(R*I3)*t12 */
+    const double t30 = p[1]*t27; /* R*1/(R*I3)*t12*(omega3 + t15) */
+    out[1] = t30;
+    const double t31 = -t27; /* -1/(R*I3)*t12*(omega3 + t15) */
+    out[2] = t31;
+    const double t32 = p[1]*t28; /* R*((2*t15 + omega3)*d(omega_n)/d(gamma3) + t25) */
+    out[8] = t32;
+    const double t33 = -t28; /* -((2*t15 + omega3)*d(omega_n)/d(gamma3) + t25) */
+    out[12] = t33;
+    const double t34 = p[1]*t29; /* R*t29 */
+    out[11] = t34;
+    const double t35 = -t29; /* -t29 */
+    out[15] = t35;
+    const double t36 = p[11]*t17; /* m*R*I3*1/Theta*V */
+    const double t37 = p[12]*t17; /* (-m)*1/Theta*V */
+    const double t38 = t12*t37; /* t12*(-m)*1/Theta*V */
+    out[3] = t38;
+    const double t39 = t26*t36; /* d(omega_n)/d(gamma3)*m*R*I3*1/Theta*V */
+    const double t40 = -t39; /* -d(omega_n)/d(gamma3)*m*R*I3*1/Theta*V */
+    out[16] = t40;
+    const double t41 = t14*t36; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*m*R*I3*1/Theta*V */
+    const double t42 = -t41; /* -t41 */
+    out[19] = t42;
+    const double t43 = x[2]*t14; /* omega_tau*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t44 = -t43; /* -t43 */
+    out[4] = t44;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -273,28 +276,29 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[3]*p[8]; /* omega3*R*I3 */
-    const double t5 = JLT_FMA(x[0], t4, p[6]); /* gamma3*omega3*R*I3 + G_level */
-    const double t6 = p[7]*t5; /* 1/(R*I3)*(gamma3*omega3*R*I3 + G_level) */
-    const double t7 = t6/t3; /* omega_n = 1/(R*I3)*(gamma3*omega3*R*I3 + G_level)/s */
-    const double t8 = x[3]*t3; /* omega3*s */
-    const double t9 = JLT_FMA(x[0], t7, t8); /* v_tau/R = gamma3*omega_n + omega3*s */
-    const double t10 = x[3]*x[3]; /* omega3*omega3 */
-    const double t11 = JLT_FMA(x[2], x[2], t10); /* omega_tau*omega_tau + omega3*omega3 */
-    const double t12 = JLT_FMA(t7, t7, t11); /* omega_n*omega_n + omega_tau*omega_tau + omega3*omega3 */
-    const double t13 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t14 = JLT_FMA(p[16], t12, t13); /* I3/m*(omega_n*omega_n + omega_tau*omega_tau + omega3*omega3) + v_nu*v_nu */
-    const double t15 = p[17]*t9; /* R^2*v_tau/R */
-    const double t16 = JLT_FMA(t9, t15, t14); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + t14 */
-    const double t17 = p[15]*t16; /* 1/2*m*energy/(1/2*m) */
-    out[0] = t17;
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    out[2] = t18;
-    const double t19 = p[18]*t18; /* m*I3^2*(omega_tau*R + v_nu) */
-    const double t20 = t18*t19; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
-    out[1] = t20;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = x[3]*p[8]; /* omega3*R*I3 */
+    const double t4 = JLT_FMA(x[0], t3, p[6]); /* gamma3*omega3*R*I3 + G_level */
+    const double t5 = p[7]*t4; /* 1/(R*I3)*(gamma3*omega3*R*I3 + G_level) */
+    const double t6 = t5/t2; /* 1/(R*I3)*(gamma3*omega3*R*I3 + G_level)/s^2 */
+    const double t7 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t8 = t6*t7; /* omega_n = 1/(R*I3)*(gamma3*omega3*R*I3 + G_level)/s^2*s */
+    const double t9 = x[3]*t7; /* omega3*s */
+    const double t10 = JLT_FMA(x[0], t8, t9); /* v_tau/R = gamma3*omega_n + omega3*s */
+    const double t11 = x[3]*x[3]; /* omega3*omega3 */
+    const double t12 = JLT_FMA(x[2], x[2], t11); /* omega_tau*omega_tau + omega3*omega3 */
+    const double t13 = JLT_FMA(t8, t8, t12); /* omega_n*omega_n + omega_tau*omega_tau + omega3*omega3 */
+    const double t14 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t15 = JLT_FMA(p[16], t13, t14); /* I3/m*(omega_n*omega_n + omega_tau*omega_tau + omega3*omega3) + v_nu*v_nu */
+    const double t16 = p[17]*t10; /* R^2*v_tau/R */
+    const double t17 = JLT_FMA(t10, t16, t15); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + t15 */
+    const double t18 = p[15]*t17; /* 1/2*m*energy/(1/2*m) */
+    out[0] = t18;
+    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    out[2] = t19;
+    const double t20 = p[18]*t19; /* m*I3^2*(omega_tau*R + v_nu) */
+    const double t21 = t19*t20; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
+    out[1] = t21;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
@@ -487,15 +491,15 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 3, 14, 3, 1, 1, 0, 10, 5 }, { 9, 31, 0, 4, 1, 0, 10, 6 },
+    .rhs = { rhs, 4, { 3, 15, 3, 1, 1, 0, 9, 5 }, { 9, 31, 0, 4, 1, 0, 10, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 16, { 8, 23, 5, 1, 1, 0, 13, 8 }, { 24, 80, 0, 18, 1, 0, 13, 8 },
+    .jacobian = { jacobian, 16, { 8, 24, 5, 1, 1, 0, 12, 8 }, { 24, 80, 0, 18, 1, 0, 13, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 9, 28, 5, 1, 1, 0, 13, 9 }, { 28, 93, 0, 21, 1, 0, 13, 10 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 9, 29, 5, 1, 1, 0, 12, 10 }, { 28, 93, 0, 21, 1, 0, 13, 10 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 7, 2, 1, 1, 0, 7, 4 }, { 6, 19, 0, 2, 1, 0, 9, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_values = { integral_values, 3, { 2, 10, 7, 1, 1, 0, 8, 4 }, { 9, 31, 0, 1, 1, 0, 13, 6 },
+    .integral_values = { integral_values, 3, { 2, 11, 7, 1, 1, 0, 9, 4 }, { 9, 31, 0, 1, 1, 0, 13, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_gradients = { integral_gradients, 12, { 2, 15, 7, 1, 1, 0, 14, 8 }, { 13, 48, 0, 6, 1, 0, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },

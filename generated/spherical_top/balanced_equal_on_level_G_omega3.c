@@ -7,12 +7,12 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   18    5    1    1    0     11    5   (62)
- *  jacobian            5   27   10    1    1    0     13    9   (171)
- *  rhs_jacobian        6   31   11    1    1    0     13   11   (208)
+ *  rhs                 2   18    5    1    1    0     10    5   (62)
+ *  jacobian            5   27   10    1    1    0     11    9   (171)
+ *  rhs_jacobian        6   31   11    1    1    0     11   11   (208)
  *  divergence          2   11    2    1    1    0      9    6   (38)
  *  integral_values     2   10    7    1    1    0     10    4   (42)
- *  integral_gradients  2   18    9    1    1    0     14    8   (66)
+ *  integral_gradients  2   18    9    1    1    0     13    8   (66)
  *  eliminated          2    3    1    1    1    0      5    3   (10)
  *
  *  Accuracy
@@ -59,7 +59,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t0 = -params[1]; /* -R */
     out[7] = t0;
     const double t1 = params[1]*params[5]; /* R*I3 */
-    out[9] = t1;
+    out[10] = t1;
     const double t2 = 1.0/t1; /* 1/(R*I3) */
     out[8] = t2;
     const double t3 = params[5]*params[5]; /* I3*I3 */
@@ -70,7 +70,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t6 = params[5]*t5; /* I3*m*R*R */
     out[14] = t6;
     const double t7 = t3 + t6; /* I3*I3 + I3*m*R*R */
-    out[10] = t7;
+    out[9] = t7;
     const double t8 = t7/t1; /* (I3*I3 + I3*m*R*R)/(R*I3) */
     out[11] = t8;
     const double t9 = params[1]*params[0]; /* R*m */
@@ -104,34 +104,34 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    out[0] = t4;
-    const double t5 = x[0]*t3; /* gamma3*s */
-    const double t6 = p[10]*t5; /* (I3^2 + m*R^2*I3)*gamma3*s */
-    const double t7 = 1.0/t6; /* 1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t8 = t5*t7; /* gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t9 = p[10]*t7; /* 1/(gamma3*s) = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t10 = x[3]*p[9]; /* omega_n*R*I3 */
-    const double t11 = JLT_FNMA(t3, t10, p[6]); /* G_level - s*omega_n*R*I3 */
-    const double t12 = t3*t11; /* s*(G_level - s*omega_n*R*I3) */
-    const double t13 = t9*t12; /* 1/(gamma3*s)*s*(G_level - s*omega_n*R*I3) */
-    const double t14 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t15 = x[3]*t14; /* omega_n*gamma3*gamma3 */
-    const double t16 = t9*t15; /* 1/(gamma3*s)*omega_n*gamma3*gamma3 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = x[0]*p[9]; /* gamma3*(I3^2 + m*R^2*I3) */
+    const double t4 = t2*t3; /* s^2*gamma3*(I3^2 + m*R^2*I3) */
+    const double t5 = 1.0/t4; /* 1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t6 = x[0]*t3; /* gamma3*gamma3*(I3^2 + m*R^2*I3) */
+    const double t7 = t5*t6; /* 1/(s^2*gamma3*(I3^2 + m*R^2*I3))*gamma3*gamma3*(I3^2 + m*R^2*I3) */
+    const double t8 = t2*t5; /* 1/(gamma3*Theta) = s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t9 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t10 = x[2]*t9; /* omega_tau*s */
+    out[0] = t10;
+    const double t11 = x[3]*t9; /* omega_n*s */
+    const double t12 = t7*t11; /* t7*omega_n*s */
+    const double t13 = JLT_FNMA(p[10], t11, p[6]); /* G_level - R*I3*omega_n*s */
+    const double t14 = p[9]*t8; /* (I3^2 + m*R^2*I3)*1/(gamma3*Theta) */
+    const double t15 = t13*t14; /* (G_level - R*I3*omega_n*s)*(I3^2 + m*R^2*I3)*1/(gamma3*Theta) */
+    const double t16 = x[0]*t8; /* gamma3*1/(gamma3*Theta) */
     const double t17 = x[2]*p[11]; /* omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
-    const double t18 = t13*t17; /* 1/(gamma3*s)*s*(G_level - s*omega_n*R*I3)*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
-    const double t19 = JLT_FMS(p[8], t13, t16); /* 1/(R*I3)*1/(gamma3*s)*s*(G_level - s*omega_n*R*I3) - 1/(gamma3*s)*omega_n*gamma3*gamma3 */
-    const double t20 = x[3]*t19; /* omega_n*t19 */
+    const double t18 = t15*t17; /* t15*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
+    const double t19 = JLT_FMS(p[8], t15, t12); /* 1/(R*I3)*t15 - t7*omega_n*s */
+    const double t20 = x[3]*t19; /* omega_n*(1/(R*I3)*t15 - t7*omega_n*s) */
     out[2] = t20;
-    const double t21 = p[7]*t20; /* (-R)*omega_n*t19 */
+    const double t21 = p[7]*t20; /* (-R)*omega_n*(1/(R*I3)*t15 - t7*omega_n*s) */
     out[1] = t21;
     const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t23 = p[12]*t22; /* m*R*I3*V */
-    const double t24 = JLT_FMA(t16, t23, t18); /* 1/(gamma3*s)*omega_n*gamma3*gamma3*m*R*I3*V + t18 */
-    const double t25 = x[2]*t16; /* omega_tau*1/(gamma3*s)*omega_n*gamma3*gamma3 */
-    const double t26 = JLT_FNMA(t8, t24, t25); /* omega_tau*1/(gamma3*s)*omega_n*gamma3*gamma3 - gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s)*(1/(gamma3*s)*omega_n*gamma3*gamma3*m*R*I3*V + t18) */
+    const double t24 = JLT_FMA(t12, t23, t18); /* t7*omega_n*s*m*R*I3*V + t15*omega_tau*(I3^2 + m*R^2*I3)/(R*I3) */
+    const double t25 = x[2]*t12; /* omega_tau*t7*omega_n*s */
+    const double t26 = JLT_FNMA(t16, t24, t25); /* omega_tau*t7*omega_n*s - gamma3*1/(gamma3*Theta)*t24 */
     out[3] = t26;
 }
 
@@ -145,57 +145,57 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[10] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t3;
-    const double t4 = x[0]*t3; /* gamma3*s */
-    const double t5 = p[10]*t4; /* (I3^2 + m*R^2*I3)*gamma3*s */
-    const double t6 = 1.0/t5; /* 1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t7 = t4*t6; /* 1/Theta = gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t8 = p[10]*t6; /* 1/(s*gamma3) = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t9 = x[3]*p[9]; /* omega_n*R*I3 */
-    const double t10 = JLT_FNMA(t3, t9, p[6]); /* G_level - s*omega_n*R*I3 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = x[0]*p[9]; /* gamma3*(I3^2 + m*R^2*I3) */
+    const double t4 = t2*t3; /* s^2*gamma3*(I3^2 + m*R^2*I3) */
+    const double t5 = 1.0/t4; /* 1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t6 = t3*t5; /* 1/s^2 = gamma3*(I3^2 + m*R^2*I3)*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t7 = t2*t5; /* s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t8;
+    const double t9 = x[3]*p[10]; /* omega_n*R*I3 */
+    const double t10 = JLT_FNMA(t8, t9, p[6]); /* G_level - s*omega_n*R*I3 */
     const double t11 = p[8]*t10; /* 1/(R*I3)*(G_level - s*omega_n*R*I3) */
-    const double t12 = x[0]*t8; /* 1/s = gamma3*1/(s*gamma3) */
-    const double t13 = t3*t8; /* 1/gamma3 = s*1/(s*gamma3) */
+    const double t12 = t6*t8; /* 1/s^2*s */
+    const double t13 = p[9]*t7; /* 1/gamma3 = (I3^2 + m*R^2*I3)*s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
     const double t14 = t11*t13; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
-    const double t15 = t3*t13; /* s*1/gamma3 */
-    const double t16 = x[3]*t12; /* omega_n*1/s */
-    const double t17 = JLT_FMS(t13, t14, t16); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s */
-    const double t18 = t12*t12; /* 1/s*1/s */
-    const double t19 = t16*t18; /* omega_n*1/s*1/s*1/s */
-    const double t20 = x[0]*t12; /* gamma3*1/s */
+    const double t15 = t8*t13; /* s*1/gamma3 */
+    const double t16 = x[0]*t7; /* 1/Theta = gamma3*s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t17 = x[3]*t12; /* omega_n*1/s^2*s */
+    const double t18 = x[0]*t12; /* gamma3*1/s^2*s */
+    const double t19 = JLT_FMS(t13, t14, t17); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s^2*s */
+    const double t20 = t6*t17; /* 1/s^2*omega_n*1/s^2*s */
     const double t21 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t22 = p[12]*t21; /* m*R*I3*V */
-    const double t23 = JLT_FNMA(t7, t22, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t24 = t17 + t19; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
-    const double t25 = x[3]*t24; /* omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
-    const double t26 = t19*t23; /* omega_n*1/s*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t27 = t20*t23; /* gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t28 = p[1]*t25; /* R*omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    const double t23 = JLT_FNMA(t16, t22, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t24 = t19 + t20; /* d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s */
+    const double t25 = x[3]*t24; /* omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
+    const double t26 = t20*t23; /* 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t27 = t18*t23; /* gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t28 = p[1]*t25; /* R*omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
     out[4] = t28;
-    const double t29 = -t25; /* -omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    const double t29 = -t25; /* -omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
     out[8] = t29;
-    const double t30 = x[3]*t20; /* omega_n*gamma3*1/s */
-    const double t31 = x[2]*t20; /* omega_tau*gamma3*1/s */
-    const double t32 = -t31; /* -omega_tau*gamma3*1/s */
+    const double t30 = x[3]*t18; /* omega_n*gamma3*1/s^2*s */
+    const double t31 = x[2]*t18; /* omega_tau*gamma3*1/s^2*s */
+    const double t32 = -t31; /* -omega_tau*gamma3*1/s^2*s */
     out[0] = t32;
     const double t33 = JLT_FNMA(x[3], t15, t14); /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*s*1/gamma3 */
-    const double t34 = JLT_FNMA(2.0, t30, t33); /* t33 - 2*omega_n*gamma3*1/s */
+    const double t34 = JLT_FNMA(2.0, t30, t33); /* t33 - 2*omega_n*gamma3*1/s^2*s */
     out[11] = t34;
-    const double t35 = p[7]*t34; /* (-R)*(t33 - 2*omega_n*gamma3*1/s) */
+    const double t35 = p[7]*t34; /* (-R)*(t33 - 2*omega_n*gamma3*1/s^2*s) */
     out[7] = t35;
-    const double t36 = p[10]*t7; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t37 = t7*t30; /* 1/Theta*omega_n*gamma3*1/s */
-    const double t38 = JLT_FNMA(t14, t36, t30); /* omega_n*gamma3*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t39 = JLT_FNMA(p[14], t37, t38); /* t38 - m*R^2*I3*1/Theta*omega_n*gamma3*1/s */
+    const double t36 = p[9]*t16; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t37 = t16*t30; /* 1/Theta*omega_n*gamma3*1/s^2*s */
+    const double t38 = JLT_FNMA(t14, t36, t30); /* omega_n*gamma3*1/s^2*s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t39 = JLT_FNMA(p[14], t37, t38); /* t38 - m*R^2*I3*1/Theta*omega_n*gamma3*1/s^2*s */
     out[14] = t39;
-    const double t40 = p[13]*t37; /* (-m*R*I3)*1/Theta*omega_n*gamma3*1/s */
+    const double t40 = p[13]*t37; /* (-m*R*I3)*1/Theta*omega_n*gamma3*1/s^2*s */
     out[13] = t40;
     const double t41 = x[2]*t36; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t42 = JLT_FMA(t17, t41, t26); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + omega_n*1/s*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t42 = JLT_FMA(t19, t41, t26); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
     out[12] = t42;
-    const double t43 = JLT_FMA(t15, t41, t27); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t43 = JLT_FMA(t15, t41, t27); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
     out[15] = t43;
 }
 
@@ -209,67 +209,67 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[14] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[6] = t3;
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    out[0] = t4;
-    const double t5 = x[0]*t3; /* gamma3*s */
-    const double t6 = p[10]*t5; /* (I3^2 + m*R^2*I3)*gamma3*s */
-    const double t7 = 1.0/t6; /* 1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t8 = t5*t7; /* 1/Theta = gamma3*s*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t9 = p[10]*t7; /* 1/(gamma3*s) = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*gamma3*s) */
-    const double t10 = x[3]*p[9]; /* omega_n*R*I3 */
-    const double t11 = JLT_FNMA(t3, t10, p[6]); /* G_level - s*omega_n*R*I3 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = x[0]*p[9]; /* gamma3*(I3^2 + m*R^2*I3) */
+    const double t4 = t2*t3; /* s^2*gamma3*(I3^2 + m*R^2*I3) */
+    const double t5 = 1.0/t4; /* 1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t6 = t3*t5; /* 1/s^2 = gamma3*(I3^2 + m*R^2*I3)*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t7 = t2*t5; /* s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    out[6] = t8;
+    const double t9 = x[2]*t8; /* omega_tau*s */
+    out[0] = t9;
+    const double t10 = x[3]*p[10]; /* omega_n*R*I3 */
+    const double t11 = JLT_FNMA(t8, t10, p[6]); /* G_level - s*omega_n*R*I3 */
     const double t12 = p[8]*t11; /* 1/(R*I3)*(G_level - s*omega_n*R*I3) */
-    const double t13 = t3*t9; /* 1/gamma3 = s*1/(gamma3*s) */
-    const double t14 = x[0]*t9; /* 1/s = gamma3*1/(gamma3*s) */
-    const double t15 = t12*t13; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
-    const double t16 = t3*t13; /* s*1/gamma3 */
-    const double t17 = x[3]*t14; /* omega_n*1/s */
-    const double t18 = JLT_FMS(t13, t15, t17); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s */
-    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t20 = p[12]*t19; /* m*R*I3*V */
-    const double t21 = JLT_FNMA(t8, t20, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t22 = t14*t14; /* 1/s*1/s */
-    const double t23 = t17*t22; /* omega_n*1/s*1/s*1/s */
-    const double t24 = x[0]*t17; /* gamma3*omega_n*1/s */
-    const double t25 = x[0]*t14; /* gamma3*1/s */
-    const double t26 = t15 - t24; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - gamma3*omega_n*1/s */
+    const double t13 = p[9]*t7; /* 1/gamma3 = (I3^2 + m*R^2*I3)*s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t14 = t12*t13; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
+    const double t15 = x[0]*t7; /* 1/Theta = gamma3*s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t16 = t6*t8; /* 1/s^2*s */
+    const double t17 = t8*t13; /* s*1/gamma3 */
+    const double t18 = x[3]*t16; /* omega_n*1/s^2*s */
+    const double t19 = t6*t18; /* 1/s^2*omega_n*1/s^2*s */
+    const double t20 = JLT_FMS(t13, t14, t18); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s^2*s */
+    const double t21 = x[0]*t18; /* gamma3*omega_n*1/s^2*s */
+    const double t22 = x[0]*t16; /* gamma3*1/s^2*s */
+    const double t23 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t24 = p[12]*t23; /* m*R*I3*V */
+    const double t25 = JLT_FNMA(t15, t24, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t26 = t14 - t21; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - gamma3*omega_n*1/s^2*s */
     const double t27 = x[3]*t26; /* omega_n*t26 */
     out[2] = t27;
     const double t28 = p[7]*t27; /* (-R)*omega_n*t26 */
     out[1] = t28;
-    const double t29 = p[10]*t8; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t30 = t8*t24; /* 1/Theta*gamma3*omega_n*1/s */
-    const double t31 = p[13]*t30; /* (-m*R*I3)*1/Theta*gamma3*omega_n*1/s */
+    const double t29 = p[9]*t15; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t30 = t15*t21; /* 1/Theta*gamma3*omega_n*1/s^2*s */
+    const double t31 = p[13]*t30; /* (-m*R*I3)*1/Theta*gamma3*omega_n*1/s^2*s */
     out[17] = t31;
-    const double t32 = t18 + t23; /* d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s */
-    const double t33 = x[3]*t32; /* omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
-    const double t34 = t21*t23; /* (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
-    const double t35 = p[1]*t33; /* R*omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    const double t32 = t19 + t20; /* 1/s^2*omega_n*1/s^2*s + d(omega3)/d(gamma3) */
+    const double t33 = x[3]*t32; /* omega_n*(1/s^2*omega_n*1/s^2*s + d(omega3)/d(gamma3)) */
+    const double t34 = t19*t25; /* 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t35 = p[1]*t33; /* R*omega_n*(1/s^2*omega_n*1/s^2*s + d(omega3)/d(gamma3)) */
     out[8] = t35;
-    const double t36 = -t33; /* -omega_n*(d(omega3)/d(gamma3) + omega_n*1/s*1/s*1/s) */
+    const double t36 = -t33; /* -omega_n*(1/s^2*omega_n*1/s^2*s + d(omega3)/d(gamma3)) */
     out[12] = t36;
-    const double t37 = JLT_FNMA(x[3], t16, t15); /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*s*1/gamma3 */
-    const double t38 = JLT_FNMA(2.0, t24, t37); /* t37 - 2*gamma3*omega_n*1/s */
+    const double t37 = JLT_FNMA(x[3], t17, t14); /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*s*1/gamma3 */
+    const double t38 = JLT_FNMA(2.0, t21, t37); /* t37 - 2*gamma3*omega_n*1/s^2*s */
     out[15] = t38;
-    const double t39 = p[7]*t38; /* (-R)*(t37 - 2*gamma3*omega_n*1/s) */
+    const double t39 = p[7]*t38; /* (-R)*(t37 - 2*gamma3*omega_n*1/s^2*s) */
     out[11] = t39;
-    const double t40 = t21*t24; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*omega_n*1/s */
-    const double t41 = JLT_FNMA(t15, t29, t24); /* gamma3*omega_n*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t42 = JLT_FNMA(p[14], t30, t41); /* t41 - m*R^2*I3*1/Theta*gamma3*omega_n*1/s */
+    const double t40 = t21*t25; /* gamma3*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t41 = JLT_FNMA(t14, t29, t21); /* gamma3*omega_n*1/s^2*s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t42 = JLT_FNMA(p[14], t30, t41); /* t41 - m*R^2*I3*1/Theta*gamma3*omega_n*1/s^2*s */
     out[18] = t42;
     const double t43 = x[2]*t29; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t44 = JLT_FNMA(t15, t43, t40); /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*omega_n*1/s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t44 = JLT_FNMA(t14, t43, t40); /* gamma3*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
     out[3] = t44;
-    const double t45 = JLT_FMA(t18, t43, t34); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*omega_n*1/s*1/s*1/s */
+    const double t45 = JLT_FMA(t20, t43, t34); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
     out[16] = t45;
-    const double t46 = t21*t25; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s */
-    const double t47 = JLT_FMA(t16, t43, t46); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s */
+    const double t46 = t22*t25; /* gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t47 = JLT_FMA(t17, t43, t46); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
     out[19] = t47;
-    const double t48 = x[2]*t25; /* omega_tau*gamma3*1/s */
-    const double t49 = -t48; /* -omega_tau*gamma3*1/s */
+    const double t48 = x[2]*t22; /* omega_tau*gamma3*1/s^2*s */
+    const double t49 = -t48; /* -omega_tau*gamma3*1/s^2*s */
     out[4] = t49;
 }
 
@@ -279,7 +279,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = x[0]*p[10]; /* gamma3*(I3^2 + m*R^2*I3) */
+    const double t4 = x[0]*p[9]; /* gamma3*(I3^2 + m*R^2*I3) */
     const double t5 = t3*t4; /* s*gamma3*(I3^2 + m*R^2*I3) */
     const double t6 = 1.0/t5; /* 1/(s*gamma3*(I3^2 + m*R^2*I3)) */
     const double t7 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
@@ -301,7 +301,7 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = p[9]*x[3]; /* R*I3*omega_n */
+    const double t4 = p[10]*x[3]; /* R*I3*omega_n */
     const double t5 = JLT_FNMA(t3, t4, p[6]); /* G_level - s*R*I3*omega_n */
     const double t6 = p[8]/x[0]; /* 1/(R*I3)/gamma3 */
     const double t7 = t5*t6; /* (G_level - s*R*I3*omega_n)*1/(R*I3)/gamma3 */
@@ -328,34 +328,34 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[9] = 1.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = p[9]*x[3]; /* R*I3*omega_n */
-    const double t5 = JLT_FNMA(t3, t4, p[6]); /* G_level - s*R*I3*omega_n */
-    const double t6 = x[0]*t3; /* gamma3*s */
-    const double t7 = 1.0/t6; /* 1/(gamma3*s) */
-    const double t8 = t3*t7; /* 1/gamma3 = s*1/(gamma3*s) */
-    const double t9 = t5*t8; /* (G_level - s*R*I3*omega_n)*1/gamma3 */
-    const double t10 = p[8]*t9; /* 1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3 */
-    const double t11 = t8*t10; /* 1/gamma3*1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3 */
-    const double t12 = x[0]*t7; /* 1/s = gamma3*1/(gamma3*s) */
-    const double t13 = JLT_FNMA(x[3], t12, t11); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3 - omega_n*1/s */
-    const double t14 = t9*p[21]; /* (G_level - s*R*I3*omega_n)*1/gamma3*1/R */
-    const double t15 = t13*t14; /* d(omega3)/d(gamma3)*(G_level - s*R*I3*omega_n)*1/gamma3*1/R */
-    const double t16 = x[0]*t12; /* gamma3*1/s */
-    const double t17 = JLT_FMA(t10, t16, x[3]); /* 1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3*gamma3*1/s + omega_n */
-    const double t18 = JLT_FMA(t3, t13, t17); /* d(v_tau)/d(gamma3)/R = s*d(omega3)/d(gamma3) + t17 */
-    const double t19 = t3*t10; /* s*1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3 */
-    const double t20 = JLT_FMS(x[3], x[0], t19); /* v_tau/R = omega_n*gamma3 - s*1/(R*I3)*(G_level - s*R*I3*omega_n)*1/gamma3 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t4 = x[3]*t3; /* omega_n*s */
+    const double t5 = JLT_FNMA(p[10], t4, p[6]); /* G_level - R*I3*omega_n*s */
+    const double t6 = x[0]*t2; /* gamma3*s^2 */
+    const double t7 = 1.0/t6; /* 1/(gamma3*s^2) */
+    const double t8 = t2*t7; /* 1/gamma3 = s^2*1/(gamma3*s^2) */
+    const double t9 = t5*t8; /* (G_level - R*I3*omega_n*s)*1/gamma3 */
+    const double t10 = p[8]*t9; /* 1/(R*I3)*(G_level - R*I3*omega_n*s)*1/gamma3 */
+    const double t11 = t8*t10; /* 1/gamma3*1/(R*I3)*(G_level - R*I3*omega_n*s)*1/gamma3 */
+    const double t12 = x[0]*t7; /* 1/s^2 = gamma3*1/(gamma3*s^2) */
+    const double t13 = JLT_FNMA(t4, t12, t11); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - R*I3*omega_n*s)*1/gamma3 - omega_n*s*1/s^2 */
+    const double t14 = t9*p[21]; /* (G_level - R*I3*omega_n*s)*1/gamma3*1/R */
+    const double t15 = t13*t14; /* d(omega3)/d(gamma3)*(G_level - R*I3*omega_n*s)*1/gamma3*1/R */
+    const double t16 = x[0]*t12; /* gamma3*1/s^2 */
+    const double t17 = JLT_FMA(t10, t16, t13); /* 1/(R*I3)*(G_level - R*I3*omega_n*s)*1/gamma3*gamma3*1/s^2 + d(omega3)/d(gamma3) */
+    const double t18 = JLT_FMA(t3, t17, x[3]); /* d(v_tau)/d(gamma3)/R = s*t17 + omega_n */
+    const double t19 = t3*t10; /* s*1/(R*I3)*(G_level - R*I3*omega_n*s)*1/gamma3 */
+    const double t20 = JLT_FMS(x[3], x[0], t19); /* v_tau/R = omega_n*gamma3 - s*1/(R*I3)*(G_level - R*I3*omega_n*s)*1/gamma3 */
     const double t21 = p[22]*t20; /* m*R^2*v_tau/R */
-    const double t22 = JLT_FMS(t18, t21, t15); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - d(omega3)/d(gamma3)*(G_level - s*R*I3*omega_n)*1/gamma3*1/R */
+    const double t22 = JLT_FMS(t18, t21, t15); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - d(omega3)/d(gamma3)*(G_level - R*I3*omega_n*s)*1/gamma3*1/R */
     out[0] = t22;
     const double t23 = p[0]*x[1]; /* m*v_nu */
     out[1] = t23;
     const double t24 = p[5]*x[2]; /* I3*omega_tau */
     out[2] = t24;
-    const double t25 = JLT_FMS(t3, t14, t21); /* s*(G_level - s*R*I3*omega_n)*1/gamma3*1/R - m*R^2*v_tau/R */
-    const double t26 = t8*t25; /* 1/gamma3*(s*(G_level - s*R*I3*omega_n)*1/gamma3*1/R - m*R^2*v_tau/R) */
+    const double t25 = JLT_FMS(t3, t14, t21); /* s*(G_level - R*I3*omega_n*s)*1/gamma3*1/R - m*R^2*v_tau/R */
+    const double t26 = t8*t25; /* 1/gamma3*(s*(G_level - R*I3*omega_n*s)*1/gamma3*1/R - m*R^2*v_tau/R) */
     const double t27 = JLT_FMS(x[3], p[5], t26); /* d(energy)/d(omega_n) = omega_n*I3 - t26 */
     out[3] = t27;
     out[4] = 0.0;
@@ -376,7 +376,7 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = p[9]*x[3]; /* R*I3*omega_n */
+    const double t4 = p[10]*x[3]; /* R*I3*omega_n */
     const double t5 = JLT_FNMA(t3, t4, p[6]); /* G_level - s*R*I3*omega_n */
     const double t6 = p[25]/x[0]; /* (-1/(R*I3))/gamma3 */
     const double t7 = t5*t6; /* (G_level - s*R*I3*omega_n)*(-1/(R*I3))/gamma3 */
@@ -428,11 +428,11 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t16[k] = jlt_jet_root(t15[k], t16, k);
         t17[k] = jlt_jet_product(x2, t16, k);
         t18[k] = jlt_jet_product(x0, t16, k);
-        t19[k] = p[10]*t18[k];
+        t19[k] = p[9]*t18[k];
         t20[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t19, t20, k);
         t21[k] = jlt_jet_product(t18, t20, k);
-        t22[k] = p[10]*t20[k];
-        t23[k] = x3[k]*p[9];
+        t22[k] = p[9]*t20[k];
+        t23[k] = x3[k]*p[10];
         t24[k] = (k == 0 ? p[6] : 0) - jlt_jet_product(t16, t23, k);
         t25[k] = jlt_jet_product(t16, t24, k);
         t26[k] = jlt_jet_product(t22, t25, k);
@@ -529,17 +529,17 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3 
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 2, 18, 5, 1, 1, 0, 11, 5 }, { 11, 43, 0, 7, 1, 0, 11, 8 },
+    .rhs = { rhs, 4, { 2, 18, 5, 1, 1, 0, 10, 5 }, { 11, 43, 0, 7, 1, 0, 11, 8 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 16, { 5, 27, 10, 1, 1, 0, 13, 9 }, { 30, 113, 0, 27, 1, 0, 12, 9 },
+    .jacobian = { jacobian, 16, { 5, 27, 10, 1, 1, 0, 11, 9 }, { 30, 113, 0, 27, 1, 0, 12, 9 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 6, 31, 11, 1, 1, 0, 13, 11 }, { 36, 138, 0, 33, 1, 0, 12, 9 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 6, 31, 11, 1, 1, 0, 11, 11 }, { 36, 138, 0, 33, 1, 0, 12, 9 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 11, 2, 1, 1, 0, 9, 6 }, { 6, 28, 0, 3, 1, 0, 10, 6 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 3, { 2, 10, 7, 1, 1, 0, 10, 4 }, { 9, 31, 0, 1, 1, 0, 15, 5 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 12, { 2, 18, 9, 1, 1, 0, 14, 8 }, { 13, 46, 0, 6, 1, 0, 13, 9 },
+    .integral_gradients = { integral_gradients, 12, { 2, 18, 9, 1, 1, 0, 13, 8 }, { 13, 46, 0, 6, 1, 0, 13, 9 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

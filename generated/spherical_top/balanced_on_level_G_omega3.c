@@ -8,11 +8,11 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   18    6    1    1    0     11    6   (64)
- *  jacobian            7   33   15    1    1    0     14   12   (216)
- *  rhs_jacobian        8   38   16    1    1    0     15   15   (255)
- *  divergence          2   13    4    1    1    0      9    6   (38)
+ *  jacobian            7   34   15    1    1    0     13   12   (216)
+ *  rhs_jacobian        8   39   16    1    1    0     14   15   (255)
+ *  divergence          2   11    4    1    1    0      8    6   (38)
  *  integral_values     3   12    9    1    1    0     10    7   (58)
- *  integral_gradients  4   26   11    1    1    0     13   10   (112)
+ *  integral_gradients  5   27   10    1    1    0     12   10   (112)
  *  eliminated          2    2    1    1    1    0      5    3   (10)
  *
  *  Accuracy
@@ -182,71 +182,72 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[10] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
     const double t4 = JLT_FMA(x[0], t3, p[13]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t6;
-    const double t7 = x[0]*t6; /* gamma3*s */
-    const double t8 = t5*t7; /* Theta*gamma3*s */
-    const double t9 = 1.0/t8; /* 1/(Theta*gamma3*s) */
-    const double t10 = t5*t9; /* 1/(s*gamma3) = Theta*1/(Theta*gamma3*s) */
-    const double t11 = t7*t9; /* 1/Theta = gamma3*s*1/(Theta*gamma3*s) */
-    const double t12 = x[0]*t10; /* 1/s = gamma3*1/(s*gamma3) */
-    const double t13 = t6*t10; /* 1/gamma3 = s*1/(s*gamma3) */
-    const double t14 = JLT_FNMA(x[3], t6, p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t15 = t13*t14; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t16 = t6*t13; /* s*1/gamma3 */
-    const double t17 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t18 = p[18]*t17; /* m*R*I3*V */
-    const double t19 = t11*t18; /* 1/Theta*m*R*I3*V */
-    const double t20 = x[3]*t12; /* omega_n*1/s */
-    const double t21 = JLT_FMS(t13, t15, t20); /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) - omega_n*1/s */
-    const double t22 = p[16]*t21; /* d(omega3)/d(gamma3) = I1/I3*(1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) - omega_n*1/s) */
-    const double t23 = x[2]*t12; /* omega_tau*1/s */
-    const double t24 = x[0]*t20; /* gamma3*omega_n*1/s */
-    const double t25 = t12*t20; /* 1/s*omega_n*1/s */
-    const double t26 = JLT_FMS(t12, t19, t23); /* 1/s*1/Theta*m*R*I3*V - omega_tau*1/s */
-    const double t27 = t20*t25; /* omega_n*1/s*1/s*omega_n*1/s */
-    const double t28 = t25*t26; /* 1/s*omega_n*1/s*(1/s*1/Theta*m*R*I3*V - omega_tau*1/s) */
-    const double t29 = x[0]*t23; /* gamma3*omega_tau*1/s */
-    const double t30 = -t29; /* -gamma3*omega_tau*1/s */
-    out[0] = t30;
-    const double t31 = x[0]*t26; /* gamma3*(1/s*1/Theta*m*R*I3*V - omega_tau*1/s) */
-    const double t32 = x[2]*t11; /* omega_tau*1/Theta */
-    const double t33 = t11*t24; /* 1/Theta*gamma3*omega_n*1/s */
-    const double t34 = p[21]*t11; /* I1*(I3^2 + m*R^2*I3)/I3*1/Theta */
-    const double t35 = t19*t33; /* 1/Theta*m*R*I3*V*1/Theta*gamma3*omega_n*1/s */
-    const double t36 = t15*t34; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1*(I3^2 + m*R^2*I3)/I3*1/Theta */
-    const double t37 = JLT_FMS(x[3], t16, t15); /* omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t38 = JLT_FMA(t32, t36, t35); /* omega_tau*1/Theta*t36 + 1/Theta*m*R*I3*V*1/Theta*gamma3*omega_n*1/s */
-    const double t39 = t24 - t36; /* gamma3*omega_n*1/s - t36 */
-    const double t40 = JLT_FNMA(p[15], t33, t39); /* gamma3*omega_n*1/s - t36 - m*R^2*I3*1/Theta*gamma3*omega_n*1/s */
-    out[14] = t40;
-    const double t41 = p[22]*t33; /* (-m*R*I3)*1/Theta*gamma3*omega_n*1/s */
-    out[13] = t41;
-    const double t42 = x[3]*t22; /* omega_n*d(omega3)/d(gamma3) */
-    const double t43 = p[19]*t32; /* (I3^2 + m*R^2*I3)*omega_tau*1/Theta */
-    const double t44 = JLT_FMS(t22, t43, t28); /* d(omega3)/d(gamma3)*(I3^2 + m*R^2*I3)*omega_tau*1/Theta - 1/s*omega_n*1/s*(1/s*1/Theta*m*R*I3*V - omega_tau*1/s) */
-    const double t45 = p[23]*t32; /* (I1*I3 + m*R^2*I1)*omega_tau*1/Theta */
-    const double t46 = JLT_FMS(t16, t45, t31); /* s*1/gamma3*(I1*I3 + m*R^2*I1)*omega_tau*1/Theta - gamma3*(1/s*1/Theta*m*R*I3*V - omega_tau*1/s) */
-    out[15] = t46;
-    const double t47 = t27 + t42; /* omega_n*1/s*1/s*omega_n*1/s + omega_n*d(omega3)/d(gamma3) */
-    const double t48 = JLT_FMA(p[10], t42, t27); /* I3/I1*omega_n*d(omega3)/d(gamma3) + omega_n*1/s*1/s*omega_n*1/s */
-    const double t49 = p[1]*t47; /* R*(omega_n*1/s*1/s*omega_n*1/s + omega_n*d(omega3)/d(gamma3)) */
-    out[4] = t49;
-    const double t50 = -t48; /* -t48 */
-    out[8] = t50;
-    const double t51 = p[7]*t37; /* R*I1/I3*(omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s)) */
-    const double t52 = JLT_FMA(p[17], t24, t51); /* 2*R*gamma3*omega_n*1/s + t51 */
-    out[7] = t52;
-    const double t53 = JLT_FMA(2.0, t24, t37); /* 2*gamma3*omega_n*1/s + omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t54 = -t53; /* -t53 */
-    out[11] = t54;
-    const double t55 = x[0]*p[20]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t56 = JLT_FNMA(t38, t55, t44); /* t44 - t38*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    out[12] = t56;
+    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*s^2 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t6 = x[0]*t2; /* gamma3*s^2 */
+    const double t7 = t5*t6; /* Theta*gamma3*s^2 */
+    const double t8 = 1.0/t7; /* 1/(Theta*gamma3*s^2) */
+    const double t9 = t5*t8; /* Theta*1/(Theta*gamma3*s^2) */
+    const double t10 = t6*t8; /* 1/Theta = gamma3*s^2*1/(Theta*gamma3*s^2) */
+    const double t11 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t11;
+    const double t12 = t2*t9; /* 1/gamma3 = s^2*Theta*1/(Theta*gamma3*s^2) */
+    const double t13 = x[0]*t11; /* gamma3*s */
+    const double t14 = t9*t13; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t15 = JLT_FNMA(x[3], t11, p[8]); /* G_level/(R*I1) - omega_n*s */
+    const double t16 = t12*t15; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t17 = t11*t12; /* s*1/gamma3 */
+    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t19 = p[18]*t18; /* m*R*I3*V */
+    const double t20 = t10*t19; /* 1/Theta*m*R*I3*V */
+    const double t21 = x[3]*t14; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t22 = JLT_FMS(t12, t16, t21); /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) - omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t23 = p[16]*t22; /* d(omega3)/d(gamma3) = I1/I3*t22 */
+    const double t24 = x[2]*t14; /* omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t25 = x[0]*t21; /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t26 = t14*t21; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t27 = JLT_FMS(t14, t20, t24); /* Theta*1/(Theta*gamma3*s^2)*gamma3*s*1/Theta*m*R*I3*V - omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t28 = t21*t26; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t26 */
+    const double t29 = t26*t27; /* t26*t27 */
+    const double t30 = x[0]*t24; /* gamma3*omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t31 = -t30; /* -gamma3*omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    out[0] = t31;
+    const double t32 = x[0]*t27; /* gamma3*t27 */
+    const double t33 = x[2]*t10; /* omega_tau*1/Theta */
+    const double t34 = t10*t25; /* 1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t35 = p[21]*t10; /* I1*(I3^2 + m*R^2*I3)/I3*1/Theta */
+    const double t36 = t20*t34; /* 1/Theta*m*R*I3*V*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t37 = t16*t35; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1*(I3^2 + m*R^2*I3)/I3*1/Theta */
+    const double t38 = JLT_FMS(x[3], t17, t16); /* omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t39 = JLT_FMA(t33, t37, t36); /* omega_tau*1/Theta*t37 + t36 */
+    const double t40 = t25 - t37; /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - t37 */
+    const double t41 = JLT_FNMA(p[15], t34, t40); /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - t37 - m*R^2*I3*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    out[14] = t41;
+    const double t42 = p[22]*t34; /* (-m*R*I3)*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    out[13] = t42;
+    const double t43 = x[3]*t23; /* omega_n*d(omega3)/d(gamma3) */
+    const double t44 = p[19]*t33; /* (I3^2 + m*R^2*I3)*omega_tau*1/Theta */
+    const double t45 = JLT_FMS(t23, t44, t29); /* d(omega3)/d(gamma3)*(I3^2 + m*R^2*I3)*omega_tau*1/Theta - t26*t27 */
+    const double t46 = p[23]*t33; /* (I1*I3 + m*R^2*I1)*omega_tau*1/Theta */
+    const double t47 = JLT_FMS(t17, t46, t32); /* s*1/gamma3*(I1*I3 + m*R^2*I1)*omega_tau*1/Theta - gamma3*t27 */
+    out[15] = t47;
+    const double t48 = t28 + t43; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t26 + omega_n*d(omega3)/d(gamma3) */
+    const double t49 = JLT_FMA(p[10], t43, t28); /* I3/I1*omega_n*d(omega3)/d(gamma3) + omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t26 */
+    const double t50 = p[1]*t48; /* R*t48 */
+    out[4] = t50;
+    const double t51 = -t49; /* -t49 */
+    out[8] = t51;
+    const double t52 = p[7]*t38; /* R*I1/I3*(omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s)) */
+    const double t53 = JLT_FMA(p[17], t25, t52); /* 2*R*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s + t52 */
+    out[7] = t53;
+    const double t54 = JLT_FMA(2.0, t25, t38); /* 2*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s + omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t55 = -t54; /* -t54 */
+    out[11] = t55;
+    const double t56 = x[0]*p[20]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t57 = JLT_FNMA(t39, t56, t45); /* t45 - (omega_tau*1/Theta*t37 + t36)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    out[12] = t57;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -259,108 +260,107 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[14] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
     const double t4 = JLT_FMA(x[0], t3, p[13]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*(1 - gamma3)*(1 + gamma3) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[6] = t6;
-    const double t7 = x[0]*t6; /* gamma3*s */
-    const double t8 = t5*t7; /* Theta*gamma3*s */
-    const double t9 = 1.0/t8; /* 1/(Theta*gamma3*s) */
-    const double t10 = t5*t9; /* 1/(gamma3*s) = Theta*1/(Theta*gamma3*s) */
-    const double t11 = t7*t9; /* 1/Theta = gamma3*s*1/(Theta*gamma3*s) */
-    const double t12 = x[3]*t6; /* omega_n*s */
-    const double t13 = p[8] - t12; /* G_level/(R*I1) - omega_n*s */
-    const double t14 = t6*t10; /* 1/gamma3 = s*1/(gamma3*s) */
-    const double t15 = t13*t14; /* (G_level/(R*I1) - omega_n*s)*1/gamma3 */
-    const double t16 = x[0]*t10; /* 1/s = gamma3*1/(gamma3*s) */
-    const double t17 = x[2]*t6; /* omega_tau*s */
-    out[0] = t17;
-    const double t18 = JLT_FNMA(t12, t14, t15); /* (G_level/(R*I1) - omega_n*s)*1/gamma3 - omega_n*s*1/gamma3 */
-    const double t19 = p[23]*t17; /* (I1*I3 + m*R^2*I1)*omega_tau*s */
-    const double t20 = t11*t19; /* 1/Theta*(I1*I3 + m*R^2*I1)*omega_tau*s */
-    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t22 = p[18]*t21; /* m*R*I3*V */
-    const double t23 = p[16]*t15; /* I1/I3*(G_level/(R*I1) - omega_n*s)*1/gamma3 */
-    const double t24 = x[3]*t16; /* omega_n*1/s */
-    const double t25 = JLT_FNMA(t11, t22, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t26 = p[19]*t11; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t27 = t14*t23; /* 1/gamma3*I1/I3*(G_level/(R*I1) - omega_n*s)*1/gamma3 */
-    const double t28 = JLT_FNMA(p[16], t24, t27); /* d(omega3)/d(gamma3) = 1/gamma3*I1/I3*(G_level/(R*I1) - omega_n*s)*1/gamma3 - I1/I3*omega_n*1/s */
-    const double t29 = x[0]*t24; /* gamma3*omega_n*1/s */
-    const double t30 = t15 - t29; /* (G_level/(R*I1) - omega_n*s)*1/gamma3 - gamma3*omega_n*1/s */
-    const double t31 = x[3]*t30; /* omega_n*((G_level/(R*I1) - omega_n*s)*1/gamma3 - gamma3*omega_n*1/s) */
-    out[2] = t31;
-    const double t32 = JLT_FNMA(2.0, t29, t18); /* (G_level/(R*I1) - omega_n*s)*1/gamma3 - omega_n*s*1/gamma3 - 2*gamma3*omega_n*1/s */
-    out[15] = t32;
-    const double t33 = p[7]*t18; /* R*I1/I3*((G_level/(R*I1) - omega_n*s)*1/gamma3 - omega_n*s*1/gamma3) */
-    const double t34 = JLT_FMS(p[17], t29, t33); /* 2*R*gamma3*omega_n*1/s - t33 */
-    out[11] = t34;
-    const double t35 = x[2]*t26; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t36 = JLT_FNMA(t23, t26, t29); /* gamma3*omega_n*1/s - I1/I3*(G_level/(R*I1) - omega_n*s)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t37 = t16*t24; /* 1/s*omega_n*1/s */
-    const double t38 = t24*t37; /* omega_n*1/s*1/s*omega_n*1/s */
-    const double t39 = t16*t25; /* 1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t40 = t37*t39; /* 1/s*omega_n*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t41 = x[0]*t16; /* gamma3*1/s */
-    const double t42 = JLT_FMA(t28, t35, t40); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + 1/s*omega_n*1/s*1/s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t43 = t23*t35; /* I1/I3*(G_level/(R*I1) - omega_n*s)*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t44 = x[3]*t28; /* omega_n*d(omega3)/d(gamma3) */
-    const double t45 = t29 - t23; /* gamma3*omega_n*1/s - I1/I3*(G_level/(R*I1) - omega_n*s)*1/gamma3 */
-    const double t46 = JLT_FMS(t25, t29, t43); /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*omega_n*1/s - t43 */
-    out[3] = t46;
-    const double t47 = t11*t29; /* 1/Theta*gamma3*omega_n*1/s */
-    const double t48 = JLT_FMA(t22, t47, t43); /* m*R*I3*V*1/Theta*gamma3*omega_n*1/s + t43 */
-    const double t49 = JLT_FNMA(p[15], t47, t36); /* t36 - m*R^2*I3*1/Theta*gamma3*omega_n*1/s */
-    out[18] = t49;
-    const double t50 = p[22]*t47; /* (-m*R*I3)*1/Theta*gamma3*omega_n*1/s */
-    out[17] = t50;
-    const double t51 = t25*t41; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s */
-    const double t52 = JLT_FMA(t14, t20, t51); /* 1/gamma3*1/Theta*(I1*I3 + m*R^2*I1)*omega_tau*s + (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s */
-    out[19] = t52;
-    const double t53 = x[2]*t41; /* omega_tau*gamma3*1/s */
-    const double t54 = -t53; /* -omega_tau*gamma3*1/s */
-    out[4] = t54;
-    const double t55 = x[0]*p[20]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t56 = t11*t55; /* 1/Theta*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t57 = JLT_FNMA(t48, t56, t42); /* t42 - (m*R*I3*V*1/Theta*gamma3*omega_n*1/s + t43)*1/Theta*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    out[16] = t57;
-    const double t58 = p[1]*x[3]; /* R*omega_n */
-    const double t59 = t45*t58; /* t45*R*omega_n */
-    out[1] = t59;
-    const double t60 = t38 + t44; /* omega_n*1/s*1/s*omega_n*1/s + omega_n*d(omega3)/d(gamma3) */
-    const double t61 = JLT_FMA(p[10], t44, t38); /* I3/I1*omega_n*d(omega3)/d(gamma3) + omega_n*1/s*1/s*omega_n*1/s */
-    const double t62 = p[1]*t60; /* R*(omega_n*1/s*1/s*omega_n*1/s + omega_n*d(omega3)/d(gamma3)) */
-    out[8] = t62;
-    const double t63 = -t61; /* -t61 */
-    out[12] = t63;
+    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*s^2 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t6 = x[0]*t2; /* gamma3*s^2 */
+    const double t7 = t5*t6; /* Theta*gamma3*s^2 */
+    const double t8 = 1.0/t7; /* 1/(Theta*gamma3*s^2) */
+    const double t9 = t5*t8; /* Theta*1/(Theta*gamma3*s^2) */
+    const double t10 = t6*t8; /* 1/Theta = gamma3*s^2*1/(Theta*gamma3*s^2) */
+    const double t11 = sqrt(t2); /* s = sqrt(s^2) */
+    out[6] = t11;
+    const double t12 = t2*t9; /* 1/gamma3 = s^2*Theta*1/(Theta*gamma3*s^2) */
+    const double t13 = x[3]*t11; /* omega_n*s */
+    const double t14 = p[8] - t13; /* G_level/(R*I1) - omega_n*s */
+    const double t15 = t12*t14; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t16 = JLT_FNMA(t12, t13, t15); /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s */
+    const double t17 = x[0]*t11; /* gamma3*s */
+    const double t18 = t9*t17; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t19 = x[2]*t11; /* omega_tau*s */
+    out[0] = t19;
+    const double t20 = p[23]*t19; /* (I1*I3 + m*R^2*I1)*omega_tau*s */
+    const double t21 = t10*t20; /* 1/Theta*(I1*I3 + m*R^2*I1)*omega_tau*s */
+    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t23 = p[18]*t22; /* m*R*I3*V */
+    const double t24 = p[16]*t15; /* I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t25 = x[3]*t18; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t26 = JLT_FNMA(t10, t23, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t27 = p[19]*t10; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t28 = t12*t24; /* 1/gamma3*I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t29 = JLT_FNMA(p[16], t25, t28); /* d(omega3)/d(gamma3) = 1/gamma3*I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s) - I1/I3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t30 = x[0]*t25; /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t31 = t15 - t30; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t32 = x[3]*t31; /* omega_n*t31 */
+    out[2] = t32;
+    const double t33 = JLT_FNMA(2.0, t30, t16); /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s - 2*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    out[15] = t33;
+    const double t34 = p[7]*t16; /* R*I1/I3*(1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s) */
+    const double t35 = JLT_FMS(p[17], t30, t34); /* 2*R*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - t34 */
+    out[11] = t35;
+    const double t36 = x[2]*t27; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t37 = JLT_FNMA(t24, t27, t30); /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s)*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t38 = t18*t25; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t39 = t25*t38; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t38 */
+    const double t40 = t18*t26; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t41 = t38*t40; /* t38*t40 */
+    const double t42 = x[0]*t18; /* gamma3*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t43 = JLT_FMA(t29, t36, t41); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + t38*t40 */
+    const double t44 = t24*t36; /* I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t45 = x[3]*t29; /* omega_n*d(omega3)/d(gamma3) */
+    const double t46 = t30 - t24; /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t47 = JLT_FMS(t26, t30, t44); /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - t44 */
+    out[3] = t47;
+    const double t48 = t10*t30; /* 1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t49 = JLT_FMA(t23, t48, t44); /* m*R*I3*V*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s + t44 */
+    const double t50 = JLT_FNMA(p[15], t48, t37); /* t37 - m*R^2*I3*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    out[18] = t50;
+    const double t51 = p[22]*t48; /* (-m*R*I3)*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    out[17] = t51;
+    const double t52 = t26*t42; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t53 = JLT_FMA(t12, t21, t52); /* 1/gamma3*1/Theta*(I1*I3 + m*R^2*I1)*omega_tau*s + t52 */
+    out[19] = t53;
+    const double t54 = x[2]*t42; /* omega_tau*gamma3*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t55 = -t54; /* -omega_tau*gamma3*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    out[4] = t55;
+    const double t56 = x[0]*p[20]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t57 = t10*t56; /* 1/Theta*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t58 = JLT_FNMA(t49, t57, t43); /* t43 - t49*1/Theta*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    out[16] = t58;
+    const double t59 = p[1]*x[3]; /* R*omega_n */
+    const double t60 = t46*t59; /* t46*R*omega_n */
+    out[1] = t60;
+    const double t61 = t39 + t45; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t38 + omega_n*d(omega3)/d(gamma3) */
+    const double t62 = JLT_FMA(p[10], t45, t39); /* I3/I1*omega_n*d(omega3)/d(gamma3) + omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t38 */
+    const double t63 = p[1]*t61; /* R*t61 */
+    out[8] = t63;
+    const double t64 = -t62; /* -t62 */
+    out[12] = t64;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
-    const double t4 = JLT_FMA(x[0], t3, p[13]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*(1 - gamma3)*(1 + gamma3) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t7 = x[0]*t5; /* gamma3*Theta */
-    const double t8 = t6*t7; /* s*gamma3*Theta */
-    const double t9 = t5*t6; /* Theta*s */
-    const double t10 = 1.0/t8; /* 1/(s*gamma3*Theta) */
-    const double t11 = p[23]*x[2]; /* (I1*I3 + m*R^2*I1)*omega_tau */
-    const double t12 = t2*t11; /* (1 - gamma3)*(1 + gamma3)*(I1*I3 + m*R^2*I1)*omega_tau */
-    const double t13 = t10*t12; /* 1/(s*gamma3*Theta)*(1 - gamma3)*(1 + gamma3)*(I1*I3 + m*R^2*I1)*omega_tau */
-    const double t14 = x[0]*t10; /* 1/(Theta*s) = gamma3*1/(s*gamma3*Theta) */
-    const double t15 = t9*t14; /* Theta*s*1/(Theta*s) */
-    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t17 = x[0]*p[18]; /* gamma3*m*R*I3 */
-    const double t18 = t16*t17; /* V*gamma3*m*R*I3 */
-    const double t19 = JLT_FNMA(t14, t18, t13); /* t13 - 1/(Theta*s)*V*gamma3*m*R*I3 */
-    const double t20 = t15*t19; /* Theta*s*1/(Theta*s)*(t13 - 1/(Theta*s)*V*gamma3*m*R*I3) */
-    out[0] = t20;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t4 = JLT_FMA(p[15], t3, p[13]); /* m*R^2*I3*gamma3*gamma3 + I1*I3 */
+    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*s^2 + m*R^2*I3*gamma3*gamma3 + I1*I3 */
+    const double t6 = p[18]*t3; /* m*R*I3*gamma3*gamma3 */
+    const double t7 = x[0]*t2; /* gamma3*s^2 */
+    const double t8 = t5*t7; /* Theta*gamma3*s^2 */
+    const double t9 = p[23]*x[2]; /* (I1*I3 + m*R^2*I1)*omega_tau */
+    const double t10 = t2*t9; /* s^2*(I1*I3 + m*R^2*I1)*omega_tau */
+    const double t11 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t12 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t13 = JLT_FNMA(t6, t12, t10); /* s^2*(I1*I3 + m*R^2*I1)*omega_tau - m*R*I3*gamma3*gamma3*V */
+    const double t14 = t8*t13; /* Theta*gamma3*s^2*(s^2*(I1*I3 + m*R^2*I1)*omega_tau - m*R*I3*gamma3*gamma3*V) */
+    const double t15 = t11*t14; /* s*t14 */
+    const double t16 = 1.0/t8; /* 1/(Theta*gamma3*s^2) */
+    const double t17 = t15*t16; /* s*t14*1/(Theta*gamma3*s^2) */
+    const double t18 = t16*t17; /* 1/(Theta*gamma3*s^2)*s*t14*1/(Theta*gamma3*s^2) */
+    out[0] = t18;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -403,51 +403,52 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[2] = t1;
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t6 = x[0]*t5; /* gamma3*s */
-    const double t7 = 1.0/t6; /* 1/(gamma3*s) */
-    const double t8 = t5*t7; /* 1/gamma3 = s*1/(gamma3*s) */
-    const double t9 = x[0]*t7; /* 1/s = gamma3*1/(gamma3*s) */
-    const double t10 = JLT_FNMA(x[3], t5, p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t11 = p[16]*t8; /* I1/I3*1/gamma3 */
-    const double t12 = t10*t11; /* (G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
-    const double t13 = JLT_FMA(t4, t11, x[0]); /* d(v_tau)/d(omega_n)/R = (1 - gamma3)*(1 + gamma3)*I1/I3*1/gamma3 + gamma3 */
-    const double t14 = p[9] + t4; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t15 = p[26]*t13; /* m*R^2/I1*d(v_tau)/d(omega_n)/R */
-    const double t16 = t8*t12; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
-    const double t17 = x[3]*p[16]; /* omega_n*I1/I3 */
-    const double t18 = JLT_FNMA(t9, t17, t16); /* d(omega3)/d(gamma3) = 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 - 1/s*omega_n*I1/I3 */
-    const double t19 = t5*t12; /* s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
-    const double t20 = t8*t19; /* 1/gamma3*s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
-    const double t21 = JLT_FMS(x[3], x[0], t19); /* v_tau/R = omega_n*gamma3 - s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
-    const double t22 = x[0]*t12; /* gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
-    const double t23 = JLT_FMA(t9, t22, x[3]); /* 1/s*gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 + omega_n */
-    const double t24 = JLT_FMA(t5, t18, t23); /* d(v_tau)/d(gamma3)/R = s*d(omega3)/d(gamma3) + t23 */
-    const double t25 = t12*t18; /* (G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*d(omega3)/d(gamma3) */
-    const double t26 = p[30]*t12; /* (-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3))*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
-    const double t27 = t22*t26; /* gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*t26 */
-    const double t28 = x[0]*p[10]; /* gamma3*I3/I1 */
-    const double t29 = JLT_FMA(x[0], t28, t14); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t30 = x[3] - t20; /* omega_n - 1/gamma3*s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
-    const double t31 = JLT_FMA(t15, t21, t30); /* d(energy)/d(omega_n)/I1 = m*R^2/I1*d(v_tau)/d(omega_n)/R*v_tau/R + t30 */
-    const double t32 = p[4]*t31; /* I1*d(energy)/d(omega_n)/I1 */
-    out[3] = t32;
-    const double t33 = p[29]*t21; /* m*R^2*v_tau/R */
-    const double t34 = p[5]*t25; /* I3*t25 */
-    const double t35 = JLT_FMS(t24, t33, t34); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - I3*t25 */
-    out[0] = t35;
-    const double t36 = p[31]*t29; /* (-2*m*R^2*I1*(I1 - I3))*Theta/(m*R^2*I1) */
-    const double t37 = JLT_FMA(t25, t36, t27); /* t25*(-2*m*R^2*I1*(I1 - I3))*Theta/(m*R^2*I1) + gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*t26 */
-    out[4] = t37;
-    const double t38 = p[34]*t29; /* (-2*m*R^2*I1^2*(I1 - I3)/I3)*Theta/(m*R^2*I1) */
-    const double t39 = t20*t38; /* 1/gamma3*s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*(-2*m*R^2*I1^2*(I1 - I3)/I3)*Theta/(m*R^2*I1) */
-    out[7] = t39;
-    const double t40 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t41 = p[32]*t40; /* 2*m*I1^2*(omega_tau*R + v_nu) */
-    out[5] = t41;
-    const double t42 = p[33]*t40; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
-    out[6] = t42;
+    const double t4 = t2*t3; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t5 = x[0]*t4; /* gamma3*s^2 */
+    const double t6 = 1.0/t5; /* 1/(gamma3*s^2) */
+    const double t7 = sqrt(t4); /* s = sqrt(s^2) */
+    const double t8 = x[3]*t7; /* omega_n*s */
+    const double t9 = t4*t6; /* 1/gamma3 = s^2*1/(gamma3*s^2) */
+    const double t10 = x[0]*t6; /* 1/s^2 = gamma3*1/(gamma3*s^2) */
+    const double t11 = p[8] - t8; /* G_level/(R*I1) - omega_n*s */
+    const double t12 = p[16]*t9; /* I1/I3*1/gamma3 */
+    const double t13 = t11*t12; /* (G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
+    const double t14 = JLT_FMA(t4, t12, x[0]); /* d(v_tau)/d(omega_n)/R = s^2*I1/I3*1/gamma3 + gamma3 */
+    const double t15 = p[9] + t4; /* I3/(m*R^2) + s^2 */
+    const double t16 = p[26]*t14; /* m*R^2/I1*d(v_tau)/d(omega_n)/R */
+    const double t17 = t9*t13; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
+    const double t18 = p[16]*t10; /* I1/I3*1/s^2 */
+    const double t19 = JLT_FNMA(t8, t18, t17); /* d(omega3)/d(gamma3) = 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 - omega_n*s*I1/I3*1/s^2 */
+    const double t20 = t7*t13; /* s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
+    const double t21 = t9*t20; /* 1/gamma3*s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
+    const double t22 = JLT_FMS(x[3], x[0], t20); /* v_tau/R = omega_n*gamma3 - s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
+    const double t23 = x[0]*t13; /* gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
+    const double t24 = JLT_FMA(t10, t23, t19); /* 1/s^2*gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 + d(omega3)/d(gamma3) */
+    const double t25 = JLT_FMA(t7, t24, x[3]); /* d(v_tau)/d(gamma3)/R = s*t24 + omega_n */
+    const double t26 = t13*t19; /* (G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*d(omega3)/d(gamma3) */
+    const double t27 = p[30]*t13; /* (-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3))*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
+    const double t28 = t23*t27; /* gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*t27 */
+    const double t29 = x[0]*p[10]; /* gamma3*I3/I1 */
+    const double t30 = JLT_FMA(x[0], t29, t15); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
+    const double t31 = x[3] - t21; /* omega_n - 1/gamma3*s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
+    const double t32 = JLT_FMA(t16, t22, t31); /* d(energy)/d(omega_n)/I1 = m*R^2/I1*d(v_tau)/d(omega_n)/R*v_tau/R + t31 */
+    const double t33 = p[4]*t32; /* I1*d(energy)/d(omega_n)/I1 */
+    out[3] = t33;
+    const double t34 = p[29]*t22; /* m*R^2*v_tau/R */
+    const double t35 = p[5]*t26; /* I3*t26 */
+    const double t36 = JLT_FMS(t25, t34, t35); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - I3*t26 */
+    out[0] = t36;
+    const double t37 = p[31]*t30; /* (-2*m*R^2*I1*(I1 - I3))*Theta/(m*R^2*I1) */
+    const double t38 = JLT_FMA(t26, t37, t28); /* t26*(-2*m*R^2*I1*(I1 - I3))*Theta/(m*R^2*I1) + gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*t27 */
+    out[4] = t38;
+    const double t39 = p[34]*t30; /* (-2*m*R^2*I1^2*(I1 - I3)/I3)*Theta/(m*R^2*I1) */
+    const double t40 = t21*t39; /* 1/gamma3*s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*(-2*m*R^2*I1^2*(I1 - I3)/I3)*Theta/(m*R^2*I1) */
+    out[7] = t40;
+    const double t41 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t42 = p[32]*t41; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    out[5] = t42;
+    const double t43 = p[33]*t41; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
+    out[6] = t43;
 }
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
@@ -615,15 +616,15 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3 = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 4, 18, 6, 1, 1, 0, 11, 6 }, { 11, 44, 0, 8, 1, 0, 11, 8 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 16, { 7, 33, 15, 1, 1, 0, 14, 12 }, { 34, 149, 0, 32, 1, 0, 16, 11 },
+    .jacobian = { jacobian, 16, { 7, 34, 15, 1, 1, 0, 13, 12 }, { 34, 149, 0, 32, 1, 0, 16, 11 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 8, 38, 16, 1, 1, 0, 15, 15 }, { 40, 175, 0, 39, 1, 0, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 8, 39, 16, 1, 1, 0, 14, 15 }, { 40, 175, 0, 39, 1, 0, 16, 11 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .divergence = { divergence, 1, { 2, 13, 4, 1, 1, 0, 9, 6 }, { 6, 28, 0, 3, 1, 0, 11, 6 },
+    .divergence = { divergence, 1, { 2, 11, 4, 1, 1, 0, 8, 6 }, { 6, 28, 0, 3, 1, 0, 11, 6 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 2, { 3, 12, 9, 1, 1, 0, 10, 7 }, { 12, 44, 0, 1, 1, 0, 14, 6 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 8, { 4, 26, 11, 1, 1, 0, 13, 10 }, { 20, 84, 0, 7, 1, 0, 13, 10 },
+    .integral_gradients = { integral_gradients, 8, { 5, 27, 10, 1, 1, 0, 12, 10 }, { 20, 84, 0, 7, 1, 0, 13, 10 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

@@ -5,12 +5,12 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   25   13    1    1    0     12   10   (99)
- *  jacobian            8   52   30    1    1    0     17   19   (373)
- *  rhs_jacobian        11   65   33    1    1    0     17   25   (447)
- *  divergence          2   14    9    1    1    0     12    8   (54)
+ *  rhs                 4   26   13    1    1    0     12   10   (99)
+ *  jacobian            8   52   30    1    1    0     16   21   (373)
+ *  rhs_jacobian        11   65   33    1    1    0     18   25   (447)
+ *  divergence          2   14    9    1    1    0     11    9   (54)
  *  integral_values     2   12    9    0    1    0      7    6   (43)
- *  integral_gradients  2   15    9    1    1    0      6    7   (53)
+ *  integral_gradients  2   16    9    1    1    0      6    7   (53)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
@@ -139,161 +139,162 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t5 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t6 = p[7] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = p[8]*t3; /* I3/(R^2*I1)*b */
-    const double t8 = JLT_FMA(t3, t7, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t9 = t4*t5; /* s*D/I1 */
-    const double t10 = x[3]*t5; /* omega_n*D/I1 */
-    const double t11 = t8*t9; /* Theta/(m*R^2*I1)*s*D/I1 */
-    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t13 = t8*t12; /* 1/(s*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t14 = t9*t12; /* 1/(Theta/(m*R^2*I1)) = s*D/I1*1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t15 = t10*t13; /* omega_n*D/I1*1/(s*(D/I1)) */
-    const double t16 = t3*t15; /* b*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t17 = JLT_FMA(p[1], x[4], t16); /* R*omega3 + b*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t18 = x[3]*t17; /* omega_n*(R*omega3 + b*omega_n*D/I1*1/(s*(D/I1))) */
-    out[1] = t18;
-    const double t19 = t4*t13; /* s*1/(s*(D/I1)) */
-    const double t20 = x[2]*t4; /* omega_tau*s */
-    out[0] = t20;
-    const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t22 = x[0]*t20; /* gamma3*omega_tau*s */
-    const double t23 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t24 = t22*t23; /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t25 = JLT_FNMA(p[9], t4, t24); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s */
-    const double t26 = p[14]*t22; /* (I1 - I3)/I1*gamma3*omega_tau*s */
-    const double t27 = JLT_FNMA(p[15], t20, t26); /* (I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s */
-    const double t28 = p[12] + t21; /* I3/(m*R) + e */
-    const double t29 = p[11]*t28; /* I3/(R*I1)*(I3/(m*R) + e) */
-    const double t30 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
-    const double t31 = t14*t30; /* 1/(Theta/(m*R^2*I1))*V */
-    const double t32 = x[4]*t14; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t33 = t7*t31; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t34 = x[0]*t15; /* gamma3*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t35 = JLT_FMA(t29, t32, t34); /* I3/(R*I1)*(I3/(m*R) + e)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t36 = JLT_FMA(x[4], p[10], t34); /* omega3*I3/I1 + gamma3*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t37 = JLT_FNMA(x[3], t36, t25); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*omega_n*D/I1*1/(s*(D/I1))) */
-    const double t38 = t19*t37; /* s*1/(s*(D/I1))*t37 */
-    out[2] = t38;
-    const double t39 = x[2]*t35; /* omega_tau*t35 */
-    const double t40 = JLT_FNMA(t15, t33, t39); /* omega_tau*t35 - omega_n*D/I1*1/(s*(D/I1))*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    out[3] = t40;
-    const double t41 = x[3]*p[13]; /* omega_n*1/R */
-    const double t42 = t31*t41; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    const double t43 = JLT_FMS(t27, t32, t42); /* ((I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s)*omega3*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    out[4] = t43;
+    const double t4 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t5 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t6 = p[7] + t2; /* I3/(m*R^2) + s^2 */
+    const double t7 = JLT_FMA(t3, t5, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t8 = t2*t4; /* s^2*D/I1 */
+    const double t9 = x[3]*t4; /* omega_n*D/I1 */
+    const double t10 = t7*t8; /* Theta/(m*R^2*I1)*s^2*D/I1 */
+    const double t11 = 1.0/t10; /* 1/(Theta/(m*R^2*I1)*s^2*D/I1) */
+    const double t12 = t7*t11; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D/I1) */
+    const double t13 = t8*t11; /* 1/(Theta/(m*R^2*I1)) = s^2*D/I1*1/(Theta/(m*R^2*I1)*s^2*D/I1) */
+    const double t14 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t15 = t9*t14; /* omega_n*D/I1*s */
+    const double t16 = t12*t15; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D/I1)*omega_n*D/I1*s */
+    const double t17 = t2*t12; /* s^2*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D/I1) */
+    const double t18 = t3*t16; /* b*t16 */
+    const double t19 = JLT_FMA(p[1], x[4], t18); /* R*omega3 + b*t16 */
+    const double t20 = x[3]*t19; /* omega_n*(R*omega3 + b*t16) */
+    out[1] = t20;
+    const double t21 = x[2]*t14; /* omega_tau*s */
+    out[0] = t21;
+    const double t22 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t23 = x[0]*t21; /* gamma3*omega_tau*s */
+    const double t24 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t25 = t23*t24; /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t26 = JLT_FNMA(p[9], t14, t25); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s */
+    const double t27 = p[14]*t23; /* (I1 - I3)/I1*gamma3*omega_tau*s */
+    const double t28 = JLT_FNMA(p[15], t21, t27); /* (I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s */
+    const double t29 = p[12] + t22; /* I3/(m*R) + e */
+    const double t30 = p[11]*t29; /* I3/(R*I1)*(I3/(m*R) + e) */
+    const double t31 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
+    const double t32 = t13*t31; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t33 = x[4]*t13; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t34 = t5*t32; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
+    const double t35 = x[0]*t16; /* gamma3*t16 */
+    const double t36 = JLT_FMA(t30, t33, t35); /* I3/(R*I1)*(I3/(m*R) + e)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*t16 */
+    const double t37 = JLT_FMA(x[4], p[10], t35); /* omega3*I3/I1 + gamma3*t16 */
+    const double t38 = JLT_FNMA(x[3], t37, t26); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*t16) */
+    const double t39 = t17*t38; /* s^2*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D/I1)*t38 */
+    out[2] = t39;
+    const double t40 = x[2]*t36; /* omega_tau*t36 */
+    const double t41 = JLT_FNMA(t16, t34, t40); /* omega_tau*t36 - t16*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
+    out[3] = t41;
+    const double t42 = x[3]*p[13]; /* omega_n*1/R */
+    const double t43 = t32*t42; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    const double t44 = JLT_FMS(t28, t33, t43); /* ((I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s)*omega3*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    out[4] = t44;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
-    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = t4*p[18]; /* b*m*I3 */
-    const double t6 = JLT_FMA(t2, p[17], p[16]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
-    const double t7 = JLT_FMA(t4, t5, t6); /* Theta = b*b*m*I3 + (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
-    const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t8;
-    const double t9 = t3*t8; /* D/I1*s */
-    const double t10 = t7*t9; /* Theta*D/I1*s */
-    const double t11 = 1.0/t10; /* 1/(Theta*D/I1*s) */
-    const double t12 = t7*t11; /* 1/(s*(D/I1)) = Theta*1/(Theta*D/I1*s) */
-    const double t13 = t3*t12; /* 1/s = D/I1*1/(s*(D/I1)) */
-    const double t14 = x[0]*t13; /* gamma3*1/s */
-    const double t15 = x[2]*t14; /* omega_tau*gamma3*1/s */
-    const double t16 = -t15; /* -omega_tau*gamma3*1/s */
-    out[0] = t16;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t3;
+    const double t4 = JLT_FMA(t2, p[6], 1.0); /* D/I1 = s^2*m*a3^2/I1 + 1 */
+    const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t6 = t5*p[18]; /* b*m*I3 */
+    const double t7 = JLT_FMA(t2, p[17], p[16]); /* s^2*m*R^2*I1 + I1*I3 */
+    const double t8 = JLT_FMA(t5, t6, t7); /* Theta = b*b*m*I3 + s^2*m*R^2*I1 + I1*I3 */
+    const double t9 = t2*t4; /* s^2*D/I1 */
+    const double t10 = t8*t9; /* Theta*s^2*D/I1 */
+    const double t11 = 1.0/t10; /* 1/(Theta*s^2*D/I1) */
+    const double t12 = t8*t11; /* Theta*1/(Theta*s^2*D/I1) */
+    const double t13 = t4*t12; /* 1/s^2 = D/I1*Theta*1/(Theta*s^2*D/I1) */
+    const double t14 = t3*t13; /* s*1/s^2 */
+    const double t15 = x[0]*t14; /* gamma3*s*1/s^2 */
+    const double t16 = x[2]*t15; /* omega_tau*gamma3*s*1/s^2 */
+    const double t17 = -t16; /* -omega_tau*gamma3*s*1/s^2 */
+    out[0] = t17;
     out[1] = 0.0;
     out[3] = 0.0;
     out[4] = 0.0;
     out[6] = 0.0;
     out[7] = 0.0;
     out[11] = 0.0;
-    const double t17 = t13*x[3]; /* 1/s*omega_n */
-    const double t18 = t4*t17; /* b*1/s*omega_n */
-    const double t19 = p[1]*x[3]; /* R*omega_n */
-    out[9] = t19;
-    const double t20 = JLT_FMA(t14, t18, t19); /* gamma3*1/s*b*1/s*omega_n + R*omega_n */
-    const double t21 = t17*t20; /* 1/s*omega_n*(gamma3*1/s*b*1/s*omega_n + R*omega_n) */
-    out[5] = t21;
-    const double t22 = p[1]*x[4]; /* R*omega3 */
-    const double t23 = JLT_FMA(t18, 2.0, t22); /* b*1/s*omega_n*2 + R*omega3 */
-    out[8] = t23;
-    const double t24 = t8*t12; /* 1/(D/I1) = s*1/(s*(D/I1)) */
-    const double t25 = x[0]*p[19]; /* gamma3*2*m*a3^2/I1 */
-    const double t26 = t24*t25; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t27 = t8*t26; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t28 = t27 - t14; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s */
-    const double t29 = JLT_FMA(x[0], t28, t8); /* gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) + s */
-    const double t30 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t31 = x[2]*t30; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t32 = t29*t31; /* (gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) + s)*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t33 = t13*t17; /* 1/s*1/s*omega_n */
-    const double t34 = x[0]*t17; /* gamma3*1/s*omega_n */
-    const double t35 = JLT_FMA(x[4], p[10], t34); /* omega3*I3/I1 + gamma3*1/s*omega_n */
-    const double t36 = x[3]*t26; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t37 = JLT_FNMA(t17, t33, t32); /* t32 - 1/s*omega_n*1/s*1/s*omega_n */
-    const double t38 = JLT_FNMA(p[9], t28, t37); /* t32 - 1/s*omega_n*1/s*1/s*omega_n - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) */
-    const double t39 = JLT_FNMA(t35, t36, t38); /* t38 - (omega3*I3/I1 + gamma3*1/s*omega_n)*omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t40 = t24*t39; /* 1/(D/I1)*t39 */
-    out[10] = t40;
-    const double t41 = x[2]*t27; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[12] = t41;
-    const double t42 = JLT_FMA(x[4], p[20], t34); /* omega3*1/2*I3/I1 + gamma3*1/s*omega_n */
-    const double t43 = t24*(-2.0); /* 1/(D/I1)*(-2) */
-    const double t44 = t42*t43; /* (omega3*1/2*I3/I1 + gamma3*1/s*omega_n)*1/(D/I1)*(-2) */
-    out[13] = t44;
-    const double t45 = x[3]*p[21]; /* omega_n*(-I3/I1) */
-    const double t46 = t24*t45; /* 1/(D/I1)*omega_n*(-I3/I1) */
-    out[14] = t46;
-    const double t47 = x[2]*t13; /* omega_tau*1/s */
-    const double t48 = t13*t47; /* 1/s*omega_tau*1/s */
+    const double t18 = t14*x[3]; /* s*1/s^2*omega_n */
+    const double t19 = t5*t18; /* b*s*1/s^2*omega_n */
+    const double t20 = p[1]*x[3]; /* R*omega_n */
+    out[9] = t20;
+    const double t21 = JLT_FMA(t15, t19, t20); /* gamma3*s*1/s^2*b*s*1/s^2*omega_n + R*omega_n */
+    const double t22 = t18*t21; /* s*1/s^2*omega_n*(gamma3*s*1/s^2*b*s*1/s^2*omega_n + R*omega_n) */
+    out[5] = t22;
+    const double t23 = p[1]*x[4]; /* R*omega3 */
+    const double t24 = JLT_FMA(t19, 2.0, t23); /* b*s*1/s^2*omega_n*2 + R*omega3 */
+    out[8] = t24;
+    const double t25 = t2*t12; /* 1/(D/I1) = s^2*Theta*1/(Theta*s^2*D/I1) */
+    const double t26 = x[0]*p[19]; /* gamma3*2*m*a3^2/I1 */
+    const double t27 = t25*t26; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t28 = t3*t27; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t29 = t28 - t15; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2 */
+    const double t30 = p[9]*t29; /* m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2) */
+    const double t31 = JLT_FMA(x[0], t29, t3); /* gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2) + s */
+    const double t32 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t33 = x[2]*t32; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t34 = t14*t18; /* s*1/s^2*s*1/s^2*omega_n */
+    const double t35 = x[0]*t18; /* gamma3*s*1/s^2*omega_n */
+    const double t36 = JLT_FMA(x[4], p[10], t35); /* omega3*I3/I1 + gamma3*s*1/s^2*omega_n */
+    const double t37 = x[3]*t27; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t38 = JLT_FMS(t31, t33, t30); /* (gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2) + s)*omega_tau*omega_tau*m*a3^2/I1 - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2) */
+    const double t39 = JLT_FNMA(t18, t34, t38); /* t38 - s*1/s^2*omega_n*s*1/s^2*s*1/s^2*omega_n */
+    const double t40 = JLT_FNMA(t36, t37, t39); /* t38 - s*1/s^2*omega_n*s*1/s^2*s*1/s^2*omega_n - (omega3*I3/I1 + gamma3*s*1/s^2*omega_n)*omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t41 = t25*t40; /* 1/(D/I1)*t40 */
+    out[10] = t41;
+    const double t42 = x[2]*t28; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[12] = t42;
+    const double t43 = JLT_FMA(x[4], p[20], t35); /* omega3*1/2*I3/I1 + gamma3*s*1/s^2*omega_n */
+    const double t44 = t25*(-2.0); /* 1/(D/I1)*(-2) */
+    const double t45 = t43*t44; /* (omega3*1/2*I3/I1 + gamma3*s*1/s^2*omega_n)*1/(D/I1)*(-2) */
+    out[13] = t45;
+    const double t46 = x[3]*p[21]; /* omega_n*(-I3/I1) */
+    const double t47 = t25*t46; /* 1/(D/I1)*omega_n*(-I3/I1) */
+    out[14] = t47;
+    const double t48 = x[2]*t13; /* omega_tau*1/s^2 */
     const double t49 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t50 = JLT_FMA(x[2], t49, x[1]); /* V = omega_tau*e + v_nu */
-    const double t51 = t9*t11; /* 1/Theta = D/I1*s*1/(Theta*D/I1*s) */
+    const double t51 = t9*t11; /* 1/Theta = s^2*D/I1*1/(Theta*s^2*D/I1) */
     const double t52 = t50*t51; /* V*1/Theta */
-    const double t53 = JLT_FNMA(p[22], t52, t48); /* 1/s*omega_tau*1/s - m*R*I3*V*1/Theta */
-    const double t54 = t17*t53; /* 1/s*omega_n*(1/s*omega_tau*1/s - m*R*I3*V*1/Theta) */
-    const double t55 = t13*t52; /* 1/s*V*1/Theta */
+    const double t53 = JLT_FNMA(p[22], t52, t48); /* omega_tau*1/s^2 - m*R*I3*V*1/Theta */
+    const double t54 = t18*t53; /* s*1/s^2*omega_n*(omega_tau*1/s^2 - m*R*I3*V*1/Theta) */
+    const double t55 = t14*t52; /* s*1/s^2*V*1/Theta */
     const double t56 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
-    const double t57 = JLT_FMS(t4, p[24], t56); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t57 = JLT_FMS(t5, p[24], t56); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
     const double t58 = t51*t57; /* 1/Theta*d(Theta)/d(gamma3) */
     const double t59 = t52*t58; /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) */
     const double t60 = x[2]*t51; /* omega_tau*1/Theta */
     const double t61 = JLT_FNMA(p[3], t60, t59); /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta */
-    const double t62 = JLT_FMS(t14, t55, t61); /* gamma3*1/s*1/s*V*1/Theta - (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta) */
-    const double t63 = p[18]*t18; /* m*I3*b*1/s*omega_n */
+    const double t62 = JLT_FMS(t15, t55, t61); /* gamma3*s*1/s^2*s*1/s^2*V*1/Theta - (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta) */
+    const double t63 = p[18]*t19; /* m*I3*b*s*1/s^2*omega_n */
     const double t64 = x[4]*t60; /* omega3*omega_tau*1/Theta */
     const double t65 = JLT_FMA(p[22], t49, p[26]); /* m*R*I3*e + I3^2 */
     const double t66 = JLT_FNMA(t58, t65, p[25]); /* m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2) */
-    const double t67 = JLT_FMA(t64, t66, t54); /* omega3*omega_tau*1/Theta*(m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2)) + 1/s*omega_n*(1/s*omega_tau*1/s - m*R*I3*V*1/Theta) */
-    const double t68 = JLT_FNMA(t62, t63, t67); /* t67 - t62*m*I3*b*1/s*omega_n */
+    const double t67 = JLT_FMA(t64, t66, t54); /* omega3*omega_tau*1/Theta*(m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2)) + s*1/s^2*omega_n*(omega_tau*1/s^2 - m*R*I3*V*1/Theta) */
+    const double t68 = JLT_FNMA(t62, t63, t67); /* t67 - t62*m*I3*b*s*1/s^2*omega_n */
     out[15] = t68;
-    const double t69 = t51*t63; /* 1/Theta*m*I3*b*1/s*omega_n */
-    const double t70 = -t69; /* -1/Theta*m*I3*b*1/s*omega_n */
+    const double t69 = t51*t63; /* 1/Theta*m*I3*b*s*1/s^2*omega_n */
+    const double t70 = -t69; /* -1/Theta*m*I3*b*s*1/s^2*omega_n */
     out[16] = t70;
     const double t71 = x[4]*t51; /* omega3*1/Theta */
-    const double t72 = JLT_FMA(t65, t71, t34); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*1/s*omega_n */
-    const double t73 = JLT_FNMA(t49, t69, t72); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*1/s*omega_n - e*1/Theta*m*I3*b*1/s*omega_n */
+    const double t72 = JLT_FMA(t65, t71, t35); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*s*1/s^2*omega_n */
+    const double t73 = JLT_FNMA(t49, t69, t72); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*s*1/s^2*omega_n - e*1/Theta*m*I3*b*s*1/s^2*omega_n */
     out[17] = t73;
-    const double t74 = JLT_FNMA(t5, t55, t15); /* omega_tau*gamma3*1/s - b*m*I3*1/s*V*1/Theta */
+    const double t74 = JLT_FNMA(t6, t55, t16); /* omega_tau*gamma3*s*1/s^2 - b*m*I3*s*1/s^2*V*1/Theta */
     out[18] = t74;
     const double t75 = t60*t65; /* omega_tau*1/Theta*(m*R*I3*e + I3^2) */
     out[19] = t75;
     const double t76 = x[3]*p[27]; /* omega_n*m*R*I1 */
     const double t77 = t61*t76; /* (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta)*omega_n*m*R*I1 */
     const double t78 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t79 = t8*p[28]; /* s*m*R^2*(I1 - I3) */
-    const double t80 = t8*t78; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t79 = t3*p[28]; /* s*m*R^2*(I1 - I3) */
+    const double t80 = t3*t78; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
     const double t81 = JLT_FMA(t58, t80, t79); /* 1/Theta*d(Theta)/d(gamma3)*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*m*R^2*(I1 - I3) */
-    const double t82 = JLT_FMA(t14, t78, t81); /* gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t81 */
-    const double t83 = JLT_FMA(t64, t82, t77); /* omega3*omega_tau*1/Theta*(gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t81) + t77 */
+    const double t82 = JLT_FMA(t15, t78, t81); /* gamma3*s*1/s^2*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t81 */
+    const double t83 = JLT_FMA(t64, t82, t77); /* omega3*omega_tau*1/Theta*(gamma3*s*1/s^2*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t81) + t77 */
     out[20] = t83;
     const double t84 = t51*t76; /* 1/Theta*omega_n*m*R*I1 */
     const double t85 = -t84; /* -1/Theta*omega_n*m*R*I1 */
@@ -319,135 +320,135 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[16] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[7] = t4;
-    const double t5 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t6 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t7 = p[18]*t3; /* m*I3*b */
-    const double t8 = JLT_FMA(t3, t7, t6); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t9 = t4*t5; /* s*D */
-    const double t10 = t8*t9; /* Theta*s*D */
-    const double t11 = 1.0/t10; /* 1/(Theta*s*D) */
-    const double t12 = t8*t11; /* 1/(s*D) = Theta*1/(Theta*s*D) */
-    const double t13 = t9*t11; /* 1/Theta = s*D*1/(Theta*s*D) */
-    const double t14 = t5*t12; /* 1/s = D*1/(s*D) */
-    const double t15 = t4*t12; /* 1/D = s*1/(s*D) */
-    const double t16 = x[3]*t14; /* omega_n*1/s */
-    const double t17 = t3*t16; /* b*omega_n*1/s */
-    const double t18 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t19 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t20 = x[2]*t4; /* omega_tau*s */
-    out[0] = t20;
-    const double t21 = p[1]*x[4]; /* R*omega3 */
-    const double t22 = JLT_FMA(2.0, t17, t21); /* 2*b*omega_n*1/s + R*omega3 */
-    out[13] = t22;
-    const double t23 = p[30]*t18; /* m*a3^2*omega_tau*gamma3 */
-    const double t24 = t20*t23; /* omega_tau*s*m*a3^2*omega_tau*gamma3 */
-    const double t25 = t14*t18; /* 1/s*omega_tau*gamma3 */
-    const double t26 = JLT_FNMA(p[31], t4, t24); /* omega_tau*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s */
-    const double t27 = -t25; /* -1/s*omega_tau*gamma3 */
-    out[5] = t27;
-    const double t28 = x[4]*p[5]; /* omega3*I3 */
-    const double t29 = JLT_FMA(x[2], t19, x[1]); /* V = omega_tau*e + v_nu */
-    const double t30 = p[18]*t17; /* m*I3*b*omega_n*1/s */
-    const double t31 = JLT_FMA(p[32], t19, p[5]); /* m*R*e + I3 */
-    const double t32 = x[0]*t16; /* gamma3*omega_n*1/s */
-    const double t33 = t29*t30; /* V*m*I3*b*omega_n*1/s */
-    const double t34 = t28*t31; /* omega3*I3*(m*R*e + I3) */
-    const double t35 = x[3]*p[27]; /* omega_n*m*R*I1 */
-    const double t36 = t17 - t21; /* b*omega_n*1/s - R*omega3 */
-    const double t37 = t17 + t21; /* b*omega_n*1/s + R*omega3 */
-    const double t38 = x[3]*t37; /* omega_n*(b*omega_n*1/s + R*omega3) */
-    out[1] = t38;
-    const double t39 = x[2]*p[36]; /* omega_tau*m*a3*I3 */
-    const double t40 = t36*t39; /* (b*omega_n*1/s - R*omega3)*omega_tau*m*a3*I3 */
-    const double t41 = t14*t14; /* 1/s*1/s */
-    const double t42 = x[2]*p[37]; /* omega_tau*m*R*a3*I1 */
-    const double t43 = x[3]*t42; /* omega_n*omega_tau*m*R*a3*I1 */
-    const double t44 = JLT_FMA(p[4], t32, t28); /* I1*gamma3*omega_n*1/s + omega3*I3 */
-    const double t45 = JLT_FNMA(x[3], t44, t26); /* numerator of d(omega_tau)/dt over D = omega_tau*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s - omega_n*(I1*gamma3*omega_n*1/s + omega3*I3) */
-    const double t46 = t15*t45; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t46;
-    const double t47 = JLT_FMA(p[34], t32, t28); /* 2*I1*gamma3*omega_n*1/s + omega3*I3 */
-    const double t48 = t15*t47; /* 1/D*(2*I1*gamma3*omega_n*1/s + omega3*I3) */
-    const double t49 = -t48; /* -1/D*(2*I1*gamma3*omega_n*1/s + omega3*I3) */
-    out[18] = t49;
-    const double t50 = JLT_FMS(x[2], t34, t33); /* numerator of d(omega_n)/dt over Theta = omega_tau*omega3*I3*(m*R*e + I3) - V*m*I3*b*omega_n*1/s */
-    const double t51 = t13*t50; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t52 = JLT_FNMA(t19, t30, t34); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*(m*R*e + I3) - e*m*I3*b*omega_n*1/s */
-    const double t53 = JLT_FMA(t13, t52, t32); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + gamma3*omega_n*1/s */
-    out[22] = t53;
-    const double t54 = t19*t35; /* e*omega_n*m*R*I1 */
-    const double t55 = t13*t30; /* 1/Theta*m*I3*b*omega_n*1/s */
-    const double t56 = -t55; /* -1/Theta*m*I3*b*omega_n*1/s */
-    out[21] = t56;
-    const double t57 = JLT_FMA(x[2], t32, t51); /* omega_tau*gamma3*omega_n*1/s + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t57;
-    const double t58 = t14*t32; /* 1/s*gamma3*omega_n*1/s */
-    const double t59 = t29*t35; /* V*omega_n*m*R*I1 */
-    const double t60 = t13*t29; /* 1/Theta*V */
-    const double t61 = t7*t60; /* m*I3*b*1/Theta*V */
-    const double t62 = JLT_FNMA(t14, t61, t25); /* 1/s*omega_tau*gamma3 - 1/s*m*I3*b*1/Theta*V */
-    out[23] = t62;
-    const double t63 = p[4]*t14; /* I1*1/s */
-    const double t64 = t13*t35; /* 1/Theta*omega_n*m*R*I1 */
+    const double t4 = p[18]*t3; /* m*I3*b */
+    const double t5 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*s^2 + I1*I3 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
+    const double t7 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t8 = t6*t7; /* Theta*D */
+    const double t9 = t2*t8; /* s^2*Theta*D */
+    const double t10 = 1.0/t9; /* 1/(s^2*Theta*D) */
+    const double t11 = t8*t10; /* 1/s^2 = Theta*D*1/(s^2*Theta*D) */
+    const double t12 = t2*t10; /* 1/(D*Theta) = s^2*1/(s^2*Theta*D) */
+    const double t13 = sqrt(t2); /* s = sqrt(s^2) */
+    out[7] = t13;
+    const double t14 = t7*t12; /* 1/Theta = D*1/(D*Theta) */
+    const double t15 = t6*t12; /* 1/D = Theta*1/(D*Theta) */
+    const double t16 = t11*t13; /* 1/s^2*s */
+    const double t17 = t4*t16; /* m*I3*b*1/s^2*s */
+    const double t18 = x[3]*t16; /* omega_n*1/s^2*s */
+    const double t19 = t3*t18; /* b*omega_n*1/s^2*s */
+    const double t20 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t22 = x[2]*t13; /* omega_tau*s */
+    out[0] = t22;
+    const double t23 = p[1]*x[4]; /* R*omega3 */
+    const double t24 = JLT_FMA(2.0, t19, t23); /* 2*b*omega_n*1/s^2*s + R*omega3 */
+    out[13] = t24;
+    const double t25 = p[30]*t20; /* m*a3^2*omega_tau*gamma3 */
+    const double t26 = t22*t25; /* omega_tau*s*m*a3^2*omega_tau*gamma3 */
+    const double t27 = t16*t20; /* 1/s^2*s*omega_tau*gamma3 */
+    const double t28 = JLT_FNMA(p[31], t13, t26); /* omega_tau*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s */
+    const double t29 = -t27; /* -1/s^2*s*omega_tau*gamma3 */
+    out[5] = t29;
+    const double t30 = x[4]*p[5]; /* omega3*I3 */
+    const double t31 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
+    const double t32 = p[18]*t19; /* m*I3*b*omega_n*1/s^2*s */
+    const double t33 = JLT_FMA(p[32], t21, p[5]); /* m*R*e + I3 */
+    const double t34 = x[0]*t18; /* gamma3*omega_n*1/s^2*s */
+    const double t35 = t31*t32; /* V*m*I3*b*omega_n*1/s^2*s */
+    const double t36 = t30*t33; /* omega3*I3*(m*R*e + I3) */
+    const double t37 = x[3]*p[27]; /* omega_n*m*R*I1 */
+    const double t38 = t19 - t23; /* b*omega_n*1/s^2*s - R*omega3 */
+    const double t39 = t19 + t23; /* b*omega_n*1/s^2*s + R*omega3 */
+    const double t40 = x[3]*t39; /* omega_n*(b*omega_n*1/s^2*s + R*omega3) */
+    out[1] = t40;
+    const double t41 = x[2]*p[36]; /* omega_tau*m*a3*I3 */
+    const double t42 = t38*t41; /* (b*omega_n*1/s^2*s - R*omega3)*omega_tau*m*a3*I3 */
+    const double t43 = x[2]*p[37]; /* omega_tau*m*R*a3*I1 */
+    const double t44 = x[3]*t43; /* omega_n*omega_tau*m*R*a3*I1 */
+    const double t45 = JLT_FMA(p[4], t34, t30); /* I1*gamma3*omega_n*1/s^2*s + omega3*I3 */
+    const double t46 = JLT_FNMA(x[3], t45, t28); /* numerator of d(omega_tau)/dt over D = omega_tau*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s - omega_n*(I1*gamma3*omega_n*1/s^2*s + omega3*I3) */
+    const double t47 = t15*t46; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t47;
+    const double t48 = JLT_FMA(p[34], t34, t30); /* 2*I1*gamma3*omega_n*1/s^2*s + omega3*I3 */
+    const double t49 = t15*t48; /* 1/D*(2*I1*gamma3*omega_n*1/s^2*s + omega3*I3) */
+    const double t50 = -t49; /* -1/D*(2*I1*gamma3*omega_n*1/s^2*s + omega3*I3) */
+    out[18] = t50;
+    const double t51 = JLT_FMS(x[2], t36, t35); /* numerator of d(omega_n)/dt over Theta = omega_tau*omega3*I3*(m*R*e + I3) - V*m*I3*b*omega_n*1/s^2*s */
+    const double t52 = t14*t51; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t53 = JLT_FNMA(t21, t32, t36); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*(m*R*e + I3) - e*m*I3*b*omega_n*1/s^2*s */
+    const double t54 = JLT_FMA(t14, t53, t34); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + gamma3*omega_n*1/s^2*s */
+    out[22] = t54;
+    const double t55 = t21*t37; /* e*omega_n*m*R*I1 */
+    const double t56 = t14*t32; /* 1/Theta*m*I3*b*omega_n*1/s^2*s */
+    const double t57 = -t56; /* -1/Theta*m*I3*b*omega_n*1/s^2*s */
+    out[21] = t57;
+    const double t58 = JLT_FMA(x[2], t34, t52); /* omega_tau*gamma3*omega_n*1/s^2*s + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t58;
+    const double t59 = t16*t34; /* 1/s^2*s*gamma3*omega_n*1/s^2*s */
+    const double t60 = p[4]*t16; /* I1*1/s^2*s */
+    const double t61 = t31*t37; /* V*omega_n*m*R*I1 */
+    const double t62 = t14*t31; /* 1/Theta*V */
+    const double t63 = JLT_FNMA(t17, t62, t27); /* 1/s^2*s*omega_tau*gamma3 - m*I3*b*1/s^2*s*1/Theta*V */
+    out[23] = t63;
+    const double t64 = t14*t37; /* 1/Theta*omega_n*m*R*I1 */
     const double t65 = -t64; /* -1/Theta*omega_n*m*R*I1 */
     out[26] = t65;
-    const double t66 = p[29]*t60; /* (-m*R*I1)*1/Theta*V */
+    const double t66 = p[29]*t62; /* (-m*R*I1)*1/Theta*V */
     out[28] = t66;
     const double t67 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t68 = x[4]*t20; /* omega3*omega_tau*s */
-    const double t69 = JLT_FMA(t67, t68, t59); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega3*omega_tau*s + V*omega_n*m*R*I1 */
-    const double t70 = JLT_FMS(p[28], t68, t43); /* m*R^2*(I1 - I3)*omega3*omega_tau*s - omega_n*omega_tau*m*R*a3*I1 */
-    const double t71 = t13*t69; /* 1/Theta*t69 */
+    const double t68 = x[4]*t22; /* omega3*omega_tau*s */
+    const double t69 = JLT_FMA(t67, t68, t61); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega3*omega_tau*s + V*omega_n*m*R*I1 */
+    const double t70 = JLT_FMS(p[28], t68, t44); /* m*R^2*(I1 - I3)*omega3*omega_tau*s - omega_n*omega_tau*m*R*a3*I1 */
+    const double t71 = t14*t69; /* 1/Theta*t69 */
     const double t72 = -t71; /* -1/Theta*t69 */
     out[4] = t72;
-    const double t73 = JLT_FMS(x[0], t25, t20); /* gamma3*1/s*omega_tau*gamma3 - omega_tau*s */
+    const double t73 = JLT_FMS(x[0], t27, t22); /* gamma3*1/s^2*s*omega_tau*gamma3 - omega_tau*s */
     const double t74 = x[2]*p[30]; /* omega_tau*m*a3^2 */
-    const double t75 = t73*t74; /* (gamma3*1/s*omega_tau*gamma3 - omega_tau*s)*omega_tau*m*a3^2 */
+    const double t75 = t73*t74; /* (gamma3*1/s^2*s*omega_tau*gamma3 - omega_tau*s)*omega_tau*m*a3^2 */
     const double t76 = x[0]*p[9]; /* gamma3*m*g*a3/I1 */
-    const double t77 = JLT_FNMA(t16, t16, t76); /* gamma3*m*g*a3/I1 - omega_n*1/s*omega_n*1/s */
-    const double t78 = JLT_FMS(t63, t77, t75); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = I1*1/s*(gamma3*m*g*a3/I1 - omega_n*1/s*omega_n*1/s) - (gamma3*1/s*omega_tau*gamma3 - omega_tau*s)*omega_tau*m*a3^2 */
-    const double t79 = x[0]*t41; /* gamma3*1/s*1/s */
-    const double t80 = JLT_FMA(t33, t79, t40); /* V*m*I3*b*omega_n*1/s*gamma3*1/s*1/s + (b*omega_n*1/s - R*omega3)*omega_tau*m*a3*I3 */
-    const double t81 = x[2]*t41; /* omega_tau*1/s*1/s */
-    const double t82 = JLT_FNMA(p[22], t60, t81); /* omega_tau*1/s*1/s - m*R*I3*1/Theta*V */
+    const double t77 = JLT_FNMA(t18, t18, t76); /* gamma3*m*g*a3/I1 - omega_n*1/s^2*s*omega_n*1/s^2*s */
+    const double t78 = JLT_FMS(t60, t77, t75); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = I1*1/s^2*s*(gamma3*m*g*a3/I1 - omega_n*1/s^2*s*omega_n*1/s^2*s) - t75 */
+    const double t79 = x[0]*t11; /* gamma3*1/s^2 */
+    const double t80 = JLT_FMA(t35, t79, t42); /* V*m*I3*b*omega_n*1/s^2*s*gamma3*1/s^2 + (b*omega_n*1/s^2*s - R*omega3)*omega_tau*m*a3*I3 */
+    const double t81 = x[2]*t11; /* omega_tau*1/s^2 */
+    const double t82 = JLT_FNMA(p[22], t62, t81); /* omega_tau*1/s^2 - m*R*I3*1/Theta*V */
     const double t83 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
     const double t84 = JLT_FMS(p[24], t3, t83); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
-    const double t85 = JLT_FMA(t51, t84, t80); /* 1/Theta*numerator of d(omega_n)/dt over Theta*d(Theta)/d(gamma3) + t80 */
-    const double t86 = t13*t85; /* 1/Theta*t85 */
-    const double t87 = JLT_FMS(t16, t82, t86); /* omega_n*1/s*(omega_tau*1/s*1/s - m*R*I3*1/Theta*V) - 1/Theta*t85 */
+    const double t85 = JLT_FMA(t52, t84, t80); /* 1/Theta*numerator of d(omega_n)/dt over Theta*d(Theta)/d(gamma3) + t80 */
+    const double t86 = t14*t85; /* 1/Theta*t85 */
+    const double t87 = JLT_FMS(t18, t82, t86); /* omega_n*1/s^2*s*(omega_tau*1/s^2 - m*R*I3*1/Theta*V) - 1/Theta*t85 */
     out[20] = t87;
     const double t88 = x[4]*t67; /* omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t89 = JLT_FMA(t25, t88, t70); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = 1/s*omega_tau*gamma3*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t70 */
-    const double t90 = JLT_FMA(t4, t88, t54); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1 */
+    const double t89 = JLT_FMA(t27, t88, t70); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = 1/s^2*s*omega_tau*gamma3*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t70 */
+    const double t90 = JLT_FMA(t13, t88, t55); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1 */
     const double t91 = JLT_FMA(t71, t84, t89); /* 1/Theta*t69*d(Theta)/d(gamma3) + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
-    const double t92 = t13*t91; /* 1/Theta*t91 */
+    const double t92 = t14*t91; /* 1/Theta*t91 */
     out[25] = t92;
-    const double t93 = t20*t67; /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t94 = t13*t90; /* 1/Theta*t90 */
+    const double t93 = t22*t67; /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t94 = t14*t90; /* 1/Theta*t90 */
     const double t95 = -t94; /* -1/Theta*t90 */
     out[27] = t95;
-    const double t96 = t13*t93; /* 1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t96 = t14*t93; /* 1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
     const double t97 = -t96; /* -1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
     out[29] = t97;
     const double t98 = x[3]*p[1]; /* omega_n*R */
     out[14] = t98;
-    const double t99 = t16*t98; /* omega_n*1/s*omega_n*R */
-    const double t100 = JLT_FMA(t17, t58, t99); /* b*omega_n*1/s*1/s*gamma3*omega_n*1/s + omega_n*1/s*omega_n*R */
+    const double t99 = t18*t98; /* omega_n*1/s^2*s*omega_n*R */
+    const double t100 = JLT_FMA(t19, t59, t99); /* b*omega_n*1/s^2*s*1/s^2*s*gamma3*omega_n*1/s^2*s + omega_n*1/s^2*s*omega_n*R */
     out[10] = t100;
     const double t101 = x[0]*p[33]; /* gamma3*2*m*a3^2 */
-    const double t102 = JLT_FMA(t46, t101, t78); /* 1/D*numerator of d(omega_tau)/dt over D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    const double t103 = t20*t101; /* omega_tau*s*gamma3*2*m*a3^2 */
+    const double t102 = JLT_FMA(t47, t101, t78); /* 1/D*numerator of d(omega_tau)/dt over D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t103 = t22*t101; /* omega_tau*s*gamma3*2*m*a3^2 */
     const double t104 = t15*t102; /* 1/D*t102 */
     out[15] = t104;
     const double t105 = t15*t103; /* 1/D*omega_tau*s*gamma3*2*m*a3^2 */
     out[17] = t105;
     const double t106 = x[2]*p[5]; /* omega_tau*I3 */
-    const double t107 = t31*t106; /* (m*R*e + I3)*omega_tau*I3 */
-    const double t108 = t13*t107; /* 1/Theta*(m*R*e + I3)*omega_tau*I3 */
+    const double t107 = t33*t106; /* (m*R*e + I3)*omega_tau*I3 */
+    const double t108 = t14*t107; /* 1/Theta*(m*R*e + I3)*omega_tau*I3 */
     out[24] = t108;
     const double t109 = x[3]*p[35]; /* omega_n*(-I3) */
     const double t110 = t15*t109; /* 1/D*omega_n*(-I3) */
@@ -458,31 +459,31 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t4 = p[18]*t3; /* m*I3*b */
-    const double t5 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t7 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t9 = t4*t7; /* m*I3*b*D */
-    const double t10 = t6*t7; /* Theta*D */
-    const double t11 = t8*t10; /* s*Theta*D */
-    const double t12 = 1.0/t11; /* 1/(s*Theta*D) */
-    const double t13 = t6*t12; /* 1/(D*s) = Theta*1/(s*Theta*D) */
-    const double t14 = t7*t12; /* D*1/(s*Theta*D) */
-    const double t15 = x[2]*t8; /* omega_tau*s */
-    const double t16 = x[0]*t15; /* gamma3*omega_tau*s */
-    const double t17 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t18 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
-    const double t19 = t9*t18; /* m*I3*b*D*V */
-    const double t20 = p[28]*t16; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s */
-    const double t21 = JLT_FNMA(p[25], t15, t20); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s */
-    const double t22 = JLT_FNMA(t13, t19, t21); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s - 1/(D*s)*m*I3*b*D*V */
-    const double t23 = t14*t22; /* D*1/(s*Theta*D)*t22 */
-    const double t24 = p[33]*t16; /* 2*m*a3^2*gamma3*omega_tau*s */
-    const double t25 = JLT_FMA(t13, t24, t23); /* 1/(D*s)*2*m*a3^2*gamma3*omega_tau*s + D*1/(s*Theta*D)*t22 */
-    const double t26 = t8*t25; /* s*(1/(D*s)*2*m*a3^2*gamma3*omega_tau*s + D*1/(s*Theta*D)*t22) */
+    const double t5 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*s^2 + I1*I3 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
+    const double t7 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t8 = t6*t7; /* Theta*D */
+    const double t9 = p[33]*t6; /* 2*m*a3^2*Theta */
+    const double t10 = t2*t8; /* s^2*Theta*D */
+    const double t11 = 1.0/t10; /* 1/(s^2*Theta*D) */
+    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t13 = t2*t11; /* s^2*1/(s^2*Theta*D) */
+    const double t14 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t15 = JLT_FMA(x[2], t14, x[1]); /* V = omega_tau*e + v_nu */
+    const double t16 = t4*t15; /* m*I3*b*V */
+    const double t17 = t8*t16; /* Theta*D*m*I3*b*V */
+    const double t18 = t12*t17; /* s*Theta*D*m*I3*b*V */
+    const double t19 = x[2]*t12; /* omega_tau*s */
+    const double t20 = x[0]*t19; /* gamma3*omega_tau*s */
+    const double t21 = p[28]*t20; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s */
+    const double t22 = JLT_FNMA(p[25], t19, t21); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s */
+    const double t23 = JLT_FNMA(t11, t18, t22); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s - 1/(s^2*Theta*D)*s*Theta*D*m*I3*b*V */
+    const double t24 = t7*t23; /* D*t23 */
+    const double t25 = JLT_FMA(t9, t20, t24); /* 2*m*a3^2*Theta*gamma3*omega_tau*s + D*t23 */
+    const double t26 = t13*t25; /* s^2*1/(s^2*Theta*D)*(2*m*a3^2*Theta*gamma3*omega_tau*s + D*t23) */
     out[0] = t26;
 }
 
@@ -524,38 +525,39 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[1] = t0;
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = JLT_FMA(p[30], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t6 = x[2]*t5; /* omega_tau*D */
-    out[2] = t6;
-    const double t7 = p[43]*t4; /* R*I1*s */
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t5 = p[35]*t4; /* (-I3)*b */
+    out[9] = t5;
+    const double t6 = sqrt(t3); /* s = sqrt(s^2) */
+    const double t7 = p[43]*t6; /* R*I1*s */
     out[8] = t7;
-    const double t8 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t9 = p[35]*t8; /* (-I3)*b */
-    out[9] = t9;
-    const double t10 = x[3]*t8; /* omega_n*b */
-    const double t11 = p[0]*t8; /* m*b */
-    const double t12 = x[4]*p[1]; /* omega3*R */
-    const double t13 = JLT_FMA(t4, t12, t10); /* v_tau = s*omega3*R + omega_n*b */
-    const double t14 = p[30]*x[0]; /* m*a3^2*gamma3 */
-    const double t15 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t16 = JLT_FNMA(t14, t15, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t17 = x[0]/t4; /* gamma3/s */
-    const double t18 = x[3]*p[44]; /* omega_n*(-R*I1) */
-    const double t19 = t17*t18; /* gamma3/s*omega_n*(-R*I1) */
-    const double t20 = JLT_FMA(x[4], p[45], t19); /* omega3*(-R*I3) + gamma3/s*omega_n*(-R*I1) */
-    out[5] = t20;
-    const double t21 = JLT_FNMA(x[4], t17, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*gamma3/s */
-    const double t22 = p[32]*t13; /* m*R*v_tau */
-    const double t23 = JLT_FMA(t21, t22, t16); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R*v_tau + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    out[0] = t23;
-    const double t24 = x[3]*p[4]; /* omega_n*I1 */
-    const double t25 = JLT_FMA(t11, t13, t24); /* d(energy)/d(omega_n) = m*b*v_tau + omega_n*I1 */
-    out[3] = t25;
-    const double t26 = x[4]*p[5]; /* omega3*I3 */
-    const double t27 = JLT_FMA(t4, t22, t26); /* d(energy)/d(omega3) = s*m*R*v_tau + omega3*I3 */
-    out[4] = t27;
+    const double t8 = x[0]/t3; /* gamma3/s^2 */
+    const double t9 = t6*t8; /* s*gamma3/s^2 */
+    const double t10 = JLT_FMA(p[30], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t11 = x[2]*t10; /* omega_tau*D */
+    out[2] = t11;
+    const double t12 = x[3]*t4; /* omega_n*b */
+    const double t13 = p[0]*t4; /* m*b */
+    const double t14 = x[4]*p[1]; /* omega3*R */
+    const double t15 = JLT_FMA(t6, t14, t12); /* v_tau = s*omega3*R + omega_n*b */
+    const double t16 = p[30]*x[0]; /* m*a3^2*gamma3 */
+    const double t17 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t18 = JLT_FNMA(t16, t17, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t19 = x[3]*p[44]; /* omega_n*(-R*I1) */
+    const double t20 = t9*t19; /* s*gamma3/s^2*omega_n*(-R*I1) */
+    const double t21 = JLT_FMA(x[4], p[45], t20); /* omega3*(-R*I3) + s*gamma3/s^2*omega_n*(-R*I1) */
+    out[5] = t21;
+    const double t22 = JLT_FNMA(x[4], t9, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
+    const double t23 = p[32]*t15; /* m*R*v_tau */
+    const double t24 = JLT_FMA(t22, t23, t18); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R*v_tau + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    out[0] = t24;
+    const double t25 = x[3]*p[4]; /* omega_n*I1 */
+    const double t26 = JLT_FMA(t13, t15, t25); /* d(energy)/d(omega_n) = m*b*v_tau + omega_n*I1 */
+    out[3] = t26;
+    const double t27 = x[4]*p[5]; /* omega3*I3 */
+    const double t28 = JLT_FMA(t6, t23, t27); /* d(energy)/d(omega3) = s*m*R*v_tau + omega3*I3 */
+    out[4] = t28;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -1357,17 +1359,17 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 4, 25, 13, 1, 1, 0, 12, 10 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
+    .rhs = { rhs, 5, { 4, 26, 13, 1, 1, 0, 12, 10 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 25, { 8, 52, 30, 1, 1, 0, 17, 19 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
+    .jacobian = { jacobian, 25, { 8, 52, 30, 1, 1, 0, 16, 21 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 65, 33, 1, 1, 0, 17, 25 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 11, 65, 33, 1, 1, 0, 18, 25 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .divergence = { divergence, 1, { 2, 14, 9, 1, 1, 0, 12, 8 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
+    .divergence = { divergence, 1, { 2, 14, 9, 1, 1, 0, 11, 9 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 2, { 2, 12, 9, 0, 1, 0, 7, 6 }, { 10, 32, 0, 0, 1, 0, 12, 6 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 10, { 2, 15, 9, 1, 1, 0, 6, 7 }, { 12, 38, 0, 2, 1, 0, 8, 8 },
+    .integral_gradients = { integral_gradients, 10, { 2, 16, 9, 1, 1, 0, 6, 7 }, { 12, 38, 0, 2, 1, 0, 8, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

@@ -10,7 +10,7 @@
  *  rhs                 3   23   12    1    0    0     10   10   (85)
  *  jacobian            7   55   29    1    0    0     14   19   (397)
  *  rhs_jacobian        9   61   31    1    0    0     15   20   (454)
- *  divergence          2   13    7    1    0    0      9   10   (53)
+ *  divergence          2   13    7    1    0    0      8    8   (53)
  *  integral_values     0    9    9    1    0    0      7    7   (40)
  *  integral_gradients  0   16   13    1    0    0      7    9   (82)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
@@ -470,26 +470,26 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t1 = x[4]*x[4]; /* s*s */
     const double t2 = JLT_FMA(p[30], t1, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t3 = t0*p[11]; /* b*I3/(R^2*I1) */
-    const double t4 = t1 + p[10]; /* s*s + I3/(m*R^2) */
-    const double t5 = JLT_FMA(t0, t3, t4); /* Theta/(m*R^2*I1) = b*b*I3/(R^2*I1) + s*s + I3/(m*R^2) */
-    const double t6 = t2*t5; /* D*Theta/(m*R^2*I1) */
-    const double t7 = t0*t6; /* b*D*Theta/(m*R^2*I1) */
-    const double t8 = 1.0/t7; /* 1/(b*D*Theta/(m*R^2*I1)) */
-    const double t9 = t1*x[2]; /* s*s*omega_tau */
-    const double t10 = x[0]*p[37]; /* gamma3*2*m*a3^2 */
-    const double t11 = t9*t10; /* s*s*omega_tau*gamma3*2*m*a3^2 */
-    const double t12 = t5*t11; /* Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 */
-    const double t13 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t14 = JLT_FMA(x[2], t13, x[1]); /* V = omega_tau*e + v_nu */
-    const double t15 = t3*t14; /* b*I3/(R^2*I1)*V */
-    const double t16 = t13 + p[13]; /* e + I3/(m*R) */
-    const double t17 = t9*t16; /* s*s*omega_tau*(e + I3/(m*R)) */
-    const double t18 = t6*t17; /* D*Theta/(m*R^2*I1)*s*s*omega_tau*(e + I3/(m*R)) */
-    const double t19 = JLT_FNMA(t8, t18, t15); /* b*I3/(R^2*I1)*V - 1/(b*D*Theta/(m*R^2*I1))*D*Theta/(m*R^2*I1)*s*s*omega_tau*(e + I3/(m*R)) */
-    const double t20 = JLT_FNMA(t2, t19, t12); /* Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 - D*t19 */
-    const double t21 = t0*t8; /* b*1/(b*D*Theta/(m*R^2*I1)) */
-    const double t22 = t20*t21; /* (Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 - D*t19)*b*1/(b*D*Theta/(m*R^2*I1)) */
+    const double t3 = p[11]*t0; /* I3/(R^2*I1)*b */
+    const double t4 = p[10] + t1; /* I3/(m*R^2) + s*s */
+    const double t5 = JLT_FMA(t0, t3, t4); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s*s */
+    const double t6 = x[2]*t1; /* omega_tau*s*s */
+    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*omega_tau*s*s */
+    const double t8 = t0*t2; /* b*D */
+    const double t9 = t5*t8; /* Theta/(m*R^2*I1)*b*D */
+    const double t10 = 1.0/t9; /* 1/(Theta/(m*R^2*I1)*b*D) */
+    const double t11 = t0*t10; /* b*1/(Theta/(m*R^2*I1)*b*D) */
+    const double t12 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t13 = p[13] + t12; /* I3/(m*R) + e */
+    const double t14 = JLT_FMA(x[2], t12, x[1]); /* V = omega_tau*e + v_nu */
+    const double t15 = t3*t14; /* I3/(R^2*I1)*b*V */
+    const double t16 = t2*t13; /* D*(I3/(m*R) + e) */
+    const double t17 = t7*t16; /* Theta/(m*R^2*I1)*omega_tau*s*s*D*(I3/(m*R) + e) */
+    const double t18 = JLT_FNMA(t10, t17, t15); /* I3/(R^2*I1)*b*V - 1/(Theta/(m*R^2*I1)*b*D)*Theta/(m*R^2*I1)*omega_tau*s*s*D*(I3/(m*R) + e) */
+    const double t19 = x[0]*p[37]; /* gamma3*2*m*a3^2 */
+    const double t20 = t7*t19; /* Theta/(m*R^2*I1)*omega_tau*s*s*gamma3*2*m*a3^2 */
+    const double t21 = JLT_FNMA(t2, t18, t20); /* Theta/(m*R^2*I1)*omega_tau*s*s*gamma3*2*m*a3^2 - D*t18 */
+    const double t22 = t11*t21; /* b*1/(Theta/(m*R^2*I1)*b*D)*(Theta/(m*R^2*I1)*omega_tau*s*s*gamma3*2*m*a3^2 - D*t18) */
     out[0] = t22;
 }
 
@@ -751,7 +751,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_ome
         "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .rhs_jacobian = { rhs_jacobian, 30, { 9, 61, 31, 1, 0, 0, 15, 20 }, { 59, 347, 0, 48, 0, 0, 16, 11 },
         "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .divergence = { divergence, 1, { 2, 13, 7, 1, 0, 0, 9, 10 }, { 9, 40, 0, 4, 0, 0, 10, 7 },
+    .divergence = { divergence, 1, { 2, 13, 7, 1, 0, 0, 8, 8 }, { 9, 40, 0, 4, 0, 0, 10, 7 },
         "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
     .integral_values = { integral_values, 1, { 0, 9, 9, 1, 0, 0, 7, 7 }, { 9, 30, 0, 1, 0, 0, 12, 5 },
         "divides by b: values and rounding errors grow without bound where it vanishes" },

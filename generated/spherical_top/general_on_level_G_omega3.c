@@ -6,12 +6,12 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   25   12    1    1    0     14   10   (82)
- *  jacobian            8   51   29    1    1    0     17   22   (318)
- *  rhs_jacobian        9   54   32    1    1    0     20   26   (369)
- *  divergence          4   18    7    1    1    0     13   10   (54)
+ *  rhs                 5   26   11    1    1    0     13   10   (82)
+ *  jacobian            8   52   29    1    1    0     16   22   (318)
+ *  rhs_jacobian        9   55   32    1    1    0     19   27   (369)
+ *  divergence          4   17    7    1    1    0     12   10   (54)
  *  integral_values     2    9    9    1    1    0      9    7   (43)
- *  integral_gradients  2   21   13    1    1    0     14   11   (75)
+ *  integral_gradients  2   22   13    1    1    0     13   11   (75)
  *  eliminated          3    2    1    1    1    0      5    3   (11)
  *
  *  Accuracy
@@ -43,23 +43,23 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
-    const double t0 = params[3]*params[3]; /* a3*a3 */
-    const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[25] = t1;
-    const double t2 = t1/params[4]; /* m*a3*a3/I1 */
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = params[0]*t0; /* m*R*R */
+    const double t2 = params[5]/t1; /* I3/(m*R*R) */
     out[7] = t2;
-    const double t3 = params[1]*params[1]; /* R*R */
-    const double t4 = params[0]*t3; /* m*R*R */
-    const double t5 = params[5]/t4; /* I3/(m*R*R) */
-    out[8] = t5;
-    const double t6 = params[4]*t3; /* I1*R*R */
-    const double t7 = params[5]/t6; /* I3/(I1*R*R) */
+    const double t3 = t0*params[4]; /* R*R*I1 */
+    const double t4 = params[5]/t3; /* I3/(R*R*I1) */
+    out[8] = t4;
+    const double t5 = params[3]*params[3]; /* a3*a3 */
+    const double t6 = params[0]*t5; /* m*a3*a3 */
+    out[25] = t6;
+    const double t7 = t6/params[4]; /* m*a3*a3/I1 */
     out[9] = t7;
-    const double t8 = t6/params[5]; /* I1*R*R/I3 */
+    const double t8 = t3/params[5]; /* R*R*I1/I3 */
     out[10] = t8;
-    const double t9 = params[4]*params[1]; /* I1*R */
+    const double t9 = params[1]*params[4]; /* R*I1 */
     out[33] = t9;
-    const double t10 = params[6]/t9; /* G_level/(I1*R) */
+    const double t10 = params[6]/t9; /* G_level/(R*I1) */
     out[11] = t10;
     const double t11 = params[0]*params[2]; /* m*g */
     const double t12 = params[3]*t11; /* a3*m*g */
@@ -69,15 +69,15 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t14 = params[0]*params[1]; /* m*R */
     const double t15 = params[5]/t14; /* I3/(m*R) */
     out[13] = t15;
-    const double t16 = t9/params[5]; /* I1*R/I3 */
+    const double t16 = t9/params[5]; /* R*I1/I3 */
     out[14] = t16;
     const double t17 = params[0]*2.0; /* m*2 */
-    const double t18 = t0*t17; /* a3*a3*m*2 */
+    const double t18 = t5*t17; /* a3*a3*m*2 */
     out[24] = t18;
     const double t19 = t18/params[4]; /* a3*a3*m*2/I1 */
     out[15] = t19;
     const double t20 = params[1]*t17; /* R*m*2 */
-    const double t21 = t0*t20; /* a3*a3*R*m*2 */
+    const double t21 = t5*t20; /* a3*a3*R*m*2 */
     const double t22 = t21/params[4]; /* a3*a3*R*m*2/I1 */
     out[16] = t22;
     const double t23 = params[5]/params[4]; /* I3/I1 */
@@ -86,12 +86,12 @@ static void prepare(const double *restrict params, double *restrict out)
     out[18] = t24;
     const double t25 = 2.0/params[1]; /* 2/R */
     out[19] = t25;
-    const double t26 = params[5]/t9; /* I3/(I1*R) */
+    const double t26 = params[5]/t9; /* I3/(R*I1) */
     out[20] = t26;
     const double t27 = params[0]*params[0]; /* m*m */
     const double t28 = 2.0*t27; /* 2*m*m */
     const double t29 = params[2]*t28; /* g*2*m*m */
-    const double t30 = params[3]*t0; /* a3*a3*a3 */
+    const double t30 = params[3]*t5; /* a3*a3*a3 */
     const double t31 = t29*t30; /* g*2*m*m*a3*a3*a3 */
     const double t32 = params[4]*params[4]; /* I1*I1 */
     const double t33 = t31/t32; /* g*2*m*m*a3*a3*a3/(I1*I1) */
@@ -111,7 +111,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[28] = t41;
     const double t42 = params[4]/params[0]; /* I1/m */
     out[29] = t42;
-    const double t43 = t3*t32; /* R*R*I1*I1 */
+    const double t43 = t0*t32; /* R*R*I1*I1 */
     const double t44 = params[0]*params[5]; /* m*I3 */
     const double t45 = t43/t44; /* R*R*I1*I1/(m*I3) */
     out[30] = t45;
@@ -128,51 +128,52 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t6 = p[8] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = p[9]*t4; /* I3/(R^2*I1)*b */
-    const double t8 = JLT_FMA(t4, t7, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t9 = t3*t4; /* s*b */
-    const double t10 = t5*t9; /* D/I1*s*b */
-    const double t11 = t8*t10; /* Theta/(m*R^2*I1)*D/I1*s*b */
-    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*D/I1*s*b) */
-    const double t13 = t8*t12; /* 1/(s*b*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s*b) */
-    const double t14 = t10*t12; /* D/I1*s*b*1/(Theta/(m*R^2*I1)*D/I1*s*b) */
-    const double t15 = t5*t13; /* 1/(s*b) = D/I1*1/(s*b*(D/I1)) */
-    const double t16 = t9*t13; /* s*b*1/(s*b*(D/I1)) */
-    const double t17 = x[3]*t4; /* omega_n*b */
-    const double t18 = t15*t17; /* 1/(s*b)*omega_n*b */
-    const double t19 = t4*t18; /* b*1/(s*b)*omega_n*b */
-    const double t20 = x[0]*t18; /* gamma3*1/(s*b)*omega_n*b */
-    const double t21 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
-    const double t22 = t3*t21; /* s*(G_level/(R*I1) - omega_n*s) */
-    const double t23 = t15*t22; /* 1/(s*b)*s*(G_level/(R*I1) - omega_n*s) */
-    const double t24 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t25 = x[0]*t24; /* gamma3*omega_tau*m*a3^2/I1 */
-    const double t26 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t27 = x[2]*t3; /* omega_tau*s */
-    out[0] = t27;
-    const double t28 = t25*t27; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t29 = JLT_FNMA(p[12], t3, t28); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
-    const double t30 = p[13] + t26; /* I3/(m*R) + e */
-    const double t31 = x[2]*t30; /* omega_tau*(I3/(m*R) + e) */
-    const double t32 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
-    const double t33 = t23*t31; /* 1/(s*b)*s*(G_level/(R*I1) - omega_n*s)*omega_tau*(I3/(m*R) + e) */
-    const double t34 = p[9]*t32; /* I3/(R^2*I1)*V */
-    const double t35 = JLT_FMA(t19, t34, t33); /* b*1/(s*b)*omega_n*b*I3/(R^2*I1)*V + t33 */
-    const double t36 = JLT_FNMA(p[10], t23, t19); /* b*1/(s*b)*omega_n*b - R^2*I1/I3*1/(s*b)*s*(G_level/(R*I1) - omega_n*s) */
-    const double t37 = x[3]*t36; /* omega_n*t36 */
-    out[1] = t37;
-    const double t38 = JLT_FNMA(p[1], t23, t20); /* gamma3*1/(s*b)*omega_n*b - R*1/(s*b)*s*(G_level/(R*I1) - omega_n*s) */
-    const double t39 = JLT_FNMA(x[3], t38, t29); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - omega_n*t38 */
-    const double t40 = t16*t39; /* s*b*1/(s*b*(D/I1))*t39 */
-    out[2] = t40;
-    const double t41 = x[2]*t20; /* omega_tau*gamma3*1/(s*b)*omega_n*b */
-    const double t42 = JLT_FNMA(t14, t35, t41); /* omega_tau*gamma3*1/(s*b)*omega_n*b - D/I1*s*b*1/(Theta/(m*R^2*I1)*D/I1*s*b)*(b*1/(s*b)*omega_n*b*I3/(R^2*I1)*V + t33) */
-    out[3] = t42;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t4 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t5 = p[7] + t2; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t7 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t8 = t3*t7; /* b*D/I1 */
+    const double t9 = t6*t8; /* Theta/(m*R^2*I1)*b*D/I1 */
+    const double t10 = t2*t9; /* s^2*Theta/(m*R^2*I1)*b*D/I1 */
+    const double t11 = 1.0/t10; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1) */
+    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t13 = t2*t11; /* 1/(b*(D/I1)*(Theta/(m*R^2*I1))) = s^2*1/(s^2*Theta/(m*R^2*I1)*b*D/I1) */
+    const double t14 = t6*t13; /* 1/(b*(D/I1)) = Theta/(m*R^2*I1)*1/(b*(D/I1)*(Theta/(m*R^2*I1))) */
+    const double t15 = t8*t13; /* b*D/I1*1/(b*(D/I1)*(Theta/(m*R^2*I1))) */
+    const double t16 = x[3]*t12; /* omega_n*s */
+    const double t17 = t9*t16; /* Theta/(m*R^2*I1)*b*D/I1*omega_n*s */
+    const double t18 = t11*t17; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*omega_n*s */
+    const double t19 = p[11] - t16; /* G_level/(R*I1) - omega_n*s */
+    const double t20 = t7*t19; /* D/I1*(G_level/(R*I1) - omega_n*s) */
+    const double t21 = t14*t20; /* 1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s) */
+    const double t22 = t3*t14; /* b*1/(b*(D/I1)) */
+    const double t23 = t3*t18; /* b*t18 */
+    const double t24 = x[0]*t18; /* gamma3*t18 */
+    const double t25 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
+    const double t26 = x[0]*t25; /* gamma3*omega_tau*m*a3^2/I1 */
+    const double t27 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t28 = x[2]*t12; /* omega_tau*s */
+    out[0] = t28;
+    const double t29 = t26*t28; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
+    const double t30 = JLT_FNMA(p[12], t12, t29); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
+    const double t31 = p[13] + t27; /* I3/(m*R) + e */
+    const double t32 = x[2]*t31; /* omega_tau*(I3/(m*R) + e) */
+    const double t33 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
+    const double t34 = t21*t32; /* 1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s)*omega_tau*(I3/(m*R) + e) */
+    const double t35 = p[8]*t33; /* I3/(R^2*I1)*V */
+    const double t36 = JLT_FMA(t23, t35, t34); /* b*t18*I3/(R^2*I1)*V + t34 */
+    const double t37 = JLT_FNMA(p[10], t21, t23); /* b*t18 - R^2*I1/I3*1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s) */
+    const double t38 = x[3]*t37; /* omega_n*t37 */
+    out[1] = t38;
+    const double t39 = JLT_FNMA(p[1], t21, t24); /* gamma3*t18 - R*1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s) */
+    const double t40 = JLT_FNMA(x[3], t39, t30); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - omega_n*t39 */
+    const double t41 = t22*t40; /* b*1/(b*(D/I1))*t40 */
+    out[2] = t41;
+    const double t42 = x[2]*t24; /* omega_tau*gamma3*t18 */
+    const double t43 = JLT_FNMA(t15, t36, t42); /* omega_tau*gamma3*t18 - b*D/I1*1/(b*(D/I1)*(Theta/(m*R^2*I1)))*(b*t18*I3/(R^2*I1)*V + t34) */
+    out[3] = t43;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -184,105 +185,106 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[9] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t4;
-    const double t5 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
-    const double t6 = p[8] + t2; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t7 = p[9]*t3; /* I3/(R^2*I1)*b */
-    const double t8 = JLT_FMA(t3, t7, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t9 = t3*t4; /* b*s */
-    const double t10 = t5*t9; /* D/I1*b*s */
-    const double t11 = t8*t10; /* Theta/(m*R^2*I1)*D/I1*b*s */
-    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*D/I1*b*s) */
-    const double t13 = t8*t12; /* 1/(s*b*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*b*s) */
-    const double t14 = t10*t12; /* 1/(Theta/(m*R^2*I1)) = D/I1*b*s*1/(Theta/(m*R^2*I1)*D/I1*b*s) */
-    const double t15 = t5*t13; /* 1/(s*b) = D/I1*1/(s*b*(D/I1)) */
-    const double t16 = t9*t13; /* 1/(D/I1) = b*s*1/(s*b*(D/I1)) */
-    const double t17 = t3*t15; /* 1/s = b*1/(s*b) */
-    const double t18 = t4*t15; /* 1/b = s*1/(s*b) */
-    const double t19 = JLT_FNMA(x[3], t4, p[11]); /* G_level/(R*I1) - omega_n*s */
-    const double t20 = t18*t19; /* 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t21 = x[0]*t16; /* gamma3*1/(D/I1) */
-    const double t22 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t23 = p[10]*t18; /* R^2*I1/I3*1/b */
-    const double t24 = t20*t23; /* 1/b*(G_level/(R*I1) - omega_n*s)*R^2*I1/I3*1/b */
-    const double t25 = x[3]*t17; /* omega_n*1/s */
-    const double t26 = p[15]*t21; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t27 = p[16]*t21; /* 2*m*R*a3^2/I1*gamma3*1/(D/I1) */
-    const double t28 = p[13] + t22; /* I3/(m*R) + e */
-    const double t29 = t7*t14; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    const double t30 = JLT_FMA(t7, t25, t20); /* I3/(R^2*I1)*b*omega_n*1/s + 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t31 = x[0]*t25; /* gamma3*omega_n*1/s */
-    const double t32 = p[14]*t18; /* R*I1/I3*1/b */
-    const double t33 = JLT_FNMA(t31, t32, t24); /* d(omega3)/d(gamma3) = 1/b*(G_level/(R*I1) - omega_n*s)*R^2*I1/I3*1/b - gamma3*omega_n*1/s*R*I1/I3*1/b */
-    const double t34 = t4*t18; /* s*1/b */
-    const double t35 = t4*t26; /* s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t36 = t26*t31; /* 2*m*a3^2/I1*gamma3*1/(D/I1)*gamma3*omega_n*1/s */
-    const double t37 = JLT_FNMA(t20, t27, t36); /* 2*m*a3^2/I1*gamma3*1/(D/I1)*gamma3*omega_n*1/s - 1/b*(G_level/(R*I1) - omega_n*s)*2*m*R*a3^2/I1*gamma3*1/(D/I1) */
-    const double t38 = JLT_FMA(p[17], t33, t37); /* I3/I1*d(omega3)/d(gamma3) + t37 */
-    const double t39 = x[2]*t35; /* omega_tau*s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    out[10] = t39;
-    const double t40 = JLT_FMS(x[0], t17, t35); /* gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t41 = JLT_FMS(x[0], t40, t4); /* gamma3*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s */
-    const double t42 = t17*t25; /* 1/s*omega_n*1/s */
-    const double t43 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
-    const double t44 = t25*t29; /* omega_n*1/s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    const double t45 = t29*t43; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t46 = t17*t45; /* 1/s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t47 = -t44; /* -omega_n*1/s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    out[13] = t47;
-    const double t48 = t14*t28; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t49 = p[20]*t28; /* I3/(R*I1)*(I3/(m*R) + e) */
-    const double t50 = t33*t49; /* d(omega3)/d(gamma3)*I3/(R*I1)*(I3/(m*R) + e) */
-    const double t51 = JLT_FNMA(p[3], t30, t50); /* d(omega3)/d(gamma3)*I3/(R*I1)*(I3/(m*R) + e) - a3*(I3/(R^2*I1)*b*omega_n*1/s + 1/b*(G_level/(R*I1) - omega_n*s)) */
-    const double t52 = t25 + t33; /* omega_n*1/s + d(omega3)/d(gamma3) */
-    const double t53 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t54 = x[2]*t53; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t55 = t25*t42; /* omega_n*1/s*1/s*omega_n*1/s */
-    const double t56 = JLT_FMS(p[12], t40, t55); /* m*g*a3/I1*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - omega_n*1/s*1/s*omega_n*1/s */
-    const double t57 = JLT_FNMA(t41, t54, t56); /* t56 - (gamma3*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s)*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t58 = JLT_FNMA(x[3], t38, t57); /* t57 - omega_n*(I3/I1*d(omega3)/d(gamma3) + t37) */
-    const double t59 = t16*t58; /* 1/(D/I1)*(t57 - omega_n*(I3/I1*d(omega3)/d(gamma3) + t37)) */
-    out[8] = t59;
-    const double t60 = p[18]*t16; /* (-R)*1/(D/I1) */
-    const double t61 = p[20]*t43; /* I3/(R*I1)*V */
-    const double t62 = t43*t44; /* V*omega_n*1/s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    const double t63 = t25*t61; /* omega_n*1/s*I3/(R*I1)*V */
-    const double t64 = t3*t25; /* b*omega_n*1/s */
-    const double t65 = JLT_FMS(p[20], t3, x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = I3/(R*I1)*b - gamma3 */
-    const double t66 = 2.0*t65; /* 2*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
-    const double t67 = x[2]*t48; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t68 = JLT_FMA(t20, t67, t62); /* 1/b*(G_level/(R*I1) - omega_n*s)*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + V*omega_n*1/s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    const double t69 = JLT_FMS(t66, t68, t63); /* 2*d(Theta)/d(gamma3)/(2*m*R^2*I1)*t68 - omega_n*1/s*I3/(R*I1)*V */
-    const double t70 = JLT_FMA(x[2], t51, t69); /* omega_tau*t51 + t69 */
-    const double t71 = JLT_FNMA(t20, t48, t31); /* gamma3*omega_n*1/s - 1/b*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t72 = JLT_FNMA(t22, t44, t71); /* t71 - e*omega_n*1/s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    out[14] = t72;
-    const double t73 = JLT_FMS(x[3], t34, t20); /* omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t74 = x[2]*t17; /* omega_tau*1/s */
-    const double t75 = t17*t31; /* 1/s*gamma3*omega_n*1/s */
-    const double t76 = t42*t74; /* 1/s*omega_n*1/s*omega_tau*1/s */
-    const double t77 = x[0]*t74; /* gamma3*omega_tau*1/s */
-    const double t78 = JLT_FMA(p[19], t31, t73); /* 2/R*gamma3*omega_n*1/s + omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t79 = t60*t78; /* (-R)*1/(D/I1)*t78 */
-    out[11] = t79;
-    const double t80 = p[10]*t73; /* R^2*I1/I3*(omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s)) */
-    const double t81 = JLT_FMA(2.0, t64, t80); /* 2*b*omega_n*1/s + R^2*I1/I3*(omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s)) */
-    out[7] = t81;
-    const double t82 = JLT_FNMA(t46, t75, t76); /* 1/s*omega_n*1/s*omega_tau*1/s - 1/s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V*1/s*gamma3*omega_n*1/s */
-    const double t83 = JLT_FMA(t14, t70, t82); /* 1/(Theta/(m*R^2*I1))*(omega_tau*t51 + t69) + t82 */
-    out[12] = t83;
-    const double t84 = t77 - t46; /* gamma3*omega_tau*1/s - 1/s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t85 = JLT_FMA(t34, t67, t84); /* s*1/b*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + t84 */
-    out[15] = t85;
-    const double t86 = -t77; /* -gamma3*omega_tau*1/s */
-    out[0] = t86;
-    const double t87 = p[1]*x[3]; /* R*omega_n */
-    const double t88 = t52*t87; /* (omega_n*1/s + d(omega3)/d(gamma3))*R*omega_n */
-    const double t89 = JLT_FMA(t64, t75, t88); /* b*omega_n*1/s*1/s*gamma3*omega_n*1/s + (omega_n*1/s + d(omega3)/d(gamma3))*R*omega_n */
-    out[4] = t89;
+    const double t4 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t5 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t6 = p[7] + t2; /* I3/(m*R^2) + s^2 */
+    const double t7 = JLT_FMA(t3, t5, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t8 = t2*t3; /* s^2*b */
+    const double t9 = t4*t8; /* D/I1*s^2*b */
+    const double t10 = t7*t9; /* Theta/(m*R^2*I1)*D/I1*s^2*b */
+    const double t11 = 1.0/t10; /* 1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t12 = t7*t11; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t13 = t9*t11; /* 1/(Theta/(m*R^2*I1)) = D/I1*s^2*b*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t14 = t4*t12; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t15 = t8*t12; /* 1/(D/I1) = s^2*b*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t16 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t16;
+    const double t17 = t2*t14; /* 1/b = s^2*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t18 = t3*t16; /* b*s */
+    const double t19 = t14*t18; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s */
+    const double t20 = JLT_FNMA(x[3], t16, p[11]); /* G_level/(R*I1) - omega_n*s */
+    const double t21 = t17*t20; /* 1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t22 = x[0]*t15; /* gamma3*1/(D/I1) */
+    const double t23 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t24 = p[10]*t17; /* R^2*I1/I3*1/b */
+    const double t25 = t21*t24; /* 1/b*(G_level/(R*I1) - omega_n*s)*R^2*I1/I3*1/b */
+    const double t26 = x[3]*t19; /* omega_n*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s */
+    const double t27 = p[15]*t22; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t28 = p[16]*t22; /* 2*m*R*a3^2/I1*gamma3*1/(D/I1) */
+    const double t29 = p[13] + t23; /* I3/(m*R) + e */
+    const double t30 = t5*t13; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    const double t31 = JLT_FMA(t5, t26, t21); /* I3/(R^2*I1)*b*t26 + 1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t32 = x[0]*t26; /* gamma3*t26 */
+    const double t33 = p[14]*t17; /* R*I1/I3*1/b */
+    const double t34 = JLT_FNMA(t32, t33, t25); /* d(omega3)/d(gamma3) = 1/b*(G_level/(R*I1) - omega_n*s)*R^2*I1/I3*1/b - gamma3*t26*R*I1/I3*1/b */
+    const double t35 = t16*t17; /* s*1/b */
+    const double t36 = t16*t27; /* s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t37 = t27*t32; /* 2*m*a3^2/I1*gamma3*1/(D/I1)*gamma3*t26 */
+    const double t38 = JLT_FNMA(t21, t28, t37); /* 2*m*a3^2/I1*gamma3*1/(D/I1)*gamma3*t26 - 1/b*(G_level/(R*I1) - omega_n*s)*2*m*R*a3^2/I1*gamma3*1/(D/I1) */
+    const double t39 = JLT_FMA(p[17], t34, t38); /* I3/I1*d(omega3)/d(gamma3) + t38 */
+    const double t40 = x[2]*t36; /* omega_tau*s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    out[10] = t40;
+    const double t41 = JLT_FMS(x[0], t19, t36); /* gamma3*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s - s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t42 = JLT_FMS(x[0], t41, t16); /* gamma3*t41 - s */
+    const double t43 = t19*t26; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s*t26 */
+    const double t44 = JLT_FMA(x[2], t23, x[1]); /* V = omega_tau*e + v_nu */
+    const double t45 = t26*t30; /* t26*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    const double t46 = t30*t44; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
+    const double t47 = t19*t46; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
+    const double t48 = -t45; /* -t26*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    out[13] = t48;
+    const double t49 = t13*t29; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t50 = p[20]*t29; /* I3/(R*I1)*(I3/(m*R) + e) */
+    const double t51 = t34*t50; /* d(omega3)/d(gamma3)*I3/(R*I1)*(I3/(m*R) + e) */
+    const double t52 = JLT_FNMA(p[3], t31, t51); /* d(omega3)/d(gamma3)*I3/(R*I1)*(I3/(m*R) + e) - a3*(I3/(R^2*I1)*b*t26 + 1/b*(G_level/(R*I1) - omega_n*s)) */
+    const double t53 = t26 + t34; /* t26 + d(omega3)/d(gamma3) */
+    const double t54 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
+    const double t55 = x[2]*t54; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t56 = t26*t43; /* t26*t43 */
+    const double t57 = JLT_FMS(p[12], t41, t56); /* m*g*a3/I1*t41 - t26*t43 */
+    const double t58 = JLT_FNMA(t42, t55, t57); /* m*g*a3/I1*t41 - t26*t43 - (gamma3*t41 - s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t59 = JLT_FNMA(x[3], t39, t58); /* t58 - omega_n*(I3/I1*d(omega3)/d(gamma3) + t38) */
+    const double t60 = t15*t59; /* 1/(D/I1)*(t58 - omega_n*(I3/I1*d(omega3)/d(gamma3) + t38)) */
+    out[8] = t60;
+    const double t61 = p[18]*t15; /* (-R)*1/(D/I1) */
+    const double t62 = p[20]*t44; /* I3/(R*I1)*V */
+    const double t63 = t44*t45; /* V*t26*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    const double t64 = t26*t62; /* t26*I3/(R*I1)*V */
+    const double t65 = t3*t26; /* b*t26 */
+    const double t66 = JLT_FMS(p[20], t3, x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = I3/(R*I1)*b - gamma3 */
+    const double t67 = 2.0*t66; /* 2*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
+    const double t68 = x[2]*t49; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t69 = JLT_FMA(t21, t68, t63); /* 1/b*(G_level/(R*I1) - omega_n*s)*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + V*t26*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    const double t70 = JLT_FMS(t67, t69, t64); /* 2*d(Theta)/d(gamma3)/(2*m*R^2*I1)*t69 - t26*I3/(R*I1)*V */
+    const double t71 = JLT_FMA(x[2], t52, t70); /* omega_tau*t52 + 2*d(Theta)/d(gamma3)/(2*m*R^2*I1)*t69 - t26*I3/(R*I1)*V */
+    const double t72 = JLT_FNMA(t21, t49, t32); /* gamma3*t26 - 1/b*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t73 = JLT_FNMA(t23, t45, t72); /* t72 - e*t26*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
+    out[14] = t73;
+    const double t74 = JLT_FMS(x[3], t35, t21); /* omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t75 = x[2]*t19; /* omega_tau*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s */
+    const double t76 = t19*t32; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s*gamma3*t26 */
+    const double t77 = t43*t75; /* t43*t75 */
+    const double t78 = x[0]*t75; /* gamma3*t75 */
+    const double t79 = JLT_FMA(p[19], t32, t74); /* 2/R*gamma3*t26 + omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t80 = t61*t79; /* (-R)*1/(D/I1)*t79 */
+    out[11] = t80;
+    const double t81 = p[10]*t74; /* R^2*I1/I3*(omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s)) */
+    const double t82 = JLT_FMA(2.0, t65, t81); /* 2*b*t26 + R^2*I1/I3*(omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s)) */
+    out[7] = t82;
+    const double t83 = JLT_FNMA(t47, t76, t77); /* t43*t75 - t47*t76 */
+    const double t84 = JLT_FMA(t13, t71, t83); /* 1/(Theta/(m*R^2*I1))*t71 + t43*t75 - t47*t76 */
+    out[12] = t84;
+    const double t85 = t78 - t47; /* gamma3*t75 - t47 */
+    const double t86 = JLT_FMA(t35, t68, t85); /* s*1/b*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + gamma3*t75 - t47 */
+    out[15] = t86;
+    const double t87 = -t78; /* -gamma3*t75 */
+    out[0] = t87;
+    const double t88 = p[1]*x[3]; /* R*omega_n */
+    const double t89 = t53*t88; /* (t26 + d(omega3)/d(gamma3))*R*omega_n */
+    const double t90 = JLT_FMA(t65, t76, t89); /* b*t26*t76 + (t26 + d(omega3)/d(gamma3))*R*omega_n */
+    out[4] = t90;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -294,152 +296,152 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[13] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[6] = t3;
-    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t6 = p[8] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = p[9]*t4; /* I3/(R^2*I1)*b */
-    const double t8 = JLT_FMA(t4, t7, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t9 = t3*t4; /* s*b */
-    const double t10 = t5*t9; /* D/I1*s*b */
-    const double t11 = t8*t10; /* Theta/(m*R^2*I1)*D/I1*s*b */
-    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*D/I1*s*b) */
-    const double t13 = t8*t12; /* 1/(s*b*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s*b) */
-    const double t14 = t10*t12; /* 1/(Theta/(m*R^2*I1)) = D/I1*s*b*1/(Theta/(m*R^2*I1)*D/I1*s*b) */
-    const double t15 = t5*t13; /* 1/(s*b) = D/I1*1/(s*b*(D/I1)) */
-    const double t16 = t9*t13; /* 1/(D/I1) = s*b*1/(s*b*(D/I1)) */
-    const double t17 = x[3]*t3; /* omega_n*s */
-    const double t18 = p[11] - t17; /* G_level/(R*I1) - omega_n*s */
-    const double t19 = t3*t15; /* 1/b = s*1/(s*b) */
-    const double t20 = t4*t15; /* 1/s = b*1/(s*b) */
-    const double t21 = t18*t19; /* (G_level/(R*I1) - omega_n*s)*1/b */
-    const double t22 = JLT_FMS(t17, t19, t21); /* omega_n*s*1/b - (G_level/(R*I1) - omega_n*s)*1/b */
-    const double t23 = x[2]*t3; /* omega_tau*s */
-    out[0] = t23;
-    const double t24 = t3*t16; /* s*1/(D/I1) */
-    const double t25 = x[3]*p[1]; /* omega_n*R */
-    const double t26 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t27 = x[3]*t20; /* omega_n*1/s */
-    const double t28 = t21*t25; /* (G_level/(R*I1) - omega_n*s)*1/b*omega_n*R */
-    const double t29 = t23*t26; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t30 = JLT_FMA(x[0], t29, t28); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 + (G_level/(R*I1) - omega_n*s)*1/b*omega_n*R */
-    const double t31 = t4*t27; /* b*omega_n*1/s */
-    const double t32 = JLT_FMS(p[20], t4, x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = I3/(R*I1)*b - gamma3 */
-    const double t33 = x[0]*t27; /* gamma3*omega_n*1/s */
-    const double t34 = JLT_FNMA(x[3], t33, t30); /* t30 - omega_n*gamma3*omega_n*1/s */
-    const double t35 = t16*t34; /* 1/(D/I1)*(t30 - omega_n*gamma3*omega_n*1/s) */
-    const double t36 = JLT_FNMA(p[12], t24, t35); /* 1/(D/I1)*(t30 - omega_n*gamma3*omega_n*1/s) - m*g*a3/I1*s*1/(D/I1) */
-    out[2] = t36;
-    const double t37 = p[15]*t35; /* 2*m*a3^2/I1*1/(D/I1)*(t30 - omega_n*gamma3*omega_n*1/s) */
-    const double t38 = JLT_FNMA(p[21], t24, t37); /* 2*m*a3^2/I1*1/(D/I1)*(t30 - omega_n*gamma3*omega_n*1/s) - 2*m^2*g*a3^3/I1^2*s*1/(D/I1) */
-    const double t39 = p[10]*t21; /* R^2*I1/I3*(G_level/(R*I1) - omega_n*s)*1/b */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t4 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t5 = p[7] + t2; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t7 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t8 = t3*t7; /* b*D/I1 */
+    const double t9 = t6*t8; /* Theta/(m*R^2*I1)*b*D/I1 */
+    const double t10 = t2*t9; /* s^2*Theta/(m*R^2*I1)*b*D/I1 */
+    const double t11 = 1.0/t10; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1) */
+    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
+    out[6] = t12;
+    const double t13 = t9*t12; /* Theta/(m*R^2*I1)*b*D/I1*s */
+    const double t14 = t11*t13; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s */
+    const double t15 = t2*t11; /* 1/(b*(D/I1)*(Theta/(m*R^2*I1))) = s^2*1/(s^2*Theta/(m*R^2*I1)*b*D/I1) */
+    const double t16 = t6*t15; /* 1/(b*(D/I1)) = Theta/(m*R^2*I1)*1/(b*(D/I1)*(Theta/(m*R^2*I1))) */
+    const double t17 = t8*t15; /* 1/(Theta/(m*R^2*I1)) = b*D/I1*1/(b*(D/I1)*(Theta/(m*R^2*I1))) */
+    const double t18 = t7*t16; /* 1/b = D/I1*1/(b*(D/I1)) */
+    const double t19 = t3*t16; /* 1/(D/I1) = b*1/(b*(D/I1)) */
+    const double t20 = x[3]*t14; /* omega_n*1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s */
+    const double t21 = x[2]*t12; /* omega_tau*s */
+    out[0] = t21;
+    const double t22 = x[3]*t12; /* omega_n*s */
+    const double t23 = t12*t19; /* s*1/(D/I1) */
+    const double t24 = x[0]*t20; /* gamma3*t20 */
+    const double t25 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
+    const double t26 = p[11] - t22; /* G_level/(R*I1) - omega_n*s */
+    const double t27 = t18*t26; /* 1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t28 = JLT_FMS(t18, t22, t27); /* 1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t29 = x[3]*t24; /* omega_n*gamma3*t20 */
+    const double t30 = t21*t25; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t31 = JLT_FMS(x[0], t30, t29); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*gamma3*t20 */
+    const double t32 = t3*t20; /* b*t20 */
+    const double t33 = JLT_FMS(p[20], t3, x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = I3/(R*I1)*b - gamma3 */
+    const double t34 = x[3]*p[1]; /* omega_n*R */
+    const double t35 = JLT_FMA(t27, t34, t31); /* 1/b*(G_level/(R*I1) - omega_n*s)*omega_n*R + gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*gamma3*t20 */
+    const double t36 = t19*t35; /* 1/(D/I1)*t35 */
+    const double t37 = JLT_FNMA(p[12], t23, t36); /* 1/(D/I1)*t35 - m*g*a3/I1*s*1/(D/I1) */
+    out[2] = t37;
+    const double t38 = p[15]*t36; /* 2*m*a3^2/I1*1/(D/I1)*t35 */
+    const double t39 = p[10]*t27; /* R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t40 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t41 = p[9]*t31; /* I3/(R^2*I1)*b*omega_n*1/s */
-    const double t42 = x[2]*t21; /* omega_tau*(G_level/(R*I1) - omega_n*s)*1/b */
+    const double t41 = p[8]*t32; /* I3/(R^2*I1)*b*t20 */
+    const double t42 = x[2]*t27; /* omega_tau*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t43 = p[13] + t40; /* I3/(m*R) + e */
     const double t44 = JLT_FMA(x[2], t40, x[1]); /* V = omega_tau*e + v_nu */
-    const double t45 = t7*t44; /* I3/(R^2*I1)*b*V */
-    const double t46 = t14*t45; /* 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*V */
-    const double t47 = t14*t41; /* 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*omega_n*1/s */
-    const double t48 = JLT_FMA(x[2], t41, t42); /* omega_tau*I3/(R^2*I1)*b*omega_n*1/s + omega_tau*(G_level/(R*I1) - omega_n*s)*1/b */
+    const double t45 = t4*t44; /* I3/(R^2*I1)*b*V */
+    const double t46 = t14*t45; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s*I3/(R^2*I1)*b*V */
+    const double t47 = t17*t41; /* 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
+    const double t48 = JLT_FMA(x[2], t41, t42); /* omega_tau*I3/(R^2*I1)*b*t20 + omega_tau*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t49 = p[22]*t48; /* 1/2*a3*t48 */
-    const double t50 = -t47; /* -1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*omega_n*1/s */
+    const double t50 = -t47; /* -1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
     out[17] = t50;
-    const double t51 = x[0]*t20; /* gamma3*1/s */
-    const double t52 = JLT_FMA(p[12], t51, t29); /* m*g*a3/I1*gamma3*1/s + omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t53 = JLT_FMS(p[14], t33, t39); /* R*I1/I3*gamma3*omega_n*1/s - R^2*I1/I3*(G_level/(R*I1) - omega_n*s)*1/b */
-    const double t54 = t19*t53; /* 1/b*t53 */
-    const double t55 = t31 - t39; /* b*omega_n*1/s - R^2*I1/I3*(G_level/(R*I1) - omega_n*s)*1/b */
-    const double t56 = x[3]*t55; /* omega_n*(b*omega_n*1/s - R^2*I1/I3*(G_level/(R*I1) - omega_n*s)*1/b) */
+    const double t51 = x[0]*t14; /* gamma3*1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s */
+    const double t52 = JLT_FMA(p[12], t51, t30); /* m*g*a3/I1*t51 + omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t53 = JLT_FMS(p[14], t24, t39); /* R*I1/I3*gamma3*t20 - R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t54 = t18*t53; /* 1/b*t53 */
+    const double t55 = t32 - t39; /* b*t20 - R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t56 = x[3]*t55; /* omega_n*(b*t20 - R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s)) */
     out[1] = t56;
-    const double t57 = t14*t43; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t57 = t17*t43; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
     const double t58 = x[2]*t43; /* omega_tau*(I3/(m*R) + e) */
     const double t59 = t54*t58; /* 1/b*t53*omega_tau*(I3/(m*R) + e) */
-    const double t60 = JLT_FMA(t27, t44, t59); /* omega_n*1/s*V + 1/b*t53*omega_tau*(I3/(m*R) + e) */
-    const double t61 = t44*t47; /* V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*omega_n*1/s */
-    const double t62 = JLT_FMA(t42, t57, t61); /* omega_tau*(G_level/(R*I1) - omega_n*s)*1/b*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*omega_n*1/s */
-    const double t63 = JLT_FNMA(t32, t62, t49); /* 1/2*a3*t48 - d(Theta)/d(gamma3)/(2*m*R^2*I1)*t62 */
-    const double t64 = JLT_FMA(p[23], t60, t63); /* 1/2*I3/(R*I1)*(omega_n*1/s*V + 1/b*t53*omega_tau*(I3/(m*R) + e)) + 1/2*a3*t48 - d(Theta)/d(gamma3)/(2*m*R^2*I1)*t62 */
-    const double t65 = JLT_FMS(x[2], t33, t62); /* omega_tau*gamma3*omega_n*1/s - t62 */
+    const double t60 = JLT_FMA(t20, t44, t59); /* t20*V + 1/b*t53*omega_tau*(I3/(m*R) + e) */
+    const double t61 = t44*t47; /* V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
+    const double t62 = JLT_FMA(t42, t57, t61); /* omega_tau*1/b*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
+    const double t63 = JLT_FNMA(t33, t62, t49); /* 1/2*a3*t48 - d(Theta)/d(gamma3)/(2*m*R^2*I1)*t62 */
+    const double t64 = JLT_FMA(p[23], t60, t63); /* 1/2*I3/(R*I1)*(t20*V + 1/b*t53*omega_tau*(I3/(m*R) + e)) + 1/2*a3*t48 - d(Theta)/d(gamma3)/(2*m*R^2*I1)*t62 */
+    const double t65 = JLT_FMS(x[2], t24, t62); /* omega_tau*gamma3*t20 - t62 */
     out[3] = t65;
-    const double t66 = 2.0*t14; /* 2*1/(Theta/(m*R^2*I1)) */
-    const double t67 = JLT_FNMA(t21, t57, t33); /* gamma3*omega_n*1/s - (G_level/(R*I1) - omega_n*s)*1/b*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t68 = JLT_FNMA(t40, t47, t67); /* t67 - e*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*omega_n*1/s */
-    out[18] = t68;
-    const double t69 = t23*t57; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t70 = t20*t27; /* 1/s*omega_n*1/s */
-    const double t71 = JLT_FNMA(t27, t70, t52); /* m*g*a3/I1*gamma3*1/s + omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/s*1/s*omega_n*1/s */
-    const double t72 = x[2]*t70; /* omega_tau*1/s*omega_n*1/s */
-    const double t73 = JLT_FNMA(t51, t61, t72); /* omega_tau*1/s*omega_n*1/s - gamma3*1/s*V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*omega_n*1/s */
-    const double t74 = x[2]*t51; /* omega_tau*gamma3*1/s */
-    const double t75 = JLT_FNMA(t26, t74, t38); /* t38 - omega_tau*m*a3^2/I1*omega_tau*gamma3*1/s */
-    const double t76 = t54 - t27; /* 1/b*t53 - omega_n*1/s */
-    const double t77 = t25*t76; /* omega_n*R*(1/b*t53 - omega_n*1/s) */
-    const double t78 = t20*t73; /* 1/s*t73 */
-    const double t79 = JLT_FNMA(t64, t66, t78); /* 1/s*t73 - t64*2*1/(Theta/(m*R^2*I1)) */
-    out[16] = t79;
-    const double t80 = JLT_FNMA(t20, t46, t74); /* omega_tau*gamma3*1/s - 1/s*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*V */
-    const double t81 = JLT_FMA(t19, t69, t80); /* 1/b*omega_tau*s*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + t80 */
-    out[19] = t81;
-    const double t82 = -t74; /* -omega_tau*gamma3*1/s */
-    out[4] = t82;
-    const double t83 = t20*t33; /* 1/s*gamma3*omega_n*1/s */
-    const double t84 = JLT_FMS(t31, t83, t77); /* b*omega_n*1/s*1/s*gamma3*omega_n*1/s - omega_n*R*(1/b*t53 - omega_n*1/s) */
-    out[8] = t84;
-    const double t85 = JLT_FMA(p[19], t33, t22); /* 2/R*gamma3*omega_n*1/s + omega_n*s*1/b - (G_level/(R*I1) - omega_n*s)*1/b */
-    const double t86 = p[10]*t22; /* R^2*I1/I3*(omega_n*s*1/b - (G_level/(R*I1) - omega_n*s)*1/b) */
-    const double t87 = JLT_FMA(2.0, t31, t86); /* 2*b*omega_n*1/s + R^2*I1/I3*(omega_n*s*1/b - (G_level/(R*I1) - omega_n*s)*1/b) */
-    out[11] = t87;
-    const double t88 = x[3]*p[17]; /* omega_n*I3/I1 */
-    const double t89 = JLT_FMA(t54, t88, t71); /* 1/b*t53*omega_n*I3/I1 + t71 */
-    const double t90 = JLT_FMA(x[0], t75, t89); /* gamma3*(t38 - omega_tau*m*a3^2/I1*omega_tau*gamma3*1/s) + 1/b*t53*omega_n*I3/I1 + t71 */
-    const double t91 = t16*t90; /* 1/(D/I1)*t90 */
-    out[12] = t91;
-    const double t92 = x[0]*p[15]; /* gamma3*2*m*a3^2/I1 */
-    const double t93 = t23*t92; /* omega_tau*s*gamma3*2*m*a3^2/I1 */
-    const double t94 = t16*t93; /* 1/(D/I1)*omega_tau*s*gamma3*2*m*a3^2/I1 */
-    out[14] = t94;
-    const double t95 = p[18]*t16; /* (-R)*1/(D/I1) */
-    const double t96 = t85*t95; /* t85*(-R)*1/(D/I1) */
-    out[15] = t96;
+    const double t66 = JLT_FNMA(t27, t57, t24); /* gamma3*t20 - 1/b*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t67 = JLT_FNMA(t40, t47, t66); /* t66 - e*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
+    out[18] = t67;
+    const double t68 = t21*t57; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
+    const double t69 = x[2]*t51; /* omega_tau*t51 */
+    const double t70 = JLT_FNMA(t25, t69, t38); /* 2*m*a3^2/I1*1/(D/I1)*t35 - omega_tau*m*a3^2/I1*omega_tau*t51 */
+    const double t71 = JLT_FNMA(p[21], t23, t70); /* 2*m*a3^2/I1*1/(D/I1)*t35 - omega_tau*m*a3^2/I1*omega_tau*t51 - 2*m^2*g*a3^3/I1^2*s*1/(D/I1) */
+    const double t72 = JLT_FNMA(t17, t46, t69); /* omega_tau*t51 - 1/(Theta/(m*R^2*I1))*t46 */
+    const double t73 = JLT_FMA(t18, t68, t72); /* 1/b*omega_tau*s*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + omega_tau*t51 - 1/(Theta/(m*R^2*I1))*t46 */
+    out[19] = t73;
+    const double t74 = -t69; /* -omega_tau*t51 */
+    out[4] = t74;
+    const double t75 = 2.0*t17; /* 2*1/(Theta/(m*R^2*I1)) */
+    const double t76 = t14*t20; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s*t20 */
+    const double t77 = JLT_FNMA(t20, t76, t52); /* m*g*a3/I1*t51 + omega_tau*s*omega_tau*m*a3^2/I1 - t20*t76 */
+    const double t78 = x[2]*t76; /* omega_tau*t76 */
+    const double t79 = JLT_FNMA(t51, t61, t78); /* omega_tau*t76 - t51*V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
+    const double t80 = t54 - t20; /* 1/b*t53 - t20 */
+    const double t81 = t34*t80; /* omega_n*R*(1/b*t53 - t20) */
+    const double t82 = t14*t79; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s*(omega_tau*t76 - t51*V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20) */
+    const double t83 = JLT_FNMA(t64, t75, t82); /* t82 - t64*2*1/(Theta/(m*R^2*I1)) */
+    out[16] = t83;
+    const double t84 = t14*t24; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s*gamma3*t20 */
+    const double t85 = JLT_FMS(t32, t84, t81); /* b*t20*t84 - omega_n*R*(1/b*t53 - t20) */
+    out[8] = t85;
+    const double t86 = JLT_FMA(p[19], t24, t28); /* 2/R*gamma3*t20 + 1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t87 = p[10]*t28; /* R^2*I1/I3*(1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s)) */
+    const double t88 = JLT_FMA(2.0, t32, t87); /* 2*b*t20 + R^2*I1/I3*(1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s)) */
+    out[11] = t88;
+    const double t89 = x[3]*p[17]; /* omega_n*I3/I1 */
+    const double t90 = JLT_FMA(t54, t89, t77); /* 1/b*t53*omega_n*I3/I1 + m*g*a3/I1*t51 + omega_tau*s*omega_tau*m*a3^2/I1 - t20*t76 */
+    const double t91 = JLT_FMA(x[0], t71, t90); /* gamma3*t71 + t90 */
+    const double t92 = t19*t91; /* 1/(D/I1)*(gamma3*t71 + t90) */
+    out[12] = t92;
+    const double t93 = x[0]*p[15]; /* gamma3*2*m*a3^2/I1 */
+    const double t94 = t21*t93; /* omega_tau*s*gamma3*2*m*a3^2/I1 */
+    const double t95 = t19*t94; /* 1/(D/I1)*omega_tau*s*gamma3*2*m*a3^2/I1 */
+    out[14] = t95;
+    const double t96 = p[18]*t19; /* (-R)*1/(D/I1) */
+    const double t97 = t86*t96; /* t86*(-R)*1/(D/I1) */
+    out[15] = t97;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t5 = p[9]*t3; /* I3/(R^2*I1)*b */
-    const double t6 = p[8] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = JLT_FMA(p[25], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t8 = JLT_FMA(t3, t5, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t9 = t5*t7; /* I3/(R^2*I1)*b*D */
-    const double t10 = t4*t7; /* s*D */
-    const double t11 = t8*t10; /* Theta/(m*R^2*I1)*s*D */
-    const double t12 = t3*t11; /* b*Theta/(m*R^2*I1)*s*D */
-    const double t13 = 1.0/t12; /* 1/(b*Theta/(m*R^2*I1)*s*D) */
-    const double t14 = t3*t13; /* 1/(D*s*(Theta/(m*R^2*I1))) = b*1/(b*Theta/(m*R^2*I1)*s*D) */
-    const double t15 = t8*t14; /* 1/(D*s) = Theta/(m*R^2*I1)*1/(D*s*(Theta/(m*R^2*I1))) */
-    const double t16 = t10*t14; /* 1/(Theta/(m*R^2*I1)) = s*D*1/(D*s*(Theta/(m*R^2*I1))) */
-    const double t17 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t18 = x[0]*p[24]; /* gamma3*2*m*a3^2 */
-    const double t19 = t4*t18; /* s*gamma3*2*m*a3^2 */
-    const double t20 = t15*t19; /* 1/(D*s)*s*gamma3*2*m*a3^2 */
-    const double t21 = x[2]*t4; /* omega_tau*s */
-    const double t22 = p[13] + t17; /* I3/(m*R) + e */
-    const double t23 = t11*t22; /* Theta/(m*R^2*I1)*s*D*(I3/(m*R) + e) */
-    const double t24 = t13*t23; /* 1/(b*Theta/(m*R^2*I1)*s*D)*Theta/(m*R^2*I1)*s*D*(I3/(m*R) + e) */
-    const double t25 = JLT_FMA(t16, t24, t20); /* 1/(Theta/(m*R^2*I1))*t24 + 1/(D*s)*s*gamma3*2*m*a3^2 */
-    const double t26 = t21*t25; /* omega_tau*s*(1/(Theta/(m*R^2*I1))*t24 + 1/(D*s)*s*gamma3*2*m*a3^2) */
-    const double t27 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
-    const double t28 = t9*t27; /* I3/(R^2*I1)*b*D*V */
-    const double t29 = t16*t28; /* 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*D*V */
-    const double t30 = JLT_FNMA(t15, t29, t26); /* t26 - 1/(D*s)*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*D*V */
-    out[0] = t30;
+    const double t4 = JLT_FMA(p[25], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t5 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t6 = p[7] + t2; /* I3/(m*R^2) + s^2 */
+    const double t7 = JLT_FMA(t3, t5, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t8 = t3*t4; /* b*D */
+    const double t9 = t2*t8; /* s^2*b*D */
+    const double t10 = t7*t9; /* Theta/(m*R^2*I1)*s^2*b*D */
+    const double t11 = 1.0/t10; /* 1/(Theta/(m*R^2*I1)*s^2*b*D) */
+    const double t12 = t9*t11; /* 1/(Theta/(m*R^2*I1)) = s^2*b*D*1/(Theta/(m*R^2*I1)*s^2*b*D) */
+    const double t13 = t7*t11; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*b*D) */
+    const double t14 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t15 = x[0]*p[24]; /* gamma3*2*m*a3^2 */
+    const double t16 = t3*t15; /* b*gamma3*2*m*a3^2 */
+    const double t17 = p[13] + t14; /* I3/(m*R) + e */
+    const double t18 = t4*t17; /* D*(I3/(m*R) + e) */
+    const double t19 = JLT_FMA(t12, t18, t16); /* 1/(Theta/(m*R^2*I1))*D*(I3/(m*R) + e) + b*gamma3*2*m*a3^2 */
+    const double t20 = JLT_FMA(x[2], t14, x[1]); /* V = omega_tau*e + v_nu */
+    const double t21 = t5*t20; /* I3/(R^2*I1)*b*V */
+    const double t22 = t8*t21; /* b*D*I3/(R^2*I1)*b*V */
+    const double t23 = t13*t22; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*b*D)*b*D*I3/(R^2*I1)*b*V */
+    const double t24 = x[2]*t2; /* omega_tau*s^2 */
+    const double t25 = t13*t24; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*b*D)*omega_tau*s^2 */
+    const double t26 = t19*t25; /* (1/(Theta/(m*R^2*I1))*D*(I3/(m*R) + e) + b*gamma3*2*m*a3^2)*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*b*D)*omega_tau*s^2 */
+    const double t27 = JLT_FNMA(t12, t23, t26); /* t26 - 1/(Theta/(m*R^2*I1))*t23 */
+    const double t28 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t29 = t27*t28; /* (t26 - 1/(Theta/(m*R^2*I1))*t23)*s */
+    out[0] = t29;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -475,44 +477,45 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[1] = t0;
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t6 = t4*t5; /* b*s */
-    const double t7 = 1.0/t6; /* 1/(b*s) */
+    const double t5 = t3*t4; /* s^2*b */
+    const double t6 = 1.0/t5; /* 1/(s^2*b) */
+    const double t7 = sqrt(t3); /* s = sqrt(s^2) */
     const double t8 = x[3]*p[33]; /* omega_n*R*I1 */
-    const double t9 = JLT_FNMA(t5, t8, p[6]); /* G_level - s*omega_n*R*I1 */
-    const double t10 = t5*t7; /* 1/b = s*1/(b*s) */
-    const double t11 = t9*t10; /* (G_level - s*omega_n*R*I1)*1/b */
-    const double t12 = x[0]*t4; /* gamma3*b */
-    const double t13 = t7*t12; /* 1/(b*s)*gamma3*b */
-    const double t14 = p[14]*x[3]; /* R*I1/I3*omega_n */
-    const double t15 = p[32]*t11; /* R/I3*(G_level - s*omega_n*R*I1)*1/b */
-    const double t16 = JLT_FMS(t13, t14, t15); /* 1/(b*s)*gamma3*b*R*I1/I3*omega_n - R/I3*(G_level - s*omega_n*R*I1)*1/b */
-    const double t17 = t10*t16; /* 1/b*t16 */
-    const double t18 = p[25]*x[0]; /* m*a3^2*gamma3 */
-    const double t19 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t20 = JLT_FNMA(t18, t19, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t21 = JLT_FMA(t11, t17, t20); /* (G_level - s*omega_n*R*I1)*1/b*1/b*t16 + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t22 = JLT_FNMA(t5, t17, x[3]); /* omega_n - s*1/b*t16 */
-    const double t23 = p[1]*t22; /* R*(omega_n - s*1/b*t16) */
-    const double t24 = JLT_FMA(t13, t15, t23); /* d(v_tau)/d(gamma3) = 1/(b*s)*gamma3*b*R/I3*(G_level - s*omega_n*R*I1)*1/b + R*(omega_n - s*1/b*t16) */
-    const double t25 = x[3]*t4; /* omega_n*b */
-    const double t26 = JLT_FNMA(t5, t15, t25); /* v_tau = omega_n*b - s*R/I3*(G_level - s*omega_n*R*I1)*1/b */
-    const double t27 = p[14]*t5; /* R*I1/I3*s */
-    const double t28 = t10*t27; /* 1/b*R*I1/I3*s */
-    const double t29 = p[0]*t26; /* m*v_tau */
-    const double t30 = JLT_FMA(t24, t29, t21); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)*m*v_tau + t21 */
-    out[0] = t30;
-    const double t31 = x[3]*p[4]; /* omega_n*I1 */
-    const double t32 = JLT_FNMA(t11, t28, t31); /* omega_n*I1 - (G_level - s*omega_n*R*I1)*1/b*1/b*R*I1/I3*s */
-    const double t33 = p[10]*t3; /* R^2*I1/I3*(1 - gamma3)*(gamma3 + 1) */
-    const double t34 = JLT_FMA(t10, t33, t4); /* d(v_tau)/d(omega_n) = 1/b*R^2*I1/I3*(1 - gamma3)*(gamma3 + 1) + b */
-    const double t35 = JLT_FMA(t29, t34, t32); /* d(energy)/d(omega_n) = m*v_tau*d(v_tau)/d(omega_n) + omega_n*I1 - (G_level - s*omega_n*R*I1)*1/b*1/b*R*I1/I3*s */
-    out[3] = t35;
-    const double t36 = JLT_FMA(p[25], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t37 = x[2]*t36; /* omega_tau*D */
-    out[2] = t37;
+    const double t9 = JLT_FNMA(t7, t8, p[6]); /* G_level - s*omega_n*R*I1 */
+    const double t10 = x[0]*t4; /* gamma3*b */
+    const double t11 = t6*t10; /* 1/(s^2*b)*gamma3*b */
+    const double t12 = t3*t6; /* 1/b = s^2*1/(s^2*b) */
+    const double t13 = t9*t12; /* (G_level - s*omega_n*R*I1)*1/b */
+    const double t14 = t7*t11; /* s*1/(s^2*b)*gamma3*b */
+    const double t15 = p[14]*x[3]; /* R*I1/I3*omega_n */
+    const double t16 = p[32]*t13; /* R/I3*(G_level - s*omega_n*R*I1)*1/b */
+    const double t17 = JLT_FMS(t14, t15, t16); /* s*1/(s^2*b)*gamma3*b*R*I1/I3*omega_n - R/I3*(G_level - s*omega_n*R*I1)*1/b */
+    const double t18 = t12*t17; /* 1/b*t17 */
+    const double t19 = p[25]*x[0]; /* m*a3^2*gamma3 */
+    const double t20 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t21 = JLT_FNMA(t19, t20, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t22 = JLT_FMA(t13, t18, t21); /* (G_level - s*omega_n*R*I1)*1/b*1/b*t17 + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t23 = JLT_FNMA(t7, t18, x[3]); /* omega_n - s*1/b*t17 */
+    const double t24 = p[1]*t23; /* R*(omega_n - s*1/b*t17) */
+    const double t25 = JLT_FMA(t14, t16, t24); /* d(v_tau)/d(gamma3) = s*1/(s^2*b)*gamma3*b*R/I3*(G_level - s*omega_n*R*I1)*1/b + R*(omega_n - s*1/b*t17) */
+    const double t26 = x[3]*t4; /* omega_n*b */
+    const double t27 = JLT_FNMA(t7, t16, t26); /* v_tau = omega_n*b - s*R/I3*(G_level - s*omega_n*R*I1)*1/b */
+    const double t28 = p[14]*t7; /* R*I1/I3*s */
+    const double t29 = t12*t28; /* 1/b*R*I1/I3*s */
+    const double t30 = p[0]*t27; /* m*v_tau */
+    const double t31 = JLT_FMA(t25, t30, t22); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)*m*v_tau + t22 */
+    out[0] = t31;
+    const double t32 = x[3]*p[4]; /* omega_n*I1 */
+    const double t33 = JLT_FNMA(t13, t29, t32); /* omega_n*I1 - (G_level - s*omega_n*R*I1)*1/b*1/b*R*I1/I3*s */
+    const double t34 = p[10]*t3; /* R^2*I1/I3*s^2 */
+    const double t35 = JLT_FMA(t12, t34, t4); /* d(v_tau)/d(omega_n) = 1/b*R^2*I1/I3*s^2 + b */
+    const double t36 = JLT_FMA(t30, t35, t33); /* d(energy)/d(omega_n) = m*v_tau*d(v_tau)/d(omega_n) + omega_n*I1 - (G_level - s*omega_n*R*I1)*1/b*1/b*R*I1/I3*s */
+    out[3] = t36;
+    const double t37 = JLT_FMA(p[25], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t38 = x[2]*t37; /* omega_tau*D */
+    out[2] = t38;
 }
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
@@ -588,9 +591,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t16[k] = jlt_jet_product(t14, t15, k);
         t17[k] = jlt_jet_root(t16[k], t17, k);
         t18[k] = x0[k]*p[1] + (k == 0 ? p[3] : 0);
-        t19[k] = p[7]*t16[k] + (k == 0 ? 1.0 : 0);
-        t20[k] = (k == 0 ? p[8] : 0) + t16[k];
-        t21[k] = p[9]*t18[k];
+        t19[k] = p[9]*t16[k] + (k == 0 ? 1.0 : 0);
+        t20[k] = (k == 0 ? p[7] : 0) + t16[k];
+        t21[k] = p[8]*t18[k];
         t22[k] = jlt_jet_product(t18, t21, k) + t20[k];
         t23[k] = jlt_jet_product(t17, t18, k);
         t24[k] = jlt_jet_product(t19, t23, k);
@@ -607,7 +610,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t35[k] = (k == 0 ? p[11] : 0) - jlt_jet_product(x3, t17, k);
         t36[k] = jlt_jet_product(t17, t35, k);
         t37[k] = jlt_jet_product(t29, t36, k);
-        t38[k] = x2[k]*p[7];
+        t38[k] = x2[k]*p[9];
         t39[k] = jlt_jet_product(x0, t38, k);
         t40[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
         t41[k] = jlt_jet_product(x2, t17, k);
@@ -617,7 +620,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t45[k] = jlt_jet_product(x2, t44, k);
         t46[k] = jlt_jet_product(x2, t40, k) + x1[k];
         t47[k] = jlt_jet_product(t37, t45, k);
-        t48[k] = p[9]*t46[k];
+        t48[k] = p[8]*t46[k];
         t49[k] = jlt_jet_product(t33, t48, k) + t47[k];
         t50[k] = t33[k] - p[10]*t37[k];
         t51[k] = jlt_jet_product(x3, t50, k);
@@ -703,17 +706,17 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3 = {
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 4, 25, 12, 1, 1, 0, 14, 10 }, { 15, 56, 0, 10, 1, 0, 12, 9 },
+    .rhs = { rhs, 4, { 5, 26, 11, 1, 1, 0, 13, 10 }, { 15, 56, 0, 10, 1, 0, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 16, { 8, 51, 29, 1, 1, 0, 17, 22 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
+    .jacobian = { jacobian, 16, { 8, 52, 29, 1, 1, 0, 16, 22 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 9, 54, 32, 1, 1, 0, 20, 26 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 9, 55, 32, 1, 1, 0, 19, 27 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .divergence = { divergence, 1, { 4, 18, 7, 1, 1, 0, 13, 10 }, { 10, 39, 0, 4, 1, 0, 12, 9 },
+    .divergence = { divergence, 1, { 4, 17, 7, 1, 1, 0, 12, 10 }, { 10, 39, 0, 4, 1, 0, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 1, { 2, 9, 9, 1, 1, 0, 9, 7 }, { 10, 31, 0, 1, 1, 0, 13, 6 },
         "divides by b: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 4, { 2, 21, 13, 1, 1, 0, 14, 11 }, { 15, 53, 0, 6, 1, 0, 13, 10 },
+    .integral_gradients = { integral_gradients, 4, { 2, 22, 13, 1, 1, 0, 13, 11 }, { 15, 53, 0, 6, 1, 0, 13, 10 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

@@ -6,12 +6,12 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   17    8    1    1    0     11    6   (50)
- *  jacobian            5   35   13    1    1    0     15   11   (170)
- *  rhs_jacobian        5   39   16    1    1    0     14   14   (206)
+ *  rhs                 2   18    8    1    1    0     11    6   (50)
+ *  jacobian            5   35   13    1    1    0     15   13   (170)
+ *  rhs_jacobian        5   39   16    1    1    0     15   14   (206)
  *  divergence          2    4    2    1    1    0      6    4   (18)
  *  integral_values     3   10    6    0    1    0      7    5   (54)
- *  integral_gradients  4   16    5    1    1    0      7    6   (64)
+ *  integral_gradients  4   17    5    1    1    0      7    6   (64)
  *  measure_values      2    2    1    0    1    0      4    3   (9)
  *  measure_divergences 0    0    0    0    0    0      0    0   (41)
  *
@@ -94,42 +94,59 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t5 = t3*t4; /* s*D/I1 */
-    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
-    const double t7 = t4*t6; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t8 = t3*t6; /* s*1/(s*D/I1) */
-    const double t9 = x[2]*t3; /* omega_tau*s */
-    out[0] = t9;
-    const double t10 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t11 = t9*t10; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t12 = x[3]*t7; /* omega_n*1/s */
-    const double t13 = JLT_FNMA(x[3], t12, t11); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*1/s */
-    const double t14 = x[0]*t13; /* gamma3*(omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*1/s) */
-    const double t15 = JLT_FNMA(p[7], t3, t14); /* t14 - m*g*a3/I1*s */
-    const double t16 = t8*t15; /* s*1/(s*D/I1)*(t14 - m*g*a3/I1*s) */
-    out[2] = t16;
-    const double t17 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t18 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
-    const double t19 = p[8]*t18; /* 1/R*V */
-    const double t20 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t21 = t12*t20; /* omega_n*1/s*b */
-    const double t22 = JLT_FMA(p[1], x[4], t21); /* R*omega3 + omega_n*1/s*b */
-    const double t23 = x[3]*t22; /* omega_n*(R*omega3 + omega_n*1/s*b) */
-    out[1] = t23;
-    const double t24 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t25 = t12*t24; /* omega_n*1/s*omega_tau*gamma3 */
-    out[3] = t25;
-    const double t26 = x[4]*t24; /* omega3*omega_tau*gamma3 */
-    const double t27 = JLT_FNMA(t12, t19, t26); /* omega3*omega_tau*gamma3 - omega_n*1/s*1/R*V */
-    const double t28 = t7*t27; /* 1/s*(omega3*omega_tau*gamma3 - omega_n*1/s*1/R*V) */
-    out[4] = t28;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t4 = t2*t3; /* s^2*D/I1 */
+    const double t5 = 1.0/t4; /* 1/(s^2*D/I1) */
+    const double t6 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t7 = t3*t6; /* D/I1*s */
+    const double t8 = t5*t7; /* 1/(s^2*D/I1)*D/I1*s */
+    const double t9 = t2*t5; /* s^2*1/(s^2*D/I1) */
+    const double t10 = x[2]*t6; /* omega_tau*s */
+    out[0] = t10;
+    const double t11 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t12 = t10*t11; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t13 = x[3]*t8; /* omega_n*1/(s^2*D/I1)*D/I1*s */
+    const double t14 = JLT_FNMA(x[3], t13, t12); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n*1/(s^2*D/I1)*D/I1*s */
+    const double t15 = x[0]*t14; /* gamma3*t14 */
+    const double t16 = JLT_FNMA(p[7], t6, t15); /* gamma3*t14 - m*g*a3/I1*s */
+    const double t17 = t9*t16; /* s^2*1/(s^2*D/I1)*(gamma3*t14 - m*g*a3/I1*s) */
+    out[2] = t17;
+    const double t18 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t19 = JLT_FMA(x[2], t18, x[1]); /* V = omega_tau*e + v_nu */
+    const double t20 = p[8]*t19; /* 1/R*V */
+    const double t21 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t22 = t13*t21; /* omega_n*1/(s^2*D/I1)*D/I1*s*b */
+    const double t23 = JLT_FMA(p[1], x[4], t22); /* R*omega3 + omega_n*1/(s^2*D/I1)*D/I1*s*b */
+    const double t24 = x[3]*t23; /* omega_n*(R*omega3 + omega_n*1/(s^2*D/I1)*D/I1*s*b) */
+    out[1] = t24;
+    const double t25 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t26 = t13*t25; /* omega_n*1/(s^2*D/I1)*D/I1*s*omega_tau*gamma3 */
+    out[3] = t26;
+    const double t27 = x[4]*t25; /* omega3*omega_tau*gamma3 */
+    const double t28 = JLT_FNMA(t13, t20, t27); /* omega3*omega_tau*gamma3 - omega_n*1/(s^2*D/I1)*D/I1*s*1/R*V */
+    const double t29 = t8*t28; /* 1/(s^2*D/I1)*D/I1*s*(omega3*omega_tau*gamma3 - omega_n*1/(s^2*D/I1)*D/I1*s*1/R*V) */
+    out[4] = t29;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t3;
+    const double t4 = JLT_FMA(t2, p[6], 1.0); /* D/I1 = s^2*m*a3^2/I1 + 1 */
+    const double t5 = t2*t4; /* s^2*D/I1 */
+    const double t6 = 1.0/t5; /* 1/(s^2*D/I1) */
+    const double t7 = t4*t6; /* 1/s^2 = D/I1*1/(s^2*D/I1) */
+    const double t8 = t3*t7; /* s*1/s^2 */
+    const double t9 = x[0]*t8; /* gamma3*s*1/s^2 */
+    const double t10 = x[2]*t9; /* omega_tau*gamma3*s*1/s^2 */
+    out[18] = t10;
+    out[24] = t10;
+    const double t11 = -t10; /* -omega_tau*gamma3*s*1/s^2 */
+    out[0] = t11;
     out[1] = 0.0;
     out[3] = 0.0;
     out[4] = 0.0;
@@ -139,77 +156,61 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[14] = 0.0;
     out[16] = 0.0;
     out[19] = 0.0;
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t4;
-    const double t5 = t3*t4; /* D/I1*s */
-    const double t6 = 1.0/t5; /* 1/(D/I1*s) */
-    const double t7 = t3*t6; /* 1/s = D/I1*1/(D/I1*s) */
-    const double t8 = t4*t6; /* 1/(D/I1) = s*1/(D/I1*s) */
-    const double t9 = x[0]*t8; /* gamma3*1/(D/I1) */
-    const double t10 = p[9]*t9; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t11 = x[0]*t7; /* gamma3*1/s */
-    const double t12 = t4*t10; /* s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t13 = x[3]*t10; /* omega_n*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t14 = x[2]*t12; /* omega_tau*s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    out[12] = t14;
-    const double t15 = t11 - t12; /* gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t16 = JLT_FMS(x[0], t15, t4); /* gamma3*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s */
-    const double t17 = p[7]*t15; /* m*g*a3/I1*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) */
-    const double t18 = x[3]*t7; /* omega_n*1/s */
-    const double t19 = t9*t18; /* gamma3*1/(D/I1)*omega_n*1/s */
-    const double t20 = (-2.0)*t19; /* (-2)*gamma3*1/(D/I1)*omega_n*1/s */
-    out[13] = t20;
-    const double t21 = x[0]*t18; /* gamma3*omega_n*1/s */
-    out[17] = t21;
-    const double t22 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t23 = x[2]*t22; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t24 = t7*t18; /* 1/s*omega_n*1/s */
-    const double t25 = JLT_FNMA(t18, t24, t17); /* m*g*a3/I1*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - omega_n*1/s*1/s*omega_n*1/s */
-    const double t26 = JLT_FNMA(t16, t23, t25); /* t25 - (gamma3*(gamma3*1/s - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s)*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t27 = t8*t26; /* 1/(D/I1)*t26 */
-    const double t28 = JLT_FNMA(t13, t19, t27); /* 1/(D/I1)*t26 - omega_n*2*m*a3^2/I1*gamma3*1/(D/I1)*gamma3*1/(D/I1)*omega_n*1/s */
-    out[10] = t28;
-    const double t29 = t7*t7; /* 1/s*1/s */
-    const double t30 = x[2]*t7; /* omega_tau*1/s */
-    const double t31 = t24*t30; /* 1/s*omega_n*1/s*omega_tau*1/s */
-    out[15] = t31;
-    const double t32 = p[8]*t24; /* 1/R*1/s*omega_n*1/s */
-    const double t33 = -t32; /* -1/R*1/s*omega_n*1/s */
-    out[21] = t33;
-    const double t34 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t35 = t18*t34; /* omega_n*1/s*b */
-    const double t36 = x[4]*t29; /* omega3*1/s*1/s */
-    const double t37 = JLT_FNMA(p[10], t18, t36); /* omega3*1/s*1/s - a3/R*omega_n*1/s */
-    const double t38 = t30*t37; /* omega_tau*1/s*(omega3*1/s*1/s - a3/R*omega_n*1/s) */
-    const double t39 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t40 = t32*t39; /* 1/R*1/s*omega_n*1/s*e */
-    const double t41 = JLT_FMS(x[4], t11, t40); /* omega3*gamma3*1/s - 1/R*1/s*omega_n*1/s*e */
-    out[22] = t41;
-    const double t42 = JLT_FMA(x[2], t39, x[1]); /* V = omega_tau*e + v_nu */
-    const double t43 = t29*t42; /* 1/s*1/s*V */
-    const double t44 = p[12]*t43; /* (-1/R)*1/s*1/s*V */
-    out[23] = t44;
-    const double t45 = p[1]*x[3]; /* R*omega_n */
-    out[9] = t45;
-    const double t46 = JLT_FMA(t11, t35, t45); /* gamma3*1/s*omega_n*1/s*b + R*omega_n */
-    const double t47 = t18*t46; /* omega_n*1/s*(gamma3*1/s*omega_n*1/s*b + R*omega_n) */
-    out[5] = t47;
-    const double t48 = p[11]*t11; /* 2/R*gamma3*1/s */
-    const double t49 = t18*t48; /* omega_n*1/s*2/R*gamma3*1/s */
-    const double t50 = JLT_FNMA(t43, t49, t38); /* omega_tau*1/s*(omega3*1/s*1/s - a3/R*omega_n*1/s) - 1/s*1/s*V*omega_n*1/s*2/R*gamma3*1/s */
-    out[20] = t50;
-    const double t51 = x[2]*t11; /* omega_tau*gamma3*1/s */
-    out[18] = t51;
-    out[24] = t51;
-    const double t52 = -t51; /* -omega_tau*gamma3*1/s */
-    out[0] = t52;
-    const double t53 = p[1]*x[4]; /* R*omega3 */
-    const double t54 = JLT_FMA(2.0, t35, t53); /* 2*omega_n*1/s*b + R*omega3 */
-    out[8] = t54;
+    const double t12 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t13 = t8*x[3]; /* s*1/s^2*omega_n */
+    const double t14 = t12*t13; /* b*s*1/s^2*omega_n */
+    const double t15 = p[1]*x[3]; /* R*omega_n */
+    out[9] = t15;
+    const double t16 = JLT_FMA(t9, t14, t15); /* gamma3*s*1/s^2*b*s*1/s^2*omega_n + R*omega_n */
+    const double t17 = t13*t16; /* s*1/s^2*omega_n*(gamma3*s*1/s^2*b*s*1/s^2*omega_n + R*omega_n) */
+    out[5] = t17;
+    const double t18 = p[1]*x[4]; /* R*omega3 */
+    const double t19 = JLT_FMA(t14, 2.0, t18); /* b*s*1/s^2*omega_n*2 + R*omega3 */
+    out[8] = t19;
+    const double t20 = t2*t6; /* 1/(D/I1) = s^2*1/(s^2*D/I1) */
+    const double t21 = x[0]*t20; /* gamma3*1/(D/I1) */
+    const double t22 = p[9]*t21; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t23 = t3*t22; /* s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t24 = t9 - t23; /* gamma3*s*1/s^2 - s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t25 = p[7]*t24; /* m*g*a3/I1*(gamma3*s*1/s^2 - s*2*m*a3^2/I1*gamma3*1/(D/I1)) */
+    const double t26 = JLT_FMS(x[0], t24, t3); /* gamma3*(gamma3*s*1/s^2 - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s */
+    const double t27 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t28 = x[2]*t27; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t29 = t8*t13; /* s*1/s^2*s*1/s^2*omega_n */
+    const double t30 = JLT_FNMA(t13, t29, t25); /* m*g*a3/I1*(gamma3*s*1/s^2 - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s*1/s^2*omega_n*s*1/s^2*s*1/s^2*omega_n */
+    const double t31 = JLT_FNMA(t26, t28, t30); /* t30 - (gamma3*(gamma3*s*1/s^2 - s*2*m*a3^2/I1*gamma3*1/(D/I1)) - s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t32 = t20*t31; /* 1/(D/I1)*t31 */
+    const double t33 = t13*t21; /* s*1/s^2*omega_n*gamma3*1/(D/I1) */
+    const double t34 = x[3]*t22; /* omega_n*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    const double t35 = JLT_FNMA(t33, t34, t32); /* 1/(D/I1)*t31 - s*1/s^2*omega_n*gamma3*1/(D/I1)*omega_n*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    out[10] = t35;
+    const double t36 = x[2]*t23; /* omega_tau*s*2*m*a3^2/I1*gamma3*1/(D/I1) */
+    out[12] = t36;
+    const double t37 = t33*(-2.0); /* s*1/s^2*omega_n*gamma3*1/(D/I1)*(-2) */
+    out[13] = t37;
+    const double t38 = x[2]*t8; /* omega_tau*s*1/s^2 */
+    const double t39 = t29*t38; /* s*1/s^2*s*1/s^2*omega_n*omega_tau*s*1/s^2 */
+    out[15] = t39;
+    const double t40 = x[0]*t13; /* gamma3*s*1/s^2*omega_n */
+    out[17] = t40;
+    const double t41 = t7*x[4]; /* 1/s^2*omega3 */
+    const double t42 = JLT_FNMA(t13, p[10], t41); /* 1/s^2*omega3 - s*1/s^2*omega_n*a3/R */
+    const double t43 = t38*t42; /* omega_tau*s*1/s^2*(1/s^2*omega3 - s*1/s^2*omega_n*a3/R) */
+    const double t44 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t45 = JLT_FMA(x[2], t44, x[1]); /* V = omega_tau*e + v_nu */
+    const double t46 = t7*t45; /* 1/s^2*V */
+    const double t47 = p[11]*t46; /* 2/R*1/s^2*V */
+    const double t48 = t9*t47; /* gamma3*s*1/s^2*2/R*1/s^2*V */
+    const double t49 = JLT_FNMA(t13, t48, t43); /* omega_tau*s*1/s^2*(1/s^2*omega3 - s*1/s^2*omega_n*a3/R) - s*1/s^2*omega_n*gamma3*s*1/s^2*2/R*1/s^2*V */
+    out[20] = t49;
+    const double t50 = t29*p[8]; /* s*1/s^2*s*1/s^2*omega_n*1/R */
+    const double t51 = -t50; /* -s*1/s^2*s*1/s^2*omega_n*1/R */
+    out[21] = t51;
+    const double t52 = t44*t50; /* e*s*1/s^2*s*1/s^2*omega_n*1/R */
+    const double t53 = JLT_FMS(t9, x[4], t52); /* gamma3*s*1/s^2*omega3 - e*s*1/s^2*s*1/s^2*omega_n*1/R */
+    out[22] = t53;
+    const double t54 = t46*p[12]; /* 1/s^2*V*(-1/R) */
+    out[23] = t54;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -225,86 +226,86 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[24] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[7] = t3;
-    const double t4 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t5 = t3*t4; /* s*D/I1 */
-    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
-    const double t7 = t4*t6; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t8 = t3*t6; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t9 = x[3]*t7; /* omega_n*1/s */
-    const double t10 = x[0]*t9; /* gamma3*omega_n*1/s */
-    out[22] = t10;
-    const double t11 = x[2]*t10; /* omega_tau*gamma3*omega_n*1/s */
-    out[3] = t11;
-    const double t12 = t8*t10; /* 1/(D/I1)*gamma3*omega_n*1/s */
-    const double t13 = t7*t10; /* 1/s*gamma3*omega_n*1/s */
-    const double t14 = (-2.0)*t12; /* (-2)*1/(D/I1)*gamma3*omega_n*1/s */
-    out[18] = t14;
-    const double t15 = x[3]*t12; /* omega_n*1/(D/I1)*gamma3*omega_n*1/s */
-    const double t16 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t17 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t18 = x[2]*t3; /* omega_tau*s */
-    out[0] = t18;
-    const double t19 = t3*t8; /* s*1/(D/I1) */
-    const double t20 = t16*t18; /* omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t21 = JLT_FNMA(t16, t17, p[7]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
-    const double t22 = JLT_FMA(t19, t21, t15); /* s*1/(D/I1)*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) + omega_n*1/(D/I1)*gamma3*omega_n*1/s */
-    const double t23 = t7*t21; /* 1/s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
-    const double t24 = JLT_FNMA(p[9], t22, t23); /* 1/s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) - 2*m*a3^2/I1*t22 */
-    const double t25 = -t22; /* -t22 */
-    out[2] = t25;
-    const double t26 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t27 = t7*t7; /* 1/s*1/s */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t4 = t2*t3; /* s^2*D/I1 */
+    const double t5 = 1.0/t4; /* 1/(s^2*D/I1) */
+    const double t6 = t3*t5; /* 1/s^2 = D/I1*1/(s^2*D/I1) */
+    const double t7 = t2*t5; /* 1/(D/I1) = s^2*1/(s^2*D/I1) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    out[7] = t8;
+    const double t9 = t6*t8; /* 1/s^2*s */
+    const double t10 = x[3]*t9; /* omega_n*1/s^2*s */
+    const double t11 = x[0]*t10; /* gamma3*omega_n*1/s^2*s */
+    out[22] = t11;
+    const double t12 = x[2]*t11; /* omega_tau*gamma3*omega_n*1/s^2*s */
+    out[3] = t12;
+    const double t13 = t7*t11; /* 1/(D/I1)*gamma3*omega_n*1/s^2*s */
+    const double t14 = t9*t11; /* 1/s^2*s*gamma3*omega_n*1/s^2*s */
+    const double t15 = (-2.0)*t13; /* (-2)*1/(D/I1)*gamma3*omega_n*1/s^2*s */
+    out[18] = t15;
+    const double t16 = x[3]*t13; /* omega_n*1/(D/I1)*gamma3*omega_n*1/s^2*s */
+    const double t17 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t18 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t19 = x[2]*t8; /* omega_tau*s */
+    out[0] = t19;
+    const double t20 = t7*t8; /* 1/(D/I1)*s */
+    const double t21 = t17*t19; /* omega_tau*m*a3^2/I1*omega_tau*s */
+    const double t22 = JLT_FNMA(t17, t18, p[7]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
+    const double t23 = JLT_FMA(t20, t22, t16); /* 1/(D/I1)*s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) + omega_n*1/(D/I1)*gamma3*omega_n*1/s^2*s */
+    const double t24 = t9*t22; /* 1/s^2*s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
+    const double t25 = JLT_FNMA(p[9], t23, t24); /* 1/s^2*s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) - 2*m*a3^2/I1*t23 */
+    const double t26 = -t23; /* -t23 */
+    out[2] = t26;
+    const double t27 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t28 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t29 = t9*t28; /* omega_n*1/s*b */
-    const double t30 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
-    const double t31 = t7*t9; /* 1/s*omega_n*1/s */
-    const double t32 = JLT_FNMA(t9, t31, t20); /* omega_tau*m*a3^2/I1*omega_tau*s - omega_n*1/s*1/s*omega_n*1/s */
-    const double t33 = JLT_FMA(x[0], t24, t32); /* gamma3*t24 + t32 */
-    const double t34 = t8*t33; /* 1/(D/I1)*(gamma3*t24 + t32) */
+    const double t29 = t10*t28; /* omega_n*1/s^2*s*b */
+    const double t30 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
+    const double t31 = t9*t10; /* 1/s^2*s*omega_n*1/s^2*s */
+    const double t32 = JLT_FNMA(t10, t31, t21); /* omega_tau*m*a3^2/I1*omega_tau*s - omega_n*1/s^2*s*1/s^2*s*omega_n*1/s^2*s */
+    const double t33 = JLT_FMA(x[0], t25, t32); /* gamma3*t25 + t32 */
+    const double t34 = t7*t33; /* 1/(D/I1)*(gamma3*t25 + t32) */
     out[15] = t34;
-    const double t35 = x[2]*t27; /* omega_tau*1/s*1/s */
-    const double t36 = t27*t30; /* 1/s*1/s*V */
-    const double t37 = t9*t35; /* omega_n*1/s*omega_tau*1/s*1/s */
+    const double t35 = x[2]*t6; /* omega_tau*1/s^2 */
+    const double t36 = t6*t30; /* 1/s^2*V */
+    const double t37 = t10*t35; /* omega_n*1/s^2*s*omega_tau*1/s^2 */
     out[20] = t37;
-    const double t38 = p[12]*t36; /* (-1/R)*1/s*1/s*V */
+    const double t38 = p[12]*t36; /* (-1/R)*1/s^2*V */
     out[28] = t38;
-    const double t39 = p[11]*t36; /* 2/R*1/s*1/s*V */
-    const double t40 = x[4]*t7; /* omega3*1/s */
-    const double t41 = t35*t40; /* omega_tau*1/s*1/s*omega3*1/s */
-    const double t42 = t7*t17; /* 1/s*omega_tau*gamma3 */
+    const double t39 = p[11]*t36; /* 2/R*1/s^2*V */
+    const double t40 = x[4]*t9; /* omega3*1/s^2*s */
+    const double t41 = t35*t40; /* omega_tau*1/s^2*omega3*1/s^2*s */
+    const double t42 = t9*t18; /* 1/s^2*s*omega_tau*gamma3 */
     out[23] = t42;
     out[29] = t42;
-    const double t43 = p[9]*t17; /* 2*m*a3^2/I1*omega_tau*gamma3 */
-    const double t44 = t19*t43; /* s*1/(D/I1)*2*m*a3^2/I1*omega_tau*gamma3 */
+    const double t43 = p[9]*t18; /* 2*m*a3^2/I1*omega_tau*gamma3 */
+    const double t44 = t20*t43; /* 1/(D/I1)*s*2*m*a3^2/I1*omega_tau*gamma3 */
     out[17] = t44;
-    const double t45 = -t42; /* -1/s*omega_tau*gamma3 */
+    const double t45 = -t42; /* -1/s^2*s*omega_tau*gamma3 */
     out[5] = t45;
-    const double t46 = p[8]*t31; /* 1/R*1/s*omega_n*1/s */
-    const double t47 = t30*t46; /* V*1/R*1/s*omega_n*1/s */
-    const double t48 = JLT_FMS(x[4], t42, t47); /* omega3*1/s*omega_tau*gamma3 - V*1/R*1/s*omega_n*1/s */
+    const double t46 = p[8]*t31; /* 1/R*1/s^2*s*omega_n*1/s^2*s */
+    const double t47 = t30*t46; /* V*1/R*1/s^2*s*omega_n*1/s^2*s */
+    const double t48 = JLT_FMS(x[4], t42, t47); /* omega3*1/s^2*s*omega_tau*gamma3 - V*1/R*1/s^2*s*omega_n*1/s^2*s */
     out[4] = t48;
-    const double t49 = t26*t46; /* e*1/R*1/s*omega_n*1/s */
-    const double t50 = JLT_FMS(x[0], t40, t49); /* gamma3*omega3*1/s - e*1/R*1/s*omega_n*1/s */
+    const double t49 = t27*t46; /* e*1/R*1/s^2*s*omega_n*1/s^2*s */
+    const double t50 = JLT_FMS(x[0], t40, t49); /* gamma3*omega3*1/s^2*s - e*1/R*1/s^2*s*omega_n*1/s^2*s */
     out[27] = t50;
-    const double t51 = -t46; /* -1/R*1/s*omega_n*1/s */
+    const double t51 = -t46; /* -1/R*1/s^2*s*omega_n*1/s^2*s */
     out[26] = t51;
     const double t52 = x[2]*p[10]; /* omega_tau*a3/R */
-    const double t53 = JLT_FNMA(t31, t52, t41); /* omega_tau*1/s*1/s*omega3*1/s - 1/s*omega_n*1/s*omega_tau*a3/R */
-    const double t54 = JLT_FNMA(t13, t39, t53); /* t53 - 1/s*gamma3*omega_n*1/s*2/R*1/s*1/s*V */
+    const double t53 = JLT_FNMA(t31, t52, t41); /* omega_tau*1/s^2*omega3*1/s^2*s - 1/s^2*s*omega_n*1/s^2*s*omega_tau*a3/R */
+    const double t54 = JLT_FNMA(t14, t39, t53); /* t53 - 1/s^2*s*gamma3*omega_n*1/s^2*s*2/R*1/s^2*V */
     out[25] = t54;
-    const double t55 = t13*t29; /* 1/s*gamma3*omega_n*1/s*omega_n*1/s*b */
-    const double t56 = x[3]*t29; /* omega_n*omega_n*1/s*b */
+    const double t55 = t14*t29; /* 1/s^2*s*gamma3*omega_n*1/s^2*s*omega_n*1/s^2*s*b */
+    const double t56 = x[3]*t29; /* omega_n*omega_n*1/s^2*s*b */
     const double t57 = x[3]*p[1]; /* omega_n*R */
     out[14] = t57;
-    const double t58 = JLT_FMA(t9, t57, t55); /* omega_n*1/s*omega_n*R + 1/s*gamma3*omega_n*1/s*omega_n*1/s*b */
+    const double t58 = JLT_FMA(t10, t57, t55); /* omega_n*1/s^2*s*omega_n*R + 1/s^2*s*gamma3*omega_n*1/s^2*s*omega_n*1/s^2*s*b */
     out[10] = t58;
-    const double t59 = JLT_FMA(x[4], t57, t56); /* omega3*omega_n*R + omega_n*omega_n*1/s*b */
+    const double t59 = JLT_FMA(x[4], t57, t56); /* omega3*omega_n*R + omega_n*omega_n*1/s^2*s*b */
     out[1] = t59;
     const double t60 = p[1]*x[4]; /* R*omega3 */
-    const double t61 = JLT_FMA(2.0, t29, t60); /* 2*omega_n*1/s*b + R*omega3 */
+    const double t61 = JLT_FMA(2.0, t29, t60); /* 2*omega_n*1/s^2*s*b + R*omega3 */
     out[13] = t61;
 }
 
@@ -364,42 +365,43 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[11] = t0;
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = JLT_FMA(p[13], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t6 = x[2]*t5; /* omega_tau*D */
-    out[2] = t6;
-    out[17] = t6;
-    const double t7 = p[18]*t4; /* R*I1*s */
-    out[8] = t7;
-    const double t8 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t9 = x[3]*t8; /* omega_n*b */
-    const double t10 = p[0]*t8; /* m*b */
-    const double t11 = x[4]*p[1]; /* omega3*R */
-    const double t12 = JLT_FMA(t4, t11, t9); /* v_tau = s*omega3*R + omega_n*b */
-    const double t13 = t10*t12; /* m*b*v_tau */
-    out[13] = t13;
-    const double t14 = p[19]*t12; /* m*R*v_tau */
-    const double t15 = t4*t14; /* s*m*R*v_tau */
-    out[4] = t15;
-    out[14] = t15;
-    const double t16 = x[0]/t4; /* gamma3/s */
-    const double t17 = p[13]*x[0]; /* m*a3^2*gamma3 */
-    const double t18 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t19 = JLT_FNMA(t17, t18, p[15]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    out[15] = t19;
-    const double t20 = JLT_FNMA(x[4], t16, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*gamma3/s */
-    const double t21 = t14*t20; /* m*R*v_tau*d(v_tau)/d(gamma3)/R */
-    out[10] = t21;
-    const double t22 = t19 + t21; /* d(energy)/d(gamma3) = m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau + m*R*v_tau*d(v_tau)/d(gamma3)/R */
-    out[0] = t22;
-    const double t23 = x[3]*p[4]; /* omega_n*I1 */
-    out[18] = t23;
-    const double t24 = t13 + t23; /* d(energy)/d(omega_n) = m*b*v_tau + omega_n*I1 */
-    out[3] = t24;
-    const double t25 = x[3]*p[20]; /* omega_n*(-R*I1) */
-    const double t26 = t16*t25; /* gamma3/s*omega_n*(-R*I1) */
-    out[5] = t26;
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t5 = sqrt(t3); /* s = sqrt(s^2) */
+    const double t6 = p[18]*t5; /* R*I1*s */
+    out[8] = t6;
+    const double t7 = x[0]/t3; /* gamma3/s^2 */
+    const double t8 = t5*t7; /* s*gamma3/s^2 */
+    const double t9 = JLT_FMA(p[13], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t10 = x[2]*t9; /* omega_tau*D */
+    out[2] = t10;
+    out[17] = t10;
+    const double t11 = x[3]*t4; /* omega_n*b */
+    const double t12 = p[0]*t4; /* m*b */
+    const double t13 = x[4]*p[1]; /* omega3*R */
+    const double t14 = JLT_FMA(t5, t13, t11); /* v_tau = s*omega3*R + omega_n*b */
+    const double t15 = t12*t14; /* m*b*v_tau */
+    out[13] = t15;
+    const double t16 = p[19]*t14; /* m*R*v_tau */
+    const double t17 = t5*t16; /* s*m*R*v_tau */
+    out[4] = t17;
+    out[14] = t17;
+    const double t18 = p[13]*x[0]; /* m*a3^2*gamma3 */
+    const double t19 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t20 = JLT_FNMA(t18, t19, p[15]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    out[15] = t20;
+    const double t21 = JLT_FNMA(x[4], t8, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
+    const double t22 = t16*t21; /* m*R*v_tau*d(v_tau)/d(gamma3)/R */
+    out[10] = t22;
+    const double t23 = t20 + t22; /* d(energy)/d(gamma3) = m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau + m*R*v_tau*d(v_tau)/d(gamma3)/R */
+    out[0] = t23;
+    const double t24 = x[3]*p[4]; /* omega_n*I1 */
+    out[18] = t24;
+    const double t25 = t15 + t24; /* d(energy)/d(omega_n) = m*b*v_tau + omega_n*I1 */
+    out[3] = t25;
+    const double t26 = x[3]*p[20]; /* omega_n*(-R*I1) */
+    const double t27 = t8*t26; /* s*gamma3/s^2*omega_n*(-R*I1) */
+    out[5] = t27;
 }
 
 static void measure_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -580,17 +582,17 @@ const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 2, 17, 8, 1, 1, 0, 11, 6 }, { 9, 33, 0, 7, 1, 0, 9, 6 },
+    .rhs = { rhs, 5, { 2, 18, 8, 1, 1, 0, 11, 6 }, { 9, 33, 0, 7, 1, 0, 9, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 25, { 5, 35, 13, 1, 1, 0, 15, 11 }, { 23, 119, 0, 27, 1, 0, 15, 7 },
+    .jacobian = { jacobian, 25, { 5, 35, 13, 1, 1, 0, 15, 13 }, { 23, 119, 0, 27, 1, 0, 15, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 5, 39, 16, 1, 1, 0, 14, 14 }, { 27, 144, 0, 34, 1, 0, 15, 9 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 5, 39, 16, 1, 1, 0, 15, 14 }, { 27, 144, 0, 34, 1, 0, 15, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 4, { 3, 10, 6, 0, 1, 0, 7, 5 }, { 11, 42, 0, 0, 1, 0, 11, 6 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 20, { 4, 16, 5, 1, 1, 0, 7, 6 }, { 10, 51, 0, 2, 1, 0, 8, 8 },
+    .integral_gradients = { integral_gradients, 20, { 4, 17, 5, 1, 1, 0, 7, 6 }, { 10, 51, 0, 2, 1, 0, 8, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { measure_values, 1, { 2, 2, 1, 0, 1, 0, 4, 3 }, { 2, 6, 0, 0, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },

@@ -7,12 +7,12 @@
  *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   17    8    1    1    0     12    7   (50)
- *  jacobian            5   33   16    1    1    0     14   14   (183)
- *  rhs_jacobian        5   37   19    1    1    0     13   17   (216)
+ *  rhs                 2   18    8    1    1    0     12    7   (50)
+ *  jacobian            5   33   16    1    1    0     14   13   (183)
+ *  rhs_jacobian        5   37   19    1    1    0     14   17   (216)
  *  divergence          2    4    1    1    1    0      5    4   (15)
- *  integral_values     3    8    6    1    1    0      9    6   (54)
- *  integral_gradients  3   16    7    1    1    0     10    8   (75)
+ *  integral_values     3    9    6    1    1    0      9    6   (54)
+ *  integral_gradients  3   16    7    1    1    0     10    7   (75)
  *  measure_values      2    2    1    0    0    0      4    3   (10)
  *  measure_divergences 0    0    0    0    0    0      0    0   (32)
  *  eliminated          2    1    0    1    1    0      4    3   (6)
@@ -113,113 +113,114 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = JLT_FMA(p[8], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t5 = t3*t4; /* s*D/I1 */
-    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
-    const double t7 = t4*t6; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t8 = t3*t6; /* s*1/(s*D/I1) */
-    const double t9 = x[2]*t3; /* omega_tau*s */
-    out[0] = t9;
-    const double t10 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
-    const double t11 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
-    const double t12 = t9*t11; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t13 = t7*t10; /* 1/s*omega_n */
-    const double t14 = JLT_FNMA(t10, t13, t12); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/s*omega_n */
-    const double t15 = x[0]*t14; /* gamma3*(omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/s*omega_n) */
-    const double t16 = JLT_FNMA(p[9], t3, t15); /* t15 - m*g*a3/I1*s */
-    const double t17 = t8*t16; /* s*1/(s*D/I1)*(t15 - m*g*a3/I1*s) */
-    out[2] = t17;
-    const double t18 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t19 = JLT_FMA(x[2], t18, x[1]); /* V = omega_tau*e + v_nu */
-    const double t20 = p[10]*t19; /* 1/R*V */
-    const double t21 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t22 = t13*t21; /* 1/s*omega_n*b */
-    const double t23 = JLT_FMA(p[1], x[3], t22); /* R*omega3 + 1/s*omega_n*b */
-    const double t24 = t10*t23; /* omega_n*(R*omega3 + 1/s*omega_n*b) */
-    out[1] = t24;
-    const double t25 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t26 = x[3]*t25; /* omega3*omega_tau*gamma3 */
-    const double t27 = JLT_FNMA(t13, t20, t26); /* omega3*omega_tau*gamma3 - 1/s*omega_n*1/R*V */
-    const double t28 = t7*t27; /* 1/s*(omega3*omega_tau*gamma3 - 1/s*omega_n*1/R*V) */
-    out[3] = t28;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(p[8], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t4 = t2*t3; /* s^2*D/I1 */
+    const double t5 = 1.0/t4; /* 1/(s^2*D/I1) */
+    const double t6 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t7 = t3*t6; /* D/I1*s */
+    const double t8 = t5*t7; /* 1/(s^2*D/I1)*D/I1*s */
+    const double t9 = t2*t5; /* s^2*1/(s^2*D/I1) */
+    const double t10 = x[2]*t6; /* omega_tau*s */
+    out[0] = t10;
+    const double t11 = p[7]*t8; /* omega_n = G_level/(R*I1)*1/(s^2*D/I1)*D/I1*s */
+    const double t12 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t13 = t10*t12; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t14 = t8*t11; /* 1/(s^2*D/I1)*D/I1*s*omega_n */
+    const double t15 = JLT_FNMA(t11, t14, t13); /* omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*1/(s^2*D/I1)*D/I1*s*omega_n */
+    const double t16 = x[0]*t15; /* gamma3*t15 */
+    const double t17 = JLT_FNMA(p[9], t6, t16); /* gamma3*t15 - m*g*a3/I1*s */
+    const double t18 = t9*t17; /* s^2*1/(s^2*D/I1)*(gamma3*t15 - m*g*a3/I1*s) */
+    out[2] = t18;
+    const double t19 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t20 = JLT_FMA(x[2], t19, x[1]); /* V = omega_tau*e + v_nu */
+    const double t21 = p[10]*t20; /* 1/R*V */
+    const double t22 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t23 = t14*t22; /* 1/(s^2*D/I1)*D/I1*s*omega_n*b */
+    const double t24 = JLT_FMA(p[1], x[3], t23); /* R*omega3 + 1/(s^2*D/I1)*D/I1*s*omega_n*b */
+    const double t25 = t11*t24; /* omega_n*(R*omega3 + 1/(s^2*D/I1)*D/I1*s*omega_n*b) */
+    out[1] = t25;
+    const double t26 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t27 = x[3]*t26; /* omega3*omega_tau*gamma3 */
+    const double t28 = JLT_FNMA(t14, t21, t27); /* omega3*omega_tau*gamma3 - 1/(s^2*D/I1)*D/I1*s*omega_n*1/R*V */
+    const double t29 = t8*t28; /* 1/(s^2*D/I1)*D/I1*s*(omega3*omega_tau*gamma3 - 1/(s^2*D/I1)*D/I1*s*omega_n*1/R*V) */
+    out[3] = t29;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[8], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t4;
-    const double t5 = t3*t4; /* D/I1*s */
-    const double t6 = 1.0/t5; /* 1/(D/I1*s) */
-    const double t7 = t3*t6; /* 1/s = D/I1*1/(D/I1*s) */
-    const double t8 = x[0]*t7; /* gamma3*1/s */
-    const double t9 = x[2]*t8; /* omega_tau*gamma3*1/s */
-    out[15] = t9;
-    const double t10 = -t9; /* -omega_tau*gamma3*1/s */
-    out[0] = t10;
     out[1] = 0.0;
     out[3] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[9] = 0.0;
     out[11] = 0.0;
-    const double t11 = t7*p[7]; /* omega_n = 1/s*G_level/(R*I1) */
-    const double t12 = t7*t11; /* 1/s*omega_n */
-    const double t13 = t11*p[1]; /* omega_n*R */
-    out[7] = t13;
-    const double t14 = t12*t13; /* 1/s*omega_n*omega_n*R */
-    const double t15 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t16 = JLT_FMA(t7, p[11], t11); /* 1/s*2*G_level/(R*I1) + omega_n */
-    const double t17 = t7*t7; /* 1/s*1/s */
-    const double t18 = t11*t17; /* omega_n*1/s*1/s */
-    const double t19 = t8*t18; /* gamma3*1/s*omega_n*1/s*1/s */
-    const double t20 = t15*t16; /* b*(1/s*2*G_level/(R*I1) + omega_n) */
-    const double t21 = t8*x[3]; /* gamma3*1/s*omega3 */
-    const double t22 = t17*p[12]; /* 1/s*1/s*G_level/I1 */
-    const double t23 = JLT_FMA(t21, t22, t14); /* gamma3*1/s*omega3*1/s*1/s*G_level/I1 + 1/s*omega_n*omega_n*R */
-    const double t24 = JLT_FMA(t19, t20, t23); /* gamma3*1/s*omega_n*1/s*1/s*b*(1/s*2*G_level/(R*I1) + omega_n) + gamma3*1/s*omega3*1/s*1/s*G_level/I1 + 1/s*omega_n*omega_n*R */
-    out[4] = t24;
-    const double t25 = t4*t6; /* 1/(D/I1) = s*1/(D/I1*s) */
-    const double t26 = x[0]*p[13]; /* gamma3*2*m*a3^2/I1 */
-    const double t27 = t25*t26; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t28 = t4*t27; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t29 = t28 - t8; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s */
-    const double t30 = t12*t18; /* 1/s*omega_n*omega_n*1/s*1/s */
-    const double t31 = t11*t11; /* omega_n*omega_n */
-    const double t32 = t27*t31; /* 1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n*omega_n */
-    const double t33 = JLT_FMA(p[11], t19, t32); /* 2*G_level/(R*I1)*gamma3*1/s*omega_n*1/s*1/s + 1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n*omega_n */
-    const double t34 = JLT_FMA(x[0], t29, t4); /* gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) + s */
-    const double t35 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
-    const double t36 = x[2]*t35; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t37 = JLT_FMS(t34, t36, t30); /* (gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) + s)*omega_tau*omega_tau*m*a3^2/I1 - 1/s*omega_n*omega_n*1/s*1/s */
-    const double t38 = JLT_FNMA(p[9], t29, t37); /* t37 - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) */
-    const double t39 = JLT_FNMA(t8, t33, t38); /* t37 - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s) - gamma3*1/s*t33 */
-    const double t40 = t25*t39; /* 1/(D/I1)*t39 */
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = JLT_FMA(p[8], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t4 = t2*t3; /* s^2*D/I1 */
+    const double t5 = 1.0/t4; /* 1/(s^2*D/I1) */
+    const double t6 = t3*t5; /* 1/s^2 = D/I1*1/(s^2*D/I1) */
+    const double t7 = t2*t5; /* 1/(D/I1) = s^2*1/(s^2*D/I1) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t8;
+    const double t9 = x[0]*p[13]; /* gamma3*2*m*a3^2/I1 */
+    const double t10 = t7*t9; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t11 = t6*t8; /* 1/s^2*s */
+    const double t12 = x[0]*t11; /* gamma3*1/s^2*s */
+    const double t13 = t8*t10; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t14 = x[2]*t13; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[10] = t14;
+    const double t15 = t13 - t12; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s^2*s */
+    const double t16 = JLT_FMA(x[0], t15, t8); /* gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s^2*s) + s */
+    const double t17 = p[9]*t15; /* m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s^2*s) */
+    const double t18 = p[7]*t11; /* omega_n = G_level/(R*I1)*1/s^2*s */
+    const double t19 = t10*t18; /* 1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n */
+    const double t20 = t18*t19; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n */
+    const double t21 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t22 = x[2]*t21; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t23 = JLT_FMS(t16, t22, t17); /* (gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s^2*s) + s)*omega_tau*omega_tau*m*a3^2/I1 - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*1/s^2*s) */
+    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t25 = t6*t18; /* 1/s^2*omega_n */
+    const double t26 = t6*t11; /* 1/s^2*1/s^2*s */
+    const double t27 = p[12]*t6; /* G_level/I1*1/s^2 */
+    const double t28 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t29 = p[15]*t28; /* 2/R*V */
+    const double t30 = t11*t29; /* 1/s^2*s*2/R*V */
+    const double t31 = t12*t30; /* gamma3*1/s^2*s*1/s^2*s*2/R*V */
+    const double t32 = t11*t18; /* 1/s^2*s*omega_n */
+    const double t33 = JLT_FMA(p[11], t11, t18); /* 2*G_level/(R*I1)*1/s^2*s + omega_n */
+    const double t34 = p[1]*t18; /* R*omega_n */
+    out[7] = t34;
+    const double t35 = t32*t34; /* 1/s^2*s*omega_n*R*omega_n */
+    const double t36 = JLT_FNMA(t25, t32, t23); /* t23 - 1/s^2*omega_n*1/s^2*s*omega_n */
+    const double t37 = t12*t25; /* gamma3*1/s^2*s*1/s^2*omega_n */
+    const double t38 = JLT_FMA(p[11], t37, t20); /* 2*G_level/(R*I1)*gamma3*1/s^2*s*1/s^2*omega_n + omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n */
+    const double t39 = JLT_FNMA(t12, t38, t36); /* t23 - 1/s^2*omega_n*1/s^2*s*omega_n - gamma3*1/s^2*s*t38 */
+    const double t40 = t7*t39; /* 1/(D/I1)*(t23 - 1/s^2*omega_n*1/s^2*s*omega_n - gamma3*1/s^2*s*t38) */
     out[8] = t40;
-    const double t41 = x[2]*t28; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[10] = t41;
-    const double t42 = t7*t17; /* 1/s*1/s*1/s */
-    const double t43 = x[3]*t42; /* omega3*1/s*1/s*1/s */
-    const double t44 = JLT_FNMA(t18, p[14], t43); /* omega3*1/s*1/s*1/s - omega_n*1/s*1/s*a3/R */
-    const double t45 = x[2]*t44; /* omega_tau*(omega3*1/s*1/s*1/s - omega_n*1/s*1/s*a3/R) */
-    const double t46 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t47 = JLT_FMA(x[2], t46, x[1]); /* V = omega_tau*e + v_nu */
-    const double t48 = JLT_FMA(t42, p[16], t18); /* 1/s*1/s*1/s*1/2*G_level/(R*I1) + omega_n*1/s*1/s */
-    const double t49 = p[15]*t47; /* 2/R*V */
-    const double t50 = t7*t49; /* 1/s*2/R*V */
-    const double t51 = t8*t50; /* gamma3*1/s*1/s*2/R*V */
-    const double t52 = JLT_FNMA(t48, t51, t45); /* omega_tau*(omega3*1/s*1/s*1/s - omega_n*1/s*1/s*a3/R) - (1/s*1/s*1/s*1/2*G_level/(R*I1) + omega_n*1/s*1/s)*gamma3*1/s*1/s*2/R*V */
-    out[12] = t52;
-    const double t53 = t18*p[10]; /* omega_n*1/s*1/s*1/R */
-    const double t54 = -t53; /* -omega_n*1/s*1/s*1/R */
-    out[13] = t54;
-    const double t55 = JLT_FNMA(t46, t53, t21); /* gamma3*1/s*omega3 - e*omega_n*1/s*1/s*1/R */
-    out[14] = t55;
+    const double t41 = x[3]*t26; /* omega3*1/s^2*1/s^2*s */
+    const double t42 = JLT_FNMA(p[14], t25, t41); /* omega3*1/s^2*1/s^2*s - a3/R*1/s^2*omega_n */
+    const double t43 = x[2]*t42; /* omega_tau*(omega3*1/s^2*1/s^2*s - a3/R*1/s^2*omega_n) */
+    const double t44 = JLT_FMA(p[16], t26, t25); /* 1/2*G_level/(R*I1)*1/s^2*1/s^2*s + 1/s^2*omega_n */
+    const double t45 = JLT_FNMA(t31, t44, t43); /* omega_tau*(omega3*1/s^2*1/s^2*s - a3/R*1/s^2*omega_n) - gamma3*1/s^2*s*1/s^2*s*2/R*V*(1/2*G_level/(R*I1)*1/s^2*1/s^2*s + 1/s^2*omega_n) */
+    out[12] = t45;
+    const double t46 = p[10]*t25; /* 1/R*1/s^2*omega_n */
+    const double t47 = -t46; /* -1/R*1/s^2*omega_n */
+    out[13] = t47;
+    const double t48 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t49 = t33*t48; /* (2*G_level/(R*I1)*1/s^2*s + omega_n)*b */
+    const double t50 = x[3]*t12; /* omega3*gamma3*1/s^2*s */
+    const double t51 = JLT_FNMA(t24, t46, t50); /* omega3*gamma3*1/s^2*s - e*1/R*1/s^2*omega_n */
+    out[14] = t51;
+    const double t52 = JLT_FMA(t27, t50, t35); /* G_level/I1*1/s^2*omega3*gamma3*1/s^2*s + 1/s^2*s*omega_n*R*omega_n */
+    const double t53 = JLT_FMA(t37, t49, t52); /* gamma3*1/s^2*s*1/s^2*omega_n*(2*G_level/(R*I1)*1/s^2*s + omega_n)*b + t52 */
+    out[4] = t53;
+    const double t54 = x[2]*t12; /* omega_tau*gamma3*1/s^2*s */
+    out[15] = t54;
+    const double t55 = -t54; /* -omega_tau*gamma3*1/s^2*s */
+    out[0] = t55;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -232,80 +233,80 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[15] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[6] = t3;
-    const double t4 = JLT_FMA(p[8], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t5 = t3*t4; /* s*D/I1 */
-    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
-    const double t7 = t4*t6; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t8 = t3*t6; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t9 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
-    const double t10 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
-    const double t11 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t12 = JLT_FNMA(t10, t11, p[9]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
-    const double t13 = t7*t7; /* 1/s*1/s */
-    const double t14 = x[2]*t3; /* omega_tau*s */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(p[8], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t4 = t2*t3; /* s^2*D/I1 */
+    const double t5 = 1.0/t4; /* 1/(s^2*D/I1) */
+    const double t6 = t3*t5; /* 1/s^2 = D/I1*1/(s^2*D/I1) */
+    const double t7 = t2*t5; /* 1/(D/I1) = s^2*1/(s^2*D/I1) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    out[6] = t8;
+    const double t9 = t6*t8; /* 1/s^2*s */
+    const double t10 = p[7]*t9; /* omega_n = G_level/(R*I1)*1/s^2*s */
+    const double t11 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t12 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t13 = JLT_FNMA(t11, t12, p[9]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
+    const double t14 = x[2]*t8; /* omega_tau*s */
     out[0] = t14;
-    const double t15 = t3*t12; /* s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
-    const double t16 = t10*t14; /* omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t17 = x[0]*t7; /* gamma3*1/s */
-    const double t18 = t9*t13; /* omega_n*1/s*1/s */
-    const double t19 = t9*t9; /* omega_n*omega_n */
-    const double t20 = JLT_FMA(t17, t19, t15); /* gamma3*1/s*omega_n*omega_n + s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
-    const double t21 = t7*t19; /* 1/s*omega_n*omega_n */
-    const double t22 = t8*t20; /* 1/(D/I1)*t20 */
+    const double t15 = t8*t13; /* s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
+    const double t16 = t11*t14; /* omega_tau*m*a3^2/I1*omega_tau*s */
+    const double t17 = x[0]*t9; /* gamma3*1/s^2*s */
+    const double t18 = t6*t10; /* 1/s^2*omega_n */
+    const double t19 = t10*t10; /* omega_n*omega_n */
+    const double t20 = JLT_FMA(t17, t19, t15); /* gamma3*1/s^2*s*omega_n*omega_n + s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) */
+    const double t21 = t9*t19; /* 1/s^2*s*omega_n*omega_n */
+    const double t22 = t7*t20; /* 1/(D/I1)*t20 */
     const double t23 = -t22; /* -1/(D/I1)*t20 */
     out[2] = t23;
     const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t25 = t17*t18; /* gamma3*1/s*omega_n*1/s*1/s */
-    const double t26 = JLT_FNMA(p[11], t25, t12); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 - 2*G_level/(R*I1)*gamma3*1/s*omega_n*1/s*1/s */
-    const double t27 = t7*t18; /* 1/s*omega_n*1/s*1/s */
-    const double t28 = JLT_FNMA(t9, t27, t16); /* omega_tau*m*a3^2/I1*omega_tau*s - omega_n*1/s*omega_n*1/s*1/s */
-    const double t29 = JLT_FMA(t17, t26, t28); /* gamma3*1/s*t26 + t28 */
-    const double t30 = x[3]*t7; /* omega3*1/s */
-    const double t31 = t13*t30; /* 1/s*1/s*omega3*1/s */
-    const double t32 = JLT_FMA(p[11], t7, t9); /* 2*G_level/(R*I1)*1/s + omega_n */
-    const double t33 = JLT_FNMA(p[14], t18, t31); /* 1/s*1/s*omega3*1/s - a3/R*omega_n*1/s*1/s */
-    const double t34 = p[10]*t18; /* 1/R*omega_n*1/s*1/s */
-    const double t35 = p[1]*t9; /* R*omega_n */
+    const double t25 = t17*t18; /* gamma3*1/s^2*s*1/s^2*omega_n */
+    const double t26 = JLT_FNMA(p[11], t25, t13); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 - 2*G_level/(R*I1)*gamma3*1/s^2*s*1/s^2*omega_n */
+    const double t27 = t9*t18; /* 1/s^2*s*1/s^2*omega_n */
+    const double t28 = JLT_FNMA(t10, t27, t16); /* omega_tau*m*a3^2/I1*omega_tau*s - omega_n*1/s^2*s*1/s^2*omega_n */
+    const double t29 = JLT_FMA(t17, t26, t28); /* gamma3*1/s^2*s*t26 + t28 */
+    const double t30 = x[3]*t6; /* omega3*1/s^2 */
+    const double t31 = t9*t30; /* 1/s^2*s*omega3*1/s^2 */
+    const double t32 = JLT_FMA(p[11], t9, t10); /* 2*G_level/(R*I1)*1/s^2*s + omega_n */
+    const double t33 = JLT_FNMA(p[14], t18, t31); /* 1/s^2*s*omega3*1/s^2 - a3/R*1/s^2*omega_n */
+    const double t34 = p[10]*t18; /* 1/R*1/s^2*omega_n */
+    const double t35 = p[1]*t10; /* R*omega_n */
     out[11] = t35;
-    const double t36 = x[2]*t33; /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*omega_n*1/s*1/s) */
-    const double t37 = -t34; /* -1/R*omega_n*1/s*1/s */
+    const double t36 = x[2]*t33; /* omega_tau*(1/s^2*s*omega3*1/s^2 - a3/R*1/s^2*omega_n) */
+    const double t37 = -t34; /* -1/R*1/s^2*omega_n */
     out[17] = t37;
     const double t38 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
     const double t39 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t40 = t32*t39; /* (2*G_level/(R*I1)*1/s + omega_n)*b */
-    const double t41 = t21*t39; /* 1/s*omega_n*omega_n*b */
-    const double t42 = JLT_FMA(x[3], t35, t41); /* omega3*R*omega_n + 1/s*omega_n*omega_n*b */
+    const double t40 = t32*t39; /* (2*G_level/(R*I1)*1/s^2*s + omega_n)*b */
+    const double t41 = t21*t39; /* 1/s^2*s*omega_n*omega_n*b */
+    const double t42 = JLT_FMA(x[3], t35, t41); /* omega3*R*omega_n + 1/s^2*s*omega_n*omega_n*b */
     out[1] = t42;
-    const double t43 = p[1]*t21; /* R*1/s*omega_n*omega_n */
-    const double t44 = x[3]*t17; /* omega3*gamma3*1/s */
-    const double t45 = JLT_FNMA(t24, t34, t44); /* omega3*gamma3*1/s - e*1/R*omega_n*1/s*1/s */
+    const double t43 = p[1]*t21; /* R*1/s^2*s*omega_n*omega_n */
+    const double t44 = x[3]*t17; /* omega3*gamma3*1/s^2*s */
+    const double t45 = JLT_FNMA(t24, t34, t44); /* omega3*gamma3*1/s^2*s - e*1/R*1/s^2*omega_n */
     out[18] = t45;
-    const double t46 = t34*t38; /* 1/R*omega_n*1/s*1/s*V */
-    const double t47 = JLT_FMS(x[2], t44, t46); /* omega_tau*omega3*gamma3*1/s - 1/R*omega_n*1/s*1/s*V */
+    const double t46 = t34*t38; /* 1/R*1/s^2*omega_n*V */
+    const double t47 = JLT_FMS(x[2], t44, t46); /* omega_tau*omega3*gamma3*1/s^2*s - 1/R*1/s^2*omega_n*V */
     out[3] = t47;
     const double t48 = p[15]*t38; /* 2/R*V */
-    const double t49 = t17*t48; /* gamma3*1/s*2/R*V */
-    const double t50 = x[2]*t17; /* omega_tau*gamma3*1/s */
+    const double t49 = t17*t48; /* gamma3*1/s^2*s*2/R*V */
+    const double t50 = x[2]*t17; /* omega_tau*gamma3*1/s^2*s */
     out[19] = t50;
-    const double t51 = -t50; /* -omega_tau*gamma3*1/s */
+    const double t51 = -t50; /* -omega_tau*gamma3*1/s^2*s */
     out[4] = t51;
-    const double t52 = p[12]*t13; /* G_level/I1*1/s*1/s */
-    const double t53 = JLT_FMA(t44, t52, t43); /* omega3*gamma3*1/s*G_level/I1*1/s*1/s + R*1/s*omega_n*omega_n */
-    const double t54 = JLT_FMA(t25, t40, t53); /* gamma3*1/s*omega_n*1/s*1/s*(2*G_level/(R*I1)*1/s + omega_n)*b + omega3*gamma3*1/s*G_level/I1*1/s*1/s + R*1/s*omega_n*omega_n */
+    const double t52 = p[12]*t6; /* G_level/I1*1/s^2 */
+    const double t53 = JLT_FMA(t44, t52, t43); /* omega3*gamma3*1/s^2*s*G_level/I1*1/s^2 + R*1/s^2*s*omega_n*omega_n */
+    const double t54 = JLT_FMA(t25, t40, t53); /* gamma3*1/s^2*s*1/s^2*omega_n*(2*G_level/(R*I1)*1/s^2*s + omega_n)*b + t53 */
     out[8] = t54;
     const double t55 = x[0]*p[13]; /* gamma3*2*m*a3^2/I1 */
-    const double t56 = JLT_FNMA(t22, t55, t29); /* gamma3*1/s*t26 + t28 - 1/(D/I1)*t20*gamma3*2*m*a3^2/I1 */
+    const double t56 = JLT_FNMA(t22, t55, t29); /* gamma3*1/s^2*s*t26 + t28 - 1/(D/I1)*t20*gamma3*2*m*a3^2/I1 */
     const double t57 = t14*t55; /* omega_tau*s*gamma3*2*m*a3^2/I1 */
-    const double t58 = t8*t56; /* 1/(D/I1)*(gamma3*1/s*t26 + t28 - 1/(D/I1)*t20*gamma3*2*m*a3^2/I1) */
+    const double t58 = t7*t56; /* 1/(D/I1)*(gamma3*1/s^2*s*t26 + t28 - 1/(D/I1)*t20*gamma3*2*m*a3^2/I1) */
     out[12] = t58;
-    const double t59 = t8*t57; /* 1/(D/I1)*omega_tau*s*gamma3*2*m*a3^2/I1 */
+    const double t59 = t7*t57; /* 1/(D/I1)*omega_tau*s*gamma3*2*m*a3^2/I1 */
     out[14] = t59;
-    const double t60 = p[16]*t13; /* 1/2*G_level/(R*I1)*1/s*1/s */
-    const double t61 = JLT_FMA(t13, t60, t27); /* 1/s*1/s*1/2*G_level/(R*I1)*1/s*1/s + 1/s*omega_n*1/s*1/s */
-    const double t62 = JLT_FNMA(t49, t61, t36); /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*omega_n*1/s*1/s) - gamma3*1/s*2/R*V*(1/s*1/s*1/2*G_level/(R*I1)*1/s*1/s + 1/s*omega_n*1/s*1/s) */
+    const double t60 = p[16]*t6; /* 1/2*G_level/(R*I1)*1/s^2 */
+    const double t61 = JLT_FMA(t6, t60, t27); /* 1/s^2*1/2*G_level/(R*I1)*1/s^2 + 1/s^2*s*1/s^2*omega_n */
+    const double t62 = JLT_FNMA(t49, t61, t36); /* omega_tau*(1/s^2*s*omega3*1/s^2 - a3/R*1/s^2*omega_n) - gamma3*1/s^2*s*2/R*V*(1/s^2*1/2*G_level/(R*I1)*1/s^2 + 1/s^2*s*1/s^2*omega_n) */
     out[16] = t62;
 }
 
@@ -328,25 +329,26 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t0 = p[19]*x[0]; /* m*g*a3*gamma3 */
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = JLT_FMA(p[8], t3, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = JLT_FMA(p[8], t3, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
     const double t5 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t6 = t4*t5; /* D/I1*omega_tau*omega_tau */
-    const double t7 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t8 = p[7]/t7; /* omega_n = G_level/(R*I1)/s */
-    const double t9 = JLT_FMA(t8, t8, t6); /* omega_n*omega_n + D/I1*omega_tau*omega_tau */
-    const double t10 = JLT_FMA(p[20], t9, t0); /* 1/2*I1*(omega_n*omega_n + D/I1*omega_tau*omega_tau) + m*g*a3*gamma3 */
-    out[2] = t10;
-    const double t11 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t12 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t13 = t8*t12; /* omega_n*b */
-    const double t14 = p[1]*x[3]; /* R*omega3 */
-    const double t15 = JLT_FMA(t7, t14, t13); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t16 = JLT_FMA(t15, t15, t11); /* v_tau*v_tau + v_nu*v_nu */
-    const double t17 = p[21]*t16; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
-    out[1] = t17;
-    const double t18 = t10 + t17; /* energy = t10 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
-    out[0] = t18;
+    const double t7 = sqrt(t3); /* s = sqrt(s^2) */
+    const double t8 = p[7]/t3; /* G_level/(R*I1)/s^2 */
+    const double t9 = t7*t8; /* omega_n = s*G_level/(R*I1)/s^2 */
+    const double t10 = JLT_FMA(t9, t9, t6); /* omega_n*omega_n + D/I1*omega_tau*omega_tau */
+    const double t11 = JLT_FMA(p[20], t10, t0); /* 1/2*I1*(omega_n*omega_n + D/I1*omega_tau*omega_tau) + m*g*a3*gamma3 */
+    out[2] = t11;
+    const double t12 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t13 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t14 = t9*t13; /* omega_n*b */
+    const double t15 = p[1]*x[3]; /* R*omega3 */
+    const double t16 = JLT_FMA(t7, t15, t14); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t17 = JLT_FMA(t16, t16, t12); /* v_tau*v_tau + v_nu*v_nu */
+    const double t18 = p[21]*t17; /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    out[1] = t18;
+    const double t19 = t11 + t18; /* energy = t11 + 1/2*m*(v_tau*v_tau + v_nu*v_nu) */
+    out[0] = t19;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
@@ -359,37 +361,37 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[5] = t0;
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = JLT_FMA(p[18], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t6 = x[2]*t5; /* omega_tau*D */
-    out[2] = t6;
-    out[10] = t6;
-    const double t7 = 1.0/t4; /* 1/s */
-    const double t8 = p[7]*t7; /* omega_n = G_level/(R*I1)*1/s */
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = sqrt(t3); /* s = sqrt(s^2) */
+    const double t5 = 1.0/t3; /* 1/s^2 */
+    const double t6 = JLT_FMA(p[18], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t7 = x[2]*t6; /* omega_tau*D */
+    out[2] = t7;
+    out[10] = t7;
+    const double t8 = t4*t5; /* s*1/s^2 */
     const double t9 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t10 = p[18]*x[2]; /* m*a3^2*omega_tau */
-    const double t11 = x[2]*t10; /* omega_tau*m*a3^2*omega_tau */
-    const double t12 = t7*t7; /* 1/s*1/s */
-    const double t13 = p[22]*t7; /* G_level/R*1/s */
-    const double t14 = t8*t13; /* omega_n*G_level/R*1/s */
-    const double t15 = JLT_FNMA(t12, t14, t11); /* omega_tau*m*a3^2*omega_tau - 1/s*1/s*omega_n*G_level/R*1/s */
-    const double t16 = x[0]*t7; /* gamma3*1/s */
-    const double t17 = JLT_FNMA(x[0], t15, p[19]); /* m*g*a3 - gamma3*(omega_tau*m*a3^2*omega_tau - 1/s*1/s*omega_n*G_level/R*1/s) */
-    out[8] = t17;
-    const double t18 = p[23]*t9; /* G_level/(R^2*I1)*b */
-    const double t19 = JLT_FMS(t12, t18, x[3]); /* 1/s*1/s*G_level/(R^2*I1)*b - omega3 */
-    const double t20 = JLT_FMA(t16, t19, t8); /* d(v_tau)/d(gamma3)/R = gamma3*1/s*(1/s*1/s*G_level/(R^2*I1)*b - omega3) + omega_n */
-    const double t21 = t8*t9; /* omega_n*b */
+    const double t10 = p[7]*t8; /* omega_n = G_level/(R*I1)*s*1/s^2 */
+    const double t11 = p[23]*t9; /* G_level/(R^2*I1)*b */
+    const double t12 = JLT_FMS(t5, t11, x[3]); /* 1/s^2*G_level/(R^2*I1)*b - omega3 */
+    const double t13 = p[22]*t5; /* G_level/R*1/s^2 */
+    const double t14 = t9*t10; /* b*omega_n */
+    const double t15 = t8*t13; /* s*1/s^2*G_level/R*1/s^2 */
+    const double t16 = x[0]*t12; /* gamma3*(1/s^2*G_level/(R^2*I1)*b - omega3) */
+    const double t17 = JLT_FMA(t8, t16, t10); /* d(v_tau)/d(gamma3)/R = s*1/s^2*gamma3*(1/s^2*G_level/(R^2*I1)*b - omega3) + omega_n */
+    const double t18 = p[18]*x[2]; /* m*a3^2*omega_tau */
+    const double t19 = x[2]*t18; /* omega_tau*m*a3^2*omega_tau */
+    const double t20 = JLT_FNMA(t10, t15, t19); /* omega_tau*m*a3^2*omega_tau - omega_n*s*1/s^2*G_level/R*1/s^2 */
+    const double t21 = JLT_FNMA(x[0], t20, p[19]); /* m*g*a3 - gamma3*(omega_tau*m*a3^2*omega_tau - omega_n*s*1/s^2*G_level/R*1/s^2) */
+    out[8] = t21;
     const double t22 = p[1]*x[3]; /* R*omega3 */
-    const double t23 = JLT_FMA(t4, t22, t21); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t23 = JLT_FMA(t4, t22, t14); /* v_tau = s*R*omega3 + b*omega_n */
     const double t24 = p[24]*t23; /* m*R*v_tau */
     const double t25 = t4*t24; /* s*m*R*v_tau */
     out[3] = t25;
     out[7] = t25;
-    const double t26 = t20*t24; /* d(v_tau)/d(gamma3)/R*m*R*v_tau */
+    const double t26 = t17*t24; /* d(v_tau)/d(gamma3)/R*m*R*v_tau */
     out[4] = t26;
-    const double t27 = t17 + t26; /* d(energy)/d(gamma3) = t17 + d(v_tau)/d(gamma3)/R*m*R*v_tau */
+    const double t27 = t21 + t26; /* d(energy)/d(gamma3) = t21 + d(v_tau)/d(gamma3)/R*m*R*v_tau */
     out[0] = t27;
 }
 
@@ -573,17 +575,17 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 2, 17, 8, 1, 1, 0, 12, 7 }, { 9, 33, 0, 7, 1, 0, 9, 7 },
+    .rhs = { rhs, 4, { 2, 18, 8, 1, 1, 0, 12, 7 }, { 9, 33, 0, 7, 1, 0, 9, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 16, { 5, 33, 16, 1, 1, 0, 14, 14 }, { 24, 133, 0, 25, 1, 0, 16, 8 },
+    .jacobian = { jacobian, 16, { 5, 33, 16, 1, 1, 0, 14, 13 }, { 24, 133, 0, 25, 1, 0, 16, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 5, 37, 19, 1, 1, 0, 13, 17 }, { 28, 156, 0, 31, 1, 0, 16, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 5, 37, 19, 1, 1, 0, 14, 17 }, { 28, 156, 0, 31, 1, 0, 16, 11 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 4, 1, 1, 1, 0, 5, 4 }, { 2, 11, 0, 1, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_values = { integral_values, 3, { 3, 8, 6, 1, 1, 0, 9, 6 }, { 11, 41, 0, 1, 1, 0, 11, 7 },
+    .integral_values = { integral_values, 3, { 3, 9, 6, 1, 1, 0, 9, 6 }, { 11, 41, 0, 1, 1, 0, 11, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 12, { 3, 16, 7, 1, 1, 0, 10, 8 }, { 11, 58, 0, 5, 1, 0, 11, 10 },
+    .integral_gradients = { integral_gradients, 12, { 3, 16, 7, 1, 1, 0, 10, 7 }, { 11, 58, 0, 5, 1, 0, 11, 10 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { measure_values, 1, { 2, 2, 1, 0, 0, 0, 4, 3 }, { 2, 6, 0, 1, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },

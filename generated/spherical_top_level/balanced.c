@@ -6,9 +6,9 @@
  *  Command:    ttc generate --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 5   24    7    1    1    0     15    7   (94)
- *  jacobian            8   43   22    1    1    0     17   17   (464)
- *  rhs_jacobian        11   49   24    1    1    0     17   21   (541)
+ *  rhs                 5   25    7    1    1    0     15    7   (94)
+ *  jacobian            8   45   22    1    1    0     17   17   (464)
+ *  rhs_jacobian        11   50   24    1    1    0     17   21   (541)
  *  divergence          3   13    5    1    1    0     12    6   (46)
  *  integral_values     3   12    7    1    1    0      8    6   (50)
  *  integral_gradients  2   25    9    1    1    0     13    8   (123)
@@ -59,13 +59,13 @@ static void prepare(const double *restrict params, double *restrict out)
     out[7] = t1;
     const double t2 = t0*params[4]; /* R*R*I3 */
     out[8] = t2;
-    const double t3 = params[1]*params[6]; /* R*G */
-    out[9] = t3;
-    const double t4 = params[1]*params[4]; /* R*I3 */
-    out[10] = t4;
-    const double t5 = params[3]*params[4]; /* I1*I3 */
-    out[29] = t5;
-    const double t6 = t5/params[0]; /* I1*I3/m */
+    const double t3 = params[3]*params[4]; /* I1*I3 */
+    out[29] = t3;
+    const double t4 = t3/params[0]; /* I1*I3/m */
+    out[9] = t4;
+    const double t5 = params[1]*params[6]; /* R*G */
+    out[10] = t5;
+    const double t6 = params[1]*params[4]; /* R*I3 */
     out[11] = t6;
     const double t7 = params[6]/params[3]; /* G/I1 */
     out[12] = t7;
@@ -147,46 +147,47 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t5 = x[2]*t4; /* omega_tau*s */
-    out[0] = t5;
-    const double t6 = x[0]*p[8]; /* gamma3*R^2*I3 */
-    const double t7 = JLT_FMA(x[0], t6, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t8 = p[11] + t7; /* Theta/m = I1*I3/m + K */
-    const double t9 = t4*t7; /* s*K */
-    const double t10 = t8*t9; /* Theta/m*s*K */
-    const double t11 = 1.0/t10; /* 1/(Theta/m*s*K) */
-    const double t12 = t8*t11; /* 1/(s*K) = Theta/m*1/(Theta/m*s*K) */
-    const double t13 = t9*t11; /* 1/(Theta/m) = s*K*1/(Theta/m*s*K) */
-    const double t14 = t7*t12; /* K*1/(s*K) */
-    const double t15 = t4*t12; /* 1/K = s*1/(s*K) */
-    const double t16 = p[9]*t4; /* R*G*s */
-    const double t17 = x[3]*t4; /* v_tau*s */
-    const double t18 = JLT_FNMA(x[0], p[12], t17); /* v_tau*s - gamma3*G/I1 */
-    const double t19 = t15*t18; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t20 = x[0]*p[10]; /* gamma3*R*I3 */
-    const double t21 = JLT_FMA(x[3], t20, t16); /* v_tau*gamma3*R*I3 + R*G*s */
-    const double t22 = t15*t21; /* 1/K*(v_tau*gamma3*R*I3 + R*G*s) */
-    const double t23 = t14*t22; /* K*1/(s*K)*1/K*(v_tau*gamma3*R*I3 + R*G*s) */
-    const double t24 = x[3]*t23; /* v_tau*K*1/(s*K)*1/K*(v_tau*gamma3*R*I3 + R*G*s) */
-    out[1] = t24;
-    const double t25 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t26 = p[11]*t25; /* I1*I3/m*V */
-    const double t27 = JLT_FNMA(t13, t26, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t28 = t23*t27; /* K*1/(s*K)*1/K*(v_tau*gamma3*R*I3 + R*G*s)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t29 = x[0]*t23; /* gamma3*K*1/(s*K)*1/K*(v_tau*gamma3*R*I3 + R*G*s) */
-    const double t30 = JLT_FMA(p[10], t19, t29); /* R*I3*1/K*(v_tau*s - gamma3*G/I1) + gamma3*K*1/(s*K)*1/K*(v_tau*gamma3*R*I3 + R*G*s) */
-    const double t31 = t22*t30; /* 1/K*(v_tau*gamma3*R*I3 + R*G*s)*t30 */
-    const double t32 = -t31; /* -1/K*(v_tau*gamma3*R*I3 + R*G*s)*t30 */
-    out[2] = t32;
-    const double t33 = x[2]*p[13]; /* omega_tau*R^2*I1*I3*(I1 - I3)/m */
-    const double t34 = x[0]*t33; /* gamma3*omega_tau*R^2*I1*I3*(I1 - I3)/m */
-    const double t35 = t13*t34; /* 1/(Theta/m)*gamma3*omega_tau*R^2*I1*I3*(I1 - I3)/m */
-    const double t36 = JLT_FMA(t19, t35, t28); /* 1/K*(v_tau*s - gamma3*G/I1)*1/(Theta/m)*gamma3*omega_tau*R^2*I1*I3*(I1 - I3)/m + t28 */
-    const double t37 = -t36; /* -t36 */
-    out[3] = t37;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = p[7]*t2; /* R^2*I1*s^2 */
+    const double t4 = x[0]*p[8]; /* gamma3*R^2*I3 */
+    const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s^2 */
+    const double t6 = p[9] + t5; /* Theta/m = I1*I3/m + K */
+    const double t7 = t2*t6; /* s^2*Theta/m */
+    const double t8 = t5*t7; /* K*s^2*Theta/m */
+    const double t9 = 1.0/t8; /* 1/(K*s^2*Theta/m) */
+    const double t10 = t7*t9; /* 1/K = s^2*Theta/m*1/(K*s^2*Theta/m) */
+    const double t11 = t5*t9; /* K*1/(K*s^2*Theta/m) */
+    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t13 = t6*t12; /* Theta/m*s */
+    const double t14 = t11*t13; /* K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t15 = t2*t11; /* 1/(Theta/m) = s^2*K*1/(K*s^2*Theta/m) */
+    const double t16 = x[2]*t12; /* omega_tau*s */
+    out[0] = t16;
+    const double t17 = p[10]*t12; /* R*G*s */
+    const double t18 = x[3]*t12; /* v_tau*s */
+    const double t19 = JLT_FNMA(x[0], p[12], t18); /* v_tau*s - gamma3*G/I1 */
+    const double t20 = t10*t19; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t21 = x[0]*p[11]; /* gamma3*R*I3 */
+    const double t22 = JLT_FMA(x[3], t21, t17); /* v_tau*gamma3*R*I3 + R*G*s */
+    const double t23 = t10*t22; /* 1/K*(v_tau*gamma3*R*I3 + R*G*s) */
+    const double t24 = t14*t23; /* K*1/(K*s^2*Theta/m)*Theta/m*s*1/K*(v_tau*gamma3*R*I3 + R*G*s) */
+    const double t25 = x[3]*t24; /* v_tau*t24 */
+    out[1] = t25;
+    const double t26 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t27 = p[9]*t26; /* I1*I3/m*V */
+    const double t28 = JLT_FNMA(t15, t27, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t29 = t24*t28; /* t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t30 = x[0]*t24; /* gamma3*t24 */
+    const double t31 = JLT_FMA(p[11], t20, t30); /* R*I3*1/K*(v_tau*s - gamma3*G/I1) + gamma3*t24 */
+    const double t32 = t23*t31; /* 1/K*(v_tau*gamma3*R*I3 + R*G*s)*(R*I3*1/K*(v_tau*s - gamma3*G/I1) + gamma3*t24) */
+    const double t33 = -t32; /* -t32 */
+    out[2] = t33;
+    const double t34 = x[2]*p[13]; /* omega_tau*R^2*I1*I3*(I1 - I3)/m */
+    const double t35 = x[0]*t34; /* gamma3*omega_tau*R^2*I1*I3*(I1 - I3)/m */
+    const double t36 = t20*t35; /* 1/K*(v_tau*s - gamma3*G/I1)*gamma3*omega_tau*R^2*I1*I3*(I1 - I3)/m */
+    const double t37 = JLT_FMA(t15, t36, t29); /* 1/(Theta/m)*t36 + t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t38 = -t37; /* -(1/(Theta/m)*t36 + t24*(v_nu - 1/(Theta/m)*I1*I3/m*V)) */
+    out[3] = t38;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -199,89 +200,91 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[10] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(gamma3 + 1) */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t4;
-    const double t5 = x[0]*p[8]; /* gamma3*R^2*I3 */
-    const double t6 = JLT_FMA(x[0], t5, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*(1 - gamma3)*(gamma3 + 1) */
-    const double t7 = p[11] + t6; /* Theta/m = I1*I3/m + K */
-    const double t8 = t4*t6; /* s*K */
-    const double t9 = t7*t8; /* Theta/m*s*K */
-    const double t10 = 1.0/t9; /* 1/(Theta/m*s*K) */
-    const double t11 = t7*t10; /* 1/(s*K) = Theta/m*1/(Theta/m*s*K) */
-    const double t12 = t8*t10; /* 1/(Theta/m) = s*K*1/(Theta/m*s*K) */
-    const double t13 = t6*t11; /* 1/s = K*1/(s*K) */
-    const double t14 = x[3]*p[10]; /* v_tau*R*I3 */
-    const double t15 = x[0]*t14; /* gamma3*v_tau*R*I3 */
-    const double t16 = JLT_FMA(p[9], t4, t15); /* R*G*s + gamma3*v_tau*R*I3 */
-    const double t17 = t4*t11; /* 1/K = s*1/(s*K) */
-    const double t18 = t16*t17; /* (R*G*s + gamma3*v_tau*R*I3)*1/K */
-    const double t19 = x[0]*t13; /* gamma3*1/s */
-    const double t20 = JLT_FMS(p[9], t19, t14); /* R*G*gamma3*1/s - v_tau*R*I3 */
-    const double t21 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t23 = p[11]*t22; /* I1*I3/m*V */
-    const double t24 = t12*t23; /* 1/(Theta/m)*I1*I3/m*V */
-    const double t25 = t18*t21; /* (R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t26 = x[3]*t4; /* v_tau*s */
-    const double t27 = JLT_FNMA(x[0], p[12], t26); /* v_tau*s - gamma3*G/I1 */
-    const double t28 = t25 - t20; /* (R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) - (R*G*gamma3*1/s - v_tau*R*I3) */
-    const double t29 = JLT_FNMA(2.0, t25, t20); /* R*G*gamma3*1/s - v_tau*R*I3 - 2*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t30 = t13*t18; /* 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
-    const double t31 = JLT_FMA(t11, t15, t30); /* 1/(s*K)*gamma3*v_tau*R*I3 + 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
-    out[7] = t31;
-    const double t32 = t11*t28; /* 1/(s*K)*t28 */
-    const double t33 = t13*t30; /* 1/s*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
-    const double t34 = JLT_FMA(t19, t33, t32); /* gamma3*1/s*1/s*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K + 1/(s*K)*t28 */
-    const double t35 = t30*t33; /* 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*1/s*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
-    const double t36 = x[3]*t34; /* v_tau*t34 */
-    out[4] = t36;
-    const double t37 = x[0]*t17; /* gamma3*1/K */
-    const double t38 = p[10]*t17; /* R*I3*1/K */
-    const double t39 = t17*t27; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t40 = JLT_FMA(t12, t27, t39); /* 1/(Theta/m)*(v_tau*s - gamma3*G/I1) + 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t41 = JLT_FMA(x[3], t19, p[12]); /* v_tau*gamma3*1/s + G/I1 */
-    const double t42 = JLT_FMS(t21, t40, t41); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t40 - (v_tau*gamma3*1/s + G/I1) */
-    const double t43 = t18*t41; /* (R*G*s + gamma3*v_tau*R*I3)*1/K*(v_tau*gamma3*1/s + G/I1) */
-    const double t44 = JLT_FMA(t29, t39, t43); /* t29*1/K*(v_tau*s - gamma3*G/I1) + (R*G*s + gamma3*v_tau*R*I3)*1/K*(v_tau*gamma3*1/s + G/I1) */
-    const double t45 = JLT_FMS(t38, t44, t35); /* R*I3*1/K*t44 - t35 */
-    const double t46 = t4*t18; /* s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
-    const double t47 = t21*t24; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V */
-    const double t48 = x[1] - t24; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t49 = t34*t48; /* t34*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t50 = t38*t48; /* R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t51 = t19*t50; /* gamma3*1/s*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t52 = x[2]*t19; /* omega_tau*gamma3*1/s */
-    const double t53 = -t52; /* -omega_tau*gamma3*1/s */
-    out[0] = t53;
-    const double t54 = JLT_FMA(t37, t42, t39); /* gamma3*1/K*(gamma3*(2*R^2*I1 - 2*R^2*I3)*t40 - (v_tau*gamma3*1/s + G/I1)) + 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t55 = x[0]*t39; /* gamma3*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t56 = JLT_FMA(p[10], t55, t46); /* R*I3*gamma3*1/K*(v_tau*s - gamma3*G/I1) + s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
-    const double t57 = p[13]*t12; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t58 = t12*t30; /* 1/(Theta/m)*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
-    const double t59 = JLT_FMS(t47, t58, t49); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V*1/(Theta/m)*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K - t34*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t60 = JLT_FMS(p[11], t58, t30); /* I1*I3/m*1/(Theta/m)*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K - 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
-    out[13] = t60;
-    const double t61 = t30*t37; /* 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*1/K */
-    const double t62 = p[16]*t58; /* R*I1*I3/m*1/(Theta/m)*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K */
-    const double t63 = JLT_FNMA(t55, t57, t62); /* R*I1*I3/m*1/(Theta/m)*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K - gamma3*1/K*(v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    out[14] = t63;
-    const double t64 = x[2]*t57; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t65 = JLT_FNMA(t54, t64, t59); /* t59 - t54*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    out[12] = t65;
-    const double t66 = t4*t64; /* s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t67 = JLT_FMA(t37, t66, t51); /* gamma3*1/K*s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + gamma3*1/s*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t68 = -t67; /* -t67 */
-    out[15] = t68;
-    const double t69 = x[0]*p[15]; /* gamma3*2*R*I3 */
-    const double t70 = t61*t69; /* 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*1/K*gamma3*2*R*I3 */
-    const double t71 = JLT_FMA(t38, t56, t70); /* R*I3*1/K*t56 + 1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*1/K*gamma3*2*R*I3 */
-    const double t72 = -t71; /* -t71 */
-    out[11] = t72;
-    const double t73 = 2.0*t61; /* 2*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*1/K */
-    const double t74 = JLT_FNMA(t28, t73, t45); /* R*I3*1/K*t44 - t35 - t28*2*1/s*(R*G*s + gamma3*v_tau*R*I3)*1/K*gamma3*1/K */
-    out[8] = t74;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = p[7]*t2; /* R^2*I1*s^2 */
+    const double t4 = x[0]*p[8]; /* gamma3*R^2*I3 */
+    const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s^2 */
+    const double t6 = p[9] + t5; /* Theta/m = I1*I3/m + K */
+    const double t7 = t2*t5; /* s^2*K */
+    const double t8 = t6*t7; /* Theta/m*s^2*K */
+    const double t9 = 1.0/t8; /* 1/(Theta/m*s^2*K) */
+    const double t10 = t6*t9; /* Theta/m*1/(Theta/m*s^2*K) */
+    const double t11 = t7*t9; /* 1/(Theta/m) = s^2*K*1/(Theta/m*s^2*K) */
+    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t12;
+    const double t13 = t5*t12; /* K*s */
+    const double t14 = t10*t13; /* Theta/m*1/(Theta/m*s^2*K)*K*s */
+    const double t15 = t2*t10; /* 1/K = s^2*Theta/m*1/(Theta/m*s^2*K) */
+    const double t16 = x[3]*p[11]; /* v_tau*R*I3 */
+    const double t17 = x[0]*t16; /* gamma3*v_tau*R*I3 */
+    const double t18 = JLT_FMA(p[10], t12, t17); /* R*G*s + gamma3*v_tau*R*I3 */
+    const double t19 = t15*t18; /* 1/K*(R*G*s + gamma3*v_tau*R*I3) */
+    const double t20 = x[0]*t14; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
+    const double t21 = JLT_FMS(p[10], t20, t16); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 */
+    const double t22 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t23 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t24 = p[9]*t23; /* I1*I3/m*V */
+    const double t25 = t11*t24; /* 1/(Theta/m)*I1*I3/m*V */
+    const double t26 = t19*t22; /* 1/K*(R*G*s + gamma3*v_tau*R*I3)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t27 = x[3]*t12; /* v_tau*s */
+    const double t28 = JLT_FNMA(x[0], p[12], t27); /* v_tau*s - gamma3*G/I1 */
+    const double t29 = t26 - t21; /* 1/K*(R*G*s + gamma3*v_tau*R*I3)*gamma3*(2*R^2*I1 - 2*R^2*I3) - (R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3) */
+    const double t30 = JLT_FNMA(2.0, t26, t21); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - 2*1/K*(R*G*s + gamma3*v_tau*R*I3)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t31 = t14*t15; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K */
+    const double t32 = t14*t19; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
+    const double t33 = JLT_FMA(t17, t31, t32); /* gamma3*v_tau*R*I3*Theta/m*1/(Theta/m*s^2*K)*K*s*1/K + t32 */
+    out[7] = t33;
+    const double t34 = t29*t31; /* t29*Theta/m*1/(Theta/m*s^2*K)*K*s*1/K */
+    const double t35 = t14*t32; /* Theta/m*1/(Theta/m*s^2*K)*K*s*t32 */
+    const double t36 = JLT_FMA(t20, t35, t34); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*Theta/m*1/(Theta/m*s^2*K)*K*s*t32 + t29*Theta/m*1/(Theta/m*s^2*K)*K*s*1/K */
+    const double t37 = t32*t35; /* t32*Theta/m*1/(Theta/m*s^2*K)*K*s*t32 */
+    const double t38 = x[3]*t36; /* v_tau*t36 */
+    out[4] = t38;
+    const double t39 = x[0]*t15; /* gamma3*1/K */
+    const double t40 = p[11]*t15; /* R*I3*1/K */
+    const double t41 = t15*t28; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t42 = JLT_FMA(t11, t28, t41); /* 1/(Theta/m)*(v_tau*s - gamma3*G/I1) + 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t43 = JLT_FMA(x[3], t20, p[12]); /* v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1 */
+    const double t44 = JLT_FMS(t22, t42, t43); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t42 - (v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
+    const double t45 = t19*t43; /* 1/K*(R*G*s + gamma3*v_tau*R*I3)*(v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
+    const double t46 = JLT_FMA(t30, t41, t45); /* t30*1/K*(v_tau*s - gamma3*G/I1) + t45 */
+    const double t47 = JLT_FMS(t40, t46, t37); /* R*I3*1/K*(t30*1/K*(v_tau*s - gamma3*G/I1) + t45) - t32*Theta/m*1/(Theta/m*s^2*K)*K*s*t32 */
+    const double t48 = t12*t19; /* s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
+    const double t49 = t22*t25; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V */
+    const double t50 = x[1] - t25; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t51 = t36*t50; /* t36*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t52 = t40*t50; /* R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t53 = t20*t52; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t54 = x[2]*t20; /* omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
+    const double t55 = -t54; /* -omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
+    out[0] = t55;
+    const double t56 = JLT_FMA(t39, t44, t41); /* gamma3*1/K*t44 + 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t57 = x[0]*t41; /* gamma3*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t58 = JLT_FMA(p[11], t57, t48); /* R*I3*gamma3*1/K*(v_tau*s - gamma3*G/I1) + s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
+    const double t59 = p[13]*t11; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t60 = t11*t32; /* 1/(Theta/m)*t32 */
+    const double t61 = JLT_FMS(t49, t60, t51); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V*1/(Theta/m)*t32 - t36*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t62 = JLT_FMS(p[9], t60, t32); /* I1*I3/m*1/(Theta/m)*t32 - t32 */
+    out[13] = t62;
+    const double t63 = t32*t39; /* t32*gamma3*1/K */
+    const double t64 = p[16]*t60; /* R*I1*I3/m*1/(Theta/m)*t32 */
+    const double t65 = JLT_FNMA(t57, t59, t64); /* R*I1*I3/m*1/(Theta/m)*t32 - gamma3*1/K*(v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    out[14] = t65;
+    const double t66 = x[2]*t59; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t67 = JLT_FNMA(t56, t66, t61); /* t61 - (gamma3*1/K*t44 + 1/K*(v_tau*s - gamma3*G/I1))*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    out[12] = t67;
+    const double t68 = t12*t66; /* s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t69 = JLT_FMA(t39, t68, t53); /* gamma3*1/K*s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + t53 */
+    const double t70 = -t69; /* -t69 */
+    out[15] = t70;
+    const double t71 = x[0]*p[15]; /* gamma3*2*R*I3 */
+    const double t72 = t63*t71; /* t32*gamma3*1/K*gamma3*2*R*I3 */
+    const double t73 = JLT_FMA(t40, t58, t72); /* R*I3*1/K*t58 + t32*gamma3*1/K*gamma3*2*R*I3 */
+    const double t74 = -t73; /* -(R*I3*1/K*t58 + t32*gamma3*1/K*gamma3*2*R*I3) */
+    out[11] = t74;
+    const double t75 = 2.0*t63; /* 2*t32*gamma3*1/K */
+    const double t76 = JLT_FNMA(t29, t75, t47); /* t47 - t29*2*t32*gamma3*1/K */
+    out[8] = t76;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -294,104 +297,105 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[14] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[6] = t4;
-    const double t5 = x[0]*p[8]; /* gamma3*R^2*I3 */
-    const double t6 = JLT_FMA(x[0], t5, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t7 = p[11] + t6; /* Theta/m = I1*I3/m + K */
-    const double t8 = t4*t6; /* s*K */
-    const double t9 = t7*t8; /* Theta/m*s*K */
-    const double t10 = 1.0/t9; /* 1/(Theta/m*s*K) */
-    const double t11 = t7*t10; /* 1/(s*K) = Theta/m*1/(Theta/m*s*K) */
-    const double t12 = t8*t10; /* 1/(Theta/m) = s*K*1/(Theta/m*s*K) */
-    const double t13 = t6*t11; /* 1/s = K*1/(s*K) */
-    const double t14 = t4*t11; /* 1/K = s*1/(s*K) */
-    const double t15 = p[9]*t4; /* R*G*s */
-    const double t16 = x[3]*p[10]; /* v_tau*R*I3 */
-    const double t17 = JLT_FMA(x[0], t16, t15); /* gamma3*v_tau*R*I3 + R*G*s */
-    const double t18 = t14*t17; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t19 = x[3]*t4; /* v_tau*s */
-    const double t20 = JLT_FNMA(x[0], p[12], t19); /* v_tau*s - gamma3*G/I1 */
-    const double t21 = p[13]*t12; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t22 = x[0]*t14; /* gamma3*1/K */
-    const double t23 = t13*t18; /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t24 = x[3]*t23; /* v_tau*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    out[1] = t24;
-    const double t25 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t26 = p[11]*t12; /* I1*I3/m*1/(Theta/m) */
-    const double t27 = t25*t26; /* V*I1*I3/m*1/(Theta/m) */
-    const double t28 = JLT_FMS(t23, t26, t23); /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*I1*I3/m*1/(Theta/m) - 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    out[17] = t28;
-    const double t29 = t21*t22; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t30 = x[2]*t21; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t31 = t20*t29; /* (v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t32 = x[0]*t13; /* gamma3*1/s */
-    const double t33 = t12*t23; /* 1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t34 = t12 + t14; /* 1/(Theta/m) + 1/K */
-    const double t35 = JLT_FMS(p[16], t33, t31); /* R*I1*I3/m*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t31 */
-    out[18] = t35;
-    const double t36 = x[2]*t31; /* omega_tau*t31 */
-    const double t37 = t27*t33; /* V*I1*I3/m*1/(Theta/m)*1/(Theta/m)*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t38 = JLT_FNMA(t34, t36, t37); /* t37 - (1/(Theta/m) + 1/K)*omega_tau*t31 */
-    const double t39 = x[1] - t27; /* v_nu - V*I1*I3/m*1/(Theta/m) */
-    const double t40 = JLT_FMA(t23, t39, t36); /* 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*(v_nu - V*I1*I3/m*1/(Theta/m)) + omega_tau*t31 */
-    const double t41 = -t40; /* -t40 */
-    out[3] = t41;
-    const double t42 = p[10]*t14; /* R*I3*1/K */
-    const double t43 = JLT_FMS(p[9], t32, t16); /* R*G*gamma3*1/s - v_tau*R*I3 */
-    const double t44 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t45 = t38*t44; /* (t37 - (1/(Theta/m) + 1/K)*omega_tau*t31)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t46 = t14*t20; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t47 = p[17]*t22; /* R^2*I3^2*gamma3*1/K */
-    const double t48 = t46*t47; /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
-    const double t49 = x[2]*t4; /* omega_tau*s */
-    out[0] = t49;
-    const double t50 = t29*t49; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*omega_tau*s */
-    const double t51 = t18*t42; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t52 = JLT_FMA(t4, t51, t48); /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
-    const double t53 = t20*t51; /* (v_tau*s - gamma3*G/I1)*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t54 = t42*t46; /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t55 = t13*t23; /* 1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t56 = t13*t43; /* 1/s*(R*G*gamma3*1/s - v_tau*R*I3) */
-    const double t57 = JLT_FNMA(t23, t44, t56); /* 1/s*(R*G*gamma3*1/s - v_tau*R*I3) - 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t58 = t18*t44; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t59 = t13*t22; /* 1/s*gamma3*1/K */
-    const double t60 = JLT_FMA(t16, t59, t23); /* v_tau*R*I3*1/s*gamma3*1/K + 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    out[11] = t60;
-    const double t61 = JLT_FMA(x[3], t32, p[12]); /* v_tau*gamma3*1/s + G/I1 */
-    const double t62 = t51*t61; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*1/s + G/I1) */
-    const double t63 = JLT_FNMA(t22, t61, t46); /* 1/K*(v_tau*s - gamma3*G/I1) - gamma3*1/K*(v_tau*gamma3*1/s + G/I1) */
-    const double t64 = JLT_FNMA(t30, t63, t45); /* t45 - omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t63 */
-    const double t65 = x[0]*t23; /* gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t66 = JLT_FMA(t18, t65, t53); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) + t53 */
-    const double t67 = -t66; /* -t66 */
-    out[2] = t67;
-    const double t68 = t32*t55; /* gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t69 = JLT_FNMA(t14, t57, t68); /* gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t57 */
-    const double t70 = JLT_FNMA(t39, t69, t64); /* t45 - omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t63 - (v_nu - V*I1*I3/m*1/(Theta/m))*(gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t57) */
-    out[16] = t70;
-    const double t71 = x[3]*t69; /* v_tau*(gamma3*1/s*1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - 1/K*t57) */
-    out[8] = t71;
-    const double t72 = p[10]*t39; /* R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t73 = JLT_FMA(t59, t72, t50); /* 1/s*gamma3*1/K*R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) + R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*omega_tau*s */
-    const double t74 = -t73; /* -t73 */
-    out[19] = t74;
-    const double t75 = x[2]*t32; /* omega_tau*gamma3*1/s */
-    const double t76 = -t75; /* -omega_tau*gamma3*1/s */
-    out[4] = t76;
-    const double t77 = t43 - t58; /* R*G*gamma3*1/s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t78 = JLT_FNMA(2.0, t58, t43); /* R*G*gamma3*1/s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t79 = JLT_FMA(t54, t78, t62); /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1)*t78 + t62 */
-    const double t80 = 2.0*t22; /* 2*gamma3*1/K */
-    const double t81 = JLT_FNMA(t77, t80, t55); /* 1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t77*2*gamma3*1/K */
-    const double t82 = JLT_FNMA(t23, t81, t79); /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1)*t78 + t62 - 1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*(1/s*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s) - t77*2*gamma3*1/K) */
-    out[12] = t82;
-    const double t83 = p[15]*t22; /* 2*R*I3*gamma3*1/K */
-    const double t84 = JLT_FMA(t65, t83, t52); /* gamma3*1/s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*2*R*I3*gamma3*1/K + t52 */
-    const double t85 = -t84; /* -t84 */
-    out[15] = t85;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = p[7]*t2; /* R^2*I1*s^2 */
+    const double t4 = x[0]*p[8]; /* gamma3*R^2*I3 */
+    const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s^2 */
+    const double t6 = p[9] + t5; /* Theta/m = I1*I3/m + K */
+    const double t7 = t2*t5; /* s^2*K */
+    const double t8 = t6*t7; /* Theta/m*s^2*K */
+    const double t9 = 1.0/t8; /* 1/(Theta/m*s^2*K) */
+    const double t10 = t6*t9; /* Theta/m*1/(Theta/m*s^2*K) */
+    const double t11 = t7*t9; /* 1/(Theta/m) = s^2*K*1/(Theta/m*s^2*K) */
+    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
+    out[6] = t12;
+    const double t13 = t2*t10; /* 1/K = s^2*Theta/m*1/(Theta/m*s^2*K) */
+    const double t14 = t5*t12; /* K*s */
+    const double t15 = t10*t14; /* Theta/m*1/(Theta/m*s^2*K)*K*s */
+    const double t16 = p[10]*t12; /* R*G*s */
+    const double t17 = x[3]*p[11]; /* v_tau*R*I3 */
+    const double t18 = JLT_FMA(x[0], t17, t16); /* gamma3*v_tau*R*I3 + R*G*s */
+    const double t19 = t13*t18; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t20 = x[3]*t12; /* v_tau*s */
+    const double t21 = JLT_FNMA(x[0], p[12], t20); /* v_tau*s - gamma3*G/I1 */
+    const double t22 = p[13]*t11; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t23 = x[0]*t13; /* gamma3*1/K */
+    const double t24 = t15*t19; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t25 = x[3]*t24; /* v_tau*t24 */
+    out[1] = t25;
+    const double t26 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t27 = p[9]*t11; /* I1*I3/m*1/(Theta/m) */
+    const double t28 = t26*t27; /* V*I1*I3/m*1/(Theta/m) */
+    const double t29 = JLT_FMS(t24, t27, t24); /* t24*I1*I3/m*1/(Theta/m) - t24 */
+    out[17] = t29;
+    const double t30 = t22*t23; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
+    const double t31 = x[2]*t22; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t32 = t21*t30; /* (v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
+    const double t33 = x[0]*t15; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
+    const double t34 = t11*t24; /* 1/(Theta/m)*t24 */
+    const double t35 = t11 + t13; /* 1/(Theta/m) + 1/K */
+    const double t36 = JLT_FMS(p[16], t34, t32); /* R*I1*I3/m*1/(Theta/m)*t24 - t32 */
+    out[18] = t36;
+    const double t37 = x[2]*t32; /* omega_tau*t32 */
+    const double t38 = t28*t34; /* V*I1*I3/m*1/(Theta/m)*1/(Theta/m)*t24 */
+    const double t39 = JLT_FNMA(t35, t37, t38); /* V*I1*I3/m*1/(Theta/m)*1/(Theta/m)*t24 - (1/(Theta/m) + 1/K)*omega_tau*t32 */
+    const double t40 = x[1] - t28; /* v_nu - V*I1*I3/m*1/(Theta/m) */
+    const double t41 = JLT_FMA(t24, t40, t37); /* t24*(v_nu - V*I1*I3/m*1/(Theta/m)) + omega_tau*t32 */
+    const double t42 = -t41; /* -(t24*(v_nu - V*I1*I3/m*1/(Theta/m)) + omega_tau*t32) */
+    out[3] = t42;
+    const double t43 = p[11]*t13; /* R*I3*1/K */
+    const double t44 = JLT_FMS(p[10], t33, t17); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 */
+    const double t45 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t46 = t39*t45; /* t39*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t47 = t13*t21; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t48 = p[17]*t23; /* R^2*I3^2*gamma3*1/K */
+    const double t49 = t47*t48; /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
+    const double t50 = x[2]*t12; /* omega_tau*s */
+    out[0] = t50;
+    const double t51 = t30*t50; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*omega_tau*s */
+    const double t52 = t19*t43; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t53 = JLT_FMA(t12, t52, t49); /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
+    const double t54 = t21*t52; /* (v_tau*s - gamma3*G/I1)*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t55 = t43*t47; /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t56 = t15*t24; /* Theta/m*1/(Theta/m*s^2*K)*K*s*t24 */
+    const double t57 = t15*t44; /* Theta/m*1/(Theta/m*s^2*K)*K*s*(R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3) */
+    const double t58 = JLT_FNMA(t24, t45, t57); /* t57 - t24*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t59 = t19*t45; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t60 = t15*t23; /* Theta/m*1/(Theta/m*s^2*K)*K*s*gamma3*1/K */
+    const double t61 = JLT_FMA(t17, t60, t24); /* v_tau*R*I3*Theta/m*1/(Theta/m*s^2*K)*K*s*gamma3*1/K + t24 */
+    out[11] = t61;
+    const double t62 = JLT_FMA(x[3], t33, p[12]); /* v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1 */
+    const double t63 = t52*t62; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
+    const double t64 = JLT_FNMA(t23, t62, t47); /* 1/K*(v_tau*s - gamma3*G/I1) - gamma3*1/K*(v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
+    const double t65 = JLT_FNMA(t31, t64, t46); /* t39*gamma3*(2*R^2*I1 - 2*R^2*I3) - omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t64 */
+    const double t66 = x[0]*t24; /* gamma3*t24 */
+    const double t67 = JLT_FMA(t19, t66, t54); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t24 + t54 */
+    const double t68 = -t67; /* -(1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t24 + t54) */
+    out[2] = t68;
+    const double t69 = t33*t56; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*Theta/m*1/(Theta/m*s^2*K)*K*s*t24 */
+    const double t70 = JLT_FNMA(t13, t58, t69); /* t69 - 1/K*(t57 - t24*gamma3*(2*R^2*I1 - 2*R^2*I3)) */
+    const double t71 = JLT_FNMA(t40, t70, t65); /* t65 - (v_nu - V*I1*I3/m*1/(Theta/m))*(t69 - 1/K*(t57 - t24*gamma3*(2*R^2*I1 - 2*R^2*I3))) */
+    out[16] = t71;
+    const double t72 = x[3]*t70; /* v_tau*(t69 - 1/K*(t57 - t24*gamma3*(2*R^2*I1 - 2*R^2*I3))) */
+    out[8] = t72;
+    const double t73 = p[11]*t40; /* R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t74 = JLT_FMA(t60, t73, t51); /* Theta/m*1/(Theta/m*s^2*K)*K*s*gamma3*1/K*R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) + R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*omega_tau*s */
+    const double t75 = -t74; /* -t74 */
+    out[19] = t75;
+    const double t76 = x[2]*t33; /* omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
+    const double t77 = -t76; /* -omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
+    out[4] = t77;
+    const double t78 = t44 - t59; /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t79 = JLT_FNMA(2.0, t59, t44); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t80 = JLT_FMA(t55, t79, t63); /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1)*t79 + t63 */
+    const double t81 = 2.0*t23; /* 2*gamma3*1/K */
+    const double t82 = JLT_FNMA(t78, t81, t56); /* Theta/m*1/(Theta/m*s^2*K)*K*s*t24 - t78*2*gamma3*1/K */
+    const double t83 = JLT_FNMA(t24, t82, t80); /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1)*t79 + t63 - t24*(Theta/m*1/(Theta/m*s^2*K)*K*s*t24 - t78*2*gamma3*1/K) */
+    out[12] = t83;
+    const double t84 = p[15]*t23; /* 2*R*I3*gamma3*1/K */
+    const double t85 = JLT_FMA(t66, t84, t53); /* gamma3*t24*2*R*I3*gamma3*1/K + t53 */
+    const double t86 = -t85; /* -(gamma3*t24*2*R*I3*gamma3*1/K + t53) */
+    out[15] = t86;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -456,38 +460,38 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(gamma3 + 1) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = p[7]*t2; /* R^2*I1*s^2 */
     const double t4 = x[0]*p[8]; /* gamma3*R^2*I3 */
-    const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*(1 - gamma3)*(gamma3 + 1) */
+    const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s^2 */
     const double t6 = JLT_FMA(p[0], t5, p[29]); /* Theta = m*K + I1*I3 */
-    const double t7 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t8 = t5*t7; /* K*s */
-    const double t9 = 1.0/t8; /* 1/(K*s) */
-    const double t10 = t7*t9; /* 1/K = s*1/(K*s) */
-    const double t11 = t6*t10; /* Theta*1/K */
-    const double t12 = x[3]*t11; /* v_tau*Theta*1/K */
-    out[3] = t12;
-    const double t13 = JLT_FMS(x[3], p[0], t12); /* v_tau*m - v_tau*Theta*1/K */
-    const double t14 = x[3]*t13; /* v_tau*(v_tau*m - v_tau*Theta*1/K) */
-    const double t15 = JLT_FNMA(t10, p[30], t14); /* v_tau*(v_tau*m - v_tau*Theta*1/K) - 1/K*G^2 */
-    const double t16 = p[28]*x[0]; /* (-R^2*I1 + R^2*I3)*gamma3 */
-    const double t17 = t10*t16; /* 1/K*(-R^2*I1 + R^2*I3)*gamma3 */
-    const double t18 = t15*t17; /* (v_tau*(v_tau*m - v_tau*Theta*1/K) - 1/K*G^2)*1/K*(-R^2*I1 + R^2*I3)*gamma3 */
-    out[0] = t18;
-    const double t19 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t19;
-    const double t20 = p[3]*x[2]; /* I1*omega_tau */
-    out[2] = t20;
-    const double t21 = x[0]*x[3]; /* gamma3*v_tau */
-    const double t22 = t5*t21; /* K*gamma3*v_tau */
-    const double t23 = JLT_FMA(t9, t22, p[12]); /* 1/(K*s)*K*gamma3*v_tau + G/I1 */
-    const double t24 = x[3]*t7; /* v_tau*s */
-    const double t25 = JLT_FNMA(x[0], p[12], t24); /* v_tau*s - gamma3*G/I1 */
-    const double t26 = t10*t25; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t27 = t11*t26; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t7 = t2*t5; /* s^2*K */
+    const double t8 = 1.0/t7; /* 1/(s^2*K) */
+    const double t9 = t2*t8; /* 1/K = s^2*1/(s^2*K) */
+    const double t10 = t6*t9; /* Theta*1/K */
+    const double t11 = x[3]*t10; /* v_tau*Theta*1/K */
+    out[3] = t11;
+    const double t12 = JLT_FMS(x[3], p[0], t11); /* v_tau*m - v_tau*Theta*1/K */
+    const double t13 = x[3]*t12; /* v_tau*(v_tau*m - v_tau*Theta*1/K) */
+    const double t14 = JLT_FNMA(t9, p[30], t13); /* v_tau*(v_tau*m - v_tau*Theta*1/K) - 1/K*G^2 */
+    const double t15 = p[28]*x[0]; /* (-R^2*I1 + R^2*I3)*gamma3 */
+    const double t16 = t9*t15; /* 1/K*(-R^2*I1 + R^2*I3)*gamma3 */
+    const double t17 = t14*t16; /* (v_tau*(v_tau*m - v_tau*Theta*1/K) - 1/K*G^2)*1/K*(-R^2*I1 + R^2*I3)*gamma3 */
+    out[0] = t17;
+    const double t18 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t18;
+    const double t19 = p[3]*x[2]; /* I1*omega_tau */
+    out[2] = t19;
+    const double t20 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t21 = x[3]*t20; /* v_tau*s */
+    const double t22 = x[0]*t5; /* gamma3*K */
+    const double t23 = t21*t22; /* v_tau*s*gamma3*K */
+    const double t24 = JLT_FMA(t8, t23, p[12]); /* 1/(s^2*K)*v_tau*s*gamma3*K + G/I1 */
+    const double t25 = JLT_FNMA(x[0], p[12], t21); /* v_tau*s - gamma3*G/I1 */
+    const double t26 = t9*t25; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t27 = t10*t26; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
     const double t28 = p[31]*t27; /* 2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t29 = t23*t28; /* (1/(K*s)*K*gamma3*v_tau + G/I1)*2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t29 = t24*t28; /* (1/(s^2*K)*v_tau*s*gamma3*K + G/I1)*2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
     const double t30 = t27*p[32]; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1)*4*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
     const double t31 = JLT_FNMA(t26, p[33], t30); /* t30 - 1/K*(v_tau*s - gamma3*G/I1)*2*m*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
     const double t32 = x[0]*t26; /* gamma3*1/K*(v_tau*s - gamma3*G/I1) */
@@ -498,7 +502,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[5] = t35;
     const double t36 = t34*p[35]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[6] = t36;
-    const double t37 = t7*t28; /* s*2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t37 = t20*t28; /* s*2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
     out[7] = t37;
 }
 
@@ -560,7 +564,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t18[k] = jlt_jet_product(x2, t17, k);
         t19[k] = x0[k]*p[8];
         t20[k] = jlt_jet_product(x0, t19, k) + t16[k];
-        t21[k] = (k == 0 ? p[11] : 0) + t20[k];
+        t21[k] = (k == 0 ? p[9] : 0) + t20[k];
         t22[k] = jlt_jet_product(t17, t20, k);
         t23[k] = jlt_jet_product(t21, t22, k);
         t24[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t23, t24, k);
@@ -568,21 +572,21 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t26[k] = jlt_jet_product(t22, t24, k);
         t27[k] = jlt_jet_product(t20, t25, k);
         t28[k] = jlt_jet_product(t17, t25, k);
-        t29[k] = p[9]*t17[k];
+        t29[k] = p[10]*t17[k];
         t30[k] = jlt_jet_product(x3, t17, k);
         t31[k] = t30[k] - x0[k]*p[12];
         t32[k] = jlt_jet_product(t28, t31, k);
-        t33[k] = x0[k]*p[10];
+        t33[k] = x0[k]*p[11];
         t34[k] = jlt_jet_product(x3, t33, k) + t29[k];
         t35[k] = jlt_jet_product(t28, t34, k);
         t36[k] = jlt_jet_product(t27, t35, k);
         t37[k] = jlt_jet_product(x3, t36, k);
         t38[k] = x2[k]*p[1] + x1[k];
-        t39[k] = p[11]*t38[k];
+        t39[k] = p[9]*t38[k];
         t40[k] = x1[k] - jlt_jet_product(t26, t39, k);
         t41[k] = jlt_jet_product(t36, t40, k);
         t42[k] = jlt_jet_product(x0, t36, k);
-        t43[k] = p[10]*t32[k] + t42[k];
+        t43[k] = p[11]*t32[k] + t42[k];
         t44[k] = jlt_jet_product(t35, t43, k);
         t45[k] = -t44[k];
         t46[k] = x2[k]*p[13];
@@ -840,11 +844,11 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 5, 24, 7, 1, 1, 0, 15, 7 }, { 16, 71, 0, 6, 1, 0, 12, 9 },
+    .rhs = { rhs, 4, { 5, 25, 7, 1, 1, 0, 15, 7 }, { 16, 71, 0, 6, 1, 0, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 16, { 8, 43, 22, 1, 1, 0, 17, 17 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
+    .jacobian = { jacobian, 16, { 8, 45, 22, 1, 1, 0, 17, 17 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 11, 49, 24, 1, 1, 0, 17, 21 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 11, 50, 24, 1, 1, 0, 17, 21 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 3, 13, 5, 1, 1, 0, 12, 6 }, { 9, 32, 0, 4, 1, 0, 12, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },

@@ -5,10 +5,10 @@
  *  Command:    ttc generate --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   29   13    1    1    0     17   11   (110)
- *  jacobian            10   57   32    1    1    0     20   24   (567)
- *  rhs_jacobian        10   58   36    1    1    0     20   27   (653)
- *  divergence          4   20    9    1    1    0     15   10   (60)
+ *  rhs                 4   30   13    1    1    0     16   11   (110)
+ *  jacobian            10   59   32    1    1    0     19   23   (567)
+ *  rhs_jacobian        10   59   36    1    1    0     18   28   (653)
+ *  divergence          4   21    9    1    1    0     14    9   (60)
  *  integral_values     4    6    6    1    0    0      8    5   (40)
  *  integral_gradients  6   11    5    1    0    0     10    5   (59)
  *
@@ -41,42 +41,42 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
-    const double t0 = params[1]*params[1]; /* R*R */
-    const double t1 = t0*params[3]; /* R*R*I1 */
-    out[7] = t1;
-    const double t2 = params[1]*params[6]; /* R*G */
-    out[8] = t2;
-    const double t3 = params[5]*params[5]; /* a3*a3 */
-    const double t4 = params[0]*t3; /* m*a3*a3 */
-    out[30] = t4;
-    const double t5 = t4/params[3]; /* m*a3*a3/I1 */
+    const double t0 = params[5]*params[5]; /* a3*a3 */
+    const double t1 = params[0]*t0; /* m*a3*a3 */
+    out[30] = t1;
+    const double t2 = t1/params[3]; /* m*a3*a3/I1 */
+    out[7] = t2;
+    const double t3 = params[1]*params[6]; /* R*G */
+    out[8] = t3;
+    const double t4 = params[1]*params[1]; /* R*R */
+    const double t5 = params[3]*t4; /* I1*R*R */
     out[9] = t5;
     const double t6 = params[3]*params[4]; /* I1*I3 */
     const double t7 = t6/params[0]; /* I1*I3/m */
     out[10] = t7;
     const double t8 = params[1]*params[4]; /* R*I3 */
     out[11] = t8;
-    const double t9 = params[1]*params[3]; /* R*I1 */
-    const double t10 = params[6]/t9; /* G/(R*I1) */
+    const double t9 = params[3]*params[1]; /* I1*R */
+    const double t10 = params[6]/t9; /* G/(I1*R) */
     out[12] = t10;
     const double t11 = params[0]*params[2]; /* m*g */
     const double t12 = params[5]*t11; /* a3*m*g */
     out[33] = t12;
     const double t13 = t12/params[3]; /* a3*m*g/I1 */
     out[13] = t13;
-    const double t14 = params[4]*t9; /* I3*R*I1 */
-    const double t15 = t14/params[0]; /* I3*R*I1/m */
+    const double t14 = params[4]*t9; /* I3*I1*R */
+    const double t15 = t14/params[0]; /* I3*I1*R/m */
     out[14] = t15;
     const double t16 = params[3] - params[4]; /* I1 - I3 */
     const double t17 = params[1]*t16; /* R*(I1 - I3) */
     out[15] = t17;
     const double t18 = params[5]*params[4]; /* a3*I3 */
     out[16] = t18;
-    const double t19 = t0*params[4]; /* R*R*I3 */
+    const double t19 = t4*params[4]; /* R*R*I3 */
     out[17] = t19;
     const double t20 = params[5]/params[1]; /* a3/R */
     out[18] = t20;
-    const double t21 = t0*2.0; /* R*R*2 */
+    const double t21 = t4*2.0; /* R*R*2 */
     const double t22 = params[3]*t21; /* I1*R*R*2 */
     out[19] = t22;
     const double t23 = params[4]*t21; /* I3*R*R*2 */
@@ -85,47 +85,47 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t25 = 2.0*t24; /* 2*m*m */
     const double t26 = params[2]*t25; /* g*2*m*m */
     const double t27 = params[3]*params[3]; /* I1*I1 */
-    const double t28 = params[5]*t3; /* a3*a3*a3 */
+    const double t28 = params[5]*t0; /* a3*a3*a3 */
     const double t29 = t26*t28; /* g*2*m*m*a3*a3*a3 */
     const double t30 = t29/t27; /* g*2*m*m*a3*a3*a3/(I1*I1) */
     out[21] = t30;
-    const double t31 = t3*t3; /* a3*a3*a3*a3 */
+    const double t31 = t0*t0; /* a3*a3*a3*a3 */
     const double t32 = t25*t31; /* 2*m*m*a3*a3*a3*a3 */
     const double t33 = t32/t27; /* 2*m*m*a3*a3*a3*a3/(I1*I1) */
     out[22] = t33;
     const double t34 = params[6]/params[3]; /* G/I1 */
     out[23] = t34;
     const double t35 = params[0]*2.0; /* m*2 */
-    const double t36 = t3*t35; /* a3*a3*m*2 */
+    const double t36 = t0*t35; /* a3*a3*m*2 */
     out[27] = t36;
     const double t37 = t36/params[3]; /* a3*a3*m*2/I1 */
     out[24] = t37;
     const double t38 = params[5]*t6; /* a3*I1*I3 */
     const double t39 = t38/params[0]; /* a3*I1*I3/m */
     out[25] = t39;
-    const double t40 = t1*params[4]; /* R*R*I1*I3 */
-    const double t41 = t16*t40; /* (I1 - I3)*R*R*I1*I3 */
-    const double t42 = t41/params[0]; /* (I1 - I3)*R*R*I1*I3/m */
+    const double t40 = t5*params[4]; /* I1*R*R*I3 */
+    const double t41 = t16*t40; /* (I1 - I3)*I1*R*R*I3 */
+    const double t42 = t41/params[0]; /* (I1 - I3)*I1*R*R*I3/m */
     out[26] = t42;
     const double t43 = params[4]/params[3]; /* I3/I1 */
     out[28] = t43;
-    const double t44 = t0*params[0]; /* R*R*m */
-    const double t45 = params[4]/t44; /* I3/(R*R*m) */
+    const double t44 = params[0]*t4; /* m*R*R */
+    const double t45 = params[4]/t44; /* I3/(m*R*R) */
     out[29] = t45;
-    const double t46 = params[1]*t0; /* R*R*R */
+    const double t46 = params[1]*t4; /* R*R*R */
     const double t47 = params[0]*t46; /* m*R*R*R */
     const double t48 = params[3]*t47; /* I1*m*R*R*R */
     const double t49 = params[4]/t48; /* I3/(I1*m*R*R*R) */
     out[31] = t49;
-    const double t50 = 1.0/t9; /* 1/(R*I1) */
+    const double t50 = 1.0/t9; /* 1/(I1*R) */
     out[32] = t50;
     const double t51 = params[0]/2.0; /* m/2 */
     out[34] = t51;
-    const double t52 = params[3]*t44; /* I1*R*R*m */
+    const double t52 = params[3]*t44; /* I1*m*R*R */
     const double t53 = params[6]*params[6]; /* G*G */
-    const double t54 = t53/t52; /* G*G/(I1*R*R*m) */
+    const double t54 = t53/t52; /* G*G/(I1*m*R*R) */
     out[35] = t54;
-    const double t55 = t53/t1; /* G*G/(R*R*I1) */
+    const double t55 = t53/t5; /* G*G/(I1*R*R) */
     out[36] = t55;
 }
 
@@ -133,56 +133,57 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[5]); /* b = gamma3*R + a3 */
-    const double t4 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t5 = p[4]*t3; /* I3*b */
-    const double t6 = JLT_FMA(t3, t5, t4); /* K = b*I3*b + R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t7 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t8 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t9 = t6*t7; /* K*s */
-    const double t10 = p[10] + t6; /* Theta/m = I1*I3/m + K */
-    const double t11 = t8*t9; /* D/I1*K*s */
-    const double t12 = t10*t11; /* Theta/m*D/I1*K*s */
-    const double t13 = 1.0/t12; /* 1/(Theta/m*D/I1*K*s) */
-    const double t14 = t10*t13; /* 1/(s*K*(D/I1)) = Theta/m*1/(Theta/m*D/I1*K*s) */
-    const double t15 = t11*t13; /* 1/(Theta/m) = D/I1*K*s*1/(Theta/m*D/I1*K*s) */
-    const double t16 = t8*t14; /* 1/(s*K) = D/I1*1/(s*K*(D/I1)) */
-    const double t17 = t9*t14; /* K*s*1/(s*K*(D/I1)) */
-    const double t18 = t6*t16; /* K*1/(s*K) */
-    const double t19 = t7*t16; /* 1/K = s*1/(s*K) */
-    const double t20 = p[8]*t7; /* R*G*s */
-    const double t21 = JLT_FMA(x[3], t5, t20); /* v_tau*I3*b + R*G*s */
-    const double t22 = t19*t21; /* 1/K*(v_tau*I3*b + R*G*s) */
-    const double t23 = t18*t22; /* K*1/(s*K)*1/K*(v_tau*I3*b + R*G*s) */
-    const double t24 = x[3]*t23; /* v_tau*K*1/(s*K)*1/K*(v_tau*I3*b + R*G*s) */
-    out[1] = t24;
-    const double t25 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t26 = JLT_FMA(x[2], t25, x[1]); /* V = omega_tau*e + v_nu */
-    const double t27 = p[10]*t26; /* I1*I3/m*V */
-    const double t28 = JLT_FNMA(t15, t27, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t29 = t23*t28; /* K*1/(s*K)*1/K*(v_tau*I3*b + R*G*s)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t30 = x[0]*t23; /* gamma3*K*1/(s*K)*1/K*(v_tau*I3*b + R*G*s) */
-    const double t31 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
-    const double t32 = x[0]*t31; /* gamma3*omega_tau*m*a3^2/I1 */
-    const double t33 = x[3]*t7; /* v_tau*s */
-    const double t34 = JLT_FNMA(p[12], t3, t33); /* v_tau*s - G/(R*I1)*b */
-    const double t35 = t19*t34; /* 1/K*(v_tau*s - G/(R*I1)*b) */
-    const double t36 = JLT_FMA(p[11], t35, t30); /* R*I3*1/K*(v_tau*s - G/(R*I1)*b) + gamma3*K*1/(s*K)*1/K*(v_tau*I3*b + R*G*s) */
-    const double t37 = x[2]*t7; /* omega_tau*s */
-    out[0] = t37;
-    const double t38 = t32*t37; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t39 = JLT_FNMA(p[13], t7, t38); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
-    const double t40 = JLT_FNMA(t22, t36, t39); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - 1/K*(v_tau*I3*b + R*G*s)*t36 */
-    const double t41 = t17*t40; /* K*s*1/(s*K*(D/I1))*t40 */
-    out[2] = t41;
-    const double t42 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t43 = x[2]*p[14]; /* omega_tau*R*I1*I3/m */
-    const double t44 = t42*t43; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
-    const double t45 = t15*t44; /* 1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
-    const double t46 = JLT_FMA(t35, t45, t29); /* 1/K*(v_tau*s - G/(R*I1)*b)*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m + t29 */
-    const double t47 = -t46; /* -t46 */
-    out[3] = t47;
+    const double t4 = p[4]*t3; /* I3*b */
+    const double t5 = p[9]*t2; /* R^2*I1*s^2 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* K = b*I3*b + R^2*I1*s^2 */
+    const double t7 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t8 = p[10] + t6; /* Theta/m = I1*I3/m + K */
+    const double t9 = t2*t7; /* s^2*D/I1 */
+    const double t10 = t8*t9; /* Theta/m*s^2*D/I1 */
+    const double t11 = t6*t10; /* K*Theta/m*s^2*D/I1 */
+    const double t12 = 1.0/t11; /* 1/(K*Theta/m*s^2*D/I1) */
+    const double t13 = t6*t12; /* K*1/(K*Theta/m*s^2*D/I1) */
+    const double t14 = t10*t12; /* 1/K = Theta/m*s^2*D/I1*1/(K*Theta/m*s^2*D/I1) */
+    const double t15 = t8*t13; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1) */
+    const double t16 = t9*t13; /* 1/(Theta/m) = s^2*D/I1*K*1/(K*Theta/m*s^2*D/I1) */
+    const double t17 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t18 = t7*t17; /* D/I1*s */
+    const double t19 = t15*t18; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s */
+    const double t20 = t2*t15; /* s^2*Theta/m*K*1/(K*Theta/m*s^2*D/I1) */
+    const double t21 = p[8]*t17; /* R*G*s */
+    const double t22 = JLT_FMA(x[3], t4, t21); /* v_tau*I3*b + R*G*s */
+    const double t23 = t14*t22; /* 1/K*(v_tau*I3*b + R*G*s) */
+    const double t24 = t19*t23; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*1/K*(v_tau*I3*b + R*G*s) */
+    const double t25 = x[3]*t24; /* v_tau*t24 */
+    out[1] = t25;
+    const double t26 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t27 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
+    const double t28 = p[10]*t27; /* I1*I3/m*V */
+    const double t29 = JLT_FNMA(t16, t28, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t30 = t24*t29; /* t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t31 = x[0]*t24; /* gamma3*t24 */
+    const double t32 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t33 = x[0]*t32; /* gamma3*omega_tau*m*a3^2/I1 */
+    const double t34 = x[3]*t17; /* v_tau*s */
+    const double t35 = JLT_FNMA(p[12], t3, t34); /* v_tau*s - G/(R*I1)*b */
+    const double t36 = t14*t35; /* 1/K*(v_tau*s - G/(R*I1)*b) */
+    const double t37 = JLT_FMA(p[11], t36, t31); /* R*I3*1/K*(v_tau*s - G/(R*I1)*b) + gamma3*t24 */
+    const double t38 = x[2]*t17; /* omega_tau*s */
+    out[0] = t38;
+    const double t39 = t33*t38; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
+    const double t40 = JLT_FNMA(p[13], t17, t39); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
+    const double t41 = JLT_FNMA(t23, t37, t40); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - 1/K*(v_tau*I3*b + R*G*s)*(R*I3*1/K*(v_tau*s - G/(R*I1)*b) + gamma3*t24) */
+    const double t42 = t20*t41; /* s^2*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*t41 */
+    out[2] = t42;
+    const double t43 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t44 = x[2]*p[14]; /* omega_tau*R*I1*I3/m */
+    const double t45 = t43*t44; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
+    const double t46 = t16*t45; /* 1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
+    const double t47 = JLT_FMA(t36, t46, t30); /* 1/K*(v_tau*s - G/(R*I1)*b)*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m + t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t48 = -t47; /* -t47 */
+    out[3] = t48;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -194,116 +195,118 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[9] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
-    const double t4 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(gamma3 + 1) */
+    const double t4 = p[9]*t2; /* R^2*I1*s^2 */
     const double t5 = p[17]*t3; /* R^2*I3*b/R */
-    const double t6 = JLT_FMA(t3, t5, t4); /* K = b/R*R^2*I3*b/R + R^2*I1*(1 - gamma3)*(gamma3 + 1) */
-    const double t7 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t7;
-    const double t8 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
-    const double t9 = t6*t7; /* K*s */
-    const double t10 = p[10] + t6; /* Theta/m = I1*I3/m + K */
-    const double t11 = t8*t9; /* D/I1*K*s */
-    const double t12 = t10*t11; /* Theta/m*D/I1*K*s */
-    const double t13 = 1.0/t12; /* 1/(Theta/m*D/I1*K*s) */
-    const double t14 = t10*t13; /* 1/(s*K*(D/I1)) = Theta/m*1/(Theta/m*D/I1*K*s) */
-    const double t15 = t11*t13; /* 1/(Theta/m) = D/I1*K*s*1/(Theta/m*D/I1*K*s) */
-    const double t16 = t9*t14; /* 1/(D/I1) = K*s*1/(s*K*(D/I1)) */
-    const double t17 = t8*t14; /* 1/(s*K) = D/I1*1/(s*K*(D/I1)) */
-    const double t18 = t6*t17; /* 1/s = K*1/(s*K) */
-    const double t19 = p[8]*t7; /* R*G*s */
-    const double t20 = x[3]*p[11]; /* v_tau*R*I3 */
-    const double t21 = JLT_FMA(t3, t20, t19); /* b/R*v_tau*R*I3 + R*G*s */
-    const double t22 = x[0]*t16; /* gamma3*1/(D/I1) */
-    const double t23 = x[2]*t7; /* omega_tau*s */
-    const double t24 = t7*t17; /* 1/K = s*1/(s*K) */
-    const double t25 = t22*t23; /* gamma3*1/(D/I1)*omega_tau*s */
-    const double t26 = p[24]*t25; /* 2*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s */
-    out[10] = t26;
-    const double t27 = x[2]*p[22]; /* omega_tau*2*m^2*a3^4/I1^2 */
-    const double t28 = t25*t27; /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 */
-    const double t29 = JLT_FMA(p[13], t18, t28); /* m*g*a3/I1*1/s + gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 */
-    const double t30 = x[3]*t7; /* v_tau*s */
-    const double t31 = JLT_FNMA(p[23], t3, t30); /* v_tau*s - G/I1*b/R */
-    const double t32 = x[0]*t18; /* gamma3*1/s */
-    const double t33 = JLT_FMS(p[8], t32, t20); /* R*G*gamma3*1/s - v_tau*R*I3 */
-    const double t34 = t21*t24; /* (b/R*v_tau*R*I3 + R*G*s)*1/K */
-    const double t35 = p[9]*t21; /* m*a3^2/I1*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t36 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
-    const double t37 = JLT_FMS(p[20], t3, t36); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
-    const double t38 = p[11]*t3; /* R*I3*b/R */
-    const double t39 = x[2]*t32; /* omega_tau*gamma3*1/s */
-    const double t40 = -t39; /* -omega_tau*gamma3*1/s */
-    out[0] = t40;
-    const double t41 = t18*t34; /* 1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K */
-    const double t42 = t18*t41; /* 1/s*1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K */
-    const double t43 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
-    const double t44 = JLT_FNMA(t39, t43, t29); /* t29 - omega_tau*gamma3*1/s*omega_tau*m*a3^2/I1 */
-    const double t45 = t22*t44; /* gamma3*1/(D/I1)*(t29 - omega_tau*gamma3*1/s*omega_tau*m*a3^2/I1) */
-    const double t46 = p[11]*t16; /* R*I3*1/(D/I1) */
-    const double t47 = t24*t46; /* 1/K*R*I3*1/(D/I1) */
-    const double t48 = t24*t31; /* 1/K*(v_tau*s - G/I1*b/R) */
+    const double t6 = JLT_FMA(t3, t5, t4); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
+    const double t7 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t8 = p[10] + t6; /* Theta/m = I1*I3/m + K */
+    const double t9 = t6*t7; /* K*D/I1 */
+    const double t10 = t8*t9; /* Theta/m*K*D/I1 */
+    const double t11 = t2*t10; /* s^2*Theta/m*K*D/I1 */
+    const double t12 = 1.0/t11; /* 1/(s^2*Theta/m*K*D/I1) */
+    const double t13 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t13;
+    const double t14 = t10*t13; /* Theta/m*K*D/I1*s */
+    const double t15 = t12*t14; /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s */
+    const double t16 = t2*t12; /* 1/(K*(D/I1)*(Theta/m)) = s^2*1/(s^2*Theta/m*K*D/I1) */
+    const double t17 = t8*t16; /* 1/(K*(D/I1)) = Theta/m*1/(K*(D/I1)*(Theta/m)) */
+    const double t18 = t9*t16; /* 1/(Theta/m) = K*D/I1*1/(K*(D/I1)*(Theta/m)) */
+    const double t19 = t7*t17; /* 1/K = D/I1*1/(K*(D/I1)) */
+    const double t20 = t6*t17; /* 1/(D/I1) = K*1/(K*(D/I1)) */
+    const double t21 = x[0]*t15; /* gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s */
+    const double t22 = p[8]*t13; /* R*G*s */
+    const double t23 = x[3]*p[11]; /* v_tau*R*I3 */
+    const double t24 = JLT_FMA(t3, t23, t22); /* b/R*v_tau*R*I3 + R*G*s */
+    const double t25 = JLT_FMS(p[8], t21, t23); /* R*G*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s - v_tau*R*I3 */
+    const double t26 = x[2]*t21; /* omega_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s */
+    const double t27 = -t26; /* -omega_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s */
+    out[0] = t27;
+    const double t28 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t29 = t26*t28; /* omega_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*omega_tau*m*a3^2/I1 */
+    const double t30 = JLT_FMS(p[13], t15, t29); /* m*g*a3/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s - t29 */
+    const double t31 = x[3]*t13; /* v_tau*s */
+    const double t32 = JLT_FNMA(p[23], t3, t31); /* v_tau*s - G/I1*b/R */
+    const double t33 = t19*t24; /* 1/K*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t34 = p[7]*t24; /* m*a3^2/I1*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t35 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
+    const double t36 = JLT_FMS(p[20], t3, t35); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
+    const double t37 = p[11]*t3; /* R*I3*b/R */
+    const double t38 = x[0]*t20; /* gamma3*1/(D/I1) */
+    const double t39 = x[2]*t13; /* omega_tau*s */
+    const double t40 = t15*t33; /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t41 = t38*t39; /* gamma3*1/(D/I1)*omega_tau*s */
+    const double t42 = p[24]*t41; /* 2*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s */
+    out[10] = t42;
+    const double t43 = x[2]*p[22]; /* omega_tau*2*m^2*a3^4/I1^2 */
+    const double t44 = JLT_FMA(t41, t43, t30); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 + m*g*a3/I1*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s - t29 */
+    const double t45 = t38*t44; /* gamma3*1/(D/I1)*t44 */
+    const double t46 = p[11]*t19; /* R*I3*1/K */
+    const double t47 = t20*t46; /* 1/(D/I1)*R*I3*1/K */
+    const double t48 = t19*t32; /* 1/K*(v_tau*s - G/I1*b/R) */
     const double t49 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
     const double t50 = p[14]*t49; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t51 = t24*t50; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t52 = t22*t24; /* gamma3*1/(D/I1)*1/K */
-    const double t53 = t41*t52; /* 1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K*gamma3*1/(D/I1)*1/K */
-    const double t54 = t34*t37; /* (b/R*v_tau*R*I3 + R*G*s)*1/K*d(K)/d(gamma3) */
-    const double t55 = JLT_FMS(t22, t35, t54); /* gamma3*1/(D/I1)*m*a3^2/I1*(b/R*v_tau*R*I3 + R*G*s) - (b/R*v_tau*R*I3 + R*G*s)*1/K*d(K)/d(gamma3) */
-    const double t56 = t34*t47; /* (b/R*v_tau*R*I3 + R*G*s)*1/K*1/K*R*I3*1/(D/I1) */
-    const double t57 = t47*t48; /* 1/K*R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) */
-    const double t58 = t33 + t54; /* R*G*gamma3*1/s - v_tau*R*I3 + (b/R*v_tau*R*I3 + R*G*s)*1/K*d(K)/d(gamma3) */
-    const double t59 = 2.0*t55; /* 2*t55 */
-    const double t60 = p[21]*t7; /* 2*m^2*g*a3^3/I1^2*s */
-    const double t61 = t22*t60; /* gamma3*1/(D/I1)*2*m^2*g*a3^3/I1^2*s */
-    const double t62 = JLT_FNMA(t23, t43, t61); /* gamma3*1/(D/I1)*2*m^2*g*a3^3/I1^2*s - omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t63 = JLT_FMA(t41, t42, t62); /* 1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K*1/s*1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K + t62 */
-    const double t64 = t32*t42; /* gamma3*1/s*1/s*1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K */
-    const double t65 = JLT_FNMA(t17, t58, t64); /* gamma3*1/s*1/s*1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K - 1/(s*K)*t58 */
-    const double t66 = JLT_FMA(x[3], t32, p[23]); /* v_tau*gamma3*1/s + G/I1 */
-    const double t67 = t17*t38; /* 1/(s*K)*R*I3*b/R */
-    const double t68 = JLT_FMA(t56, t66, t45); /* (b/R*v_tau*R*I3 + R*G*s)*1/K*1/K*R*I3*1/(D/I1)*(v_tau*gamma3*1/s + G/I1) + t45 */
-    const double t69 = x[3]*t65; /* v_tau*t65 */
-    out[4] = t69;
-    const double t70 = JLT_FMA(x[3], t67, t41); /* v_tau*1/(s*K)*R*I3*b/R + 1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K */
-    out[7] = t70;
-    const double t71 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t72 = p[25]*t41; /* I1*I3*a3/m*1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K */
-    const double t73 = JLT_FNMA(p[26], t48, t72); /* I1*I3*a3/m*1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K - R^2*I1*I3*(I1 - I3)/m*1/K*(v_tau*s - G/I1*b/R) */
-    const double t74 = JLT_FMA(t15, t31, t48); /* 1/(Theta/m)*(v_tau*s - G/I1*b/R) + 1/K*(v_tau*s - G/I1*b/R) */
-    const double t75 = JLT_FMA(t37, t74, t66); /* d(K)/d(gamma3)*(1/(Theta/m)*(v_tau*s - G/I1*b/R) + 1/K*(v_tau*s - G/I1*b/R)) + v_tau*gamma3*1/s + G/I1 */
-    const double t76 = JLT_FMA(t51, t75, t73); /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*t75 + t73 */
-    const double t77 = x[2]*t76; /* omega_tau*(1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*t75 + t73) */
-    const double t78 = t15*t51; /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t79 = JLT_FMA(x[2], t71, x[1]); /* V = omega_tau*e + v_nu */
-    const double t80 = t37*t79; /* d(K)/d(gamma3)*V */
-    const double t81 = p[10]*t15; /* I1*I3/m*1/(Theta/m) */
-    const double t82 = JLT_FNMA(t79, t81, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
-    const double t83 = t41*t81; /* 1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K*I1*I3/m*1/(Theta/m) */
-    const double t84 = JLT_FNMA(t80, t83, t77); /* t77 - d(K)/d(gamma3)*V*1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K*I1*I3/m*1/(Theta/m) */
-    const double t85 = t83 - t41; /* 1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K*I1*I3/m*1/(Theta/m) - 1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K */
-    out[13] = t85;
-    const double t86 = t71*t83; /* e*1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K*I1*I3/m*1/(Theta/m) */
-    const double t87 = JLT_FNMA(t31, t78, t86); /* e*1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K*I1*I3/m*1/(Theta/m) - (v_tau*s - G/I1*b/R)*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    out[14] = t87;
-    const double t88 = t67*t82; /* 1/(s*K)*R*I3*b/R*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t89 = JLT_FMA(t23, t78, t88); /* omega_tau*s*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + 1/(s*K)*R*I3*b/R*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t90 = t65*t82; /* t65*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t91 = JLT_FMS(t15, t84, t90); /* 1/(Theta/m)*t84 - t65*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    out[12] = t91;
-    const double t92 = -t89; /* -t89 */
-    out[15] = t92;
-    const double t93 = t53 + t57; /* 1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K*gamma3*1/(D/I1)*1/K + 1/K*R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) */
-    const double t94 = JLT_FNMA(t59, t93, t68); /* t68 - 2*t55*t93 */
-    const double t95 = JLT_FNMA(t16, t63, t94); /* t68 - 2*t55*t93 - 1/(D/I1)*t63 */
-    const double t96 = JLT_FMA(2.0, t53, t57); /* 2*1/s*(b/R*v_tau*R*I3 + R*G*s)*1/K*gamma3*1/(D/I1)*1/K + 1/K*R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) */
-    const double t97 = JLT_FMA(t33, t96, t95); /* (R*G*gamma3*1/s - v_tau*R*I3)*t96 + t68 - 2*t55*t93 - 1/(D/I1)*t63 */
-    out[8] = t97;
-    const double t98 = t38*t96; /* R*I3*b/R*t96 */
-    const double t99 = JLT_FMA(t7, t56, t98); /* s*(b/R*v_tau*R*I3 + R*G*s)*1/K*1/K*R*I3*1/(D/I1) + R*I3*b/R*t96 */
-    const double t100 = -t99; /* -t99 */
-    out[11] = t100;
+    const double t51 = t19*t50; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t52 = t33*t36; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*d(K)/d(gamma3) */
+    const double t53 = JLT_FMS(t34, t38, t52); /* m*a3^2/I1*(b/R*v_tau*R*I3 + R*G*s)*gamma3*1/(D/I1) - 1/K*(b/R*v_tau*R*I3 + R*G*s)*d(K)/d(gamma3) */
+    const double t54 = t33*t47; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*1/(D/I1)*R*I3*1/K */
+    const double t55 = t47*t48; /* 1/(D/I1)*R*I3*1/K*1/K*(v_tau*s - G/I1*b/R) */
+    const double t56 = t25 + t52; /* t25 + 1/K*(b/R*v_tau*R*I3 + R*G*s)*d(K)/d(gamma3) */
+    const double t57 = 2.0*t53; /* 2*t53 */
+    const double t58 = p[21]*t13; /* 2*m^2*g*a3^3/I1^2*s */
+    const double t59 = t38*t58; /* gamma3*1/(D/I1)*2*m^2*g*a3^3/I1^2*s */
+    const double t60 = JLT_FNMA(t28, t39, t59); /* gamma3*1/(D/I1)*2*m^2*g*a3^3/I1^2*s - omega_tau*m*a3^2/I1*omega_tau*s */
+    const double t61 = t19*t38; /* 1/K*gamma3*1/(D/I1) */
+    const double t62 = t15*t19; /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/K */
+    const double t63 = t15*t40; /* 1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*t40 */
+    const double t64 = t40*t61; /* t40*1/K*gamma3*1/(D/I1) */
+    const double t65 = JLT_FMA(t40, t63, t60); /* t40*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*t40 + t60 */
+    const double t66 = t21*t63; /* gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*t40 */
+    const double t67 = JLT_FNMA(t56, t62, t66); /* t66 - (t25 + 1/K*(b/R*v_tau*R*I3 + R*G*s)*d(K)/d(gamma3))*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/K */
+    const double t68 = JLT_FMA(x[3], t21, p[23]); /* v_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s + G/I1 */
+    const double t69 = t37*t62; /* R*I3*b/R*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/K */
+    const double t70 = JLT_FMA(t54, t68, t45); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*1/(D/I1)*R*I3*1/K*(v_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s + G/I1) + gamma3*1/(D/I1)*t44 */
+    const double t71 = x[3]*t67; /* v_tau*t67 */
+    out[4] = t71;
+    const double t72 = JLT_FMA(x[3], t69, t40); /* v_tau*R*I3*b/R*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/K + t40 */
+    out[7] = t72;
+    const double t73 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t74 = p[25]*t40; /* I1*I3*a3/m*t40 */
+    const double t75 = JLT_FNMA(p[26], t48, t74); /* I1*I3*a3/m*t40 - R^2*I1*I3*(I1 - I3)/m*1/K*(v_tau*s - G/I1*b/R) */
+    const double t76 = JLT_FMA(t18, t32, t48); /* 1/(Theta/m)*(v_tau*s - G/I1*b/R) + 1/K*(v_tau*s - G/I1*b/R) */
+    const double t77 = JLT_FMA(t36, t76, t68); /* d(K)/d(gamma3)*(1/(Theta/m)*(v_tau*s - G/I1*b/R) + 1/K*(v_tau*s - G/I1*b/R)) + v_tau*gamma3*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s + G/I1 */
+    const double t78 = JLT_FMA(t51, t77, t75); /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*t77 + t75 */
+    const double t79 = x[2]*t78; /* omega_tau*(1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*t77 + t75) */
+    const double t80 = t18*t51; /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t81 = JLT_FMA(x[2], t73, x[1]); /* V = omega_tau*e + v_nu */
+    const double t82 = t36*t81; /* d(K)/d(gamma3)*V */
+    const double t83 = p[10]*t18; /* I1*I3/m*1/(Theta/m) */
+    const double t84 = JLT_FNMA(t81, t83, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
+    const double t85 = t40*t83; /* t40*I1*I3/m*1/(Theta/m) */
+    const double t86 = JLT_FNMA(t82, t85, t79); /* t79 - d(K)/d(gamma3)*V*t40*I1*I3/m*1/(Theta/m) */
+    const double t87 = t85 - t40; /* t40*I1*I3/m*1/(Theta/m) - t40 */
+    out[13] = t87;
+    const double t88 = t73*t85; /* e*t40*I1*I3/m*1/(Theta/m) */
+    const double t89 = JLT_FNMA(t32, t80, t88); /* e*t40*I1*I3/m*1/(Theta/m) - (v_tau*s - G/I1*b/R)*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    out[14] = t89;
+    const double t90 = t69*t84; /* R*I3*b/R*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*1/K*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t91 = JLT_FMA(t39, t80, t90); /* omega_tau*s*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + t90 */
+    const double t92 = t67*t84; /* t67*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t93 = JLT_FMS(t18, t86, t92); /* 1/(Theta/m)*(t79 - d(K)/d(gamma3)*V*t40*I1*I3/m*1/(Theta/m)) - t67*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    out[12] = t93;
+    const double t94 = -t91; /* -t91 */
+    out[15] = t94;
+    const double t95 = t55 + t64; /* 1/(D/I1)*R*I3*1/K*1/K*(v_tau*s - G/I1*b/R) + t40*1/K*gamma3*1/(D/I1) */
+    const double t96 = JLT_FNMA(t57, t95, t70); /* t70 - 2*t53*t95 */
+    const double t97 = JLT_FNMA(t20, t65, t96); /* t70 - 2*t53*t95 - 1/(D/I1)*(t40*1/(s^2*Theta/m*K*D/I1)*Theta/m*K*D/I1*s*t40 + t60) */
+    const double t98 = JLT_FMA(2.0, t64, t55); /* 2*t40*1/K*gamma3*1/(D/I1) + 1/(D/I1)*R*I3*1/K*1/K*(v_tau*s - G/I1*b/R) */
+    const double t99 = JLT_FMA(t25, t98, t97); /* t25*t98 + t97 */
+    out[8] = t99;
+    const double t100 = t37*t98; /* R*I3*b/R*t98 */
+    const double t101 = JLT_FMA(t13, t54, t100); /* s*1/K*(b/R*v_tau*R*I3 + R*G*s)*1/(D/I1)*R*I3*1/K + R*I3*b/R*t98 */
+    const double t102 = -t101; /* -t101 */
+    out[11] = t102;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -315,165 +318,167 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[13] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
-    const double t4 = p[7]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t5 = p[17]*t3; /* R^2*I3*b/R */
-    const double t6 = JLT_FMA(t3, t5, t4); /* K = b/R*R^2*I3*b/R + R^2*I1*(1 - gamma3)*(1 + gamma3) */
-    const double t7 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[6] = t7;
-    const double t8 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t9 = t6*t7; /* K*s */
-    const double t10 = p[10] + t6; /* Theta/m = I1*I3/m + K */
-    const double t11 = t8*t9; /* D/I1*K*s */
-    const double t12 = t10*t11; /* Theta/m*D/I1*K*s */
-    const double t13 = 1.0/t12; /* 1/(Theta/m*D/I1*K*s) */
-    const double t14 = t10*t13; /* 1/(s*K*(D/I1)) = Theta/m*1/(Theta/m*D/I1*K*s) */
-    const double t15 = t11*t13; /* 1/(Theta/m) = D/I1*K*s*1/(Theta/m*D/I1*K*s) */
-    const double t16 = t8*t14; /* 1/(s*K) = D/I1*1/(s*K*(D/I1)) */
-    const double t17 = t9*t14; /* 1/(D/I1) = K*s*1/(s*K*(D/I1)) */
-    const double t18 = t6*t16; /* 1/s = K*1/(s*K) */
-    const double t19 = t7*t16; /* 1/K = s*1/(s*K) */
-    const double t20 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t21 = p[14]*t20; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t22 = t19*t21; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t23 = p[8]*t7; /* R*G*s */
-    const double t24 = x[3]*p[11]; /* v_tau*R*I3 */
-    const double t25 = JLT_FMA(t3, t24, t23); /* b/R*v_tau*R*I3 + R*G*s */
-    const double t26 = t19*t25; /* 1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t27 = x[3]*t7; /* v_tau*s */
-    const double t28 = JLT_FNMA(p[23], t3, t27); /* v_tau*s - G/I1*b/R */
-    const double t29 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
-    const double t30 = JLT_FMS(p[20], t3, t29); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
-    const double t31 = JLT_FNMA(t22, t30, p[26]); /* R^2*I1*I3*(I1 - I3)/m - 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*d(K)/d(gamma3) */
-    const double t32 = t19*t28; /* 1/K*(v_tau*s - G/I1*b/R) */
-    const double t33 = t31*t32; /* t31*1/K*(v_tau*s - G/I1*b/R) */
-    const double t34 = t18*t26; /* 1/s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t35 = JLT_FNMA(p[25], t34, t33); /* t31*1/K*(v_tau*s - G/I1*b/R) - I1*I3*a3/m*1/s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t36 = x[3]*t34; /* v_tau*1/s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    out[1] = t36;
-    const double t37 = x[0]*t17; /* gamma3*1/(D/I1) */
-    const double t38 = p[11]*t19; /* R*I3*1/K */
-    const double t39 = t3*t38; /* b/R*R*I3*1/K */
-    const double t40 = t17*t28; /* 1/(D/I1)*(v_tau*s - G/I1*b/R) */
-    const double t41 = t38*t40; /* R*I3*1/K*1/(D/I1)*(v_tau*s - G/I1*b/R) */
-    const double t42 = t26*t38; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t43 = t15*t22; /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t44 = t28*t43; /* (v_tau*s - G/I1*b/R)*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t45 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t46 = x[0]*t18; /* gamma3*1/s */
-    const double t47 = JLT_FMS(p[8], t46, t24); /* R*G*gamma3*1/s - v_tau*R*I3 */
-    const double t48 = t19*t47; /* 1/K*(R*G*gamma3*1/s - v_tau*R*I3) */
-    const double t49 = t19*t30; /* 1/K*d(K)/d(gamma3) */
-    const double t50 = x[2]*t7; /* omega_tau*s */
-    out[0] = t50;
-    const double t51 = t7*t17; /* s*1/(D/I1) */
-    const double t52 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
-    const double t53 = t34*t37; /* 1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*gamma3*1/(D/I1) */
-    const double t54 = JLT_FMA(x[2], t45, x[1]); /* V = omega_tau*e + v_nu */
-    const double t55 = p[10]*t15; /* I1*I3/m*1/(Theta/m) */
-    const double t56 = p[13]*t46; /* m*g*a3/I1*gamma3*1/s */
-    const double t57 = JLT_FMA(t50, t52, t56); /* omega_tau*s*omega_tau*m*a3^2/I1 + m*g*a3/I1*gamma3*1/s */
-    const double t58 = JLT_FMA(x[3], t46, p[23]); /* v_tau*gamma3*1/s + G/I1 */
-    const double t59 = JLT_FNMA(t22, t58, t35); /* t35 - 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*(v_tau*gamma3*1/s + G/I1) */
-    const double t60 = JLT_FMA(t42, t58, t57); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*1/s + G/I1) + omega_tau*s*omega_tau*m*a3^2/I1 + m*g*a3/I1*gamma3*1/s */
-    const double t61 = x[2]*t59; /* omega_tau*t59 */
-    const double t62 = t37*t50; /* gamma3*1/(D/I1)*omega_tau*s */
+    const double t4 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t5 = p[9]*t2; /* R^2*I1*s^2 */
+    const double t6 = p[17]*t3; /* R^2*I3*b/R */
+    const double t7 = JLT_FMA(t3, t6, t5); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
+    const double t8 = t2*t4; /* s^2*D/I1 */
+    const double t9 = p[10] + t7; /* Theta/m = I1*I3/m + K */
+    const double t10 = t7*t8; /* K*s^2*D/I1 */
+    const double t11 = t9*t10; /* Theta/m*K*s^2*D/I1 */
+    const double t12 = 1.0/t11; /* 1/(Theta/m*K*s^2*D/I1) */
+    const double t13 = t9*t12; /* Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t14 = t10*t12; /* 1/(Theta/m) = K*s^2*D/I1*1/(Theta/m*K*s^2*D/I1) */
+    const double t15 = t8*t13; /* 1/K = s^2*D/I1*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t16 = t7*t13; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t17 = sqrt(t2); /* s = sqrt(s^2) */
+    out[6] = t17;
+    const double t18 = t4*t17; /* D/I1*s */
+    const double t19 = t16*t18; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t20 = t2*t16; /* 1/(D/I1) = s^2*K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t21 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t22 = p[14]*t21; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t23 = t15*t22; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t24 = p[8]*t17; /* R*G*s */
+    const double t25 = x[3]*p[11]; /* v_tau*R*I3 */
+    const double t26 = JLT_FMA(t3, t25, t24); /* b/R*v_tau*R*I3 + R*G*s */
+    const double t27 = t15*t26; /* 1/K*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t28 = x[3]*t17; /* v_tau*s */
+    const double t29 = JLT_FNMA(p[23], t3, t28); /* v_tau*s - G/I1*b/R */
+    const double t30 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
+    const double t31 = JLT_FMS(p[20], t3, t30); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
+    const double t32 = p[11]*t15; /* R*I3*1/K */
+    const double t33 = t3*t32; /* b/R*R*I3*1/K */
+    const double t34 = JLT_FNMA(t23, t31, p[26]); /* R^2*I1*I3*(I1 - I3)/m - 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*d(K)/d(gamma3) */
+    const double t35 = t15*t29; /* 1/K*(v_tau*s - G/I1*b/R) */
+    const double t36 = t34*t35; /* t34*1/K*(v_tau*s - G/I1*b/R) */
+    const double t37 = t19*t27; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t38 = JLT_FNMA(p[25], t37, t36); /* t34*1/K*(v_tau*s - G/I1*b/R) - I1*I3*a3/m*t37 */
+    const double t39 = x[3]*t37; /* v_tau*t37 */
+    out[1] = t39;
+    const double t40 = x[0]*t20; /* gamma3*1/(D/I1) */
+    const double t41 = t29*t32; /* (v_tau*s - G/I1*b/R)*R*I3*1/K */
+    const double t42 = t20*t41; /* 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K */
+    const double t43 = t27*t32; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t44 = t14*t23; /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t45 = t29*t44; /* (v_tau*s - G/I1*b/R)*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t46 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t47 = x[0]*t19; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t48 = JLT_FMS(p[8], t47, t25); /* R*G*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*R*I3 */
+    const double t49 = t15*t48; /* 1/K*t48 */
+    const double t50 = t15*t31; /* 1/K*d(K)/d(gamma3) */
+    const double t51 = x[2]*t17; /* omega_tau*s */
+    out[0] = t51;
+    const double t52 = t17*t20; /* s*1/(D/I1) */
+    const double t53 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t54 = t37*t40; /* t37*gamma3*1/(D/I1) */
+    const double t55 = JLT_FMA(x[2], t46, x[1]); /* V = omega_tau*e + v_nu */
+    const double t56 = p[10]*t14; /* I1*I3/m*1/(Theta/m) */
+    const double t57 = p[13]*t47; /* m*g*a3/I1*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t58 = JLT_FMA(t51, t53, t57); /* omega_tau*s*omega_tau*m*a3^2/I1 + m*g*a3/I1*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t59 = JLT_FMA(x[3], t47, p[23]); /* v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1 */
+    const double t60 = JLT_FNMA(t23, t59, t38); /* t34*1/K*(v_tau*s - G/I1*b/R) - I1*I3*a3/m*t37 - 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*(v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1) */
+    const double t61 = x[2]*t60; /* omega_tau*t60 */
+    const double t62 = t40*t51; /* gamma3*1/(D/I1)*omega_tau*s */
     const double t63 = p[24]*t62; /* 2*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s */
     out[14] = t63;
-    const double t64 = t41 + t53; /* R*I3*1/K*1/(D/I1)*(v_tau*s - G/I1*b/R) + 1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*gamma3*1/(D/I1) */
-    const double t65 = JLT_FMA(2.0, t53, t41); /* 2*1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*gamma3*1/(D/I1) + R*I3*1/K*1/(D/I1)*(v_tau*s - G/I1*b/R) */
-    const double t66 = t26*t64; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*t64 */
-    const double t67 = JLT_FMA(t26, t49, t48); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*1/K*d(K)/d(gamma3) + 1/K*(R*G*gamma3*1/s - v_tau*R*I3) */
-    const double t68 = t48*t65; /* 1/K*(R*G*gamma3*1/s - v_tau*R*I3)*t65 */
-    const double t69 = 2.0*t49; /* 2*1/K*d(K)/d(gamma3) */
-    const double t70 = JLT_FMA(t66, t69, t68); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*t64*2*1/K*d(K)/d(gamma3) + 1/K*(R*G*gamma3*1/s - v_tau*R*I3)*t65 */
-    const double t71 = t39*t65; /* b/R*R*I3*1/K*t65 */
-    const double t72 = JLT_FMA(t42, t51, t71); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*s*1/(D/I1) + b/R*R*I3*1/K*t65 */
-    const double t73 = -t72; /* -t72 */
-    out[15] = t73;
-    const double t74 = JLT_FMS(t34, t46, t67); /* 1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*gamma3*1/s - t67 */
-    const double t75 = x[2]*t46; /* omega_tau*gamma3*1/s */
-    const double t76 = -t75; /* -omega_tau*gamma3*1/s */
+    const double t64 = t42 + t54; /* 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K + t37*gamma3*1/(D/I1) */
+    const double t65 = JLT_FMA(2.0, t54, t42); /* 2*t37*gamma3*1/(D/I1) + 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K */
+    const double t66 = t27*t64; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*(1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K + t37*gamma3*1/(D/I1)) */
+    const double t67 = JLT_FMA(t27, t50, t49); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*1/K*d(K)/d(gamma3) + 1/K*t48 */
+    const double t68 = t49*t65; /* 1/K*t48*t65 */
+    const double t69 = 2.0*t50; /* 2*1/K*d(K)/d(gamma3) */
+    const double t70 = JLT_FMA(t66, t69, t68); /* t66*2*1/K*d(K)/d(gamma3) + 1/K*t48*t65 */
+    const double t71 = t33*t65; /* b/R*R*I3*1/K*t65 */
+    const double t72 = JLT_FMS(t37, t47, t67); /* t37*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - (1/K*(b/R*v_tau*R*I3 + R*G*s)*1/K*d(K)/d(gamma3) + 1/K*t48) */
+    const double t73 = x[2]*t47; /* omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t74 = JLT_FMA(t43, t52, t71); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*s*1/(D/I1) + b/R*R*I3*1/K*t65 */
+    const double t75 = -t74; /* -t74 */
+    out[15] = t75;
+    const double t76 = -t73; /* -omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
     out[4] = t76;
-    const double t77 = x[2]*t44; /* omega_tau*t44 */
-    const double t78 = t34*t55; /* 1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*I1*I3/m*1/(Theta/m) */
-    const double t79 = JLT_FMS(t45, t78, t44); /* e*1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*I1*I3/m*1/(Theta/m) - t44 */
+    const double t77 = x[2]*t45; /* omega_tau*t45 */
+    const double t78 = t37*t56; /* t37*I1*I3/m*1/(Theta/m) */
+    const double t79 = JLT_FMS(t46, t78, t45); /* e*t37*I1*I3/m*1/(Theta/m) - t45 */
     out[18] = t79;
-    const double t80 = JLT_FNMA(t54, t55, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
-    const double t81 = JLT_FNMA(t54, t78, t77); /* omega_tau*t44 - V*1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*I1*I3/m*1/(Theta/m) */
-    const double t82 = JLT_FMS(t30, t81, t61); /* d(K)/d(gamma3)*t81 - omega_tau*t59 */
-    const double t83 = t15*t82; /* 1/(Theta/m)*(d(K)/d(gamma3)*t81 - omega_tau*t59) */
-    const double t84 = t78 - t34; /* 1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*I1*I3/m*1/(Theta/m) - 1/s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t80 = JLT_FNMA(t55, t56, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
+    const double t81 = JLT_FNMA(t55, t78, t77); /* omega_tau*t45 - V*t37*I1*I3/m*1/(Theta/m) */
+    const double t82 = JLT_FMS(t31, t81, t61); /* d(K)/d(gamma3)*(omega_tau*t45 - V*t37*I1*I3/m*1/(Theta/m)) - omega_tau*t60 */
+    const double t83 = t14*t82; /* 1/(Theta/m)*t82 */
+    const double t84 = t78 - t37; /* t37*I1*I3/m*1/(Theta/m) - t37 */
     out[17] = t84;
-    const double t85 = t18*t80; /* 1/s*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t86 = JLT_FNMA(t74, t85, t83); /* 1/(Theta/m)*(d(K)/d(gamma3)*t81 - omega_tau*t59) - (1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*gamma3*1/s - t67)*1/s*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t85 = t19*t80; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t86 = JLT_FNMA(t72, t85, t83); /* 1/(Theta/m)*t82 - t72*t85 */
     out[16] = t86;
-    const double t87 = t39*t85; /* b/R*R*I3*1/K*1/s*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t88 = JLT_FMA(t43, t50, t87); /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*s + b/R*R*I3*1/K*1/s*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t87 = t33*t85; /* b/R*R*I3*1/K*t85 */
+    const double t88 = JLT_FMA(t44, t51, t87); /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*s + b/R*R*I3*1/K*t85 */
     const double t89 = -t88; /* -t88 */
     out[19] = t89;
-    const double t90 = JLT_FMA(x[1], t34, t81); /* v_nu*1/s*1/K*(b/R*v_tau*R*I3 + R*G*s) + t81 */
-    const double t91 = -t90; /* -(v_nu*1/s*1/K*(b/R*v_tau*R*I3 + R*G*s) + t81) */
+    const double t90 = JLT_FMA(x[1], t37, t81); /* v_nu*t37 + omega_tau*t45 - V*t37*I1*I3/m*1/(Theta/m) */
+    const double t91 = -t90; /* -(v_nu*t37 + omega_tau*t45 - V*t37*I1*I3/m*1/(Theta/m)) */
     out[3] = t91;
-    const double t92 = p[21]*t51; /* 2*m^2*g*a3^3/I1^2*s*1/(D/I1) */
-    const double t93 = JLT_FMA(p[13], t51, t66); /* m*g*a3/I1*s*1/(D/I1) + 1/K*(b/R*v_tau*R*I3 + R*G*s)*t64 */
-    const double t94 = JLT_FMS(t52, t62, t93); /* omega_tau*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s - (m*g*a3/I1*s*1/(D/I1) + 1/K*(b/R*v_tau*R*I3 + R*G*s)*t64) */
+    const double t92 = p[21]*t52; /* 2*m^2*g*a3^3/I1^2*s*1/(D/I1) */
+    const double t93 = JLT_FMA(p[13], t52, t66); /* m*g*a3/I1*s*1/(D/I1) + t66 */
+    const double t94 = JLT_FMS(t53, t62, t93); /* omega_tau*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s - (m*g*a3/I1*s*1/(D/I1) + t66) */
     out[2] = t94;
     const double t95 = x[2]*p[22]; /* omega_tau*2*m^2*a3^4/I1^2 */
     const double t96 = JLT_FNMA(t62, t95, t92); /* 2*m^2*g*a3^3/I1^2*s*1/(D/I1) - gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 */
-    const double t97 = JLT_FMA(t52, t75, t96); /* omega_tau*m*a3^2/I1*omega_tau*gamma3*1/s + t96 */
-    const double t98 = JLT_FMA(p[24], t66, t97); /* 2*m*a3^2/I1*1/K*(b/R*v_tau*R*I3 + R*G*s)*t64 + omega_tau*m*a3^2/I1*omega_tau*gamma3*1/s + t96 */
-    const double t99 = t18*t34; /* 1/s*1/s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t100 = JLT_FNMA(t34, t99, t60); /* t60 - 1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*1/s*1/s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t101 = JLT_FMA(t17, t100, t70); /* 1/(D/I1)*t100 + t70 */
-    const double t102 = JLT_FNMA(t37, t98, t101); /* 1/(D/I1)*t100 + t70 - gamma3*1/(D/I1)*t98 */
-    out[12] = t102;
-    const double t103 = x[3]*t18; /* v_tau*1/s */
-    const double t104 = JLT_FMA(t39, t103, t34); /* b/R*R*I3*1/K*v_tau*1/s + 1/s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    out[11] = t104;
-    const double t105 = t74*t103; /* (1/s*1/K*(b/R*v_tau*R*I3 + R*G*s)*gamma3*1/s - t67)*v_tau*1/s */
-    out[8] = t105;
+    const double t97 = JLT_FMA(t53, t73, t96); /* omega_tau*m*a3^2/I1*omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + t96 */
+    const double t98 = JLT_FMA(p[24], t66, t97); /* 2*m*a3^2/I1*t66 + t97 */
+    const double t99 = t19*t37; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t37 */
+    const double t100 = JLT_FNMA(t37, t99, t58); /* t58 - t37*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t37 */
+    const double t101 = JLT_FMA(t43, t59, t100); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1) + t58 - t37*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t37 */
+    const double t102 = JLT_FMA(t20, t101, t70); /* 1/(D/I1)*t101 + t66*2*1/K*d(K)/d(gamma3) + 1/K*t48*t65 */
+    const double t103 = JLT_FNMA(t40, t98, t102); /* 1/(D/I1)*t101 + t66*2*1/K*d(K)/d(gamma3) + 1/K*t48*t65 - gamma3*1/(D/I1)*(2*m*a3^2/I1*t66 + t97) */
+    out[12] = t103;
+    const double t104 = x[3]*t19; /* v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t105 = JLT_FMA(t33, t104, t37); /* b/R*R*I3*1/K*v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + t37 */
+    out[11] = t105;
+    const double t106 = t72*t104; /* t72*v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    out[8] = t106;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
     const double t4 = p[28]*t3; /* I3/I1*b/R */
-    const double t5 = JLT_FMA(t3, t4, t2); /* K/(R^2*I1) = b/R*I3/I1*b/R + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = t5 + p[29]; /* Theta/(m*R^2*I1) = K/(R^2*I1) + I3/(m*R^2) */
-    const double t7 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t8 = JLT_FMA(t2, p[30], p[3]); /* D = (1 - gamma3)*(gamma3 + 1)*m*a3^2 + I1 */
-    const double t9 = t7*t8; /* s*D */
-    const double t10 = t5*t9; /* K/(R^2*I1)*s*D */
-    const double t11 = t6*t10; /* Theta/(m*R^2*I1)*K/(R^2*I1)*s*D */
-    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*K/(R^2*I1)*s*D) */
-    const double t13 = t6*t12; /* 1/(s*D*(K/(R^2*I1))) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*K/(R^2*I1)*s*D) */
-    const double t14 = t5*t13; /* 1/(s*D) = K/(R^2*I1)*1/(s*D*(K/(R^2*I1))) */
-    const double t15 = p[27]*t2; /* 2*m*a3^2*(1 - gamma3)*(gamma3 + 1) */
-    const double t16 = t8*t14; /* 1/s = D*1/(s*D) */
-    const double t17 = JLT_FMS(t14, t15, t16); /* 1/(s*D)*2*m*a3^2*(1 - gamma3)*(gamma3 + 1) - 1/s */
-    const double t18 = x[0]*t17; /* gamma3*(1/(s*D)*2*m*a3^2*(1 - gamma3)*(gamma3 + 1) - 1/s) */
-    const double t19 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t20 = t10*p[31]; /* K/(R^2*I1)*s*D*I3/(m*R^3*I1) */
-    const double t21 = t12*t20; /* 1/(Theta/(m*R^2*I1)*K/(R^2*I1)*s*D)*K/(R^2*I1)*s*D*I3/(m*R^3*I1) */
-    const double t22 = t9*t13; /* 1/(K/(R^2*I1)) = s*D*1/(s*D*(K/(R^2*I1))) */
-    const double t23 = t7*t19; /* s*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t24 = t21*t23; /* t21*s*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t25 = JLT_FNMA(t22, t24, t18); /* gamma3*(1/(s*D)*2*m*a3^2*(1 - gamma3)*(gamma3 + 1) - 1/s) - 1/(K/(R^2*I1))*t21*s*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t26 = x[2]*t25; /* omega_tau*t25 */
-    const double t27 = p[32]*x[1]; /* 1/(R*I1)*v_nu */
-    const double t28 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t29 = JLT_FMA(x[2], t28, x[1]); /* V = omega_tau*e + v_nu */
-    const double t30 = JLT_FNMA(t21, t29, t27); /* 1/(R*I1)*v_nu - t21*V */
-    const double t31 = t3*p[4]; /* b/R*I3 */
-    const double t32 = t22*t31; /* 1/(K/(R^2*I1))*b/R*I3 */
-    const double t33 = t16*t32; /* 1/s*1/(K/(R^2*I1))*b/R*I3 */
-    const double t34 = JLT_FNMA(t30, t33, t26); /* omega_tau*t25 - (1/(R*I1)*v_nu - t21*V)*1/s*1/(K/(R^2*I1))*b/R*I3 */
-    out[0] = t34;
+    const double t5 = JLT_FMA(t3, t4, t2); /* K/(R^2*I1) = b/R*I3/I1*b/R + s^2 */
+    const double t6 = p[4]*t3; /* I3*b/R */
+    const double t7 = JLT_FMA(p[30], t2, p[3]); /* D = m*a3^2*s^2 + I1 */
+    const double t8 = p[29] + t5; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
+    const double t9 = t5*t7; /* K/(R^2*I1)*D */
+    const double t10 = p[27]*t5; /* 2*m*a3^2*K/(R^2*I1) */
+    const double t11 = t8*t9; /* Theta/(m*R^2*I1)*K/(R^2*I1)*D */
+    const double t12 = p[31]*t9; /* I3/(m*R^3*I1)*K/(R^2*I1)*D */
+    const double t13 = t2*t11; /* s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D */
+    const double t14 = 1.0/t13; /* 1/(s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
+    const double t15 = t11*t14; /* 1/s^2 = Theta/(m*R^2*I1)*K/(R^2*I1)*D*1/(s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
+    const double t16 = t2*t14; /* 1/(D*(K/(R^2*I1))*(Theta/(m*R^2*I1))) = s^2*1/(s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
+    const double t17 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t18 = t8*t16; /* 1/(D*(K/(R^2*I1))) = Theta/(m*R^2*I1)*1/(D*(K/(R^2*I1))*(Theta/(m*R^2*I1))) */
+    const double t19 = t12*t16; /* I3/(m*R^3*I1)*K/(R^2*I1)*D*1/(D*(K/(R^2*I1))*(Theta/(m*R^2*I1))) */
+    const double t20 = JLT_FMS(t10, t18, t15); /* 2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2 */
+    const double t21 = t6*t15; /* I3*b/R*1/s^2 */
+    const double t22 = t7*t17; /* D*s */
+    const double t23 = t18*t22; /* 1/(D*(K/(R^2*I1)))*D*s */
+    const double t24 = x[0]*t17; /* gamma3*s */
+    const double t25 = t20*t24; /* (2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2)*gamma3*s */
+    const double t26 = t21*t23; /* I3*b/R*1/s^2*1/(D*(K/(R^2*I1)))*D*s */
+    const double t27 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t28 = t19*t27; /* t19*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t29 = JLT_FNMA(t23, t28, t25); /* (2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2)*gamma3*s - 1/(D*(K/(R^2*I1)))*D*s*t19*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t30 = x[2]*t29; /* omega_tau*t29 */
+    const double t31 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t32 = JLT_FMA(x[2], t31, x[1]); /* V = omega_tau*e + v_nu */
+    const double t33 = p[32]*x[1]; /* 1/(R*I1)*v_nu */
+    const double t34 = JLT_FNMA(t19, t32, t33); /* 1/(R*I1)*v_nu - t19*V */
+    const double t35 = JLT_FNMA(t26, t34, t30); /* omega_tau*t29 - I3*b/R*1/s^2*1/(D*(K/(R^2*I1)))*D*s*(1/(R*I1)*v_nu - t19*V) */
+    out[0] = t35;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -593,11 +598,11 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t19[k] = (k == 0 ? 1.0 : 0) + x0[k];
         t20[k] = jlt_jet_product(t18, t19, k);
         t21[k] = x0[k]*p[1] + (k == 0 ? p[5] : 0);
-        t22[k] = p[7]*t20[k];
+        t22[k] = p[9]*t20[k];
         t23[k] = p[4]*t21[k];
         t24[k] = jlt_jet_product(t21, t23, k) + t22[k];
         t25[k] = jlt_jet_root(t20[k], t25, k);
-        t26[k] = p[9]*t20[k] + (k == 0 ? 1.0 : 0);
+        t26[k] = p[7]*t20[k] + (k == 0 ? 1.0 : 0);
         t27[k] = jlt_jet_product(t24, t25, k);
         t28[k] = (k == 0 ? p[10] : 0) + t24[k];
         t29[k] = jlt_jet_product(t26, t27, k);
@@ -620,7 +625,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t46[k] = x1[k] - jlt_jet_product(t33, t45, k);
         t47[k] = jlt_jet_product(t41, t46, k);
         t48[k] = jlt_jet_product(x0, t41, k);
-        t49[k] = x2[k]*p[9];
+        t49[k] = x2[k]*p[7];
         t50[k] = jlt_jet_product(x0, t49, k);
         t51[k] = jlt_jet_product(x3, t25, k);
         t52[k] = t51[k] - p[12]*t21[k];
@@ -895,13 +900,13 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 4, 29, 13, 1, 1, 0, 17, 11 }, { 21, 80, 0, 8, 1, 0, 12, 10 },
+    .rhs = { rhs, 4, { 4, 30, 13, 1, 1, 0, 16, 11 }, { 21, 80, 0, 8, 1, 0, 12, 10 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 16, { 10, 57, 32, 1, 1, 0, 20, 24 }, { 91, 425, 0, 50, 1, 0, 21, 13 },
+    .jacobian = { jacobian, 16, { 10, 59, 32, 1, 1, 0, 19, 23 }, { 91, 425, 0, 50, 1, 0, 21, 13 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 10, 58, 36, 1, 1, 0, 20, 27 }, { 105, 489, 0, 58, 1, 0, 21, 14 },
+    .rhs_jacobian = { rhs_jacobian, 20, { 10, 59, 36, 1, 1, 0, 18, 28 }, { 105, 489, 0, 58, 1, 0, 21, 14 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .divergence = { divergence, 1, { 4, 20, 9, 1, 1, 0, 15, 10 }, { 13, 41, 0, 5, 1, 0, 12, 8 },
+    .divergence = { divergence, 1, { 4, 21, 9, 1, 1, 0, 14, 9 }, { 13, 41, 0, 5, 1, 0, 12, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 1, { 4, 6, 6, 1, 0, 0, 8, 5 }, { 9, 28, 0, 2, 1, 0, 13, 6 },
         "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },

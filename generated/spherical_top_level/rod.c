@@ -89,29 +89,29 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t5 = t3*t4; /* s*D */
-    const double t6 = 1.0/t5; /* 1/(s*D) */
-    const double t7 = t4*t6; /* 1/s = D*1/(s*D) */
-    const double t8 = t3*t6; /* s*1/(s*D) */
-    const double t9 = x[2]*t3; /* omega_tau*s */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*s^2 + I1 */
+    const double t4 = t2*t3; /* s^2*D */
+    const double t5 = 1.0/t4; /* 1/(s^2*D) */
+    const double t6 = t3*t5; /* 1/s^2 = D*1/(s^2*D) */
+    const double t7 = t2*t5; /* s^2*1/(s^2*D) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t9 = x[2]*t8; /* omega_tau*s */
     out[0] = t9;
     const double t10 = x[2]*p[8]; /* omega_tau*m*a3^2 */
     const double t11 = t9*t10; /* omega_tau*s*omega_tau*m*a3^2 */
-    const double t12 = t7*t7; /* 1/s*1/s */
-    const double t13 = p[9]*t7; /* G^2/(R^2*I1)*1/s */
-    const double t14 = JLT_FNMA(t12, t13, t11); /* omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s */
-    const double t15 = p[7]*t12; /* G/(R*I1)*1/s*1/s */
-    const double t16 = x[0]*t14; /* gamma3*(omega_tau*s*omega_tau*m*a3^2 - 1/s*1/s*G^2/(R^2*I1)*1/s) */
-    const double t17 = JLT_FNMA(p[10], t3, t16); /* t16 - m*g*a3*s */
-    const double t18 = t8*t17; /* s*1/(s*D)*(t16 - m*g*a3*s) */
+    const double t12 = p[9]*t8; /* G^2/(R^2*I1)*s */
+    const double t13 = t6*t12; /* 1/s^2*G^2/(R^2*I1)*s */
+    const double t14 = JLT_FNMA(t6, t13, t11); /* omega_tau*s*omega_tau*m*a3^2 - 1/s^2*1/s^2*G^2/(R^2*I1)*s */
+    const double t15 = p[7]*t6; /* G/(R*I1)*1/s^2 */
+    const double t16 = x[0]*t14; /* gamma3*(omega_tau*s*omega_tau*m*a3^2 - 1/s^2*1/s^2*G^2/(R^2*I1)*s) */
+    const double t17 = JLT_FNMA(p[10], t8, t16); /* t16 - m*g*a3*s */
+    const double t18 = t7*t17; /* s^2*1/(s^2*D)*(t16 - m*g*a3*s) */
     out[2] = t18;
-    const double t19 = x[3]*t15; /* v_tau*G/(R*I1)*1/s*1/s */
+    const double t19 = x[3]*t15; /* v_tau*G/(R*I1)*1/s^2 */
     out[1] = t19;
-    const double t20 = x[1]*t15; /* v_nu*G/(R*I1)*1/s*1/s */
-    const double t21 = -t20; /* -v_nu*G/(R*I1)*1/s*1/s */
+    const double t20 = x[1]*t15; /* v_nu*G/(R*I1)*1/s^2 */
+    const double t21 = -t20; /* -v_nu*G/(R*I1)*1/s^2 */
     out[3] = t21;
 }
 
@@ -127,47 +127,47 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[15] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t4;
-    const double t5 = t3*t4; /* D*s */
-    const double t6 = 1.0/t5; /* 1/(D*s) */
-    const double t7 = t3*t6; /* 1/s = D*1/(D*s) */
-    const double t8 = t4*t6; /* 1/D = s*1/(D*s) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*s^2 + I1 */
+    const double t4 = t2*t3; /* s^2*D */
+    const double t5 = 1.0/t4; /* 1/(s^2*D) */
+    const double t6 = t3*t5; /* 1/s^2 = D*1/(s^2*D) */
+    const double t7 = t2*t5; /* 1/D = s^2*1/(s^2*D) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t8;
     const double t9 = x[0]*p[12]; /* gamma3*2*m*a3^2 */
-    const double t10 = t8*t9; /* 1/D*gamma3*2*m*a3^2 */
-    const double t11 = x[0]*t7; /* gamma3*1/s */
-    const double t12 = t4*t10; /* s*1/D*gamma3*2*m*a3^2 */
-    const double t13 = x[2]*t12; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
-    out[10] = t13;
-    const double t14 = t11 - t12; /* gamma3*1/s - s*1/D*gamma3*2*m*a3^2 */
-    const double t15 = JLT_FMS(x[0], t14, t4); /* gamma3*(gamma3*1/s - s*1/D*gamma3*2*m*a3^2) - s */
-    const double t16 = p[10]*t14; /* m*g*a3*(gamma3*1/s - s*1/D*gamma3*2*m*a3^2) */
-    const double t17 = t7*t7; /* 1/s*1/s */
-    const double t18 = t7*t11; /* 1/s*gamma3*1/s */
-    const double t19 = JLT_FMA(3.0, t18, t10); /* 3*1/s*gamma3*1/s + 1/D*gamma3*2*m*a3^2 */
-    const double t20 = JLT_FMA(t11, t19, t7); /* gamma3*1/s*(3*1/s*gamma3*1/s + 1/D*gamma3*2*m*a3^2) + 1/s */
-    const double t21 = x[2]*t11; /* omega_tau*gamma3*1/s */
-    const double t22 = -t21; /* -omega_tau*gamma3*1/s */
+    const double t10 = t7*t9; /* 1/D*gamma3*2*m*a3^2 */
+    const double t11 = t6*t8; /* 1/s^2*s */
+    const double t12 = x[0]*t11; /* gamma3*1/s^2*s */
+    const double t13 = t8*t10; /* s*1/D*gamma3*2*m*a3^2 */
+    const double t14 = x[2]*t13; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
+    out[10] = t14;
+    const double t15 = t12 - t13; /* gamma3*1/s^2*s - s*1/D*gamma3*2*m*a3^2 */
+    const double t16 = JLT_FMS(x[0], t15, t8); /* gamma3*(gamma3*1/s^2*s - s*1/D*gamma3*2*m*a3^2) - s */
+    const double t17 = p[10]*t15; /* m*g*a3*(gamma3*1/s^2*s - s*1/D*gamma3*2*m*a3^2) */
+    const double t18 = t11*t12; /* 1/s^2*s*gamma3*1/s^2*s */
+    const double t19 = JLT_FMA(3.0, t18, t10); /* 3*1/s^2*s*gamma3*1/s^2*s + 1/D*gamma3*2*m*a3^2 */
+    const double t20 = JLT_FMA(t12, t19, t11); /* gamma3*1/s^2*s*(3*1/s^2*s*gamma3*1/s^2*s + 1/D*gamma3*2*m*a3^2) + 1/s^2*s */
+    const double t21 = x[2]*t12; /* omega_tau*gamma3*1/s^2*s */
+    const double t22 = -t21; /* -omega_tau*gamma3*1/s^2*s */
     out[0] = t22;
     const double t23 = x[2]*p[8]; /* omega_tau*m*a3^2 */
     const double t24 = x[2]*t23; /* omega_tau*omega_tau*m*a3^2 */
-    const double t25 = JLT_FNMA(t15, t24, t16); /* m*g*a3*(gamma3*1/s - s*1/D*gamma3*2*m*a3^2) - (gamma3*(gamma3*1/s - s*1/D*gamma3*2*m*a3^2) - s)*omega_tau*omega_tau*m*a3^2 */
-    const double t26 = p[11]*t17; /* 2*G/(R*I1)*1/s*1/s */
-    const double t27 = t18*t26; /* 1/s*gamma3*1/s*2*G/(R*I1)*1/s*1/s */
-    const double t28 = x[3]*t27; /* v_tau*1/s*gamma3*1/s*2*G/(R*I1)*1/s*1/s */
+    const double t25 = JLT_FNMA(t16, t24, t17); /* m*g*a3*(gamma3*1/s^2*s - s*1/D*gamma3*2*m*a3^2) - (gamma3*(gamma3*1/s^2*s - s*1/D*gamma3*2*m*a3^2) - s)*omega_tau*omega_tau*m*a3^2 */
+    const double t26 = p[11]*t6; /* 2*G/(R*I1)*1/s^2 */
+    const double t27 = t18*t26; /* 1/s^2*s*gamma3*1/s^2*s*2*G/(R*I1)*1/s^2 */
+    const double t28 = x[3]*t27; /* v_tau*1/s^2*s*gamma3*1/s^2*s*2*G/(R*I1)*1/s^2 */
     out[4] = t28;
-    const double t29 = x[1]*t27; /* v_nu*1/s*gamma3*1/s*2*G/(R*I1)*1/s*1/s */
-    const double t30 = -t29; /* -v_nu*1/s*gamma3*1/s*2*G/(R*I1)*1/s*1/s */
+    const double t29 = x[1]*t27; /* v_nu*1/s^2*s*gamma3*1/s^2*s*2*G/(R*I1)*1/s^2 */
+    const double t30 = -t29; /* -v_nu*1/s^2*s*gamma3*1/s^2*s*2*G/(R*I1)*1/s^2 */
     out[12] = t30;
-    const double t31 = p[9]*t17; /* G^2/(R^2*I1)*1/s*1/s */
-    const double t32 = JLT_FNMA(t20, t31, t25); /* t25 - (gamma3*1/s*(3*1/s*gamma3*1/s + 1/D*gamma3*2*m*a3^2) + 1/s)*G^2/(R^2*I1)*1/s*1/s */
-    const double t33 = t8*t32; /* 1/D*t32 */
+    const double t31 = p[9]*t6; /* G^2/(R^2*I1)*1/s^2 */
+    const double t32 = JLT_FNMA(t20, t31, t25); /* t25 - t20*G^2/(R^2*I1)*1/s^2 */
+    const double t33 = t7*t32; /* 1/D*(t25 - t20*G^2/(R^2*I1)*1/s^2) */
     out[8] = t33;
-    const double t34 = p[7]*t17; /* G/(R*I1)*1/s*1/s */
+    const double t34 = p[7]*t6; /* G/(R*I1)*1/s^2 */
     out[7] = t34;
-    const double t35 = -t34; /* -G/(R*I1)*1/s*1/s */
+    const double t35 = -t34; /* -G/(R*I1)*1/s^2 */
     out[13] = t35;
 }
 
@@ -183,55 +183,55 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[19] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[6] = t3;
-    const double t4 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t5 = t3*t4; /* s*D */
-    const double t6 = 1.0/t5; /* 1/(s*D) */
-    const double t7 = t4*t6; /* 1/s = D*1/(s*D) */
-    const double t8 = t3*t6; /* 1/D = s*1/(s*D) */
-    const double t9 = x[2]*t3; /* omega_tau*s */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(p[8], t2, p[3]); /* D = m*a3^2*s^2 + I1 */
+    const double t4 = t2*t3; /* s^2*D */
+    const double t5 = 1.0/t4; /* 1/(s^2*D) */
+    const double t6 = t3*t5; /* 1/s^2 = D*1/(s^2*D) */
+    const double t7 = t2*t5; /* 1/D = s^2*1/(s^2*D) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    out[6] = t8;
+    const double t9 = x[2]*t8; /* omega_tau*s */
     out[0] = t9;
-    const double t10 = t7*t7; /* 1/s*1/s */
-    const double t11 = x[2]*p[8]; /* omega_tau*m*a3^2 */
-    const double t12 = t9*t11; /* omega_tau*s*omega_tau*m*a3^2 */
-    const double t13 = x[0]*t11; /* gamma3*omega_tau*m*a3^2 */
-    const double t14 = t7*t10; /* 1/s*1/s*1/s */
-    const double t15 = x[0]*t7; /* gamma3*1/s */
-    const double t16 = JLT_FNMA(p[9], t14, t12); /* omega_tau*s*omega_tau*m*a3^2 - G^2/(R^2*I1)*1/s*1/s*1/s */
-    const double t17 = t14*t15; /* 1/s*1/s*1/s*gamma3*1/s */
-    const double t18 = p[7]*t10; /* G/(R*I1)*1/s*1/s */
+    const double t10 = x[2]*p[8]; /* omega_tau*m*a3^2 */
+    const double t11 = t6*t8; /* 1/s^2*s */
+    const double t12 = t9*t10; /* omega_tau*s*omega_tau*m*a3^2 */
+    const double t13 = x[0]*t10; /* gamma3*omega_tau*m*a3^2 */
+    const double t14 = t6*t11; /* 1/s^2*1/s^2*s */
+    const double t15 = x[0]*t11; /* gamma3*1/s^2*s */
+    const double t16 = JLT_FNMA(p[9], t14, t12); /* omega_tau*s*omega_tau*m*a3^2 - G^2/(R^2*I1)*1/s^2*1/s^2*s */
+    const double t17 = t14*t15; /* 1/s^2*1/s^2*s*gamma3*1/s^2*s */
+    const double t18 = p[7]*t6; /* G/(R*I1)*1/s^2 */
     out[11] = t18;
-    const double t19 = x[3]*t18; /* v_tau*G/(R*I1)*1/s*1/s */
+    const double t19 = x[3]*t18; /* v_tau*G/(R*I1)*1/s^2 */
     out[1] = t19;
-    const double t20 = -t18; /* -G/(R*I1)*1/s*1/s */
+    const double t20 = -t18; /* -G/(R*I1)*1/s^2 */
     out[17] = t20;
-    const double t21 = x[1]*t18; /* v_nu*G/(R*I1)*1/s*1/s */
-    const double t22 = -t21; /* -v_nu*G/(R*I1)*1/s*1/s */
+    const double t21 = x[1]*t18; /* v_nu*G/(R*I1)*1/s^2 */
+    const double t22 = -t21; /* -v_nu*G/(R*I1)*1/s^2 */
     out[3] = t22;
-    const double t23 = x[2]*t15; /* omega_tau*gamma3*1/s */
-    const double t24 = JLT_FNMA(t13, t23, t16); /* omega_tau*s*omega_tau*m*a3^2 - G^2/(R^2*I1)*1/s*1/s*1/s - gamma3*omega_tau*m*a3^2*omega_tau*gamma3*1/s */
-    const double t25 = -t23; /* -omega_tau*gamma3*1/s */
+    const double t23 = x[2]*t15; /* omega_tau*gamma3*1/s^2*s */
+    const double t24 = JLT_FNMA(t13, t23, t16); /* omega_tau*s*omega_tau*m*a3^2 - G^2/(R^2*I1)*1/s^2*1/s^2*s - gamma3*omega_tau*m*a3^2*omega_tau*gamma3*1/s^2*s */
+    const double t25 = -t23; /* -omega_tau*gamma3*1/s^2*s */
     out[4] = t25;
-    const double t26 = x[0]*t16; /* gamma3*(omega_tau*s*omega_tau*m*a3^2 - G^2/(R^2*I1)*1/s*1/s*1/s) */
-    const double t27 = JLT_FNMA(p[10], t3, t26); /* numerator of d(omega_tau)/dt over D = t26 - m*g*a3*s */
-    const double t28 = t8*t27; /* 1/D*numerator of d(omega_tau)/dt over D */
+    const double t26 = x[0]*t16; /* gamma3*(omega_tau*s*omega_tau*m*a3^2 - G^2/(R^2*I1)*1/s^2*1/s^2*s) */
+    const double t27 = JLT_FNMA(p[10], t8, t26); /* numerator of d(omega_tau)/dt over D = t26 - m*g*a3*s */
+    const double t28 = t7*t27; /* 1/D*numerator of d(omega_tau)/dt over D */
     out[2] = t28;
     const double t29 = x[0]*p[12]; /* gamma3*2*m*a3^2 */
-    const double t30 = t8*t29; /* 1/D*gamma3*2*m*a3^2 */
+    const double t30 = t7*t29; /* 1/D*gamma3*2*m*a3^2 */
     const double t31 = t9*t30; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
     out[14] = t31;
-    const double t32 = JLT_FNMA(p[13], t17, p[10]); /* m*g*a3 - 3*G^2/(R^2*I1)*1/s*1/s*1/s*gamma3*1/s */
-    const double t33 = JLT_FMA(t15, t32, t24); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = gamma3*1/s*(m*g*a3 - 3*G^2/(R^2*I1)*1/s*1/s*1/s*gamma3*1/s) + t24 */
+    const double t32 = JLT_FNMA(p[13], t17, p[10]); /* m*g*a3 - 3*G^2/(R^2*I1)*1/s^2*1/s^2*s*gamma3*1/s^2*s */
+    const double t33 = JLT_FMA(t15, t32, t24); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = gamma3*1/s^2*s*(m*g*a3 - 3*G^2/(R^2*I1)*1/s^2*1/s^2*s*gamma3*1/s^2*s) + t24 */
     const double t34 = JLT_FMA(t27, t30, t33); /* numerator of d(omega_tau)/dt over D*1/D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    const double t35 = t8*t34; /* 1/D*t34 */
+    const double t35 = t7*t34; /* 1/D*t34 */
     out[12] = t35;
-    const double t36 = p[11]*t17; /* 2*G/(R*I1)*1/s*1/s*1/s*gamma3*1/s */
-    const double t37 = x[3]*t36; /* v_tau*2*G/(R*I1)*1/s*1/s*1/s*gamma3*1/s */
+    const double t36 = p[11]*t17; /* 2*G/(R*I1)*1/s^2*1/s^2*s*gamma3*1/s^2*s */
+    const double t37 = x[3]*t36; /* v_tau*2*G/(R*I1)*1/s^2*1/s^2*s*gamma3*1/s^2*s */
     out[8] = t37;
-    const double t38 = x[1]*t36; /* v_nu*2*G/(R*I1)*1/s*1/s*1/s*gamma3*1/s */
-    const double t39 = -t38; /* -v_nu*2*G/(R*I1)*1/s*1/s*1/s*gamma3*1/s */
+    const double t38 = x[1]*t36; /* v_nu*2*G/(R*I1)*1/s^2*1/s^2*s*gamma3*1/s^2*s */
+    const double t39 = -t38; /* -v_nu*2*G/(R*I1)*1/s^2*1/s^2*s*gamma3*1/s^2*s */
     out[16] = t39;
 }
 

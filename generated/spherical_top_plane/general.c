@@ -6,9 +6,9 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   16    6    1    2    2     14    6   (52)
- *  jacobian            2   28   13    2    2    2     15   12   (157)
- *  rhs_jacobian        2   30   13    2    2    2     18   12   (172)
- *  divergence          2   17    9    2    2    2     17    8   (93)
+ *  jacobian            2   30   13    2    2    2     15   13   (157)
+ *  rhs_jacobian        2   33   13    2    2    2     18   12   (172)
+ *  divergence          2   19    9    2    2    2     17    8   (93)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
@@ -160,157 +160,164 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     const double t4 = cos(x[1]); /* C = cos(psi) */
     const double t5 = p[10]*t4; /* I1*M*C */
     const double t6 = t3*t5; /* s*I1*M*C */
     const double t7 = JLT_FNMA(x[0], p[11], t6); /* s*I1*M*C - gamma3*G*J1/R */
     const double t8 = x[0]*p[14]; /* gamma3*I3/I1 */
-    const double t9 = JLT_FMA(x[0], t8, t2); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1) */
-    const double t10 = JLT_FMA(p[13], t9, p[12]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(gamma3 + 1)) + I1*I3 */
-    const double t11 = t3*t10; /* s*Theta */
-    const double t12 = 1.0/t11; /* 1/(s*Theta) */
-    const double t13 = t3*t12; /* 1/Theta = s*1/(s*Theta) */
+    const double t9 = JLT_FMA(x[0], t8, t2); /* gamma3*gamma3*I3/I1 + s^2 */
+    const double t10 = JLT_FMA(p[13], t9, p[12]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s^2) + I1*I3 */
+    const double t11 = t2*t10; /* s^2*Theta */
+    const double t12 = 1.0/t11; /* 1/(s^2*Theta) */
+    const double t13 = t2*t12; /* 1/Theta = s^2*1/(s^2*Theta) */
     const double t14 = t7*t13; /* (s*I1*M*C - gamma3*G*J1/R)*1/Theta */
     const double t15 = p[9]*t7; /* (I1 - I3)*(s*I1*M*C - gamma3*G*J1/R) */
     const double t16 = JLT_FNMA(t14, t15, p[6]); /* F0 - (s*I1*M*C - gamma3*G*J1/R)*1/Theta*(I1 - I3)*(s*I1*M*C - gamma3*G*J1/R) */
-    const double t17 = p[8]*t16; /* 1/(m*I1^2)*t16 */
-    const double t18 = sqrt(t17); /* v_slip = sqrt(1/(m*I1^2)*t16) */
+    const double t17 = p[8]*t16; /* v_slip^2 = 1/(m*I1^2)*t16 */
+    const double t18 = sqrt(t17); /* v_slip = sqrt(v_slip^2) */
     const double t19 = sin(x[1]); /* S = sin(psi) */
     const double t20 = JLT_FNMA(p[15], t19, t18); /* v_slip - M/(m*R)*S */
-    const double t21 = t10*t12; /* 1/s = Theta*1/(s*Theta) */
-    const double t22 = p[7]*x[0]; /* m*R/J1*gamma3 */
-    const double t23 = t21*t22; /* 1/s*m*R/J1*gamma3 */
-    const double t24 = t20*t23; /* (v_slip - M/(m*R)*S)*1/s*m*R/J1*gamma3 */
-    const double t25 = t5*t21; /* I1*M*C*1/s */
-    const double t26 = JLT_FNMA(t14, p[19], t25); /* I1*M*C*1/s - (s*I1*M*C - gamma3*G*J1/R)*1/Theta*m*R^2*(I1 - I3) */
-    const double t27 = JLT_FMA(x[0], t26, p[11]); /* gamma3*t26 + G*J1/R */
-    const double t28 = t3*t14; /* s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta */
-    const double t29 = t28/t18; /* s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta/v_slip */
-    const double t30 = p[18]*t27; /* R*(I1 - I3)/(I1^2*J1)*(gamma3*t26 + G*J1/R) */
-    const double t31 = JLT_FMS(t29, t30, t24); /* s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta/v_slip*R*(I1 - I3)/(I1^2*J1)*(gamma3*t26 + G*J1/R) - (v_slip - M/(m*R)*S)*1/s*m*R/J1*gamma3 */
-    out[0] = t31;
-    const double t32 = t19*p[21]; /* S*R*M*(I1 - I3)/I1 */
-    const double t33 = t29*t32; /* s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta/v_slip*S*R*M*(I1 - I3)/I1 */
-    const double t34 = JLT_FNMA(t4, p[5], t33); /* t33 - C*M */
-    const double t35 = t3*p[20]; /* s*1/J1 */
-    const double t36 = t34*t35; /* (t33 - C*M)*s*1/J1 */
-    out[1] = t36;
-    const double t37 = t21*p[16]; /* 1/s*G*J3/R */
-    const double t38 = t3*p[16]; /* s*G*J3/R */
-    const double t39 = t4*p[17]; /* C*I3*M */
-    const double t40 = JLT_FMA(x[0], t39, t38); /* gamma3*C*I3*M + s*G*J3/R */
-    const double t41 = t21*t21; /* 1/s*1/s */
-    const double t42 = JLT_FMA(t13, p[22], t41); /* 1/Theta*2*m*R^2*(I1 - I3) + 1/s*1/s */
-    const double t43 = JLT_FNMA(t40, t42, t37); /* 1/s*G*J3/R - (gamma3*C*I3*M + s*G*J3/R)*(1/Theta*2*m*R^2*(I1 - I3) + 1/s*1/s) */
-    const double t44 = x[0]*t12; /* gamma3*1/(s*Theta) */
-    const double t45 = t43*t44; /* t43*gamma3*1/(s*Theta) */
-    const double t46 = JLT_FMS(t12, t39, t45); /* 1/(s*Theta)*C*I3*M - t43*gamma3*1/(s*Theta) */
-    out[2] = t46;
-    const double t47 = t44*p[23]; /* gamma3*1/(s*Theta)*(-I3*M) */
-    const double t48 = t19*t47; /* S*gamma3*1/(s*Theta)*(-I3*M) */
-    out[3] = t48;
+    const double t21 = t10*t12; /* 1/s^2 = Theta*1/(s^2*Theta) */
+    const double t22 = t3*t21; /* s*1/s^2 */
+    const double t23 = p[7]*x[0]; /* m*R/J1*gamma3 */
+    const double t24 = t22*t23; /* s*1/s^2*m*R/J1*gamma3 */
+    const double t25 = t20*t24; /* (v_slip - M/(m*R)*S)*s*1/s^2*m*R/J1*gamma3 */
+    const double t26 = t5*t22; /* I1*M*C*s*1/s^2 */
+    const double t27 = JLT_FNMA(t14, p[19], t26); /* I1*M*C*s*1/s^2 - (s*I1*M*C - gamma3*G*J1/R)*1/Theta*m*R^2*(I1 - I3) */
+    const double t28 = JLT_FMA(x[0], t27, p[11]); /* gamma3*t27 + G*J1/R */
+    const double t29 = t3*t14; /* s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta */
+    const double t30 = t29/t17; /* s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta/v_slip^2 */
+    const double t31 = t18*t30; /* v_slip*s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta/v_slip^2 */
+    const double t32 = p[18]*t28; /* R*(I1 - I3)/(I1^2*J1)*(gamma3*t27 + G*J1/R) */
+    const double t33 = JLT_FMS(t31, t32, t25); /* v_slip*s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta/v_slip^2*R*(I1 - I3)/(I1^2*J1)*(gamma3*t27 + G*J1/R) - (v_slip - M/(m*R)*S)*s*1/s^2*m*R/J1*gamma3 */
+    out[0] = t33;
+    const double t34 = t19*p[21]; /* S*R*M*(I1 - I3)/I1 */
+    const double t35 = t31*t34; /* v_slip*s*(s*I1*M*C - gamma3*G*J1/R)*1/Theta/v_slip^2*S*R*M*(I1 - I3)/I1 */
+    const double t36 = JLT_FNMA(t4, p[5], t35); /* t35 - C*M */
+    const double t37 = t3*p[20]; /* s*1/J1 */
+    const double t38 = t36*t37; /* (t35 - C*M)*s*1/J1 */
+    out[1] = t38;
+    const double t39 = t22*p[16]; /* s*1/s^2*G*J3/R */
+    const double t40 = t3*p[16]; /* s*G*J3/R */
+    const double t41 = t4*p[17]; /* C*I3*M */
+    const double t42 = JLT_FMA(x[0], t41, t40); /* gamma3*C*I3*M + s*G*J3/R */
+    const double t43 = JLT_FMA(t13, p[22], t21); /* 1/Theta*2*m*R^2*(I1 - I3) + 1/s^2 */
+    const double t44 = JLT_FNMA(t42, t43, t39); /* s*1/s^2*G*J3/R - (gamma3*C*I3*M + s*G*J3/R)*(1/Theta*2*m*R^2*(I1 - I3) + 1/s^2) */
+    const double t45 = t13*t22; /* 1/Theta*s*1/s^2 */
+    const double t46 = x[0]*t45; /* gamma3*1/Theta*s*1/s^2 */
+    const double t47 = t44*t46; /* t44*gamma3*1/Theta*s*1/s^2 */
+    const double t48 = JLT_FMS(t41, t45, t47); /* C*I3*M*1/Theta*s*1/s^2 - t44*gamma3*1/Theta*s*1/s^2 */
+    out[2] = t48;
+    const double t49 = t46*p[23]; /* gamma3*1/Theta*s*1/s^2*(-I3*M) */
+    const double t50 = t19*t49; /* S*gamma3*1/Theta*s*1/s^2*(-I3*M) */
+    out[3] = t50;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = x[0]*p[14]; /* gamma3*I3/I1 */
-    const double t4 = JLT_FMA(x[0], t3, t2); /* gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3) */
-    const double t5 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t6 = JLT_FMA(p[13], t4, p[12]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + (1 - gamma3)*(1 + gamma3)) + I1*I3 */
-    const double t7 = t5*t6; /* s*Theta */
-    const double t8 = 1.0/t7; /* 1/(s*Theta) */
-    const double t9 = t6*t8; /* 1/s = Theta*1/(s*Theta) */
-    const double t10 = cos(x[1]); /* C = cos(psi) */
-    const double t11 = p[10]*t5; /* I1*M*s */
-    const double t12 = t10*t11; /* C*I1*M*s */
-    const double t13 = JLT_FNMA(x[0], p[11], t12); /* C*I1*M*s - gamma3*G*J1/R */
-    const double t14 = t5*t8; /* 1/Theta = s*1/(s*Theta) */
-    const double t15 = t13*t14; /* (C*I1*M*s - gamma3*G*J1/R)*1/Theta */
-    const double t16 = p[9]*t13; /* (I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t17 = JLT_FNMA(t15, t16, p[6]); /* F0 - (C*I1*M*s - gamma3*G*J1/R)*1/Theta*(I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t18 = p[8]*t17; /* 1/(m*I1^2)*t17 */
-    const double t19 = sqrt(t18); /* v_slip = sqrt(1/(m*I1^2)*t17) */
-    const double t20 = p[22]*t14; /* 2*m*R^2*(I1 - I3)*1/Theta */
-    const double t21 = t5*t15; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta */
-    const double t22 = t21/t19; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip */
-    const double t23 = p[25]*t15; /* m*R^3*(I1 - I3)^2/(I1^2*J1)*(C*I1*M*s - gamma3*G*J1/R)*1/Theta */
-    const double t24 = sin(x[1]); /* S = sin(psi) */
-    const double t25 = JLT_FNMA(p[15], t24, t19); /* v_slip - M/(m*R)*S */
-    const double t26 = p[7]*t25; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t27 = t5*t26; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[0] = t27;
-    const double t28 = p[16]*t5; /* G*J3/R*s */
-    const double t29 = p[20]*t5; /* 1/J1*s */
-    const double t30 = p[17]*t10; /* I3*M*C */
-    const double t31 = JLT_FMA(x[0], t30, t28); /* gamma3*I3*M*C + G*J3/R*s */
-    const double t32 = t20*t31; /* 2*m*R^2*(I1 - I3)*1/Theta*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t33 = t8*t31; /* 1/(s*Theta)*(gamma3*I3*M*C + G*J3/R*s) */
-    out[1] = t33;
-    const double t34 = JLT_FNMA(t9, t31, p[16]); /* G*J3/R - 1/s*(gamma3*I3*M*C + G*J3/R*s) */
-    const double t35 = JLT_FNMA(t9, t34, t32); /* 2*m*R^2*(I1 - I3)*1/Theta*(gamma3*I3*M*C + G*J3/R*s) - 1/s*(G*J3/R - 1/s*(gamma3*I3*M*C + G*J3/R*s)) */
-    const double t36 = JLT_FMA(x[0], t35, t30); /* gamma3*t35 + I3*M*C */
-    const double t37 = t8*t36; /* 1/(s*Theta)*(gamma3*t35 + I3*M*C) */
-    out[4] = t37;
-    const double t38 = p[24]*t10; /* R*M*(I1 - I3)/(I1*J1)*C */
-    const double t39 = JLT_FMS(t22, t38, t26); /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*R*M*(I1 - I3)/(I1*J1)*C - m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t40 = t9*t39; /* 1/s*t39 */
-    const double t41 = JLT_FNMA(t22, t23, t40); /* 1/s*t39 - s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*t23 */
-    const double t42 = x[0]*t41; /* gamma3*(1/s*t39 - s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*t23) */
-    const double t43 = JLT_FMA(p[26], t22, t42); /* G*(I1 - I3)/I1^2*s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip + t42 */
-    out[2] = t43;
-    const double t44 = p[21]*t24; /* R*M*(I1 - I3)/I1*S */
-    const double t45 = t22*t44; /* s*(C*I1*M*s - gamma3*G*J1/R)*1/Theta/v_slip*R*M*(I1 - I3)/I1*S */
-    const double t46 = JLT_FNMA(p[5], t10, t45); /* t45 - M*C */
-    const double t47 = t29*t46; /* 1/J1*s*(t45 - M*C) */
-    out[3] = t47;
-    const double t48 = x[0]*p[23]; /* gamma3*(-I3*M) */
-    const double t49 = t8*t48; /* 1/(s*Theta)*gamma3*(-I3*M) */
-    const double t50 = t24*t49; /* S*1/(s*Theta)*gamma3*(-I3*M) */
-    out[5] = t50;
+    const double t4 = JLT_FMA(x[0], t3, t2); /* gamma3*gamma3*I3/I1 + s^2 */
+    const double t5 = JLT_FMA(p[13], t4, p[12]); /* Theta = m*R^2*I1*(gamma3*gamma3*I3/I1 + s^2) + I1*I3 */
+    const double t6 = t2*t5; /* s^2*Theta */
+    const double t7 = 1.0/t6; /* 1/(s^2*Theta) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t9 = t2*t7; /* 1/Theta = s^2*1/(s^2*Theta) */
+    const double t10 = t5*t8; /* Theta*s */
+    const double t11 = t7*t10; /* 1/(s^2*Theta)*Theta*s */
+    const double t12 = cos(x[1]); /* C = cos(psi) */
+    const double t13 = p[10]*t8; /* I1*M*s */
+    const double t14 = t12*t13; /* C*I1*M*s */
+    const double t15 = JLT_FNMA(x[0], p[11], t14); /* C*I1*M*s - gamma3*G*J1/R */
+    const double t16 = t9*t15; /* 1/Theta*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t17 = p[9]*t15; /* (I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t18 = JLT_FNMA(t16, t17, p[6]); /* F0 - 1/Theta*(C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t19 = p[8]*t18; /* v_slip^2 = 1/(m*I1^2)*t18 */
+    const double t20 = t8*t16; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t21 = t20/t19; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2 */
+    const double t22 = sqrt(t19); /* v_slip = sqrt(v_slip^2) */
+    const double t23 = t21*t22; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip */
+    const double t24 = p[25]*t16; /* m*R^3*(I1 - I3)^2/(I1^2*J1)*1/Theta*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t25 = sin(x[1]); /* S = sin(psi) */
+    const double t26 = JLT_FNMA(p[15], t25, t22); /* v_slip - M/(m*R)*S */
+    const double t27 = p[7]*t26; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t28 = t8*t27; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[0] = t28;
+    const double t29 = p[16]*t8; /* G*J3/R*s */
+    const double t30 = p[20]*t8; /* 1/J1*s */
+    const double t31 = p[17]*t12; /* I3*M*C */
+    const double t32 = JLT_FMA(x[0], t31, t29); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t33 = p[24]*t12; /* R*M*(I1 - I3)/(I1*J1)*C */
+    const double t34 = JLT_FMS(t23, t33, t27); /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip*R*M*(I1 - I3)/(I1*J1)*C - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t35 = t11*t34; /* 1/(s^2*Theta)*Theta*s*t34 */
+    const double t36 = JLT_FNMA(t23, t24, t35); /* 1/(s^2*Theta)*Theta*s*t34 - s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip*t24 */
+    const double t37 = x[0]*t36; /* gamma3*t36 */
+    const double t38 = JLT_FMA(p[26], t23, t37); /* G*(I1 - I3)/I1^2*s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip + gamma3*t36 */
+    out[2] = t38;
+    const double t39 = p[22]*t9; /* 2*m*R^2*(I1 - I3)*1/Theta */
+    const double t40 = t32*t39; /* (gamma3*I3*M*C + G*J3/R*s)*2*m*R^2*(I1 - I3)*1/Theta */
+    const double t41 = t9*t11; /* 1/Theta*1/(s^2*Theta)*Theta*s */
+    const double t42 = t32*t41; /* (gamma3*I3*M*C + G*J3/R*s)*1/Theta*1/(s^2*Theta)*Theta*s */
+    out[1] = t42;
+    const double t43 = JLT_FNMA(t11, t32, p[16]); /* G*J3/R - 1/(s^2*Theta)*Theta*s*(gamma3*I3*M*C + G*J3/R*s) */
+    const double t44 = JLT_FNMA(t11, t43, t40); /* (gamma3*I3*M*C + G*J3/R*s)*2*m*R^2*(I1 - I3)*1/Theta - 1/(s^2*Theta)*Theta*s*(G*J3/R - 1/(s^2*Theta)*Theta*s*(gamma3*I3*M*C + G*J3/R*s)) */
+    const double t45 = JLT_FMA(x[0], t44, t31); /* gamma3*t44 + I3*M*C */
+    const double t46 = t41*t45; /* 1/Theta*1/(s^2*Theta)*Theta*s*(gamma3*t44 + I3*M*C) */
+    out[4] = t46;
+    const double t47 = p[21]*t25; /* R*M*(I1 - I3)/I1*S */
+    const double t48 = t23*t47; /* s*1/Theta*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip*R*M*(I1 - I3)/I1*S */
+    const double t49 = JLT_FNMA(p[5], t12, t48); /* t48 - M*C */
+    const double t50 = t30*t49; /* 1/J1*s*(t48 - M*C) */
+    out[3] = t50;
+    const double t51 = x[0]*p[23]; /* gamma3*(-I3*M) */
+    const double t52 = t41*t51; /* 1/Theta*1/(s^2*Theta)*Theta*s*gamma3*(-I3*M) */
+    const double t53 = t25*t52; /* S*1/Theta*1/(s^2*Theta)*Theta*s*gamma3*(-I3*M) */
+    out[5] = t53;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0]*p[3]; /* gamma3*I3 */
     const double t4 = JLT_FMA(x[0], t3, p[27]); /* gamma3*gamma3*I3 + I1*I3/(m*R^2) */
-    const double t5 = JLT_FMA(p[2], t2, t4); /* Theta/(m*R^2) = I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t7 = t5*t6; /* Theta/(m*R^2)*s */
-    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2)*s) */
-    const double t9 = t5*t8; /* Theta/(m*R^2)*1/(Theta/(m*R^2)*s) */
-    const double t10 = t6*t8; /* 1/(Theta/(m*R^2)) = s*1/(Theta/(m*R^2)*s) */
-    const double t11 = cos(x[1]); /* C = cos(psi) */
-    const double t12 = p[10]*t6; /* I1*M*s */
-    const double t13 = t11*t12; /* C*I1*M*s */
-    const double t14 = JLT_FNMA(x[0], p[11], t13); /* C*I1*M*s - gamma3*G*J1/R */
-    const double t15 = p[30]*t11; /* M*(I1 - I3)/(m*R*I1*J1)*C */
-    const double t16 = t10*t14; /* 1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t17 = p[29]*t14; /* (I1 - I3)/(m*R^2)*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t18 = JLT_FNMA(t16, t17, p[6]); /* F0 - 1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)/(m*R^2)*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t19 = p[8]*t18; /* 1/(m*I1^2)*t18 */
-    const double t20 = sqrt(t19); /* v_slip = sqrt(1/(m*I1^2)*t18) */
-    const double t21 = t6*t16; /* s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t22 = p[28]*t10; /* I3*M/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t23 = t21/t20; /* s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)/v_slip */
-    const double t24 = p[31]*t16; /* (I1 - I3)^2/(m*R*I1^2*J1)*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
-    const double t25 = sin(x[1]); /* S = sin(psi) */
-    const double t26 = t22*t25; /* I3*M/(m*R^2)*1/(Theta/(m*R^2))*S */
-    const double t27 = JLT_FNMA(p[15], t25, t20); /* v_slip - M/(m*R)*S */
-    const double t28 = JLT_FMA(p[7], t27, t26); /* m*R/J1*(v_slip - M/(m*R)*S) + I3*M/(m*R^2)*1/(Theta/(m*R^2))*S */
-    const double t29 = JLT_FNMA(t15, t23, t28); /* t28 - M*(I1 - I3)/(m*R*I1*J1)*C*s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)/v_slip */
-    const double t30 = t9*t29; /* Theta/(m*R^2)*1/(Theta/(m*R^2)*s)*t29 */
-    const double t31 = JLT_FMA(t23, t24, t30); /* s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)/v_slip*t24 + Theta/(m*R^2)*1/(Theta/(m*R^2)*s)*t29 */
-    const double t32 = x[0]*t31; /* gamma3*t31 */
-    const double t33 = JLT_FMS(p[32], t23, t32); /* G*(I1 - I3)/(m*R^2*I1^2)*s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)/v_slip - gamma3*t31 */
-    out[0] = t33;
+    const double t5 = JLT_FMA(p[2], t2, t4); /* Theta/(m*R^2) = I1*s^2 + gamma3*gamma3*I3 + I1*I3/(m*R^2) */
+    const double t6 = t2*t5; /* s^2*Theta/(m*R^2) */
+    const double t7 = 1.0/t6; /* 1/(s^2*Theta/(m*R^2)) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t9 = t2*t7; /* 1/(Theta/(m*R^2)) = s^2*1/(s^2*Theta/(m*R^2)) */
+    const double t10 = t5*t8; /* Theta/(m*R^2)*s */
+    const double t11 = t7*t10; /* 1/(s^2*Theta/(m*R^2))*Theta/(m*R^2)*s */
+    const double t12 = cos(x[1]); /* C = cos(psi) */
+    const double t13 = p[10]*t8; /* I1*M*s */
+    const double t14 = t12*t13; /* C*I1*M*s */
+    const double t15 = JLT_FNMA(x[0], p[11], t14); /* C*I1*M*s - gamma3*G*J1/R */
+    const double t16 = p[30]*t12; /* M*(I1 - I3)/(m*R*I1*J1)*C */
+    const double t17 = t9*t15; /* 1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t18 = p[29]*t15; /* (I1 - I3)/(m*R^2)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t19 = JLT_FNMA(t17, t18, p[6]); /* F0 - 1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)*(I1 - I3)/(m*R^2)*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t20 = p[8]*t19; /* v_slip^2 = 1/(m*I1^2)*t19 */
+    const double t21 = t8*t17; /* s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t22 = p[28]*t9; /* I3*M/(m*R^2)*1/(Theta/(m*R^2)) */
+    const double t23 = t21/t20; /* s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2 */
+    const double t24 = sqrt(t20); /* v_slip = sqrt(v_slip^2) */
+    const double t25 = t23*t24; /* s*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R)/v_slip^2*v_slip */
+    const double t26 = p[31]*t17; /* (I1 - I3)^2/(m*R*I1^2*J1)*1/(Theta/(m*R^2))*(C*I1*M*s - gamma3*G*J1/R) */
+    const double t27 = sin(x[1]); /* S = sin(psi) */
+    const double t28 = t22*t27; /* I3*M/(m*R^2)*1/(Theta/(m*R^2))*S */
+    const double t29 = JLT_FNMA(p[15], t27, t24); /* v_slip - M/(m*R)*S */
+    const double t30 = JLT_FMA(p[7], t29, t28); /* m*R/J1*(v_slip - M/(m*R)*S) + I3*M/(m*R^2)*1/(Theta/(m*R^2))*S */
+    const double t31 = JLT_FNMA(t16, t25, t30); /* t30 - M*(I1 - I3)/(m*R*I1*J1)*C*t25 */
+    const double t32 = t11*t31; /* 1/(s^2*Theta/(m*R^2))*Theta/(m*R^2)*s*(t30 - M*(I1 - I3)/(m*R*I1*J1)*C*t25) */
+    const double t33 = JLT_FMA(t25, t26, t32); /* t25*t26 + t32 */
+    const double t34 = x[0]*t33; /* gamma3*(t25*t26 + t32) */
+    const double t35 = JLT_FMS(p[32], t25, t34); /* G*(I1 - I3)/(m*R^2*I1^2)*t25 - gamma3*(t25*t26 + t32) */
+    out[0] = t35;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -444,11 +451,11 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .prepare = prepare,
     .rhs = { rhs, 2, { 2, 16, 6, 1, 2, 2, 14, 6 }, { 10, 32, 0, 6, 2, 2, 16, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 4, { 2, 28, 13, 2, 2, 2, 15, 12 }, { 28, 104, 0, 21, 2, 2, 18, 14 },
+    .jacobian = { jacobian, 4, { 2, 30, 13, 2, 2, 2, 15, 13 }, { 28, 104, 0, 21, 2, 2, 18, 14 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 6, { 2, 30, 13, 2, 2, 2, 18, 12 }, { 30, 114, 0, 24, 2, 2, 18, 15 },
+    .rhs_jacobian = { rhs_jacobian, 6, { 2, 33, 13, 2, 2, 2, 18, 12 }, { 30, 114, 0, 24, 2, 2, 18, 15 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes" },
-    .divergence = { divergence, 1, { 2, 17, 9, 2, 2, 2, 17, 8 }, { 18, 59, 0, 12, 2, 2, 19, 13 },
+    .divergence = { divergence, 1, { 2, 19, 9, 2, 2, 2, 17, 8 }, { 18, 59, 0, 12, 2, 2, 19, 13 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },

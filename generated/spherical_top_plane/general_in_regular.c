@@ -7,8 +7,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   14    6    1    1    2     13    5   (57)
- *  jacobian            3   38   13    2    1    2     14   11   (295)
- *  rhs_jacobian        4   40   13    2    1    2     14   12   (318)
+ *  jacobian            3   39   13    2    1    2     14   11   (295)
+ *  rhs_jacobian        4   41   13    2    1    2     14   12   (318)
  *  divergence          0   18   10    2    1    2     13    7   (120)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
@@ -171,62 +171,63 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t9 = t4*t8; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
     const double t10 = p[9]*t8; /* (I1 - I3)*(C*s*I1*M - gamma3*G*J1/R) */
     const double t11 = JLT_FNMA(t9, t10, p[6]); /* F0 - 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*(I1 - I3)*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t12 = p[8]*t11; /* 1/(m*I1^2)*t11 */
-    const double t13 = sqrt(t12); /* v_slip = sqrt(1/(m*I1^2)*t11) */
-    const double t14 = sin(x[1]); /* S = sin(psi) */
-    const double t15 = p[22]*t14; /* R*M*(I1 - I3)/I1*S */
-    const double t16 = t9*t15; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*R*M*(I1 - I3)/I1*S */
-    const double t17 = t9*t9; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
-    const double t18 = p[18]*x[0]; /* m*R^2*I3*(I1 - I3)*gamma3 */
-    const double t19 = t17*t18; /* t17*m*R^2*I3*(I1 - I3)*gamma3 */
-    const double t20 = JLT_FMA(p[19], t9, t19); /* G*J1*(I1 - I3)/R*1/Theta*(C*s*I1*M - gamma3*G*J1/R) + t17*m*R^2*I3*(I1 - I3)*gamma3 */
-    const double t21 = x[2]/t13; /* s/v_slip */
-    const double t22 = t16*t21; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*R*M*(I1 - I3)/I1*S*s/v_slip */
-    const double t23 = JLT_FNMA(p[15], t14, t13); /* v_slip - M/(m*R)*S */
-    const double t24 = p[20]*t21; /* R/(I1^2*J1)*s/v_slip */
-    const double t25 = JLT_FNMA(p[5], t5, t22); /* t22 - M*C */
-    const double t26 = t20*t24; /* t20*R/(I1^2*J1)*s/v_slip */
-    const double t27 = p[21]*t25; /* 1/J1*(t22 - M*C) */
-    const double t28 = t0*t27; /* s*s*1/J1*(t22 - M*C) */
-    out[1] = t28;
-    const double t29 = x[2]*t26; /* s*t20*R/(I1^2*J1)*s/v_slip */
-    out[0] = t29;
-    const double t30 = p[24]*t5; /* I1*M*(I1 - I3)*C */
-    const double t31 = t9*t30; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*I1*M*(I1 - I3)*C */
-    const double t32 = p[17]*t5; /* I3*M*C */
-    const double t33 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
-    const double t34 = JLT_FNMA(t17, t33, t31); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*I1*M*(I1 - I3)*C - t17*s*m*R^2*I1*(I1 - I3) */
-    const double t35 = t24*t34; /* R/(I1^2*J1)*s/v_slip*t34 */
-    const double t36 = x[2]*p[16]; /* s*G*J3/R */
-    const double t37 = JLT_FMA(x[0], t32, t36); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t38 = t4*t37; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t39 = t4*t32; /* 1/Theta*I3*M*C */
-    const double t40 = p[7]*t23; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t41 = JLT_FMS(p[23], t23, t35); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t34 */
-    const double t42 = x[2]*t41; /* s*(2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t34) */
-    out[2] = t42;
-    const double t43 = t35 - t40; /* R/(I1^2*J1)*s/v_slip*t34 - m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t44 = x[0]*t43; /* gamma3*(R/(I1^2*J1)*s/v_slip*t34 - m*R/J1*(v_slip - M/(m*R)*S)) */
-    out[8] = t44;
-    const double t45 = x[2]*t40; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t46 = JLT_FMA(x[0], t26, t45); /* gamma3*t20*R/(I1^2*J1)*s/v_slip + s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t47 = -t46; /* -t46 */
-    out[6] = t47;
-    const double t48 = x[0]*t4; /* gamma3*1/Theta */
-    const double t49 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
-    const double t50 = x[2]*x[0]; /* s*gamma3 */
-    const double t51 = t27*t50; /* 1/J1*(t22 - M*C)*s*gamma3 */
-    const double t52 = -t51; /* -1/J1*(t22 - M*C)*s*gamma3 */
-    out[7] = t52;
-    const double t53 = p[26]*t48; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t54 = JLT_FNMA(t38, t53, t39); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    out[3] = t54;
-    const double t55 = p[27]*t48; /* (-I3*M)*gamma3*1/Theta */
-    const double t56 = t14*t55; /* S*(-I3*M)*gamma3*1/Theta */
-    out[4] = t56;
-    const double t57 = JLT_FNMA(x[2], t38, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t58 = t49*t57; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
-    out[5] = t58;
+    const double t12 = p[8]*t11; /* v_slip^2 = 1/(m*I1^2)*t11 */
+    const double t13 = sin(x[1]); /* S = sin(psi) */
+    const double t14 = sqrt(t12); /* v_slip = sqrt(v_slip^2) */
+    const double t15 = x[2]/t12; /* s/v_slip^2 */
+    const double t16 = t14*t15; /* v_slip*s/v_slip^2 */
+    const double t17 = JLT_FNMA(p[15], t13, t14); /* v_slip - M/(m*R)*S */
+    const double t18 = p[22]*t13; /* R*M*(I1 - I3)/I1*S */
+    const double t19 = t9*t18; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*R*M*(I1 - I3)/I1*S */
+    const double t20 = t16*t19; /* v_slip*s/v_slip^2*1/Theta*(C*s*I1*M - gamma3*G*J1/R)*R*M*(I1 - I3)/I1*S */
+    const double t21 = p[20]*t16; /* R/(I1^2*J1)*v_slip*s/v_slip^2 */
+    const double t22 = JLT_FNMA(p[5], t5, t20); /* t20 - M*C */
+    const double t23 = p[21]*t22; /* 1/J1*(t20 - M*C) */
+    const double t24 = t0*t23; /* s*s*1/J1*(t20 - M*C) */
+    out[1] = t24;
+    const double t25 = t9*t9; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*1/Theta*(C*s*I1*M - gamma3*G*J1/R) */
+    const double t26 = p[18]*x[0]; /* m*R^2*I3*(I1 - I3)*gamma3 */
+    const double t27 = t25*t26; /* t25*m*R^2*I3*(I1 - I3)*gamma3 */
+    const double t28 = JLT_FMA(p[19], t9, t27); /* G*J1*(I1 - I3)/R*1/Theta*(C*s*I1*M - gamma3*G*J1/R) + t25*m*R^2*I3*(I1 - I3)*gamma3 */
+    const double t29 = t21*t28; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t28 */
+    const double t30 = x[2]*t29; /* s*R/(I1^2*J1)*v_slip*s/v_slip^2*t28 */
+    out[0] = t30;
+    const double t31 = p[24]*t5; /* I1*M*(I1 - I3)*C */
+    const double t32 = t9*t31; /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*I1*M*(I1 - I3)*C */
+    const double t33 = p[17]*t5; /* I3*M*C */
+    const double t34 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
+    const double t35 = JLT_FNMA(t25, t34, t32); /* 1/Theta*(C*s*I1*M - gamma3*G*J1/R)*I1*M*(I1 - I3)*C - t25*s*m*R^2*I1*(I1 - I3) */
+    const double t36 = t21*t35; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t35 */
+    const double t37 = x[2]*p[16]; /* s*G*J3/R */
+    const double t38 = JLT_FMA(x[0], t33, t37); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t39 = t4*t38; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t40 = t4*t33; /* 1/Theta*I3*M*C */
+    const double t41 = p[7]*t17; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t42 = JLT_FMS(p[23], t17, t36); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*v_slip*s/v_slip^2*t35 */
+    const double t43 = x[2]*t42; /* s*t42 */
+    out[2] = t43;
+    const double t44 = t36 - t41; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t35 - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t45 = x[0]*t44; /* gamma3*t44 */
+    out[8] = t45;
+    const double t46 = x[2]*t41; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t47 = JLT_FMA(x[0], t29, t46); /* gamma3*R/(I1^2*J1)*v_slip*s/v_slip^2*t28 + s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t48 = -t47; /* -t47 */
+    out[6] = t48;
+    const double t49 = x[0]*t4; /* gamma3*1/Theta */
+    const double t50 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
+    const double t51 = x[2]*x[0]; /* s*gamma3 */
+    const double t52 = t23*t51; /* 1/J1*(t20 - M*C)*s*gamma3 */
+    const double t53 = -t52; /* -1/J1*(t20 - M*C)*s*gamma3 */
+    out[7] = t53;
+    const double t54 = p[26]*t49; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t55 = JLT_FNMA(t39, t54, t40); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    out[3] = t55;
+    const double t56 = p[27]*t49; /* (-I3*M)*gamma3*1/Theta */
+    const double t57 = t13*t56; /* S*(-I3*M)*gamma3*1/Theta */
+    out[4] = t57;
+    const double t58 = JLT_FNMA(x[2], t39, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t59 = t50*t58; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
+    out[5] = t59;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -243,68 +244,69 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t9 = t4*t8; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
     const double t10 = p[9]*t8; /* (I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
     const double t11 = JLT_FNMA(t9, t10, p[6]); /* F0 - 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*(I1 - I3)*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t12 = p[8]*t11; /* 1/(m*I1^2)*t11 */
-    const double t13 = sqrt(t12); /* v_slip = sqrt(1/(m*I1^2)*t11) */
-    const double t14 = sin(x[1]); /* S = sin(psi) */
-    const double t15 = p[22]*t14; /* R*M*(I1 - I3)/I1*S */
-    const double t16 = t9*t15; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*R*M*(I1 - I3)/I1*S */
-    const double t17 = t9*t9; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
-    const double t18 = x[0]*p[18]; /* gamma3*m*R^2*I3*(I1 - I3) */
-    const double t19 = t17*t18; /* t17*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t20 = JLT_FMA(p[19], t9, t19); /* G*J1*(I1 - I3)/R*1/Theta*(C*s*I1*M - G*J1/R*gamma3) + t17*gamma3*m*R^2*I3*(I1 - I3) */
-    const double t21 = x[2]/t13; /* s/v_slip */
-    const double t22 = JLT_FNMA(p[15], t14, t13); /* v_slip - M/(m*R)*S */
-    const double t23 = t16*t21; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*R*M*(I1 - I3)/I1*S*s/v_slip */
-    const double t24 = p[20]*t21; /* R/(I1^2*J1)*s/v_slip */
-    const double t25 = JLT_FNMA(p[5], t5, t23); /* t23 - M*C */
-    const double t26 = t20*t24; /* t20*R/(I1^2*J1)*s/v_slip */
-    const double t27 = p[21]*t25; /* 1/J1*(t23 - M*C) */
-    const double t28 = t0*t27; /* s*s*1/J1*(t23 - M*C) */
-    out[4] = t28;
-    const double t29 = x[2]*t26; /* s*t20*R/(I1^2*J1)*s/v_slip */
-    out[3] = t29;
-    const double t30 = p[24]*t5; /* I1*M*(I1 - I3)*C */
-    const double t31 = t9*t30; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C */
-    const double t32 = p[17]*t5; /* I3*M*C */
-    const double t33 = x[2]*p[16]; /* s*G*J3/R */
-    const double t34 = JLT_FMA(x[0], t32, t33); /* gamma3*I3*M*C + s*G*J3/R */
-    const double t35 = t4*t34; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    out[1] = t35;
-    const double t36 = t4*t32; /* 1/Theta*I3*M*C */
-    const double t37 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
-    const double t38 = JLT_FNMA(t17, t37, t31); /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C - t17*s*m*R^2*I1*(I1 - I3) */
-    const double t39 = t24*t38; /* R/(I1^2*J1)*s/v_slip*t38 */
-    const double t40 = p[7]*t22; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t41 = JLT_FMS(p[23], t22, t39); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t38 */
-    const double t42 = x[2]*t41; /* s*(2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*s/v_slip*t38) */
-    out[5] = t42;
-    const double t43 = t39 - t40; /* R/(I1^2*J1)*s/v_slip*t38 - m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t44 = x[0]*t43; /* gamma3*(R/(I1^2*J1)*s/v_slip*t38 - m*R/J1*(v_slip - M/(m*R)*S)) */
-    out[11] = t44;
-    const double t45 = x[2]*t40; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t46 = JLT_FMA(x[0], t26, t45); /* gamma3*t20*R/(I1^2*J1)*s/v_slip + s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t47 = -t46; /* -t46 */
-    out[9] = t47;
-    const double t48 = x[2]*t45; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[0] = t48;
-    const double t49 = x[0]*t45; /* gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t50 = -t49; /* -gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
-    out[2] = t50;
-    const double t51 = x[0]*t4; /* gamma3*1/Theta */
-    const double t52 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
-    const double t53 = x[2]*x[0]; /* s*gamma3 */
-    const double t54 = t27*t53; /* 1/J1*(t23 - M*C)*s*gamma3 */
-    const double t55 = -t54; /* -1/J1*(t23 - M*C)*s*gamma3 */
-    out[10] = t55;
-    const double t56 = p[26]*t51; /* 2*m*R^2*I3*gamma3*1/Theta */
-    const double t57 = JLT_FNMA(t35, t56, t36); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
-    out[6] = t57;
-    const double t58 = p[27]*t51; /* (-I3*M)*gamma3*1/Theta */
-    const double t59 = t14*t58; /* S*(-I3*M)*gamma3*1/Theta */
-    out[7] = t59;
-    const double t60 = JLT_FNMA(x[2], t35, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
-    const double t61 = t52*t60; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
-    out[8] = t61;
+    const double t12 = p[8]*t11; /* v_slip^2 = 1/(m*I1^2)*t11 */
+    const double t13 = sin(x[1]); /* S = sin(psi) */
+    const double t14 = sqrt(t12); /* v_slip = sqrt(v_slip^2) */
+    const double t15 = x[2]/t12; /* s/v_slip^2 */
+    const double t16 = t14*t15; /* v_slip*s/v_slip^2 */
+    const double t17 = JLT_FNMA(p[15], t13, t14); /* v_slip - M/(m*R)*S */
+    const double t18 = p[22]*t13; /* R*M*(I1 - I3)/I1*S */
+    const double t19 = t9*t18; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*R*M*(I1 - I3)/I1*S */
+    const double t20 = t16*t19; /* v_slip*s/v_slip^2*1/Theta*(C*s*I1*M - G*J1/R*gamma3)*R*M*(I1 - I3)/I1*S */
+    const double t21 = p[20]*t16; /* R/(I1^2*J1)*v_slip*s/v_slip^2 */
+    const double t22 = JLT_FNMA(p[5], t5, t20); /* t20 - M*C */
+    const double t23 = p[21]*t22; /* 1/J1*(t20 - M*C) */
+    const double t24 = t0*t23; /* s*s*1/J1*(t20 - M*C) */
+    out[4] = t24;
+    const double t25 = t9*t9; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*1/Theta*(C*s*I1*M - G*J1/R*gamma3) */
+    const double t26 = x[0]*p[18]; /* gamma3*m*R^2*I3*(I1 - I3) */
+    const double t27 = t25*t26; /* t25*gamma3*m*R^2*I3*(I1 - I3) */
+    const double t28 = JLT_FMA(p[19], t9, t27); /* G*J1*(I1 - I3)/R*1/Theta*(C*s*I1*M - G*J1/R*gamma3) + t25*gamma3*m*R^2*I3*(I1 - I3) */
+    const double t29 = t21*t28; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t28 */
+    const double t30 = x[2]*t29; /* s*R/(I1^2*J1)*v_slip*s/v_slip^2*t28 */
+    out[3] = t30;
+    const double t31 = p[24]*t5; /* I1*M*(I1 - I3)*C */
+    const double t32 = t9*t31; /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C */
+    const double t33 = p[17]*t5; /* I3*M*C */
+    const double t34 = x[2]*p[16]; /* s*G*J3/R */
+    const double t35 = JLT_FMA(x[0], t33, t34); /* gamma3*I3*M*C + s*G*J3/R */
+    const double t36 = t4*t35; /* 1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    out[1] = t36;
+    const double t37 = t4*t33; /* 1/Theta*I3*M*C */
+    const double t38 = x[2]*p[25]; /* s*m*R^2*I1*(I1 - I3) */
+    const double t39 = JLT_FNMA(t25, t38, t32); /* 1/Theta*(C*s*I1*M - G*J1/R*gamma3)*I1*M*(I1 - I3)*C - t25*s*m*R^2*I1*(I1 - I3) */
+    const double t40 = t21*t39; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t39 */
+    const double t41 = p[7]*t17; /* m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t42 = JLT_FMS(p[23], t17, t40); /* 2*m*R/J1*(v_slip - M/(m*R)*S) - R/(I1^2*J1)*v_slip*s/v_slip^2*t39 */
+    const double t43 = x[2]*t42; /* s*t42 */
+    out[5] = t43;
+    const double t44 = t40 - t41; /* R/(I1^2*J1)*v_slip*s/v_slip^2*t39 - m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t45 = x[0]*t44; /* gamma3*t44 */
+    out[11] = t45;
+    const double t46 = x[2]*t41; /* s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t47 = JLT_FMA(x[0], t29, t46); /* gamma3*R/(I1^2*J1)*v_slip*s/v_slip^2*t28 + s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t48 = -t47; /* -t47 */
+    out[9] = t48;
+    const double t49 = x[2]*t46; /* s*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[0] = t49;
+    const double t50 = x[0]*t46; /* gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    const double t51 = -t50; /* -gamma3*s*m*R/J1*(v_slip - M/(m*R)*S) */
+    out[2] = t51;
+    const double t52 = x[0]*t4; /* gamma3*1/Theta */
+    const double t53 = p[28]*t4; /* 2*m*R^2*I1*1/Theta */
+    const double t54 = x[2]*x[0]; /* s*gamma3 */
+    const double t55 = t23*t54; /* 1/J1*(t20 - M*C)*s*gamma3 */
+    const double t56 = -t55; /* -1/J1*(t20 - M*C)*s*gamma3 */
+    out[10] = t56;
+    const double t57 = p[26]*t52; /* 2*m*R^2*I3*gamma3*1/Theta */
+    const double t58 = JLT_FNMA(t36, t57, t37); /* 1/Theta*I3*M*C - 1/Theta*(gamma3*I3*M*C + s*G*J3/R)*2*m*R^2*I3*gamma3*1/Theta */
+    out[6] = t58;
+    const double t59 = p[27]*t52; /* (-I3*M)*gamma3*1/Theta */
+    const double t60 = t13*t59; /* S*(-I3*M)*gamma3*1/Theta */
+    out[7] = t60;
+    const double t61 = JLT_FNMA(x[2], t36, p[29]); /* 1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R) */
+    const double t62 = t53*t61; /* 2*m*R^2*I1*1/Theta*(1/2*G*J3/(m*R^3*I1) - s*1/Theta*(gamma3*I3*M*C + s*G*J3/R)) */
+    out[8] = t62;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -481,9 +483,9 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular = {
     .prepare = prepare,
     .rhs = { rhs, 3, { 1, 14, 6, 1, 1, 2, 13, 5 }, { 11, 36, 0, 7, 1, 2, 17, 9 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 9, { 3, 38, 13, 2, 1, 2, 14, 11 }, { 46, 207, 0, 39, 1, 2, 18, 14 },
+    .jacobian = { jacobian, 9, { 3, 39, 13, 2, 1, 2, 14, 11 }, { 46, 207, 0, 39, 1, 2, 18, 14 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 4, 40, 13, 2, 1, 2, 14, 12 }, { 50, 222, 0, 43, 1, 2, 18, 15 },
+    .rhs_jacobian = { rhs_jacobian, 12, { 4, 41, 13, 2, 1, 2, 14, 12 }, { 50, 222, 0, 43, 1, 2, 18, 15 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 0, 18, 10, 2, 1, 2, 13, 7 }, { 20, 82, 0, 15, 1, 2, 17, 12 },
         "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; divides by v_slip: values and rounding errors grow without bound where it vanishes; takes v_slip = sqrt((F0 - (I1*M*s*C - G*gamma3*J1/R)^2*(I1 - I3)/Theta)/(m*I1^2)): rounding errors of the states grow without bound where it vanishes" },

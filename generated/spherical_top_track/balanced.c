@@ -7,7 +7,7 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 6   22    9    1    1    2     11    9   (90)
- *  jacobian            11   51   17    1    1    2     13   16   (284)
+ *  jacobian            11   51   17    1    1    2     14   16   (284)
  *  rhs_jacobian        18   56   17    1    1    2     13   18   (349)
  *  divergence          3   10    3    1    1    0      8    5   (33)
  *  integral_values     3   15   10    0    1    2      8    9   (54)
@@ -244,85 +244,85 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[22] = t0;
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t4 = x[0]*p[7]; /* gamma3*I3/I1 */
-    const double t5 = p[6] + t3; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t7 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t7;
-    const double t8 = t6*t7; /* Theta/(m*R^2*I1)*s */
-    const double t9 = 1.0/t8; /* 1/(Theta/(m*R^2*I1)*s) */
-    const double t10 = t6*t9; /* 1/s = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
-    const double t11 = t7*t9; /* 1/(Theta/(m*R^2*I1)) = s*1/(Theta/(m*R^2*I1)*s) */
-    const double t12 = -t10; /* -1/s */
-    out[48] = t12;
-    const double t13 = x[0]*t10; /* gamma3*1/s */
-    out[57] = t13;
-    const double t14 = x[2]*t11; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t15 = p[8]*t14; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[31] = t15;
-    const double t16 = x[4]*t11; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t17 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t18 = t11*t17; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t19 = -t18; /* -1/(Theta/(m*R^2*I1))*V/R */
-    out[39] = t19;
-    const double t20 = x[0]*t7; /* gamma3*s */
-    const double t21 = x[3]*t13; /* omega_n*gamma3*1/s */
-    const double t22 = p[14]*t14; /* (I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t23 = t14*t20; /* omega_tau*1/(Theta/(m*R^2*I1))*gamma3*s */
-    const double t24 = t16*t22; /* omega3*1/(Theta/(m*R^2*I1))*t22 */
-    const double t25 = p[10]*t23; /* (I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1))*gamma3*s */
-    out[40] = t25;
-    const double t26 = p[10]*t16; /* (I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t27 = t23*t26; /* omega_tau*1/(Theta/(m*R^2*I1))*gamma3*s*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t28 = JLT_FMA(p[8], t16, t21); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/s */
-    const double t29 = t10*t10; /* 1/s*1/s */
-    const double t30 = x[3]*t10; /* omega_n*1/s */
-    const double t31 = t29*t30; /* 1/s*1/s*omega_n*1/s */
+    const double t5 = p[6] + t3; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
+    const double t7 = t3*t6; /* s^2*Theta/(m*R^2*I1) */
+    const double t8 = 1.0/t7; /* 1/(s^2*Theta/(m*R^2*I1)) */
+    const double t9 = t6*t8; /* 1/s^2 = Theta/(m*R^2*I1)*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t10 = t3*t8; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t11 = sqrt(t3); /* s = sqrt(s^2) */
+    out[2] = t11;
+    const double t12 = t9*t11; /* 1/s^2*s */
+    const double t13 = -t12; /* -1/s^2*s */
+    out[48] = t13;
+    const double t14 = x[0]*t12; /* gamma3*1/s^2*s */
+    out[57] = t14;
+    const double t15 = x[2]*t10; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t16 = p[8]*t15; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[31] = t16;
+    const double t17 = x[4]*t10; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t18 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t19 = t10*t18; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t20 = -t19; /* -1/(Theta/(m*R^2*I1))*V/R */
+    out[39] = t20;
+    const double t21 = x[0]*t11; /* gamma3*s */
+    const double t22 = x[3]*t14; /* omega_n*gamma3*1/s^2*s */
+    const double t23 = p[14]*t15; /* (I3^2 + m*R^2*I3)/(m^2*R^4*I1^2)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t24 = t15*t21; /* omega_tau*1/(Theta/(m*R^2*I1))*gamma3*s */
+    const double t25 = t17*t23; /* omega3*1/(Theta/(m*R^2*I1))*t23 */
+    const double t26 = p[10]*t24; /* (I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1))*gamma3*s */
+    out[40] = t26;
+    const double t27 = p[10]*t17; /* (I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t28 = t24*t27; /* omega_tau*1/(Theta/(m*R^2*I1))*gamma3*s*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t29 = JLT_FMA(p[8], t17, t22); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/s^2*s */
+    const double t30 = x[3]*t9; /* omega_n*1/s^2 */
+    const double t31 = t12*t30; /* 1/s^2*s*omega_n*1/s^2 */
     out[54] = t31;
-    const double t32 = t21*t29; /* omega_n*gamma3*1/s*1/s*1/s */
-    const double t33 = -t32; /* -omega_n*gamma3*1/s*1/s*1/s */
+    const double t32 = t9*t22; /* 1/s^2*omega_n*gamma3*1/s^2*s */
+    const double t33 = -t32; /* -1/s^2*omega_n*gamma3*1/s^2*s */
     out[45] = t33;
     const double t34 = x[3]*p[1]; /* omega_n*R */
     out[13] = t34;
-    const double t35 = t31*t34; /* 1/s*1/s*omega_n*1/s*omega_n*R */
+    const double t35 = t31*t34; /* 1/s^2*s*omega_n*1/s^2*omega_n*R */
     out[9] = t35;
     const double t36 = p[1]*x[4]; /* R*omega3 */
-    const double t37 = JLT_FMA(p[11], t21, t36); /* 2*R*omega_n*gamma3*1/s + R*omega3 */
+    const double t37 = JLT_FMA(p[11], t22, t36); /* 2*R*omega_n*gamma3*1/s^2*s + R*omega3 */
     out[12] = t37;
     const double t38 = x[0]*p[13]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t39 = t11*t21; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s */
-    const double t40 = JLT_FNMA(p[7], t39, t28); /* t28 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s */
+    const double t39 = t10*t22; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
+    const double t40 = JLT_FNMA(p[7], t39, t29); /* t29 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
     out[29] = t40;
-    const double t41 = x[3]*t11; /* omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t42 = JLT_FMS(t20, t26, t41); /* gamma3*s*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t41 = x[3]*t10; /* omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t42 = JLT_FMS(t21, t27, t41); /* gamma3*s*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1)) */
     out[38] = t42;
-    const double t43 = JLT_FNMA(t18, t41, t27); /* t27 - 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t43 = JLT_FNMA(t19, t41, t28); /* t28 - 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)) */
     const double t44 = p[18]*t41; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
     out[37] = t44;
-    const double t45 = (-2.0)*t21; /* (-2)*omega_n*gamma3*1/s */
-    const double t46 = JLT_FMA(x[4], p[12], t45); /* omega3*(-I3/I1) + (-2)*omega_n*gamma3*1/s */
+    const double t45 = (-2.0)*t22; /* (-2)*omega_n*gamma3*1/s^2*s */
+    const double t46 = JLT_FMA(x[4], p[12], t45); /* omega3*(-I3/I1) + (-2)*omega_n*gamma3*1/s^2*s */
     out[21] = t46;
-    const double t47 = x[2]*t26; /* omega_tau*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t48 = p[16]*t39; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s */
+    const double t47 = x[2]*t27; /* omega_tau*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t48 = p[16]*t39; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
     out[28] = t48;
-    const double t49 = p[15]*t18; /* I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
-    const double t50 = JLT_FNMA(t39, t49, t24); /* omega3*1/(Theta/(m*R^2*I1))*t22 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t49 = p[15]*t19; /* I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t50 = JLT_FNMA(t39, t49, t25); /* omega3*1/(Theta/(m*R^2*I1))*t23 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s*I3/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
     const double t51 = t38*t50; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t50 */
     const double t52 = p[17]*t38; /* 1/(m*R^2*I1)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t53 = t43*t52; /* (t27 - 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)))*1/(m*R^2*I1)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t54 = JLT_FNMA(p[7], t18, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t55 = JLT_FMA(t31, t54, t51); /* 1/s*1/s*omega_n*1/s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) + gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t50 */
+    const double t53 = t43*t52; /* (t28 - 1/(Theta/(m*R^2*I1))*V/R*omega_n*1/(Theta/(m*R^2*I1)))*1/(m*R^2*I1)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t54 = JLT_FNMA(p[7], t19, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t55 = JLT_FMA(t31, t54, t51); /* 1/s^2*s*omega_n*1/s^2*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) + gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t50 */
     out[27] = t55;
-    const double t56 = t13*t54; /* gamma3*1/s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t56 = t14*t54; /* gamma3*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
     out[30] = t56;
-    const double t57 = x[3]*t31; /* omega_n*1/s*1/s*omega_n*1/s */
-    const double t58 = -t57; /* -omega_n*1/s*1/s*omega_n*1/s */
+    const double t57 = x[3]*t31; /* omega_n*1/s^2*s*omega_n*1/s^2 */
+    const double t58 = -t57; /* -omega_n*1/s^2*s*omega_n*1/s^2 */
     out[18] = t58;
     const double t59 = sin(x[5]); /* S = sin(chi) */
     out[73] = t59;
-    const double t60 = JLT_FNMA(t13, t36, t34); /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s*R*omega3 */
-    const double t61 = t7*t36; /* s*R*omega3 */
+    const double t60 = JLT_FNMA(t14, t36, t34); /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*R*omega3 */
+    const double t61 = t11*t36; /* s*R*omega3 */
     const double t62 = JLT_FMA(x[0], t34, t61); /* v_tau = gamma3*omega_n*R + s*R*omega3 */
     const double t63 = t59*t60; /* S*d(v_tau)/d(gamma3) */
     out[63] = t63;
@@ -337,12 +337,12 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t69 = t64*t67; /* C*gamma3*R */
     const double t70 = -t69; /* -C*gamma3*R */
     out[75] = t70;
-    const double t71 = p[1]*t7; /* R*s */
-    const double t72 = JLT_FMS(x[0], t13, t7); /* gamma3*gamma3*1/s - s */
-    const double t73 = JLT_FNMA(t47, t72, t53); /* t53 - omega_tau*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1))*(gamma3*gamma3*1/s - s) */
+    const double t71 = p[1]*t11; /* R*s */
+    const double t72 = JLT_FMS(x[0], t14, t11); /* gamma3*gamma3*1/s^2*s - s */
+    const double t73 = JLT_FNMA(t47, t72, t53); /* t53 - omega_tau*(I1 - I3)/I1*omega3*1/(Theta/(m*R^2*I1))*(gamma3*gamma3*1/s^2*s - s) */
     out[36] = t73;
-    const double t74 = x[2]*t13; /* omega_tau*gamma3*1/s */
-    const double t75 = -t74; /* -omega_tau*gamma3*1/s */
+    const double t74 = x[2]*t14; /* omega_tau*gamma3*1/s^2*s */
+    const double t75 = -t74; /* -omega_tau*gamma3*1/s^2*s */
     out[0] = t75;
     const double t76 = t59*t71; /* S*R*s */
     out[67] = t76;
@@ -412,72 +412,72 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[31] = t0;
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t4 = x[0]*p[7]; /* gamma3*I3/I1 */
-    const double t5 = p[6] + t3; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = sqrt(t3); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[11] = t7;
-    const double t8 = x[2]*t7; /* omega_tau*s */
-    out[0] = t8;
-    const double t9 = t6*t7; /* Theta/(m*R^2*I1)*s */
-    const double t10 = 1.0/t9; /* 1/(Theta/(m*R^2*I1)*s) */
-    const double t11 = t6*t10; /* 1/s = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s) */
-    const double t12 = t7*t10; /* 1/(Theta/(m*R^2*I1)) = s*1/(Theta/(m*R^2*I1)*s) */
-    const double t13 = -t11; /* -1/s */
-    out[57] = t13;
-    const double t14 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t15 = t12*t14; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t16 = -t15; /* -1/(Theta/(m*R^2*I1))*V/R */
-    out[48] = t16;
-    const double t17 = x[4]*t12; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t18 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
-    const double t19 = t7*t18; /* s*gamma3*(I1 - I3)/I1 */
-    const double t20 = x[0]*t11; /* gamma3*1/s */
-    out[66] = t20;
-    const double t21 = x[2]*t17; /* omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t22 = p[1]*t7; /* R*s */
-    const double t23 = JLT_FMS(x[0], t20, t7); /* gamma3*gamma3*1/s - s */
-    const double t24 = x[0]*t12; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t25 = p[19]*t15; /* 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
-    const double t26 = t24*t25; /* gamma3*1/(Theta/(m*R^2*I1))*t25 */
-    const double t27 = p[1]*x[3]; /* R*omega_n */
-    out[22] = t27;
-    const double t28 = x[3]*t20; /* omega_n*gamma3*1/s */
-    const double t29 = t26*t28; /* gamma3*1/(Theta/(m*R^2*I1))*t25*omega_n*gamma3*1/s */
-    const double t30 = x[4]*p[7]; /* omega3*I3/I1 */
-    const double t31 = t19*t21; /* s*gamma3*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t32 = JLT_FNMA(x[3], t15, t31); /* s*gamma3*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    out[4] = t32;
-    const double t33 = JLT_FNMA(p[7], t15, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t34 = t20*t33; /* gamma3*1/s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[39] = t34;
-    const double t35 = x[3]*t11; /* omega_n*1/s */
-    const double t36 = t11*t11; /* 1/s*1/s */
-    const double t37 = -t35; /* -omega_n*1/s */
-    out[5] = t37;
-    const double t38 = t35*t36; /* omega_n*1/s*1/s*1/s */
-    out[63] = t38;
-    const double t39 = t28*t36; /* omega_n*gamma3*1/s*1/s*1/s */
-    const double t40 = -t39; /* -omega_n*gamma3*1/s*1/s*1/s */
-    out[54] = t40;
-    const double t41 = t27*t38; /* R*omega_n*omega_n*1/s*1/s*1/s */
-    out[18] = t41;
-    const double t42 = x[4]*t22; /* omega3*R*s */
-    const double t43 = JLT_FMA(x[0], t27, t42); /* v_tau = gamma3*R*omega_n + omega3*R*s */
+    const double t5 = p[6] + t3; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
+    const double t7 = t3*t6; /* s^2*Theta/(m*R^2*I1) */
+    const double t8 = 1.0/t7; /* 1/(s^2*Theta/(m*R^2*I1)) */
+    const double t9 = t6*t8; /* 1/s^2 = Theta/(m*R^2*I1)*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t10 = t3*t8; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t11 = sqrt(t3); /* s = sqrt(s^2) */
+    out[11] = t11;
+    const double t12 = x[2]*t11; /* omega_tau*s */
+    out[0] = t12;
+    const double t13 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t14 = t10*t13; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t15 = -t14; /* -1/(Theta/(m*R^2*I1))*V/R */
+    out[48] = t15;
+    const double t16 = t9*t11; /* 1/s^2*s */
+    const double t17 = -t16; /* -1/s^2*s */
+    out[57] = t17;
+    const double t18 = x[4]*t10; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t19 = x[0]*p[10]; /* gamma3*(I1 - I3)/I1 */
+    const double t20 = t11*t19; /* s*gamma3*(I1 - I3)/I1 */
+    const double t21 = x[0]*t16; /* gamma3*1/s^2*s */
+    out[66] = t21;
+    const double t22 = x[3]*t16; /* omega_n*1/s^2*s */
+    const double t23 = -t22; /* -omega_n*1/s^2*s */
+    out[5] = t23;
+    const double t24 = t9*t22; /* 1/s^2*omega_n*1/s^2*s */
+    out[63] = t24;
+    const double t25 = x[2]*t18; /* omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t26 = p[1]*t11; /* R*s */
+    const double t27 = JLT_FMS(x[0], t21, t11); /* gamma3*gamma3*1/s^2*s - s */
+    const double t28 = x[0]*t10; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t29 = p[19]*t14; /* 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2)*1/(Theta/(m*R^2*I1))*V/R */
+    const double t30 = t28*t29; /* gamma3*1/(Theta/(m*R^2*I1))*t29 */
+    const double t31 = p[1]*x[3]; /* R*omega_n */
+    out[22] = t31;
+    const double t32 = t24*t31; /* 1/s^2*omega_n*1/s^2*s*R*omega_n */
+    out[18] = t32;
+    const double t33 = x[3]*t21; /* omega_n*gamma3*1/s^2*s */
+    const double t34 = t30*t33; /* gamma3*1/(Theta/(m*R^2*I1))*t29*omega_n*gamma3*1/s^2*s */
+    const double t35 = t9*t33; /* 1/s^2*omega_n*gamma3*1/s^2*s */
+    const double t36 = -t35; /* -1/s^2*omega_n*gamma3*1/s^2*s */
+    out[54] = t36;
+    const double t37 = x[4]*p[7]; /* omega3*I3/I1 */
+    const double t38 = t20*t25; /* s*gamma3*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t39 = JLT_FNMA(x[3], t14, t38); /* s*gamma3*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    out[4] = t39;
+    const double t40 = JLT_FNMA(p[7], t14, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t41 = t21*t40; /* gamma3*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[39] = t41;
+    const double t42 = x[4]*t26; /* omega3*R*s */
+    const double t43 = JLT_FMA(x[0], t31, t42); /* v_tau = gamma3*R*omega_n + omega3*R*s */
     const double t44 = p[1]*x[4]; /* R*omega3 */
-    const double t45 = JLT_FMA(p[11], t28, t44); /* 2*R*omega_n*gamma3*1/s + R*omega3 */
+    const double t45 = JLT_FMA(p[11], t33, t44); /* 2*R*omega_n*gamma3*1/s^2*s + R*omega3 */
     out[21] = t45;
-    const double t46 = JLT_FNMA(t20, t44, t27); /* d(v_tau)/d(gamma3) = R*omega_n - gamma3*1/s*R*omega3 */
-    const double t47 = x[2]*t20; /* omega_tau*gamma3*1/s */
-    const double t48 = -t47; /* -omega_tau*gamma3*1/s */
+    const double t46 = JLT_FNMA(t21, t44, t31); /* d(v_tau)/d(gamma3) = R*omega_n - gamma3*1/s^2*s*R*omega3 */
+    const double t47 = x[2]*t21; /* omega_tau*gamma3*1/s^2*s */
+    const double t48 = -t47; /* -omega_tau*gamma3*1/s^2*s */
     out[9] = t48;
-    const double t49 = t28 + t30; /* omega_n*gamma3*1/s + omega3*I3/I1 */
-    const double t50 = x[3]*t49; /* omega_n*(omega_n*gamma3*1/s + omega3*I3/I1) */
-    const double t51 = -t50; /* -omega_n*(omega_n*gamma3*1/s + omega3*I3/I1) */
+    const double t49 = t33 + t37; /* omega_n*gamma3*1/s^2*s + omega3*I3/I1 */
+    const double t50 = x[3]*t49; /* omega_n*(omega_n*gamma3*1/s^2*s + omega3*I3/I1) */
+    const double t51 = -t50; /* -omega_n*(omega_n*gamma3*1/s^2*s + omega3*I3/I1) */
     out[2] = t51;
-    const double t52 = JLT_FMA(2.0, t28, t30); /* 2*omega_n*gamma3*1/s + omega3*I3/I1 */
-    const double t53 = -t52; /* -(2*omega_n*gamma3*1/s + omega3*I3/I1) */
+    const double t52 = JLT_FMA(2.0, t33, t37); /* 2*omega_n*gamma3*1/s^2*s + omega3*I3/I1 */
+    const double t53 = -t52; /* -(2*omega_n*gamma3*1/s^2*s + omega3*I3/I1) */
     out[30] = t53;
     const double t54 = cos(x[5]); /* C = cos(chi) */
     out[73] = t54;
@@ -488,25 +488,25 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t57 = t46*t54; /* d(v_tau)/d(gamma3)*C */
     const double t58 = -t57; /* -d(v_tau)/d(gamma3)*C */
     out[81] = t58;
-    const double t59 = t22*t55; /* R*s*S */
+    const double t59 = t26*t55; /* R*s*S */
     out[76] = t59;
-    const double t60 = t22*t54; /* R*s*C */
+    const double t60 = t26*t54; /* R*s*C */
     const double t61 = -t60; /* -R*s*C */
     out[85] = t61;
-    const double t62 = p[20]*t24; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t63 = JLT_FMS(t21, t62, t29); /* omega_tau*omega3*1/(Theta/(m*R^2*I1))*t62 - gamma3*1/(Theta/(m*R^2*I1))*t25*omega_n*gamma3*1/s */
-    const double t64 = JLT_FMA(t33, t38, t63); /* (omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R)*omega_n*1/s*1/s*1/s + t63 */
+    const double t62 = p[20]*t28; /* 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t63 = JLT_FMS(t25, t62, t34); /* omega_tau*omega3*1/(Theta/(m*R^2*I1))*t62 - gamma3*1/(Theta/(m*R^2*I1))*t29*omega_n*gamma3*1/s^2*s */
+    const double t64 = JLT_FMA(t24, t40, t63); /* 1/s^2*omega_n*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) + t63 */
     out[36] = t64;
-    const double t65 = p[21]*t24; /* 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t66 = t32*t65; /* t32*t65 */
-    const double t67 = t28*t33; /* omega_n*gamma3*1/s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t68 = JLT_FMA(p[8], t21, t67); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*omega3*1/(Theta/(m*R^2*I1)) + t67 */
+    const double t65 = p[21]*t28; /* 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t66 = t39*t65; /* t39*t65 */
+    const double t67 = t33*t40; /* omega_n*gamma3*1/s^2*s*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t68 = JLT_FMA(p[8], t25, t67); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*omega3*1/(Theta/(m*R^2*I1)) + t67 */
     out[3] = t68;
-    const double t69 = x[3]*t38; /* omega_n*omega_n*1/s*1/s*1/s */
-    const double t70 = -t69; /* -omega_n*omega_n*1/s*1/s*1/s */
+    const double t69 = x[3]*t24; /* omega_n*1/s^2*omega_n*1/s^2*s */
+    const double t70 = -t69; /* -omega_n*1/s^2*omega_n*1/s^2*s */
     out[27] = t70;
-    const double t71 = p[10]*t21; /* (I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t72 = JLT_FNMA(t23, t71, t66); /* t32*t65 - (gamma3*gamma3*1/s - s)*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t71 = p[10]*t25; /* (I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t72 = JLT_FNMA(t27, t71, t66); /* t39*t65 - (gamma3*gamma3*1/s^2*s - s)*(I1 - I3)/I1*omega_tau*omega3*1/(Theta/(m*R^2*I1)) */
     out[45] = t72;
     const double t73 = x[0]*p[1]; /* gamma3*R */
     const double t74 = t55*t73; /* S*gamma3*R */
@@ -514,9 +514,9 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t75 = t54*t73; /* C*gamma3*R */
     const double t76 = -t75; /* -C*gamma3*R */
     out[84] = t76;
-    const double t77 = x[4] + t28; /* omega3 + omega_n*gamma3*1/s */
+    const double t77 = x[4] + t33; /* omega3 + omega_n*gamma3*1/s^2*s */
     out[6] = t77;
-    const double t78 = t27*t77; /* R*omega_n*(omega3 + omega_n*gamma3*1/s) */
+    const double t78 = t31*t77; /* R*omega_n*(omega3 + omega_n*gamma3*1/s^2*s) */
     out[1] = t78;
     const double t79 = x[1]*t54; /* v_nu*C */
     const double t80 = JLT_FMA(t43, t55, t79); /* v_tau*S + v_nu*C */
@@ -528,19 +528,19 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[8] = t83;
     const double t84 = t81 - t82; /* v_tau*C - v_nu*S */
     out[77] = t84;
-    const double t85 = t12*t28; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s */
-    const double t86 = JLT_FMA(p[8], t17, t28); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/s */
-    const double t87 = JLT_FNMA(p[7], t85, t86); /* t86 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s */
+    const double t85 = t10*t33; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
+    const double t86 = JLT_FMA(p[8], t18, t33); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*1/s^2*s */
+    const double t87 = JLT_FNMA(p[7], t85, t86); /* t86 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
     out[38] = t87;
-    const double t88 = p[16]*t85; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s */
+    const double t88 = p[16]*t85; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3*1/s^2*s */
     out[37] = t88;
-    const double t89 = x[2]*t12; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t90 = x[3]*t12; /* omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t91 = JLT_FMS(t17, t19, t90); /* omega3*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t89 = x[2]*t10; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t90 = x[3]*t10; /* omega_n*1/(Theta/(m*R^2*I1)) */
+    const double t91 = JLT_FMS(t18, t20, t90); /* omega3*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1)) */
     out[47] = t91;
     const double t92 = p[18]*t90; /* (-1/R)*omega_n*1/(Theta/(m*R^2*I1)) */
     out[46] = t92;
-    const double t93 = t19*t89; /* s*gamma3*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t93 = t20*t89; /* s*gamma3*(I1 - I3)/I1*omega_tau*1/(Theta/(m*R^2*I1)) */
     out[49] = t93;
     const double t94 = p[8]*t89; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
     out[40] = t94;
@@ -550,22 +550,22 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0]*p[7]; /* gamma3*I3/I1 */
-    const double t4 = p[6] + t2; /* I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*s */
-    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*s) */
-    const double t9 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t10 = p[22]*t9; /* I3/(R*I1)*V */
-    const double t11 = t5*t10; /* Theta/(m*R^2*I1)*I3/(R*I1)*V */
-    const double t12 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
-    const double t13 = t6*t12; /* s*(I1 - I3)/I1*omega_tau */
-    const double t14 = JLT_FNMA(t8, t11, t13); /* s*(I1 - I3)/I1*omega_tau - 1/(Theta/(m*R^2*I1)*s)*Theta/(m*R^2*I1)*I3/(R*I1)*V */
-    const double t15 = x[0]*t6; /* gamma3*s */
-    const double t16 = t8*t15; /* 1/(Theta/(m*R^2*I1)*s)*gamma3*s */
-    const double t17 = t14*t16; /* t14*1/(Theta/(m*R^2*I1)*s)*gamma3*s */
+    const double t4 = p[6] + t2; /* I3/(m*R^2) + s^2 */
+    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
+    const double t6 = t2*t5; /* s^2*Theta/(m*R^2*I1) */
+    const double t7 = 1.0/t6; /* 1/(s^2*Theta/(m*R^2*I1)) */
+    const double t8 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t9 = p[22]*t8; /* I3/(R*I1)*V */
+    const double t10 = t5*t9; /* Theta/(m*R^2*I1)*I3/(R*I1)*V */
+    const double t11 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t12 = x[0]*t2; /* gamma3*s^2 */
+    const double t13 = t11*t12; /* s*gamma3*s^2 */
+    const double t14 = t7*t13; /* 1/(s^2*Theta/(m*R^2*I1))*s*gamma3*s^2 */
+    const double t15 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
+    const double t16 = JLT_FNMA(t7, t10, t15); /* (I1 - I3)/I1*omega_tau - 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*I3/(R*I1)*V */
+    const double t17 = t14*t16; /* 1/(s^2*Theta/(m*R^2*I1))*s*gamma3*s^2*t16 */
     out[0] = t17;
 }
 
@@ -903,7 +903,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced = {
     .prepare = prepare,
     .rhs = { rhs, 9, { 6, 22, 9, 1, 1, 2, 11, 9 }, { 17, 59, 0, 11, 1, 2, 11, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 81, { 11, 51, 17, 1, 1, 2, 13, 16 }, { 45, 196, 0, 40, 1, 2, 14, 9 },
+    .jacobian = { jacobian, 81, { 11, 51, 17, 1, 1, 2, 14, 16 }, { 45, 196, 0, 40, 1, 2, 14, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 90, { 18, 56, 17, 1, 1, 2, 13, 18 }, { 57, 238, 0, 51, 1, 2, 14, 12 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },

@@ -5,12 +5,12 @@
  *  Command:    ttc generate --out DIR spherical_top_track.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 7   28   16    1    1    2     12   12   (116)
- *  jacobian            13   63   34    1    1    2     16   24   (415)
- *  rhs_jacobian        20   76   36    1    1    2     16   32   (500)
- *  divergence          3   14    8    1    1    0     11    7   (54)
+ *  rhs                 7   29   16    1    1    2     13   12   (116)
+ *  jacobian            13   64   34    1    1    2     16   24   (415)
+ *  rhs_jacobian        20   77   36    1    1    2     16   32   (500)
+ *  divergence          3   14    8    1    1    0     12    7   (54)
  *  integral_values     2   12    9    0    1    0      6    8   (43)
- *  integral_gradients  2   15    9    1    1    0      6    7   (53)
+ *  integral_gradients  2   16    9    1    1    0      6    7   (53)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
@@ -134,68 +134,69 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t5 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t6 = p[7] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = p[8]*t3; /* I3/(R^2*I1)*b */
-    const double t8 = JLT_FMA(t3, t7, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t9 = t4*t5; /* s*D/I1 */
-    const double t10 = x[3]*t5; /* omega_n*D/I1 */
-    const double t11 = t8*t9; /* Theta/(m*R^2*I1)*s*D/I1 */
-    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t13 = t8*t12; /* 1/(s*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t14 = t9*t12; /* 1/(Theta/(m*R^2*I1)) = s*D/I1*1/(Theta/(m*R^2*I1)*s*D/I1) */
-    const double t15 = t10*t13; /* omega_n*D/I1*1/(s*(D/I1)) */
-    const double t16 = t4*t13; /* s*1/(s*(D/I1)) */
-    const double t17 = -t15; /* -omega_n*D/I1*1/(s*(D/I1)) */
-    out[5] = t17;
-    const double t18 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t19 = x[0]*t18; /* gamma3*omega_tau*m*a3^2/I1 */
-    const double t20 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t21 = x[2]*t4; /* omega_tau*s */
-    out[0] = t21;
-    const double t22 = t19*t21; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t23 = JLT_FNMA(p[9], t4, t22); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
-    const double t24 = p[12] + t20; /* I3/(m*R) + e */
-    const double t25 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
-    const double t26 = p[11]*t24; /* I3/(R*I1)*(I3/(m*R) + e) */
-    const double t27 = t14*t25; /* 1/(Theta/(m*R^2*I1))*V */
-    const double t28 = x[4]*t14; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t29 = t7*t27; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t30 = x[0]*t15; /* gamma3*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t31 = JLT_FMA(t26, t28, t30); /* I3/(R*I1)*(I3/(m*R) + e)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t32 = x[2]*t31; /* omega_tau*t31 */
-    const double t33 = JLT_FNMA(t15, t29, t32); /* omega_tau*t31 - omega_n*D/I1*1/(s*(D/I1))*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    out[3] = t33;
-    const double t34 = x[4] + t30; /* omega3 + gamma3*omega_n*D/I1*1/(s*(D/I1)) */
-    out[6] = t34;
-    const double t35 = JLT_FMA(x[4], p[10], t30); /* omega3*I3/I1 + gamma3*omega_n*D/I1*1/(s*(D/I1)) */
-    const double t36 = JLT_FNMA(x[3], t35, t23); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*omega_n*D/I1*1/(s*(D/I1))) */
-    const double t37 = t16*t36; /* s*1/(s*(D/I1))*t36 */
-    out[2] = t37;
-    const double t38 = x[3]*p[13]; /* omega_n*1/R */
-    const double t39 = t27*t38; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    const double t40 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t41 = t21*t40; /* omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t42 = JLT_FMA(t28, t41, t39); /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    const double t43 = -t42; /* -t42 */
-    out[4] = t43;
-    const double t44 = p[1]*x[4]; /* R*omega3 */
-    const double t45 = JLT_FMA(t3, t15, t44); /* b*omega_n*D/I1*1/(s*(D/I1)) + R*omega3 */
-    const double t46 = x[3]*t45; /* omega_n*(b*omega_n*D/I1*1/(s*(D/I1)) + R*omega3) */
-    out[1] = t46;
-    const double t47 = x[3]*t3; /* omega_n*b */
-    const double t48 = JLT_FMA(t4, t44, t47); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t49 = cos(x[5]); /* C = cos(chi) */
-    const double t50 = sin(x[5]); /* S = sin(chi) */
-    const double t51 = x[1]*t49; /* v_nu*C */
-    const double t52 = JLT_FMA(t48, t50, t51); /* v_tau*S + v_nu*C */
-    out[7] = t52;
-    const double t53 = x[1]*t50; /* v_nu*S */
-    const double t54 = JLT_FNMA(t48, t49, t53); /* v_nu*S - v_tau*C */
-    out[8] = t54;
+    const double t4 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t5 = p[7] + t2; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t7 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t8 = t6*t7; /* Theta/(m*R^2*I1)*D/I1 */
+    const double t9 = t2*t8; /* s^2*Theta/(m*R^2*I1)*D/I1 */
+    const double t10 = 1.0/t9; /* 1/(s^2*Theta/(m*R^2*I1)*D/I1) */
+    const double t11 = x[3]*t8; /* omega_n*Theta/(m*R^2*I1)*D/I1 */
+    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t13 = t11*t12; /* omega_n*Theta/(m*R^2*I1)*D/I1*s */
+    const double t14 = t2*t10; /* 1/((D/I1)*(Theta/(m*R^2*I1))) = s^2*1/(s^2*Theta/(m*R^2*I1)*D/I1) */
+    const double t15 = t10*t13; /* 1/(s^2*Theta/(m*R^2*I1)*D/I1)*omega_n*Theta/(m*R^2*I1)*D/I1*s */
+    const double t16 = t7*t14; /* 1/(Theta/(m*R^2*I1)) = D/I1*1/((D/I1)*(Theta/(m*R^2*I1))) */
+    const double t17 = t6*t14; /* Theta/(m*R^2*I1)*1/((D/I1)*(Theta/(m*R^2*I1))) */
+    const double t18 = t4*t15; /* I3/(R^2*I1)*b*t15 */
+    const double t19 = -t15; /* -t15 */
+    out[5] = t19;
+    const double t20 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t21 = x[0]*t20; /* gamma3*omega_tau*m*a3^2/I1 */
+    const double t22 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t23 = x[2]*t12; /* omega_tau*s */
+    out[0] = t23;
+    const double t24 = t21*t23; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
+    const double t25 = JLT_FNMA(p[9], t12, t24); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
+    const double t26 = p[12] + t22; /* I3/(m*R) + e */
+    const double t27 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
+    const double t28 = p[11]*t26; /* I3/(R*I1)*(I3/(m*R) + e) */
+    const double t29 = t16*t27; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t30 = x[4]*t16; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t31 = x[0]*t15; /* gamma3*t15 */
+    const double t32 = JLT_FMA(t28, t30, t31); /* I3/(R*I1)*(I3/(m*R) + e)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*t15 */
+    const double t33 = x[2]*t32; /* omega_tau*t32 */
+    const double t34 = JLT_FNMA(t18, t29, t33); /* omega_tau*t32 - I3/(R^2*I1)*b*t15*1/(Theta/(m*R^2*I1))*V */
+    out[3] = t34;
+    const double t35 = x[4] + t31; /* omega3 + gamma3*t15 */
+    out[6] = t35;
+    const double t36 = JLT_FMA(x[4], p[10], t31); /* omega3*I3/I1 + gamma3*t15 */
+    const double t37 = JLT_FNMA(x[3], t36, t25); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*t15) */
+    const double t38 = t17*t37; /* Theta/(m*R^2*I1)*1/((D/I1)*(Theta/(m*R^2*I1)))*t37 */
+    out[2] = t38;
+    const double t39 = x[3]*p[13]; /* omega_n*1/R */
+    const double t40 = t29*t39; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    const double t41 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t42 = t23*t41; /* omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t43 = JLT_FMA(t30, t42, t40); /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    const double t44 = -t43; /* -t43 */
+    out[4] = t44;
+    const double t45 = p[1]*x[4]; /* R*omega3 */
+    const double t46 = JLT_FMA(t3, t15, t45); /* b*t15 + R*omega3 */
+    const double t47 = x[3]*t46; /* omega_n*(b*t15 + R*omega3) */
+    out[1] = t47;
+    const double t48 = x[3]*t3; /* omega_n*b */
+    const double t49 = JLT_FMA(t12, t45, t48); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t50 = cos(x[5]); /* C = cos(chi) */
+    const double t51 = sin(x[5]); /* S = sin(chi) */
+    const double t52 = x[1]*t50; /* v_nu*C */
+    const double t53 = JLT_FMA(t49, t51, t52); /* v_tau*S + v_nu*C */
+    out[7] = t53;
+    const double t54 = x[1]*t51; /* v_nu*S */
+    const double t55 = JLT_FNMA(t49, t50, t54); /* v_nu*S - v_tau*C */
+    out[8] = t55;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -203,24 +204,25 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[58] = 1.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t3;
     const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t5 = t4*p[18]; /* b*m*I3 */
-    const double t6 = JLT_FMA(t2, p[17], p[16]); /* (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
-    const double t7 = JLT_FMA(t4, t5, t6); /* Theta = b*b*m*I3 + (1 - gamma3)*(gamma3 + 1)*m*R^2*I1 + I1*I3 */
-    const double t8 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t8;
-    const double t9 = t3*t8; /* D/I1*s */
-    const double t10 = t7*t9; /* Theta*D/I1*s */
-    const double t11 = 1.0/t10; /* 1/(Theta*D/I1*s) */
-    const double t12 = t7*t11; /* 1/(s*(D/I1)) = Theta*1/(Theta*D/I1*s) */
-    const double t13 = t3*t12; /* 1/s = D/I1*1/(s*(D/I1)) */
-    const double t14 = x[0]*t13; /* gamma3*1/s */
-    out[57] = t14;
-    const double t15 = x[2]*t14; /* omega_tau*gamma3*1/s */
-    const double t16 = -t15; /* -omega_tau*gamma3*1/s */
-    out[0] = t16;
+    const double t6 = JLT_FMA(t2, p[17], p[16]); /* s^2*m*R^2*I1 + I1*I3 */
+    const double t7 = JLT_FMA(t4, t5, t6); /* Theta = b*b*m*I3 + s^2*m*R^2*I1 + I1*I3 */
+    const double t8 = JLT_FMA(t2, p[6], 1.0); /* D/I1 = s^2*m*a3^2/I1 + 1 */
+    const double t9 = t2*t7; /* s^2*Theta */
+    const double t10 = t8*t9; /* D/I1*s^2*Theta */
+    const double t11 = 1.0/t10; /* 1/(D/I1*s^2*Theta) */
+    const double t12 = t8*t11; /* D/I1*1/(D/I1*s^2*Theta) */
+    const double t13 = t3*t7; /* s*Theta */
+    const double t14 = t12*t13; /* D/I1*1/(D/I1*s^2*Theta)*s*Theta */
+    const double t15 = x[0]*t14; /* gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta */
+    out[57] = t15;
+    const double t16 = x[2]*t15; /* omega_tau*gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta */
+    const double t17 = -t16; /* -omega_tau*gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta */
+    out[0] = t17;
     out[1] = 0.0;
     out[3] = 0.0;
     out[4] = 0.0;
@@ -268,133 +270,133 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[78] = 0.0;
     out[79] = 0.0;
     out[80] = 0.0;
-    const double t17 = t13*x[3]; /* 1/s*omega_n */
-    const double t18 = t4*t17; /* b*1/s*omega_n */
-    const double t19 = p[1]*x[3]; /* R*omega_n */
-    out[13] = t19;
-    const double t20 = JLT_FMA(t14, t18, t19); /* gamma3*1/s*b*1/s*omega_n + R*omega_n */
-    const double t21 = t17*t20; /* 1/s*omega_n*(gamma3*1/s*b*1/s*omega_n + R*omega_n) */
-    out[9] = t21;
-    const double t22 = p[1]*x[4]; /* R*omega3 */
-    const double t23 = JLT_FMA(t18, 2.0, t22); /* b*1/s*omega_n*2 + R*omega3 */
-    out[12] = t23;
-    const double t24 = t8*t12; /* 1/(D/I1) = s*1/(s*(D/I1)) */
-    const double t25 = x[0]*p[19]; /* gamma3*2*m*a3^2/I1 */
-    const double t26 = t24*t25; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t27 = t8*t26; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t28 = t14 - t27; /* gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t29 = p[9]*t28; /* m*g*a3/I1*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) */
-    const double t30 = JLT_FMS(x[0], t28, t8); /* gamma3*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s */
-    const double t31 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t32 = x[2]*t31; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t33 = t13*t17; /* 1/s*1/s*omega_n */
-    const double t34 = JLT_FNMA(t17, t33, t29); /* m*g*a3/I1*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - 1/s*omega_n*1/s*1/s*omega_n */
-    const double t35 = JLT_FNMA(t30, t32, t34); /* t34 - (gamma3*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s)*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t36 = t24*t35; /* 1/(D/I1)*t35 */
-    const double t37 = x[3]*t24; /* omega_n*1/(D/I1) */
-    const double t38 = t14*x[3]; /* gamma3*1/s*omega_n */
-    const double t39 = JLT_FMA(x[4], p[10], t38); /* omega3*I3/I1 + gamma3*1/s*omega_n */
-    const double t40 = t26*t37; /* 1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n*1/(D/I1) */
-    const double t41 = JLT_FNMA(t39, t40, t36); /* 1/(D/I1)*t35 - (omega3*I3/I1 + gamma3*1/s*omega_n)*1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n*1/(D/I1) */
-    out[18] = t41;
-    const double t42 = x[2]*t27; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[20] = t42;
-    const double t43 = JLT_FMA(x[4], p[20], t38); /* omega3*1/2*I3/I1 + gamma3*1/s*omega_n */
-    const double t44 = t24*(-2.0); /* 1/(D/I1)*(-2) */
-    const double t45 = t43*t44; /* (omega3*1/2*I3/I1 + gamma3*1/s*omega_n)*1/(D/I1)*(-2) */
-    out[21] = t45;
-    const double t46 = t37*p[21]; /* omega_n*1/(D/I1)*(-I3/I1) */
-    out[22] = t46;
-    const double t47 = t17*p[22]; /* 1/s*omega_n*m*R*I3 */
-    const double t48 = t14*t33; /* gamma3*1/s*1/s*1/s*omega_n */
-    const double t49 = JLT_FMA(t5, t48, t47); /* b*m*I3*gamma3*1/s*1/s*1/s*omega_n + 1/s*omega_n*m*R*I3 */
-    const double t50 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t51 = JLT_FMA(x[2], t50, x[1]); /* V = omega_tau*e + v_nu */
-    const double t52 = t9*t11; /* 1/Theta = D/I1*s*1/(Theta*D/I1*s) */
-    const double t53 = t51*t52; /* V*1/Theta */
-    const double t54 = t5*t17; /* b*m*I3*1/s*omega_n */
-    const double t55 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
-    const double t56 = JLT_FMS(t4, p[24], t55); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t57 = t52*t56; /* 1/Theta*d(Theta)/d(gamma3) */
-    const double t58 = t53*t57; /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) */
-    const double t59 = x[2]*t52; /* omega_tau*1/Theta */
-    const double t60 = JLT_FNMA(p[3], t59, t58); /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta */
-    const double t61 = t54*t60; /* b*m*I3*1/s*omega_n*(V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta) */
-    const double t62 = t13*t33; /* 1/s*1/s*1/s*omega_n */
-    out[54] = t62;
-    const double t63 = JLT_FMA(p[22], t50, p[26]); /* m*R*I3*e + I3^2 */
-    const double t64 = JLT_FNMA(t57, t63, p[25]); /* m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2) */
-    const double t65 = x[4]*t59; /* omega3*omega_tau*1/Theta */
-    const double t66 = JLT_FMA(t64, t65, t61); /* (m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2))*omega3*omega_tau*1/Theta + t61 */
-    const double t67 = JLT_FMA(x[2], t62, t66); /* omega_tau*1/s*1/s*1/s*omega_n + t66 */
-    const double t68 = JLT_FNMA(t49, t53, t67); /* omega_tau*1/s*1/s*1/s*omega_n + t66 - (b*m*I3*gamma3*1/s*1/s*1/s*omega_n + 1/s*omega_n*m*R*I3)*V*1/Theta */
-    out[27] = t68;
-    const double t69 = t52*t54; /* 1/Theta*b*m*I3*1/s*omega_n */
-    const double t70 = -t69; /* -1/Theta*b*m*I3*1/s*omega_n */
-    out[28] = t70;
-    const double t71 = x[4]*t52; /* omega3*1/Theta */
-    const double t72 = JLT_FMA(t63, t71, t38); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*1/s*omega_n */
-    const double t73 = JLT_FNMA(t50, t69, t72); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*1/s*omega_n - e*1/Theta*b*m*I3*1/s*omega_n */
-    out[29] = t73;
-    const double t74 = t5*t53; /* b*m*I3*V*1/Theta */
-    const double t75 = JLT_FNMA(t13, t74, t15); /* omega_tau*gamma3*1/s - 1/s*b*m*I3*V*1/Theta */
-    out[30] = t75;
-    const double t76 = t59*t63; /* omega_tau*1/Theta*(m*R*I3*e + I3^2) */
-    out[31] = t76;
-    const double t77 = x[3]*p[27]; /* omega_n*m*R*I1 */
-    const double t78 = t60*t77; /* (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta)*omega_n*m*R*I1 */
-    const double t79 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t80 = JLT_FMA(t57, t79, p[28]); /* 1/Theta*d(Theta)/d(gamma3)*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + m*R^2*(I1 - I3) */
-    const double t81 = t8*t80; /* s*t80 */
-    const double t82 = JLT_FMA(t14, t79, t81); /* gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*t80 */
-    const double t83 = JLT_FMA(t65, t82, t78); /* omega3*omega_tau*1/Theta*(gamma3*1/s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*t80) + t78 */
-    out[36] = t83;
-    const double t84 = t52*t77; /* 1/Theta*omega_n*m*R*I1 */
-    const double t85 = -t84; /* -1/Theta*omega_n*m*R*I1 */
-    out[37] = t85;
-    const double t86 = t8*t79; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t87 = t71*t86; /* omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t88 = JLT_FMA(t50, t84, t87); /* e*1/Theta*omega_n*m*R*I1 + omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t89 = -t88; /* -t88 */
-    out[38] = t89;
-    const double t90 = t53*p[29]; /* V*1/Theta*(-m*R*I1) */
-    out[39] = t90;
-    const double t91 = t59*t86; /* omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t92 = -t91; /* -omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[40] = t92;
-    const double t93 = -t48; /* -gamma3*1/s*1/s*1/s*omega_n */
-    out[45] = t93;
-    const double t94 = -t13; /* -1/s */
-    out[48] = t94;
-    const double t95 = sin(x[5]); /* S = sin(chi) */
-    out[73] = t95;
-    const double t96 = JLT_FNMA(t14, t22, t19); /* d(v_tau)/d(gamma3) = R*omega_n - gamma3*1/s*R*omega3 */
-    const double t97 = t95*t96; /* S*d(v_tau)/d(gamma3) */
-    out[63] = t97;
-    const double t98 = cos(x[5]); /* C = cos(chi) */
-    out[64] = t98;
-    const double t99 = t4*t95; /* b*S */
-    out[66] = t99;
-    const double t100 = p[1]*t8; /* R*s */
-    const double t101 = t95*t100; /* S*R*s */
-    out[67] = t101;
-    const double t102 = x[1]*t95; /* v_nu*S */
-    const double t103 = t4*x[3]; /* b*omega_n */
-    const double t104 = JLT_FMA(x[4], t100, t103); /* v_tau = omega3*R*s + b*omega_n */
-    const double t105 = JLT_FMS(t98, t104, t102); /* C*v_tau - v_nu*S */
-    out[68] = t105;
-    const double t106 = t96*t98; /* d(v_tau)/d(gamma3)*C */
-    const double t107 = -t106; /* -d(v_tau)/d(gamma3)*C */
-    out[72] = t107;
-    const double t108 = t4*t98; /* b*C */
-    const double t109 = -t108; /* -b*C */
-    out[75] = t109;
-    const double t110 = t98*t100; /* C*R*s */
-    const double t111 = -t110; /* -C*R*s */
-    out[76] = t111;
-    const double t112 = x[1]*t98; /* v_nu*C */
-    const double t113 = JLT_FMA(t95, t104, t112); /* S*v_tau + v_nu*C */
-    out[77] = t113;
+    const double t18 = t14*x[3]; /* D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    const double t19 = t4*t18; /* b*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    const double t20 = p[1]*x[3]; /* R*omega_n */
+    out[13] = t20;
+    const double t21 = JLT_FMA(t15, t19, t20); /* gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*b*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n + R*omega_n */
+    const double t22 = t18*t21; /* D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n*t21 */
+    out[9] = t22;
+    const double t23 = p[1]*x[4]; /* R*omega3 */
+    const double t24 = JLT_FMA(t19, 2.0, t23); /* b*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n*2 + R*omega3 */
+    out[12] = t24;
+    const double t25 = t9*t11; /* 1/(D/I1) = s^2*Theta*1/(D/I1*s^2*Theta) */
+    const double t26 = x[0]*p[19]; /* gamma3*2*m*a3^2/I1 */
+    const double t27 = t25*t26; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t28 = t3*t27; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t29 = t15 - t28; /* gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta - s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t30 = p[9]*t29; /* m*g*a3/I1*t29 */
+    const double t31 = JLT_FMS(x[0], t29, t3); /* gamma3*t29 - s */
+    const double t32 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t33 = x[2]*t32; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t34 = t14*t18; /* D/I1*1/(D/I1*s^2*Theta)*s*Theta*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    const double t35 = JLT_FNMA(t18, t34, t30); /* m*g*a3/I1*t29 - D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n*t34 */
+    const double t36 = JLT_FNMA(t31, t33, t35); /* m*g*a3/I1*t29 - D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n*t34 - (gamma3*t29 - s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t37 = t25*t36; /* 1/(D/I1)*t36 */
+    const double t38 = x[3]*t25; /* omega_n*1/(D/I1) */
+    const double t39 = t15*x[3]; /* gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    const double t40 = JLT_FMA(x[4], p[10], t39); /* omega3*I3/I1 + gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    const double t41 = t27*t38; /* 1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n*1/(D/I1) */
+    const double t42 = JLT_FNMA(t40, t41, t37); /* 1/(D/I1)*t36 - t40*1/(D/I1)*gamma3*2*m*a3^2/I1*omega_n*1/(D/I1) */
+    out[18] = t42;
+    const double t43 = x[2]*t28; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[20] = t43;
+    const double t44 = JLT_FMA(x[4], p[20], t39); /* omega3*1/2*I3/I1 + gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    const double t45 = t25*(-2.0); /* 1/(D/I1)*(-2) */
+    const double t46 = t44*t45; /* t44*1/(D/I1)*(-2) */
+    out[21] = t46;
+    const double t47 = t38*p[21]; /* omega_n*1/(D/I1)*(-I3/I1) */
+    out[22] = t47;
+    const double t48 = t18*p[22]; /* D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n*m*R*I3 */
+    const double t49 = t15*t34; /* gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*t34 */
+    const double t50 = JLT_FMA(t5, t49, t48); /* b*m*I3*gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*t34 + D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n*m*R*I3 */
+    const double t51 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t52 = JLT_FMA(x[2], t51, x[1]); /* V = omega_tau*e + v_nu */
+    const double t53 = t2*t12; /* 1/Theta = s^2*D/I1*1/(D/I1*s^2*Theta) */
+    const double t54 = t52*t53; /* V*1/Theta */
+    const double t55 = t5*t18; /* b*m*I3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    const double t56 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
+    const double t57 = JLT_FMS(t4, p[24], t56); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t58 = t53*t57; /* 1/Theta*d(Theta)/d(gamma3) */
+    const double t59 = t54*t58; /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) */
+    const double t60 = x[2]*t53; /* omega_tau*1/Theta */
+    const double t61 = JLT_FNMA(p[3], t60, t59); /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta */
+    const double t62 = t55*t61; /* b*m*I3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n*(V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta) */
+    const double t63 = t14*t34; /* D/I1*1/(D/I1*s^2*Theta)*s*Theta*t34 */
+    out[54] = t63;
+    const double t64 = JLT_FMA(p[22], t51, p[26]); /* m*R*I3*e + I3^2 */
+    const double t65 = JLT_FNMA(t58, t64, p[25]); /* m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2) */
+    const double t66 = x[4]*t60; /* omega3*omega_tau*1/Theta */
+    const double t67 = JLT_FMA(x[2], t63, t62); /* omega_tau*D/I1*1/(D/I1*s^2*Theta)*s*Theta*t34 + t62 */
+    const double t68 = JLT_FMA(t65, t66, t67); /* (m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2))*omega3*omega_tau*1/Theta + omega_tau*D/I1*1/(D/I1*s^2*Theta)*s*Theta*t34 + t62 */
+    const double t69 = JLT_FNMA(t50, t54, t68); /* t68 - t50*V*1/Theta */
+    out[27] = t69;
+    const double t70 = t53*t55; /* 1/Theta*b*m*I3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    const double t71 = -t70; /* -1/Theta*b*m*I3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    out[28] = t71;
+    const double t72 = x[4]*t53; /* omega3*1/Theta */
+    const double t73 = JLT_FMA(t64, t72, t39); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    const double t74 = JLT_FNMA(t51, t70, t73); /* t73 - e*1/Theta*b*m*I3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*omega_n */
+    out[29] = t74;
+    const double t75 = t5*t14; /* b*m*I3*D/I1*1/(D/I1*s^2*Theta)*s*Theta */
+    const double t76 = JLT_FNMA(t54, t75, t16); /* omega_tau*gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta - V*1/Theta*b*m*I3*D/I1*1/(D/I1*s^2*Theta)*s*Theta */
+    out[30] = t76;
+    const double t77 = t60*t64; /* omega_tau*1/Theta*(m*R*I3*e + I3^2) */
+    out[31] = t77;
+    const double t78 = x[3]*p[27]; /* omega_n*m*R*I1 */
+    const double t79 = t61*t78; /* (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta)*omega_n*m*R*I1 */
+    const double t80 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t81 = JLT_FMA(t58, t80, p[28]); /* 1/Theta*d(Theta)/d(gamma3)*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + m*R^2*(I1 - I3) */
+    const double t82 = t3*t81; /* s*t81 */
+    const double t83 = JLT_FMA(t15, t80, t82); /* gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*t81 */
+    const double t84 = JLT_FMA(t66, t83, t79); /* omega3*omega_tau*1/Theta*t83 + t79 */
+    out[36] = t84;
+    const double t85 = t53*t78; /* 1/Theta*omega_n*m*R*I1 */
+    const double t86 = -t85; /* -1/Theta*omega_n*m*R*I1 */
+    out[37] = t86;
+    const double t87 = t3*t80; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t88 = t72*t87; /* omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t89 = JLT_FMA(t51, t85, t88); /* e*1/Theta*omega_n*m*R*I1 + omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t90 = -t89; /* -t89 */
+    out[38] = t90;
+    const double t91 = t54*p[29]; /* V*1/Theta*(-m*R*I1) */
+    out[39] = t91;
+    const double t92 = t60*t87; /* omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t93 = -t92; /* -omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[40] = t93;
+    const double t94 = -t49; /* -gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*t34 */
+    out[45] = t94;
+    const double t95 = -t14; /* -D/I1*1/(D/I1*s^2*Theta)*s*Theta */
+    out[48] = t95;
+    const double t96 = sin(x[5]); /* S = sin(chi) */
+    out[73] = t96;
+    const double t97 = JLT_FNMA(t15, t23, t20); /* d(v_tau)/d(gamma3) = R*omega_n - gamma3*D/I1*1/(D/I1*s^2*Theta)*s*Theta*R*omega3 */
+    const double t98 = t96*t97; /* S*d(v_tau)/d(gamma3) */
+    out[63] = t98;
+    const double t99 = cos(x[5]); /* C = cos(chi) */
+    out[64] = t99;
+    const double t100 = t4*t96; /* b*S */
+    out[66] = t100;
+    const double t101 = t3*p[1]; /* s*R */
+    const double t102 = t96*t101; /* S*s*R */
+    out[67] = t102;
+    const double t103 = x[1]*t96; /* v_nu*S */
+    const double t104 = t4*x[3]; /* b*omega_n */
+    const double t105 = JLT_FMA(x[4], t101, t104); /* v_tau = omega3*s*R + b*omega_n */
+    const double t106 = JLT_FMS(t99, t105, t103); /* C*v_tau - v_nu*S */
+    out[68] = t106;
+    const double t107 = t97*t99; /* d(v_tau)/d(gamma3)*C */
+    const double t108 = -t107; /* -d(v_tau)/d(gamma3)*C */
+    out[72] = t108;
+    const double t109 = t4*t99; /* b*C */
+    const double t110 = -t109; /* -b*C */
+    out[75] = t110;
+    const double t111 = t99*t101; /* C*s*R */
+    const double t112 = -t111; /* -C*s*R */
+    out[76] = t112;
+    const double t113 = x[1]*t99; /* v_nu*C */
+    const double t114 = JLT_FMA(t96, t105, t113); /* S*v_tau + v_nu*C */
+    out[77] = t114;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -449,213 +451,214 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[89] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[11] = t4;
-    const double t5 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t6 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t7 = p[18]*t3; /* m*I3*b */
-    const double t8 = JLT_FMA(t3, t7, t6); /* Theta = b*m*I3*b + m*R^2*I1*(1 - gamma3)*(1 + gamma3) + I1*I3 */
-    const double t9 = t4*t5; /* s*D */
-    const double t10 = t8*t9; /* Theta*s*D */
-    const double t11 = 1.0/t10; /* 1/(Theta*s*D) */
-    const double t12 = t8*t11; /* 1/(s*D) = Theta*1/(Theta*s*D) */
-    const double t13 = t9*t11; /* 1/Theta = s*D*1/(Theta*s*D) */
-    const double t14 = t5*t12; /* 1/s = D*1/(s*D) */
-    const double t15 = t4*t12; /* 1/D = s*1/(s*D) */
-    const double t16 = -t14; /* -1/s */
-    out[57] = t16;
-    const double t17 = x[3]*t14; /* omega_n*1/s */
-    const double t18 = -t17; /* -omega_n*1/s */
-    out[5] = t18;
-    const double t19 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t20 = x[2]*t4; /* omega_tau*s */
+    const double t4 = p[18]*t3; /* m*I3*b */
+    const double t5 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*s^2 + I1*I3 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
+    const double t7 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t8 = t6*t7; /* Theta*D */
+    const double t9 = t2*t8; /* s^2*Theta*D */
+    const double t10 = 1.0/t9; /* 1/(s^2*Theta*D) */
+    const double t11 = sqrt(t2); /* s = sqrt(s^2) */
+    out[11] = t11;
+    const double t12 = t8*t11; /* Theta*D*s */
+    const double t13 = t10*t12; /* 1/(s^2*Theta*D)*Theta*D*s */
+    const double t14 = t2*t10; /* 1/(D*Theta) = s^2*1/(s^2*Theta*D) */
+    const double t15 = t7*t14; /* 1/Theta = D*1/(D*Theta) */
+    const double t16 = t6*t14; /* 1/D = Theta*1/(D*Theta) */
+    const double t17 = -t13; /* -1/(s^2*Theta*D)*Theta*D*s */
+    out[57] = t17;
+    const double t18 = x[3]*t13; /* omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t19 = -t18; /* -omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    out[5] = t19;
+    const double t20 = x[2]*t11; /* omega_tau*s */
     out[0] = t20;
     const double t21 = p[1]*x[4]; /* R*omega3 */
-    const double t22 = t3*t17; /* b*omega_n*1/s */
-    const double t23 = JLT_FMA(2.0, t22, t21); /* 2*b*omega_n*1/s + R*omega3 */
+    const double t22 = t3*t18; /* b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t23 = JLT_FMA(2.0, t22, t21); /* 2*b*omega_n*1/(s^2*Theta*D)*Theta*D*s + R*omega3 */
     out[21] = t23;
-    const double t24 = JLT_FMA(x[2], t19, x[1]); /* V = omega_tau*e + v_nu */
-    const double t25 = x[2]*t13; /* omega_tau*1/Theta */
+    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t25 = x[2]*t15; /* omega_tau*1/Theta */
     const double t26 = x[0]*t20; /* gamma3*omega_tau*s */
     const double t27 = x[2]*p[30]; /* omega_tau*m*a3^2 */
-    const double t28 = x[0]*t14; /* gamma3*1/s */
+    const double t28 = x[0]*t13; /* gamma3*1/(s^2*Theta*D)*Theta*D*s */
     out[66] = t28;
-    const double t29 = x[3]*p[27]; /* omega_n*m*R*I1 */
-    const double t30 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t31 = t21 - t22; /* R*omega3 - b*omega_n*1/s */
-    const double t32 = p[36]*t25; /* m*a3*I3*omega_tau*1/Theta */
-    const double t33 = t31*t32; /* (R*omega3 - b*omega_n*1/s)*m*a3*I3*omega_tau*1/Theta */
-    const double t34 = t13*t24; /* 1/Theta*V */
-    const double t35 = p[29]*t34; /* (-m*R*I1)*1/Theta*V */
-    out[48] = t35;
-    const double t36 = t26*t27; /* gamma3*omega_tau*s*omega_tau*m*a3^2 */
-    const double t37 = JLT_FNMA(p[31], t4, t36); /* gamma3*omega_tau*s*omega_tau*m*a3^2 - m*g*a3*s */
-    const double t38 = x[4]*p[5]; /* omega3*I3 */
-    const double t39 = x[3]*t28; /* omega_n*gamma3*1/s */
-    const double t40 = x[4] + t39; /* omega3 + omega_n*gamma3*1/s */
-    out[6] = t40;
-    const double t41 = x[2]*t28; /* omega_tau*gamma3*1/s */
-    const double t42 = -t41; /* -omega_tau*gamma3*1/s */
-    out[9] = t42;
-    const double t43 = p[18]*t22; /* m*I3*b*omega_n*1/s */
-    const double t44 = JLT_FMA(p[32], t19, p[5]); /* m*R*e + I3 */
-    const double t45 = t24*t29; /* V*omega_n*m*R*I1 */
-    const double t46 = t24*t43; /* V*m*I3*b*omega_n*1/s */
-    const double t47 = x[4]*t30; /* omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t48 = JLT_FMA(t20, t47, t45); /* omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*omega_n*m*R*I1 */
-    const double t49 = t13*t48; /* 1/Theta*t48 */
-    const double t50 = t20*t30; /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t51 = t13*t50; /* 1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t52 = -t51; /* -1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[49] = t52;
-    const double t53 = -t49; /* -1/Theta*t48 */
-    out[4] = t53;
-    const double t54 = p[31]*t28; /* m*g*a3*gamma3*1/s */
-    const double t55 = t14*t17; /* 1/s*omega_n*1/s */
-    const double t56 = p[4]*t17; /* I1*omega_n*1/s */
-    const double t57 = JLT_FNMA(t55, t56, t54); /* m*g*a3*gamma3*1/s - 1/s*omega_n*1/s*I1*omega_n*1/s */
-    const double t58 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
-    const double t59 = JLT_FMS(p[24], t3, t58); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
-    const double t60 = t13*t59; /* 1/Theta*d(Theta)/d(gamma3) */
-    const double t61 = t49*t60; /* 1/Theta*t48*1/Theta*d(Theta)/d(gamma3) */
-    const double t62 = p[22]*t34; /* m*R*I3*1/Theta*V */
-    const double t63 = JLT_FNMA(t17, t62, t33); /* (R*omega3 - b*omega_n*1/s)*m*a3*I3*omega_tau*1/Theta - omega_n*1/s*m*R*I3*1/Theta*V */
-    const double t64 = t14*t34; /* 1/s*1/Theta*V */
-    const double t65 = JLT_FNMA(t7, t64, t41); /* omega_tau*gamma3*1/s - m*I3*b*1/s*1/Theta*V */
-    out[39] = t65;
-    const double t66 = t14*t55; /* 1/s*1/s*omega_n*1/s */
-    out[63] = t66;
-    const double t67 = JLT_FMA(x[2], t66, t63); /* omega_tau*1/s*1/s*omega_n*1/s + t63 */
-    const double t68 = t28*t64; /* gamma3*1/s*1/s*1/Theta*V */
-    const double t69 = JLT_FNMA(t43, t68, t67); /* omega_tau*1/s*1/s*omega_n*1/s + t63 - m*I3*b*omega_n*1/s*gamma3*1/s*1/s*1/Theta*V */
-    const double t70 = t28*t55; /* gamma3*1/s*1/s*omega_n*1/s */
-    const double t71 = -t70; /* -gamma3*1/s*1/s*omega_n*1/s */
-    out[54] = t71;
-    const double t72 = x[2]*p[37]; /* omega_tau*m*R*a3*I1 */
-    const double t73 = x[3]*t72; /* omega_n*omega_tau*m*R*a3*I1 */
-    const double t74 = JLT_FMA(p[4], t39, t38); /* I1*omega_n*gamma3*1/s + omega3*I3 */
-    const double t75 = JLT_FNMA(x[3], t74, t37); /* numerator of d(omega_tau)/dt over D = gamma3*omega_tau*s*omega_tau*m*a3^2 - m*g*a3*s - omega_n*(I1*omega_n*gamma3*1/s + omega3*I3) */
-    const double t76 = t15*t75; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t76;
-    const double t77 = t38*t44; /* omega3*I3*(m*R*e + I3) */
-    const double t78 = JLT_FMS(x[2], t77, t46); /* numerator of d(omega_n)/dt over Theta = omega_tau*omega3*I3*(m*R*e + I3) - V*m*I3*b*omega_n*1/s */
-    const double t79 = JLT_FMA(p[34], t39, t38); /* 2*I1*omega_n*gamma3*1/s + omega3*I3 */
-    const double t80 = t13*t78; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t81 = JLT_FNMA(t60, t80, t69); /* t69 - 1/Theta*d(Theta)/d(gamma3)*1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[36] = t81;
-    const double t82 = JLT_FMA(x[3], t41, t80); /* omega_n*omega_tau*gamma3*1/s + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t82;
-    const double t83 = t15*t79; /* 1/D*(2*I1*omega_n*gamma3*1/s + omega3*I3) */
-    const double t84 = -t83; /* -1/D*(2*I1*omega_n*gamma3*1/s + omega3*I3) */
-    out[30] = t84;
-    const double t85 = JLT_FNMA(t19, t43, t77); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*(m*R*e + I3) - e*m*I3*b*omega_n*1/s */
-    const double t86 = JLT_FMA(t13, t85, t39); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3*1/s */
-    out[38] = t86;
-    const double t87 = t19*t29; /* e*omega_n*m*R*I1 */
-    const double t88 = JLT_FMA(t4, t47, t87); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1 */
-    const double t89 = t13*t43; /* 1/Theta*m*I3*b*omega_n*1/s */
-    const double t90 = -t89; /* -1/Theta*m*I3*b*omega_n*1/s */
-    out[37] = t90;
-    const double t91 = p[5]*t44; /* I3*(m*R*e + I3) */
-    const double t92 = t25*t91; /* omega_tau*1/Theta*I3*(m*R*e + I3) */
-    out[40] = t92;
-    const double t93 = t13*t29; /* 1/Theta*omega_n*m*R*I1 */
-    const double t94 = -t93; /* -1/Theta*omega_n*m*R*I1 */
-    out[46] = t94;
-    const double t95 = t13*t88; /* 1/Theta*t88 */
-    const double t96 = -t95; /* -1/Theta*t88 */
-    out[47] = t96;
-    const double t97 = x[3]*t3; /* omega_n*b */
-    const double t98 = JLT_FMA(t4, t21, t97); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t99 = p[1]*t4; /* R*s */
-    const double t100 = x[3]*p[1]; /* omega_n*R */
-    out[22] = t100;
-    const double t101 = p[33]*t15; /* 2*m*a3^2*1/D */
-    const double t102 = t26*t101; /* gamma3*omega_tau*s*2*m*a3^2*1/D */
-    out[29] = t102;
-    const double t103 = x[0]*t101; /* gamma3*2*m*a3^2*1/D */
-    const double t104 = JLT_FMS(x[0], t41, t20); /* gamma3*omega_tau*gamma3*1/s - omega_tau*s */
-    const double t105 = JLT_FNMA(t27, t104, t57); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = m*g*a3*gamma3*1/s - 1/s*omega_n*1/s*I1*omega_n*1/s - omega_tau*m*a3^2*(gamma3*omega_tau*gamma3*1/s - omega_tau*s) */
-    const double t106 = JLT_FMA(t75, t103, t105); /* numerator of d(omega_tau)/dt over D*gamma3*2*m*a3^2*1/D + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    const double t107 = t15*t106; /* 1/D*t106 */
-    out[27] = t107;
-    const double t108 = x[4]*p[28]; /* omega3*m*R^2*(I1 - I3) */
-    const double t109 = JLT_FMS(t20, t108, t73); /* omega_tau*s*omega3*m*R^2*(I1 - I3) - omega_n*omega_tau*m*R*a3*I1 */
-    const double t110 = JLT_FMA(t41, t47, t109); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = omega_tau*gamma3*1/s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t109 */
-    const double t111 = JLT_FMA(t13, t110, t61); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(gamma3) + 1/Theta*t48*1/Theta*d(Theta)/d(gamma3) */
-    out[45] = t111;
-    const double t112 = cos(x[5]); /* C = cos(chi) */
-    out[73] = t112;
-    const double t113 = sin(x[5]); /* S = sin(chi) */
-    out[82] = t113;
-    const double t114 = t3*t113; /* b*S */
-    out[75] = t114;
-    const double t115 = t3*t112; /* b*C */
-    const double t116 = -t115; /* -b*C */
-    out[84] = t116;
-    const double t117 = t99*t113; /* R*s*S */
-    out[76] = t117;
-    const double t118 = t99*t112; /* R*s*C */
-    const double t119 = -t118; /* -R*s*C */
-    out[85] = t119;
-    const double t120 = JLT_FNMA(t21, t28, t100); /* d(v_tau)/d(gamma3) = omega_n*R - R*omega3*gamma3*1/s */
-    const double t121 = JLT_FMA(t22, t28, t100); /* b*omega_n*1/s*gamma3*1/s + omega_n*R */
-    const double t122 = t17*t121; /* omega_n*1/s*(b*omega_n*1/s*gamma3*1/s + omega_n*R) */
-    out[18] = t122;
-    const double t123 = t21 + t22; /* R*omega3 + b*omega_n*1/s */
-    const double t124 = x[3]*t123; /* omega_n*(R*omega3 + b*omega_n*1/s) */
-    out[1] = t124;
-    const double t125 = t113*t120; /* S*d(v_tau)/d(gamma3) */
-    out[72] = t125;
-    const double t126 = t112*t120; /* C*d(v_tau)/d(gamma3) */
-    const double t127 = -t126; /* -C*d(v_tau)/d(gamma3) */
-    out[81] = t127;
-    const double t128 = x[1]*t112; /* v_nu*C */
-    const double t129 = JLT_FMA(t98, t113, t128); /* v_tau*S + v_nu*C */
-    out[7] = t129;
-    out[86] = t129;
-    const double t130 = t98*t112; /* v_tau*C */
-    const double t131 = x[1]*t113; /* v_nu*S */
-    const double t132 = t131 - t130; /* v_nu*S - v_tau*C */
-    out[8] = t132;
-    const double t133 = t130 - t131; /* v_tau*C - v_nu*S */
-    out[77] = t133;
-    const double t134 = x[3]*p[35]; /* omega_n*(-I3) */
-    const double t135 = t15*t134; /* 1/D*omega_n*(-I3) */
-    out[31] = t135;
+    const double t29 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t30 = x[3]*p[27]; /* omega_n*m*R*I1 */
+    const double t31 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t32 = t21 - t22; /* R*omega3 - b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t33 = p[36]*t25; /* m*a3*I3*omega_tau*1/Theta */
+    const double t34 = t32*t33; /* (R*omega3 - b*omega_n*1/(s^2*Theta*D)*Theta*D*s)*m*a3*I3*omega_tau*1/Theta */
+    const double t35 = t26*t27; /* gamma3*omega_tau*s*omega_tau*m*a3^2 */
+    const double t36 = JLT_FNMA(p[31], t11, t35); /* gamma3*omega_tau*s*omega_tau*m*a3^2 - m*g*a3*s */
+    const double t37 = x[4]*p[5]; /* omega3*I3 */
+    const double t38 = x[3]*t28; /* omega_n*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    const double t39 = x[4] + t38; /* omega3 + omega_n*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    out[6] = t39;
+    const double t40 = x[2]*t28; /* omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    const double t41 = -t40; /* -omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    out[9] = t41;
+    const double t42 = p[18]*t22; /* m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t43 = JLT_FMA(p[32], t24, p[5]); /* m*R*e + I3 */
+    const double t44 = t29*t30; /* V*omega_n*m*R*I1 */
+    const double t45 = x[4]*t31; /* omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t46 = JLT_FMA(t20, t45, t44); /* omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*omega_n*m*R*I1 */
+    const double t47 = t15*t46; /* 1/Theta*t46 */
+    const double t48 = t20*t31; /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t49 = t15*t48; /* 1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t50 = -t49; /* -1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[49] = t50;
+    const double t51 = -t47; /* -1/Theta*t46 */
+    out[4] = t51;
+    const double t52 = p[31]*t28; /* m*g*a3*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    const double t53 = t13*t18; /* 1/(s^2*Theta*D)*Theta*D*s*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t54 = p[4]*t18; /* I1*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t55 = JLT_FNMA(t53, t54, t52); /* m*g*a3*gamma3*1/(s^2*Theta*D)*Theta*D*s - 1/(s^2*Theta*D)*Theta*D*s*omega_n*1/(s^2*Theta*D)*Theta*D*s*I1*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t56 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
+    const double t57 = JLT_FMS(p[24], t3, t56); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
+    const double t58 = t15*t57; /* 1/Theta*d(Theta)/d(gamma3) */
+    const double t59 = t47*t58; /* 1/Theta*t46*1/Theta*d(Theta)/d(gamma3) */
+    const double t60 = t15*t29; /* 1/Theta*V */
+    const double t61 = t29*t42; /* V*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t62 = p[29]*t60; /* (-m*R*I1)*1/Theta*V */
+    out[48] = t62;
+    const double t63 = p[22]*t18; /* m*R*I3*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t64 = JLT_FNMA(t60, t63, t34); /* t34 - 1/Theta*V*m*R*I3*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t65 = t13*t60; /* 1/(s^2*Theta*D)*Theta*D*s*1/Theta*V */
+    const double t66 = JLT_FNMA(t4, t65, t40); /* omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s - m*I3*b*1/(s^2*Theta*D)*Theta*D*s*1/Theta*V */
+    out[39] = t66;
+    const double t67 = t13*t53; /* 1/(s^2*Theta*D)*Theta*D*s*1/(s^2*Theta*D)*Theta*D*s*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    out[63] = t67;
+    const double t68 = JLT_FMA(x[2], t67, t64); /* omega_tau*t67 + t34 - 1/Theta*V*m*R*I3*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t69 = t28*t65; /* gamma3*1/(s^2*Theta*D)*Theta*D*s*1/(s^2*Theta*D)*Theta*D*s*1/Theta*V */
+    const double t70 = JLT_FNMA(t42, t69, t68); /* t68 - m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s*t69 */
+    const double t71 = t28*t53; /* gamma3*1/(s^2*Theta*D)*Theta*D*s*1/(s^2*Theta*D)*Theta*D*s*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t72 = -t71; /* -t71 */
+    out[54] = t72;
+    const double t73 = x[2]*p[37]; /* omega_tau*m*R*a3*I1 */
+    const double t74 = x[3]*t73; /* omega_n*omega_tau*m*R*a3*I1 */
+    const double t75 = JLT_FMA(p[4], t38, t37); /* I1*omega_n*gamma3*1/(s^2*Theta*D)*Theta*D*s + omega3*I3 */
+    const double t76 = JLT_FNMA(x[3], t75, t36); /* numerator of d(omega_tau)/dt over D = gamma3*omega_tau*s*omega_tau*m*a3^2 - m*g*a3*s - omega_n*(I1*omega_n*gamma3*1/(s^2*Theta*D)*Theta*D*s + omega3*I3) */
+    const double t77 = t16*t76; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t77;
+    const double t78 = t37*t43; /* omega3*I3*(m*R*e + I3) */
+    const double t79 = JLT_FMS(x[2], t78, t61); /* numerator of d(omega_n)/dt over Theta = omega_tau*omega3*I3*(m*R*e + I3) - V*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t80 = JLT_FMA(p[34], t38, t37); /* 2*I1*omega_n*gamma3*1/(s^2*Theta*D)*Theta*D*s + omega3*I3 */
+    const double t81 = t15*t79; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t82 = JLT_FNMA(t58, t81, t70); /* t68 - m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s*t69 - 1/Theta*d(Theta)/d(gamma3)*1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[36] = t82;
+    const double t83 = JLT_FMA(x[3], t40, t81); /* omega_n*omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t83;
+    const double t84 = t16*t80; /* 1/D*(2*I1*omega_n*gamma3*1/(s^2*Theta*D)*Theta*D*s + omega3*I3) */
+    const double t85 = -t84; /* -t84 */
+    out[30] = t85;
+    const double t86 = JLT_FNMA(t24, t42, t78); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*(m*R*e + I3) - e*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t87 = JLT_FMA(t15, t86, t38); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    out[38] = t87;
+    const double t88 = t24*t30; /* e*omega_n*m*R*I1 */
+    const double t89 = JLT_FMA(t11, t45, t88); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1 */
+    const double t90 = t15*t42; /* 1/Theta*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t91 = -t90; /* -1/Theta*m*I3*b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    out[37] = t91;
+    const double t92 = p[5]*t43; /* I3*(m*R*e + I3) */
+    const double t93 = t25*t92; /* omega_tau*1/Theta*I3*(m*R*e + I3) */
+    out[40] = t93;
+    const double t94 = t15*t30; /* 1/Theta*omega_n*m*R*I1 */
+    const double t95 = -t94; /* -1/Theta*omega_n*m*R*I1 */
+    out[46] = t95;
+    const double t96 = t15*t89; /* 1/Theta*t89 */
+    const double t97 = -t96; /* -1/Theta*t89 */
+    out[47] = t97;
+    const double t98 = x[3]*t3; /* omega_n*b */
+    const double t99 = JLT_FMA(t11, t21, t98); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t100 = p[1]*t11; /* R*s */
+    const double t101 = x[3]*p[1]; /* omega_n*R */
+    out[22] = t101;
+    const double t102 = p[33]*t16; /* 2*m*a3^2*1/D */
+    const double t103 = t26*t102; /* gamma3*omega_tau*s*2*m*a3^2*1/D */
+    out[29] = t103;
+    const double t104 = x[0]*t102; /* gamma3*2*m*a3^2*1/D */
+    const double t105 = JLT_FMS(x[0], t40, t20); /* gamma3*omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s - omega_tau*s */
+    const double t106 = JLT_FNMA(t27, t105, t55); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = t55 - omega_tau*m*a3^2*t105 */
+    const double t107 = JLT_FMA(t76, t104, t106); /* numerator of d(omega_tau)/dt over D*gamma3*2*m*a3^2*1/D + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t108 = t16*t107; /* 1/D*t107 */
+    out[27] = t108;
+    const double t109 = x[4]*p[28]; /* omega3*m*R^2*(I1 - I3) */
+    const double t110 = JLT_FMS(t20, t109, t74); /* omega_tau*s*omega3*m*R^2*(I1 - I3) - omega_n*omega_tau*m*R*a3*I1 */
+    const double t111 = JLT_FMA(t40, t45, t110); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = omega_tau*gamma3*1/(s^2*Theta*D)*Theta*D*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t110 */
+    const double t112 = JLT_FMA(t15, t111, t59); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(gamma3) + 1/Theta*t46*1/Theta*d(Theta)/d(gamma3) */
+    out[45] = t112;
+    const double t113 = cos(x[5]); /* C = cos(chi) */
+    out[73] = t113;
+    const double t114 = sin(x[5]); /* S = sin(chi) */
+    out[82] = t114;
+    const double t115 = t3*t114; /* b*S */
+    out[75] = t115;
+    const double t116 = t3*t113; /* b*C */
+    const double t117 = -t116; /* -b*C */
+    out[84] = t117;
+    const double t118 = t100*t114; /* R*s*S */
+    out[76] = t118;
+    const double t119 = t100*t113; /* R*s*C */
+    const double t120 = -t119; /* -R*s*C */
+    out[85] = t120;
+    const double t121 = JLT_FNMA(t21, t28, t101); /* d(v_tau)/d(gamma3) = omega_n*R - R*omega3*gamma3*1/(s^2*Theta*D)*Theta*D*s */
+    const double t122 = JLT_FMA(t22, t28, t101); /* b*omega_n*1/(s^2*Theta*D)*Theta*D*s*gamma3*1/(s^2*Theta*D)*Theta*D*s + omega_n*R */
+    const double t123 = t18*t122; /* omega_n*1/(s^2*Theta*D)*Theta*D*s*t122 */
+    out[18] = t123;
+    const double t124 = t21 + t22; /* R*omega3 + b*omega_n*1/(s^2*Theta*D)*Theta*D*s */
+    const double t125 = x[3]*t124; /* omega_n*(R*omega3 + b*omega_n*1/(s^2*Theta*D)*Theta*D*s) */
+    out[1] = t125;
+    const double t126 = t114*t121; /* S*d(v_tau)/d(gamma3) */
+    out[72] = t126;
+    const double t127 = t113*t121; /* C*d(v_tau)/d(gamma3) */
+    const double t128 = -t127; /* -C*d(v_tau)/d(gamma3) */
+    out[81] = t128;
+    const double t129 = x[1]*t113; /* v_nu*C */
+    const double t130 = JLT_FMA(t99, t114, t129); /* v_tau*S + v_nu*C */
+    out[7] = t130;
+    out[86] = t130;
+    const double t131 = t99*t113; /* v_tau*C */
+    const double t132 = x[1]*t114; /* v_nu*S */
+    const double t133 = t132 - t131; /* v_nu*S - v_tau*C */
+    out[8] = t133;
+    const double t134 = t131 - t132; /* v_tau*C - v_nu*S */
+    out[77] = t134;
+    const double t135 = x[3]*p[35]; /* omega_n*(-I3) */
+    const double t136 = t16*t135; /* 1/D*omega_n*(-I3) */
+    out[31] = t136;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t5 = p[8]*t3; /* I3/(R^2*I1)*b */
-    const double t6 = p[7] + t2; /* I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t7 = JLT_FMA(t3, t5, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + (1 - gamma3)*(1 + gamma3) */
-    const double t8 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
-    const double t9 = t5*t8; /* I3/(R^2*I1)*b*D */
-    const double t10 = t4*t8; /* s*D */
-    const double t11 = t7*t10; /* Theta/(m*R^2*I1)*s*D */
-    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*s*D) */
-    const double t13 = t7*t12; /* 1/(D*s) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s*D) */
-    const double t14 = t10*t12; /* 1/(Theta/(m*R^2*I1)) = s*D*1/(Theta/(m*R^2*I1)*s*D) */
-    const double t15 = x[0]*p[33]; /* gamma3*2*m*a3^2 */
-    const double t16 = t4*t15; /* s*gamma3*2*m*a3^2 */
-    const double t17 = t13*t16; /* 1/(D*s)*s*gamma3*2*m*a3^2 */
-    const double t18 = x[2]*t4; /* omega_tau*s */
-    const double t19 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t20 = JLT_FMA(x[2], t19, x[1]); /* V = omega_tau*e + v_nu */
-    const double t21 = t9*t20; /* I3/(R^2*I1)*b*D*V */
-    const double t22 = t14*t21; /* 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*D*V */
-    const double t23 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
-    const double t24 = JLT_FNMA(t14, t23, t17); /* 1/(D*s)*s*gamma3*2*m*a3^2 - 1/(Theta/(m*R^2*I1))*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
-    const double t25 = t18*t24; /* omega_tau*s*t24 */
-    const double t26 = JLT_FNMA(t13, t22, t25); /* omega_tau*s*t24 - 1/(D*s)*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*D*V */
+    const double t4 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t5 = p[7] + t2; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t7 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t8 = t4*t7; /* I3/(R^2*I1)*b*D */
+    const double t9 = t2*t7; /* s^2*D */
+    const double t10 = t6*t9; /* Theta/(m*R^2*I1)*s^2*D */
+    const double t11 = 1.0/t10; /* 1/(Theta/(m*R^2*I1)*s^2*D) */
+    const double t12 = t6*t11; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D) */
+    const double t13 = t9*t11; /* 1/(Theta/(m*R^2*I1)) = s^2*D*1/(Theta/(m*R^2*I1)*s^2*D) */
+    const double t14 = x[0]*p[33]; /* gamma3*2*m*a3^2 */
+    const double t15 = t2*t14; /* s^2*gamma3*2*m*a3^2 */
+    const double t16 = t12*t15; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D)*s^2*gamma3*2*m*a3^2 */
+    const double t17 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t18 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t19 = JLT_FMA(x[2], t18, x[1]); /* V = omega_tau*e + v_nu */
+    const double t20 = t8*t19; /* I3/(R^2*I1)*b*D*V */
+    const double t21 = t12*t20; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D)*I3/(R^2*I1)*b*D*V */
+    const double t22 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t23 = JLT_FNMA(t13, t22, t16); /* t16 - 1/(Theta/(m*R^2*I1))*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t24 = x[2]*t23; /* omega_tau*t23 */
+    const double t25 = JLT_FNMA(t13, t21, t24); /* omega_tau*t23 - 1/(Theta/(m*R^2*I1))*t21 */
+    const double t26 = t17*t25; /* s*(omega_tau*t23 - 1/(Theta/(m*R^2*I1))*t21) */
     out[0] = t26;
 }
 
@@ -705,38 +708,39 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[1] = t0;
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = sqrt(t3); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t5 = JLT_FMA(p[30], t3, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t6 = x[2]*t5; /* omega_tau*D */
-    out[2] = t6;
-    const double t7 = p[41]*t4; /* R*I1*s */
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t5 = p[35]*t4; /* (-I3)*b */
+    out[13] = t5;
+    const double t6 = sqrt(t3); /* s = sqrt(s^2) */
+    const double t7 = p[41]*t6; /* R*I1*s */
     out[12] = t7;
-    const double t8 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t9 = p[35]*t8; /* (-I3)*b */
-    out[13] = t9;
-    const double t10 = x[3]*t8; /* omega_n*b */
-    const double t11 = p[0]*t8; /* m*b */
-    const double t12 = x[4]*p[1]; /* omega3*R */
-    const double t13 = JLT_FMA(t4, t12, t10); /* v_tau = s*omega3*R + omega_n*b */
-    const double t14 = p[30]*x[0]; /* m*a3^2*gamma3 */
-    const double t15 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t16 = JLT_FNMA(t14, t15, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t17 = x[0]/t4; /* gamma3/s */
-    const double t18 = x[3]*p[42]; /* omega_n*(-R*I1) */
-    const double t19 = t17*t18; /* gamma3/s*omega_n*(-R*I1) */
-    const double t20 = JLT_FMA(x[4], p[43], t19); /* omega3*(-R*I3) + gamma3/s*omega_n*(-R*I1) */
-    out[9] = t20;
-    const double t21 = JLT_FNMA(x[4], t17, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*gamma3/s */
-    const double t22 = p[32]*t13; /* m*R*v_tau */
-    const double t23 = JLT_FMA(t21, t22, t16); /* d(v_tau)/d(gamma3)/R*m*R*v_tau + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    out[0] = t23;
-    const double t24 = x[3]*p[4]; /* omega_n*I1 */
-    const double t25 = JLT_FMA(t11, t13, t24); /* m*b*v_tau + omega_n*I1 */
-    out[3] = t25;
-    const double t26 = x[4]*p[5]; /* omega3*I3 */
-    const double t27 = JLT_FMA(t4, t22, t26); /* s*m*R*v_tau + omega3*I3 */
-    out[4] = t27;
+    const double t8 = x[0]/t3; /* gamma3/s^2 */
+    const double t9 = t6*t8; /* s*gamma3/s^2 */
+    const double t10 = JLT_FMA(p[30], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t11 = x[2]*t10; /* omega_tau*D */
+    out[2] = t11;
+    const double t12 = x[3]*t4; /* omega_n*b */
+    const double t13 = p[0]*t4; /* m*b */
+    const double t14 = x[4]*p[1]; /* omega3*R */
+    const double t15 = JLT_FMA(t6, t14, t12); /* v_tau = s*omega3*R + omega_n*b */
+    const double t16 = p[30]*x[0]; /* m*a3^2*gamma3 */
+    const double t17 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t18 = JLT_FNMA(t16, t17, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t19 = x[3]*p[42]; /* omega_n*(-R*I1) */
+    const double t20 = t9*t19; /* s*gamma3/s^2*omega_n*(-R*I1) */
+    const double t21 = JLT_FMA(x[4], p[43], t20); /* omega3*(-R*I3) + s*gamma3/s^2*omega_n*(-R*I1) */
+    out[9] = t21;
+    const double t22 = JLT_FNMA(x[4], t9, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
+    const double t23 = p[32]*t15; /* m*R*v_tau */
+    const double t24 = JLT_FMA(t22, t23, t18); /* d(v_tau)/d(gamma3)/R*m*R*v_tau + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    out[0] = t24;
+    const double t25 = x[3]*p[4]; /* omega_n*I1 */
+    const double t26 = JLT_FMA(t13, t15, t25); /* m*b*v_tau + omega_n*I1 */
+    out[3] = t26;
+    const double t27 = x[4]*p[5]; /* omega3*I3 */
+    const double t28 = JLT_FMA(t6, t23, t27); /* s*m*R*v_tau + omega3*I3 */
+    out[4] = t28;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -973,17 +977,17 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general = {
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 9, { 7, 28, 16, 1, 1, 2, 12, 12 }, { 22, 77, 0, 14, 1, 2, 12, 9 },
+    .rhs = { rhs, 9, { 7, 29, 16, 1, 1, 2, 13, 12 }, { 22, 77, 0, 14, 1, 2, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 81, { 13, 63, 34, 1, 1, 2, 16, 24 }, { 61, 296, 0, 55, 1, 2, 16, 11 },
+    .jacobian = { jacobian, 81, { 13, 64, 34, 1, 1, 2, 16, 24 }, { 61, 296, 0, 55, 1, 2, 16, 11 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 90, { 20, 76, 36, 1, 1, 2, 16, 32 }, { 75, 353, 0, 69, 1, 2, 16, 14 },
+    .rhs_jacobian = { rhs_jacobian, 90, { 20, 77, 36, 1, 1, 2, 16, 32 }, { 75, 353, 0, 69, 1, 2, 16, 14 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .divergence = { divergence, 1, { 3, 14, 8, 1, 1, 0, 11, 7 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
+    .divergence = { divergence, 1, { 3, 14, 8, 1, 1, 0, 12, 7 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 2, { 2, 12, 9, 0, 1, 0, 6, 8 }, { 10, 32, 0, 0, 1, 0, 12, 6 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 18, { 2, 15, 9, 1, 1, 0, 6, 7 }, { 12, 38, 0, 2, 1, 0, 8, 8 },
+    .integral_gradients = { integral_gradients, 18, { 2, 16, 9, 1, 1, 0, 6, 7 }, { 12, 38, 0, 2, 1, 0, 8, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

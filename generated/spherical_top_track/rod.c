@@ -7,8 +7,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   20   11    1    1    2     10    9   (67)
- *  jacobian            10   47   17    1    1    2     14   14   (212)
- *  rhs_jacobian        15   52   18    1    1    2     12   20   (259)
+ *  jacobian            10   47   17    1    1    2     14   15   (212)
+ *  rhs_jacobian        15   52   18    1    1    2     13   20   (259)
  *  divergence          2    4    2    1    1    0      6    4   (18)
  *  integral_values     2   12    9    0    1    2      6    7   (44)
  *  integral_gradients  5   23    9    1    1    2      8    9   (65)
@@ -142,20 +142,21 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[58] = 1.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(gamma3 + 1) + 1 */
-    const double t4 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    out[2] = t4;
-    const double t5 = t3*t4; /* D/I1*s */
-    const double t6 = 1.0/t5; /* 1/(D/I1*s) */
-    const double t7 = t3*t6; /* 1/s = D/I1*1/(D/I1*s) */
-    const double t8 = x[0]*t7; /* gamma3*1/s */
-    out[57] = t8;
-    const double t9 = x[2]*t8; /* omega_tau*gamma3*1/s */
-    out[30] = t9;
-    out[40] = t9;
-    const double t10 = -t9; /* -omega_tau*gamma3*1/s */
-    out[0] = t10;
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t3;
+    const double t4 = JLT_FMA(t2, p[6], 1.0); /* D/I1 = s^2*m*a3^2/I1 + 1 */
+    const double t5 = t2*t4; /* s^2*D/I1 */
+    const double t6 = 1.0/t5; /* 1/(s^2*D/I1) */
+    const double t7 = t4*t6; /* 1/s^2 = D/I1*1/(s^2*D/I1) */
+    const double t8 = t3*t7; /* s*1/s^2 */
+    const double t9 = x[0]*t8; /* gamma3*s*1/s^2 */
+    out[57] = t9;
+    const double t10 = x[2]*t9; /* omega_tau*gamma3*s*1/s^2 */
+    out[30] = t10;
+    out[40] = t10;
+    const double t11 = -t10; /* -omega_tau*gamma3*s*1/s^2 */
+    out[0] = t11;
     out[1] = 0.0;
     out[3] = 0.0;
     out[4] = 0.0;
@@ -206,90 +207,89 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[78] = 0.0;
     out[79] = 0.0;
     out[80] = 0.0;
-    const double t11 = t7*x[3]; /* 1/s*omega_n */
-    const double t12 = x[3]*p[1]; /* omega_n*R */
-    out[13] = t12;
-    const double t13 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t14 = t11*t13; /* 1/s*omega_n*b */
-    const double t15 = JLT_FMA(t8, t14, t12); /* gamma3*1/s*1/s*omega_n*b + omega_n*R */
-    const double t16 = t11*t15; /* 1/s*omega_n*(gamma3*1/s*1/s*omega_n*b + omega_n*R) */
-    out[9] = t16;
-    const double t17 = t14*2.0; /* 1/s*omega_n*b*2 */
-    const double t18 = JLT_FMA(p[1], x[4], t17); /* R*omega3 + 1/s*omega_n*b*2 */
-    out[12] = t18;
-    const double t19 = t4*t6; /* 1/(D/I1) = s*1/(D/I1*s) */
-    const double t20 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
-    const double t21 = t19*t20; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t22 = t4*t21; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t23 = t8 - t22; /* gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t24 = p[7]*t23; /* m*g*a3/I1*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) */
-    const double t25 = JLT_FMS(x[0], t23, t4); /* gamma3*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s */
-    const double t26 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t27 = x[2]*t26; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t28 = t7*t11; /* 1/s*1/s*omega_n */
-    const double t29 = JLT_FNMA(t11, t28, t24); /* m*g*a3/I1*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - 1/s*omega_n*1/s*1/s*omega_n */
-    const double t30 = JLT_FNMA(t25, t27, t29); /* t29 - (gamma3*(gamma3*1/s - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s)*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t31 = t19*t30; /* 1/(D/I1)*t30 */
-    const double t32 = t8*x[3]; /* gamma3*1/s*omega_n */
-    out[29] = t32;
-    const double t33 = t19*t32; /* 1/(D/I1)*gamma3*1/s*omega_n */
-    const double t34 = x[3]*t21; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t35 = JLT_FNMA(t33, t34, t31); /* 1/(D/I1)*t30 - 1/(D/I1)*gamma3*1/s*omega_n*omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[18] = t35;
-    const double t36 = x[2]*t22; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[20] = t36;
-    const double t37 = t33*(-2.0); /* 1/(D/I1)*gamma3*1/s*omega_n*(-2) */
-    out[21] = t37;
-    const double t38 = t7*t28; /* 1/s*1/s*1/s*omega_n */
-    out[54] = t38;
-    const double t39 = x[2]*t38; /* omega_tau*1/s*1/s*1/s*omega_n */
-    out[27] = t39;
-    const double t40 = t7*t7; /* 1/s*1/s */
-    const double t41 = t7*x[4]; /* 1/s*omega3 */
-    const double t42 = t40*t41; /* 1/s*1/s*1/s*omega3 */
-    const double t43 = JLT_FNMA(t28, p[10], t42); /* 1/s*1/s*1/s*omega3 - 1/s*1/s*omega_n*a3/R */
-    const double t44 = x[2]*t43; /* omega_tau*(1/s*1/s*1/s*omega3 - 1/s*1/s*omega_n*a3/R) */
+    const double t12 = t8*x[3]; /* s*1/s^2*omega_n */
+    const double t13 = x[3]*p[1]; /* omega_n*R */
+    out[13] = t13;
+    const double t14 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t15 = t12*t14; /* s*1/s^2*omega_n*b */
+    const double t16 = JLT_FMA(t9, t15, t13); /* gamma3*s*1/s^2*s*1/s^2*omega_n*b + omega_n*R */
+    const double t17 = t12*t16; /* s*1/s^2*omega_n*(gamma3*s*1/s^2*s*1/s^2*omega_n*b + omega_n*R) */
+    out[9] = t17;
+    const double t18 = t15*2.0; /* s*1/s^2*omega_n*b*2 */
+    const double t19 = JLT_FMA(p[1], x[4], t18); /* R*omega3 + s*1/s^2*omega_n*b*2 */
+    out[12] = t19;
+    const double t20 = t2*t6; /* 1/(D/I1) = s^2*1/(s^2*D/I1) */
+    const double t21 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
+    const double t22 = t20*t21; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t23 = t3*t22; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t24 = t9 - t23; /* gamma3*s*1/s^2 - s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t25 = p[7]*t24; /* m*g*a3/I1*(gamma3*s*1/s^2 - s*1/(D/I1)*gamma3*2*m*a3^2/I1) */
+    const double t26 = JLT_FMS(x[0], t24, t3); /* gamma3*(gamma3*s*1/s^2 - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s */
+    const double t27 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t28 = x[2]*t27; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t29 = t8*t12; /* s*1/s^2*s*1/s^2*omega_n */
+    const double t30 = JLT_FNMA(t12, t29, t25); /* m*g*a3/I1*(gamma3*s*1/s^2 - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s*1/s^2*omega_n*s*1/s^2*s*1/s^2*omega_n */
+    const double t31 = JLT_FNMA(t26, t28, t30); /* t30 - (gamma3*(gamma3*s*1/s^2 - s*1/(D/I1)*gamma3*2*m*a3^2/I1) - s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t32 = t20*t31; /* 1/(D/I1)*t31 */
+    const double t33 = t9*x[3]; /* gamma3*s*1/s^2*omega_n */
+    out[29] = t33;
+    const double t34 = t20*t33; /* 1/(D/I1)*gamma3*s*1/s^2*omega_n */
+    const double t35 = x[3]*t22; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t36 = JLT_FNMA(t34, t35, t32); /* 1/(D/I1)*t31 - 1/(D/I1)*gamma3*s*1/s^2*omega_n*omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[18] = t36;
+    const double t37 = x[2]*t23; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[20] = t37;
+    const double t38 = t34*(-2.0); /* 1/(D/I1)*gamma3*s*1/s^2*omega_n*(-2) */
+    out[21] = t38;
+    const double t39 = t8*t29; /* s*1/s^2*s*1/s^2*s*1/s^2*omega_n */
+    out[54] = t39;
+    const double t40 = x[2]*t39; /* omega_tau*s*1/s^2*s*1/s^2*s*1/s^2*omega_n */
+    out[27] = t40;
+    const double t41 = t7*x[4]; /* 1/s^2*omega3 */
+    const double t42 = t8*t41; /* s*1/s^2*1/s^2*omega3 */
+    const double t43 = JLT_FNMA(t29, p[10], t42); /* s*1/s^2*1/s^2*omega3 - s*1/s^2*s*1/s^2*omega_n*a3/R */
+    const double t44 = x[2]*t43; /* omega_tau*(s*1/s^2*1/s^2*omega3 - s*1/s^2*s*1/s^2*omega_n*a3/R) */
     const double t45 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t46 = JLT_FMA(x[2], t45, x[1]); /* V = omega_tau*e + v_nu */
     const double t47 = p[11]*t46; /* 2/R*V */
-    const double t48 = t8*t47; /* gamma3*1/s*2/R*V */
-    const double t49 = JLT_FNMA(t38, t48, t44); /* omega_tau*(1/s*1/s*1/s*omega3 - 1/s*1/s*omega_n*a3/R) - 1/s*1/s*1/s*omega_n*gamma3*1/s*2/R*V */
+    const double t48 = t9*t47; /* gamma3*s*1/s^2*2/R*V */
+    const double t49 = JLT_FNMA(t39, t48, t44); /* t44 - s*1/s^2*s*1/s^2*s*1/s^2*omega_n*gamma3*s*1/s^2*2/R*V */
     out[36] = t49;
-    const double t50 = t28*p[8]; /* 1/s*1/s*omega_n*1/R */
-    const double t51 = -t50; /* -1/s*1/s*omega_n*1/R */
+    const double t50 = t29*p[8]; /* s*1/s^2*s*1/s^2*omega_n*1/R */
+    const double t51 = -t50; /* -s*1/s^2*s*1/s^2*omega_n*1/R */
     out[37] = t51;
-    const double t52 = t8*x[4]; /* gamma3*1/s*omega3 */
-    const double t53 = JLT_FNMA(t45, t50, t52); /* gamma3*1/s*omega3 - e*1/s*1/s*omega_n*1/R */
+    const double t52 = t9*x[4]; /* gamma3*s*1/s^2*omega3 */
+    const double t53 = JLT_FNMA(t45, t50, t52); /* gamma3*s*1/s^2*omega3 - e*s*1/s^2*s*1/s^2*omega_n*1/R */
     out[38] = t53;
     const double t54 = t46*p[12]; /* V*(-1/R) */
-    const double t55 = t40*t54; /* 1/s*1/s*V*(-1/R) */
+    const double t55 = t7*t54; /* 1/s^2*V*(-1/R) */
     out[39] = t55;
-    const double t56 = t8*t28; /* gamma3*1/s*1/s*1/s*omega_n */
-    const double t57 = -t56; /* -gamma3*1/s*1/s*1/s*omega_n */
+    const double t56 = t9*t29; /* gamma3*s*1/s^2*s*1/s^2*s*1/s^2*omega_n */
+    const double t57 = -t56; /* -gamma3*s*1/s^2*s*1/s^2*s*1/s^2*omega_n */
     out[45] = t57;
-    const double t58 = -t7; /* -1/s */
+    const double t58 = -t8; /* -s*1/s^2 */
     out[48] = t58;
     const double t59 = sin(x[5]); /* S = sin(chi) */
     out[73] = t59;
-    const double t60 = JLT_FNMA(p[1], t52, t12); /* d(v_tau)/d(gamma3) = omega_n*R - R*gamma3*1/s*omega3 */
+    const double t60 = JLT_FNMA(p[1], t52, t13); /* d(v_tau)/d(gamma3) = omega_n*R - R*gamma3*s*1/s^2*omega3 */
     const double t61 = t59*t60; /* S*d(v_tau)/d(gamma3) */
     out[63] = t61;
     const double t62 = cos(x[5]); /* C = cos(chi) */
     out[64] = t62;
-    const double t63 = t13*t59; /* b*S */
+    const double t63 = t14*t59; /* b*S */
     out[66] = t63;
-    const double t64 = t4*p[1]; /* s*R */
+    const double t64 = t3*p[1]; /* s*R */
     const double t65 = t59*t64; /* S*s*R */
     out[67] = t65;
     const double t66 = x[1]*t59; /* v_nu*S */
-    const double t67 = x[3]*t13; /* omega_n*b */
+    const double t67 = x[3]*t14; /* omega_n*b */
     const double t68 = JLT_FMA(x[4], t64, t67); /* v_tau = omega3*s*R + omega_n*b */
     const double t69 = JLT_FMS(t62, t68, t66); /* C*v_tau - v_nu*S */
     out[68] = t69;
     const double t70 = t60*t62; /* d(v_tau)/d(gamma3)*C */
     const double t71 = -t70; /* -d(v_tau)/d(gamma3)*C */
     out[72] = t71;
-    const double t72 = t13*t62; /* b*C */
+    const double t72 = t14*t62; /* b*C */
     const double t73 = -t72; /* -b*C */
     out[75] = t73;
     const double t74 = t62*t64; /* C*s*R */
@@ -355,87 +355,87 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[89] = 0.0;
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    out[11] = t3;
-    const double t4 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*(1 - gamma3)*(1 + gamma3) + 1 */
-    const double t5 = t3*t4; /* s*D/I1 */
-    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
-    const double t7 = t4*t6; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t8 = t3*t6; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t9 = -t7; /* -1/s */
-    out[57] = t9;
-    const double t10 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t11 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t12 = JLT_FNMA(t10, t11, p[7]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
-    const double t13 = x[0]*t7; /* gamma3*1/s */
-    out[66] = t13;
-    const double t14 = x[2]*t3; /* omega_tau*s */
-    out[0] = t14;
-    const double t15 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t16 = x[3]*t7; /* omega_n*1/s */
-    const double t17 = -t16; /* -omega_n*1/s */
-    out[5] = t17;
-    const double t18 = x[3]*t13; /* omega_n*gamma3*1/s */
-    out[38] = t18;
-    const double t19 = x[4] + t18; /* omega3 + omega_n*gamma3*1/s */
-    out[6] = t19;
-    const double t20 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t21 = t12*t13; /* (m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3)*gamma3*1/s */
-    const double t22 = JLT_FMA(t10, t14, t21); /* omega_tau*m*a3^2/I1*omega_tau*s + t21 */
-    const double t23 = t7*t7; /* 1/s*1/s */
-    const double t24 = x[4]*t7; /* omega3*1/s */
-    const double t25 = t23*t24; /* 1/s*1/s*omega3*1/s */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t4 = t2*t3; /* s^2*D/I1 */
+    const double t5 = 1.0/t4; /* 1/(s^2*D/I1) */
+    const double t6 = t3*t5; /* 1/s^2 = D/I1*1/(s^2*D/I1) */
+    const double t7 = t2*t5; /* 1/(D/I1) = s^2*1/(s^2*D/I1) */
+    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
+    out[11] = t8;
+    const double t9 = t6*t8; /* 1/s^2*s */
+    const double t10 = -t9; /* -1/s^2*s */
+    out[57] = t10;
+    const double t11 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t12 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t13 = JLT_FNMA(t11, t12, p[7]); /* m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3 */
+    const double t14 = x[0]*t9; /* gamma3*1/s^2*s */
+    out[66] = t14;
+    const double t15 = x[2]*t8; /* omega_tau*s */
+    out[0] = t15;
+    const double t16 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t17 = x[3]*t9; /* omega_n*1/s^2*s */
+    const double t18 = -t17; /* -omega_n*1/s^2*s */
+    out[5] = t18;
+    const double t19 = x[3]*t14; /* omega_n*gamma3*1/s^2*s */
+    out[38] = t19;
+    const double t20 = x[4] + t19; /* omega3 + omega_n*gamma3*1/s^2*s */
+    out[6] = t20;
+    const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t22 = t13*t14; /* (m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3)*gamma3*1/s^2*s */
+    const double t23 = JLT_FMA(t11, t15, t22); /* omega_tau*m*a3^2/I1*omega_tau*s + t22 */
+    const double t24 = x[4]*t6; /* omega3*1/s^2 */
+    const double t25 = t9*t24; /* 1/s^2*s*omega3*1/s^2 */
     const double t26 = p[1]*x[4]; /* R*omega3 */
-    const double t27 = x[3]*t18; /* omega_n*omega_n*gamma3*1/s */
-    const double t28 = JLT_FMA(t3, t12, t27); /* s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) + omega_n*omega_n*gamma3*1/s */
-    const double t29 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
-    const double t30 = t7*t16; /* 1/s*omega_n*1/s */
-    const double t31 = JLT_FNMA(t16, t30, t22); /* omega_tau*m*a3^2/I1*omega_tau*s + t21 - omega_n*1/s*1/s*omega_n*1/s */
-    const double t32 = JLT_FNMA(p[10], t30, t25); /* 1/s*1/s*omega3*1/s - a3/R*1/s*omega_n*1/s */
-    const double t33 = t7*t30; /* 1/s*1/s*omega_n*1/s */
+    const double t27 = x[3]*t19; /* omega_n*omega_n*gamma3*1/s^2*s */
+    const double t28 = JLT_FMA(t8, t13, t27); /* s*(m*g*a3/I1 - omega_tau*m*a3^2/I1*omega_tau*gamma3) + omega_n*omega_n*gamma3*1/s^2*s */
+    const double t29 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
+    const double t30 = t9*t17; /* 1/s^2*s*omega_n*1/s^2*s */
+    const double t31 = JLT_FNMA(t17, t30, t23); /* omega_tau*m*a3^2/I1*omega_tau*s + t22 - omega_n*1/s^2*s*1/s^2*s*omega_n*1/s^2*s */
+    const double t32 = JLT_FNMA(p[10], t30, t25); /* 1/s^2*s*omega3*1/s^2 - a3/R*1/s^2*s*omega_n*1/s^2*s */
+    const double t33 = t9*t30; /* 1/s^2*s*1/s^2*s*omega_n*1/s^2*s */
     out[63] = t33;
-    const double t34 = x[2]*t32; /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*1/s*omega_n*1/s) */
-    const double t35 = x[2]*t33; /* omega_tau*1/s*1/s*omega_n*1/s */
+    const double t34 = x[2]*t32; /* omega_tau*(1/s^2*s*omega3*1/s^2 - a3/R*1/s^2*s*omega_n*1/s^2*s) */
+    const double t35 = x[2]*t33; /* omega_tau*1/s^2*s*1/s^2*s*omega_n*1/s^2*s */
     out[36] = t35;
-    const double t36 = x[3]*t15; /* omega_n*b */
-    const double t37 = JLT_FMA(t3, t26, t36); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t38 = p[1]*t3; /* R*s */
+    const double t36 = x[3]*t16; /* omega_n*b */
+    const double t37 = JLT_FMA(t8, t26, t36); /* v_tau = s*R*omega3 + omega_n*b */
+    const double t38 = p[1]*t8; /* R*s */
     const double t39 = x[3]*p[1]; /* omega_n*R */
     out[22] = t39;
     const double t40 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
-    const double t41 = t8*t40; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t42 = t14*t41; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t41 = t7*t40; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t42 = t15*t41; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
     out[29] = t42;
     const double t43 = JLT_FNMA(t28, t41, t31); /* t31 - t28*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t44 = t8*t43; /* 1/(D/I1)*(t31 - t28*1/(D/I1)*gamma3*2*m*a3^2/I1) */
+    const double t44 = t7*t43; /* 1/(D/I1)*(t31 - t28*1/(D/I1)*gamma3*2*m*a3^2/I1) */
     out[27] = t44;
-    const double t45 = t8*t28; /* 1/(D/I1)*t28 */
+    const double t45 = t7*t28; /* 1/(D/I1)*t28 */
     const double t46 = -t45; /* -1/(D/I1)*t28 */
     out[2] = t46;
-    const double t47 = (-2.0)*t8; /* (-2)*1/(D/I1) */
-    const double t48 = t18*t47; /* omega_n*gamma3*1/s*(-2)*1/(D/I1) */
+    const double t47 = (-2.0)*t7; /* (-2)*1/(D/I1) */
+    const double t48 = t19*t47; /* omega_n*gamma3*1/s^2*s*(-2)*1/(D/I1) */
     out[30] = t48;
-    const double t49 = t15*t16; /* b*omega_n*1/s */
-    const double t50 = JLT_FMA(2.0, t49, t26); /* 2*b*omega_n*1/s + R*omega3 */
+    const double t49 = t16*t17; /* b*omega_n*1/s^2*s */
+    const double t50 = JLT_FMA(2.0, t49, t26); /* 2*b*omega_n*1/s^2*s + R*omega3 */
     out[21] = t50;
-    const double t51 = p[8]*t30; /* 1/R*1/s*omega_n*1/s */
-    const double t52 = t20*t51; /* e*1/R*1/s*omega_n*1/s */
-    const double t53 = JLT_FMS(x[4], t13, t52); /* omega3*gamma3*1/s - e*1/R*1/s*omega_n*1/s */
+    const double t51 = p[8]*t30; /* 1/R*1/s^2*s*omega_n*1/s^2*s */
+    const double t52 = t21*t51; /* e*1/R*1/s^2*s*omega_n*1/s^2*s */
+    const double t53 = JLT_FMS(x[4], t14, t52); /* omega3*gamma3*1/s^2*s - e*1/R*1/s^2*s*omega_n*1/s^2*s */
     out[47] = t53;
-    const double t54 = t13*t30; /* gamma3*1/s*1/s*omega_n*1/s */
-    const double t55 = -t54; /* -gamma3*1/s*1/s*omega_n*1/s */
+    const double t54 = t14*t30; /* gamma3*1/s^2*s*1/s^2*s*omega_n*1/s^2*s */
+    const double t55 = -t54; /* -gamma3*1/s^2*s*1/s^2*s*omega_n*1/s^2*s */
     out[54] = t55;
-    const double t56 = -t51; /* -1/R*1/s*omega_n*1/s */
+    const double t56 = -t51; /* -1/R*1/s^2*s*omega_n*1/s^2*s */
     out[46] = t56;
-    const double t57 = t29*t51; /* V*1/R*1/s*omega_n*1/s */
+    const double t57 = t29*t51; /* V*1/R*1/s^2*s*omega_n*1/s^2*s */
     const double t58 = cos(x[5]); /* C = cos(chi) */
     out[73] = t58;
     const double t59 = sin(x[5]); /* S = sin(chi) */
     out[82] = t59;
-    const double t60 = t15*t59; /* b*S */
+    const double t60 = t16*t59; /* b*S */
     out[75] = t60;
-    const double t61 = t15*t58; /* b*C */
+    const double t61 = t16*t58; /* b*C */
     const double t62 = -t61; /* -b*C */
     out[84] = t62;
     const double t63 = t38*t59; /* R*s*S */
@@ -444,27 +444,27 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t65 = -t64; /* -R*s*C */
     out[85] = t65;
     const double t66 = p[11]*t29; /* 2/R*V */
-    const double t67 = t13*t66; /* gamma3*1/s*2/R*V */
-    const double t68 = JLT_FNMA(t33, t67, t34); /* omega_tau*(1/s*1/s*omega3*1/s - a3/R*1/s*omega_n*1/s) - 1/s*1/s*omega_n*1/s*gamma3*1/s*2/R*V */
+    const double t67 = t14*t66; /* gamma3*1/s^2*s*2/R*V */
+    const double t68 = JLT_FNMA(t33, t67, t34); /* t34 - 1/s^2*s*1/s^2*s*omega_n*1/s^2*s*gamma3*1/s^2*s*2/R*V */
     out[45] = t68;
     const double t69 = p[12]*t29; /* (-1/R)*V */
-    const double t70 = t23*t69; /* 1/s*1/s*(-1/R)*V */
+    const double t70 = t6*t69; /* 1/s^2*(-1/R)*V */
     out[48] = t70;
-    const double t71 = JLT_FNMA(t13, t26, t39); /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s*R*omega3 */
-    const double t72 = t26 + t49; /* R*omega3 + b*omega_n*1/s */
-    const double t73 = JLT_FMA(t13, t49, t39); /* gamma3*1/s*b*omega_n*1/s + omega_n*R */
-    const double t74 = t16*t73; /* omega_n*1/s*(gamma3*1/s*b*omega_n*1/s + omega_n*R) */
+    const double t71 = JLT_FNMA(t14, t26, t39); /* d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*R*omega3 */
+    const double t72 = t26 + t49; /* R*omega3 + b*omega_n*1/s^2*s */
+    const double t73 = JLT_FMA(t14, t49, t39); /* gamma3*1/s^2*s*b*omega_n*1/s^2*s + omega_n*R */
+    const double t74 = t17*t73; /* omega_n*1/s^2*s*(gamma3*1/s^2*s*b*omega_n*1/s^2*s + omega_n*R) */
     out[18] = t74;
-    const double t75 = x[3]*t72; /* omega_n*(R*omega3 + b*omega_n*1/s) */
+    const double t75 = x[3]*t72; /* omega_n*(R*omega3 + b*omega_n*1/s^2*s) */
     out[1] = t75;
-    const double t76 = x[2]*t13; /* omega_tau*gamma3*1/s */
+    const double t76 = x[2]*t14; /* omega_tau*gamma3*1/s^2*s */
     out[39] = t76;
     out[49] = t76;
-    const double t77 = JLT_FMS(x[4], t76, t57); /* omega3*omega_tau*gamma3*1/s - V*1/R*1/s*omega_n*1/s */
+    const double t77 = JLT_FMS(x[4], t76, t57); /* omega3*omega_tau*gamma3*1/s^2*s - V*1/R*1/s^2*s*omega_n*1/s^2*s */
     out[4] = t77;
-    const double t78 = x[3]*t76; /* omega_n*omega_tau*gamma3*1/s */
+    const double t78 = x[3]*t76; /* omega_n*omega_tau*gamma3*1/s^2*s */
     out[3] = t78;
-    const double t79 = -t76; /* -omega_tau*gamma3*1/s */
+    const double t79 = -t76; /* -omega_tau*gamma3*1/s^2*s */
     out[9] = t79;
     const double t80 = t59*t71; /* S*d(v_tau)/d(gamma3) */
     out[72] = t80;
@@ -820,9 +820,9 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod = {
     .prepare = prepare,
     .rhs = { rhs, 9, { 4, 20, 11, 1, 1, 2, 10, 9 }, { 14, 41, 0, 9, 1, 2, 9, 7 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 81, { 10, 47, 17, 1, 1, 2, 14, 14 }, { 32, 144, 0, 33, 1, 2, 15, 9 },
+    .jacobian = { jacobian, 81, { 10, 47, 17, 1, 1, 2, 14, 15 }, { 32, 144, 0, 33, 1, 2, 15, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 90, { 15, 52, 18, 1, 1, 2, 12, 20 }, { 40, 174, 0, 42, 1, 2, 15, 12 },
+    .rhs_jacobian = { rhs_jacobian, 90, { 15, 52, 18, 1, 1, 2, 13, 20 }, { 40, 174, 0, 42, 1, 2, 15, 12 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
