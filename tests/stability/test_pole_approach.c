@@ -112,7 +112,9 @@ static void in_regularised_time_the_orbit_ends_at_the_pole_with_all_digits(void 
 
 /* gamma3 is known to 2^-53, so s = sqrt(1 - gamma3^2) to 2^-53/s^2 of itself, and over the rest of the way, as long as s, that
  * moves everything by up to 2^-53/s^2. Nearer than s = 4e-6 the field refuses; until then no state is anything but finite. Method
- * taylor, which has no second opinion on a step, may be off by more, and then E or G is, too. */
+ * taylor, which has no second opinion on a step, may be off by more, and then E or G is, too. Method gauss solves by iteration,
+ * which the same rounding of gamma3 may keep from settling to 1e-13: of 200 tolerances within 2 % of this one, 30 end between
+ * s = 1e-3 and 1e-4 in level_plain, 11 in five_plain, and say so. */
 static void in_plain_time_the_run_stops_before_the_pole_and_says_so(void **state)
 {
     static const char *const tiers[] = { "level_plain", "five_plain" };
@@ -124,7 +126,7 @@ static void in_plain_time_the_run_stops_before_the_pole_and_says_so(void **state
             const approach a = follow(tiers[i], method, tolerance, true);
             note(*state, tiers[i], method, &a);
             assert_true(a.st == JLT_ERR_DOMAIN || a.st == JLT_ERR_NO_CONVERGENCE);
-            assert_in_range(a.reached, 4, method->needs_jet ? 6 : 5);
+            assert_in_range(a.reached, a.st == JLT_ERR_NO_CONVERGENCE ? 3 : 4, method->needs_jet ? 6 : 5);
             for (int j = 0; j < JLT_TOP_STATES; j++) assert_true(isfinite(a.x[j]));
             assert_true(fabs(a.x[0]) < 1);
             for (int k = 1; k <= a.reached; k++)
@@ -134,14 +136,15 @@ static void in_plain_time_the_run_stops_before_the_pole_and_says_so(void **state
 }
 
 /* For the picture: what steps and error come to where nobody watches. The budget stands for patience; it is what the methods
- * of GSL end with, gamma3 standing still while t goes on. */
+ * of GSL end with, gamma3 standing still while t goes on. At 1e-6 and nearer, 2^-53/s^2 is above 1e-4: by the last level met the
+ * error is a thousand times the tolerance. */
 static void unwatched_the_steps_collapse_and_the_digits_are_gone(void **state)
 {
     for (size_t m = 0; jlt_method_at(m) != NULL; m++) {
         const approach a = follow("five_plain", jlt_method_at(m), 1e-12, false);
         note(*state, "unwatched", jlt_method_at(m), &a);
         assert_true(a.st != JLT_OK);
-        assert_true(a.reached < 6 || a.error[6] > 1e-9);
+        assert_true(a.reached < 6 || a.error[a.reached] > 1e-9);
     }
 }
 
