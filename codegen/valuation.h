@@ -26,7 +26,6 @@ ttc_valuation *ttc_valuation_map(const ttc_model *model, ttc_valuation *base);
 void ttc_valuation_destroy(ttc_valuation *valuation); /* legal on NULL */
 
 ttc_ring *ttc_valuation_ring(ttc_valuation *valuation);
-const ttc_model *ttc_valuation_model(const ttc_valuation *valuation);
 
 void ttc_valuation_bind(ttc_valuation *valuation, uint32_t symbol, ttc_id expression);
 void ttc_valuation_bind_square(ttc_valuation *valuation, uint32_t symbol, ttc_id square);

@@ -3,36 +3,21 @@
 #include <math.h>
 #include <string.h>
 
-static jlt_status follow(jlt_section *section, jlt_fates_end *end, jlt_return *row, size_t returns)
-{
-    jlt_status st = JLT_OK;
-
-    while (row->fate == JLT_FATE_ALIVE && !row->interrupted && row->number < returns)
-        JLT_TRY(jlt_section_next(section, row));
-    *end = (jlt_fates_end){ .fate = row->fate,
-                            .t = row->t,
-                            .returns = row->number,
-                            .contact = row->contact,
-                            .interrupted = row->interrupted };
-    memcpy(end->x, row->x, sizeof end->x);
-done:
-    return st;
-}
-
 jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const double *q, size_t returns)
 {
     jlt_return row;
-    const jlt_status st = jlt_section_start(section, &row, q, 1);
+    jlt_status st;
 
-    return st != JLT_OK ? st : follow(section, end, &row, returns);
-}
-
-jlt_status jlt_fates_follow_state(jlt_section *section, jlt_fates_end *end, const double *x, size_t returns)
-{
-    jlt_return row;
-    const jlt_status st = jlt_section_start_state(section, &row, x, 1);
-
-    return st != JLT_OK ? st : follow(section, end, &row, returns);
+    JLT_TRY(jlt_section_start(section, &row, q, 1));
+    while (row.fate == JLT_FATE_ALIVE && !row.interrupted && row.number < returns) JLT_TRY(jlt_section_next(section, &row));
+    *end = (jlt_fates_end){ .fate = row.fate,
+                            .t = row.t,
+                            .returns = row.number,
+                            .contact = row.contact,
+                            .interrupted = row.interrupted };
+    memcpy(end->x, row.x, sizeof end->x);
+done:
+    return st;
 }
 
 void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end)

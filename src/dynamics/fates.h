@@ -16,9 +16,6 @@ typedef struct {
 /** Follow the orbit from q for at most `returns` returns. Errors: as jlt_section_start and jlt_section_next. */
 JLT_CHECKED jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const double *q, size_t returns);
 
-/** The same from any state. */
-JLT_CHECKED jlt_status jlt_fates_follow_state(jlt_section *section, jlt_fates_end *end, const double *x, size_t returns);
-
 /** Numbers of starts by fate. Zeroed is empty. */
 typedef struct {
     size_t starts;                /* that exist on the levels */
