@@ -113,8 +113,8 @@ static void in_regularised_time_the_orbit_ends_at_the_pole_with_all_digits(void 
 /* gamma3 is known to 2^-53, so s = sqrt(1 - gamma3^2) to 2^-53/s^2 of itself, and over the rest of the way, as long as s, that
  * moves everything by up to 2^-53/s^2. Nearer than s = 4e-6 the field refuses; until then no state is anything but finite. Method
  * taylor, which has no second opinion on a step, may be off by more, and then E or G is, too. Method gauss solves by iteration,
- * which the same rounding of gamma3 may keep from settling to 1e-13: of 200 tolerances within 2 % of this one, 30 end between
- * s = 1e-3 and 1e-4 in level_plain, 11 in five_plain, and say so. */
+ * which the same rounding of gamma3 may keep from settling: of 200 tolerances within 2 % of this one, every tenth or so ends
+ * between s = 1e-3 and 1e-4, in both forms, and says so. */
 static void in_plain_time_the_run_stops_before_the_pole_and_says_so(void **state)
 {
     static const char *const tiers[] = { "level_plain", "five_plain" };
