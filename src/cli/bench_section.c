@@ -15,9 +15,15 @@
 /* A reference has rows orbit, return, t, gamma3, v_nu, omega_n, omega3; return 0 is the start. */
 enum { STATES = 32, COLUMNS = 7, FIRST_STATE = 3 };
 
+typedef struct {
+    jlt_progress line;
+    size_t rows;
+} tally;
+
 /* One tier bound to (5.1), and the orbits asked about. */
 typedef struct {
     const jlt_bench_options *options;
+    tally *tally;
     const jlt_tier *tier;
     jlt_tier_view view;
     jlt_instance *instance;
@@ -205,6 +211,7 @@ static void write_row(FILE *table, const problem *p, const char *method, unsigne
     jlt_bench_number(table, "%.3e", o->drift[1]);
     fprintf(table, ",%.4g,%.4g,%.4g,%.2f,%zu\n", unit * time->median, unit * time->least, unit * time->largest,
             o->steps / fmax(1, o->returns), o->failed);
+    jlt_progress_show(&p->tally->line, ++p->tally->rows, 0);
 }
 
 static bool wanted(const problem *p, const char *method)
@@ -329,16 +336,15 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
 {
     jlt_exit code = JLT_EXIT_DONE;
     jlt_bench_table reference = { 0 };
-    problem p = { .options = options };
-    jlt_progress progress;
+    tally rows = { .rows = 0 };
+    problem p = { .options = options, .tally = &rows };
     const jlt_tier *tier;
 
     jlt_status st = jlt_bench_read(&reference, options->reference, COLUMNS);
     if (st == JLT_OK) st = read_grid(&p, &reference);
     if (st != JLT_OK) code = jlt_bench_unread(options->reference, st);
-    jlt_progress_start(&progress, "tiers");
+    jlt_progress_start(&rows.line, "rows");
     for (size_t i = 0; (tier = jlt_tier_at(i)) != NULL && code == JLT_EXIT_DONE; i++) {
-        jlt_progress_show(&progress, i, 0);
         if (options->form != NULL && strcmp(tier->name, options->form) != 0) continue;
         st = open_tier(&p, tier);
         if (st == JLT_OK && options->list) list_methods(table, &p);
@@ -347,7 +353,7 @@ static jlt_exit run(FILE *table, const jlt_bench_options *options)
         jlt_instance_destroy(p.instance);
         p.instance = NULL;
     }
-    jlt_progress_end(&progress);
+    jlt_progress_end(&rows.line);
     free(p.start);
     jlt_bench_clear(&reference);
     return code;

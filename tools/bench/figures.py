@@ -56,7 +56,9 @@ def against(title, peers, mine, wanted):
 
 
 def sections():
-    rows = [row for row in read("section") if row["threads"] == "1"]
+    # heyoka measures errors of a step against the largest state: with time among them its tolerance loosens as time goes on, which the
+    # first ten returns do not show.
+    rows = [row for row in read("section") if row["threads"] == "1" and not (row["program"] == "heyoka" and row["form"].endswith("_t"))]
     mine = [row for row in rows if row["program"] == "jellett"]
     batch, scalar = [row for row in mine if " " in row["method"]], [row for row in mine if " " not in row["method"]]
     heyoka = [row for row in rows if row["program"] == "heyoka"]
