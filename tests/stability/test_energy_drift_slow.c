@@ -1,5 +1,5 @@
 /* The drift of test_energy_drift.c over 10^5 returns by every method, and over 10^6 by batches (JLT_RETURNS in the
- * environment: so many instead). */
+ * environment: so many instead; at 10^8 the two chaotic orbits grow faster than is claimed here, see README.md). */
 #include "drift.h"
 
 #include "integrate/batch.h"
