@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 enum { COUNT = JLT_INVARIANTS_MAX };
 
@@ -31,44 +32,52 @@ static bool solve(double a[COUNT][COUNT], double *b, unsigned n)
 }
 
 /* One Gauss-Newton step on x; false where it cannot be made. */
-static bool restore(double *x, const jlt_invariant_watch *self, const jlt_invariants *of, const jlt_stepper *stepper)
+static bool approach(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim)
 {
-    const unsigned n = of->count, dim = stepper->field->dim;
-    double gradient[COUNT * JLT_FIELD_DIM_MAX], gram[COUNT][COUNT], off[COUNT], weight[JLT_FIELD_DIM_MAX];
+    const unsigned n = of->count;
+    double gradient[COUNT * JLT_FIELD_DIM_MAX], gram[COUNT][COUNT], off[COUNT];
 
     of->gradients(x, of->p, gradient);
     of->values(x, of->p, off);
-    for (unsigned k = 0; k < dim; k++) {
-        const double size = isfinite(stepper->scale[k]) ? fmax(fabs(x[k]), stepper->scale[k]) : 0;
-        weight[k] = size * size;
-    }
     for (unsigned i = 0; i < n; i++) {
-        off[i] -= self->level[i];
+        off[i] -= level[i];
         for (unsigned j = 0; j < n; j++) {
             gram[i][j] = 0;
-            for (unsigned k = 0; k < dim; k++) gram[i][j] += gradient[i * dim + k] * weight[k] * gradient[j * dim + k];
+            for (unsigned k = 0; k < dim; k++)
+                gram[i][j] += gradient[i * dim + k] * size[k] * size[k] * gradient[j * dim + k];
         }
     }
     if (!solve(gram, off, n)) return false;
     for (unsigned k = 0; k < dim; k++)
-        for (unsigned i = 0; i < n; i++) x[k] -= weight[k] * gradient[i * dim + k] * off[i];
+        for (unsigned i = 0; i < n; i++) x[k] -= size[k] * size[k] * gradient[i * dim + k] * off[i];
+    return true;
+}
+
+bool jlt_invariant_restore(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim)
+{
+    double near[JLT_FIELD_DIM_MAX];
+
+    memcpy(near, x, dim * sizeof *x);
+    for (unsigned round = 0; round < 2; round++)
+        if (!approach(near, of, level, size, dim)) return false;
+    memcpy(x, near, dim * sizeof *x);
     return true;
 }
 
 jlt_status jlt_invariant_watch_step(jlt_invariant_watch *self, const jlt_invariants *of, jlt_stepper *stepper, bool project)
 {
-    double now[COUNT], x[JLT_FIELD_DIM_MAX];
+    const unsigned dim = stepper->field->dim;
+    double now[COUNT], x[JLT_FIELD_DIM_MAX], size[JLT_FIELD_DIM_MAX];
     bool off = false;
 
     of->values(stepper->x, of->p, now);
     for (unsigned i = 0; i < of->count; i++) {
-        const double size = fmax(1, fabs(self->level[i])), drift = fabs(now[i] - self->level[i]) / size;
+        const double unit = fmax(1, fabs(self->level[i])), drift = fabs(now[i] - self->level[i]) / unit;
         self->drift[i] = fmax(self->drift[i], drift);
         off = off || drift > 4 * DBL_EPSILON;
     }
     if (!project || !off) return JLT_OK;
-    for (unsigned k = 0; k < stepper->field->dim; k++) x[k] = stepper->x[k];
-    for (unsigned round = 0; round < 2; round++)
-        if (!restore(x, self, of, stepper)) return JLT_OK;
-    return jlt_stepper_replace(stepper, x);
+    memcpy(x, stepper->x, dim * sizeof *x);
+    for (unsigned k = 0; k < dim; k++) size[k] = isfinite(stepper->scale[k]) ? fmax(fabs(x[k]), stepper->scale[k]) : 0;
+    return jlt_invariant_restore(x, of, self->level, size, dim) ? jlt_stepper_replace(stepper, x) : JLT_OK;
 }

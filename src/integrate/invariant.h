@@ -20,10 +20,14 @@ typedef struct {
 
 void jlt_invariant_begin(jlt_invariant_watch *self, const jlt_invariants *of, const double *x);
 
-/** After an accepted step: note the drift, then, when asked, put the point back onto the levels by Gauss-Newton steps
- *  x <- x - A^T (A A^T)^-1 (F - level) with A the gradients, columns scaled by the sizes of the states. A drift at the
- *  rounding level is left alone, and so is a point where the gradients depend on each other.
- *  Errors: NONFINITE. Cost: one evaluation of F; projected: two evaluations of the gradients and one of the field. */
+/** Put x (dim,) back onto the levels (count,) by two Gauss-Newton steps x <- x - W A^T (A W A^T)^-1 (F - level) with A the
+ *  gradients and W the squares of the sizes of the states (dim,). false, x as it was: the gradients depend on each other there.
+ *  dim <= JLT_FIELD_DIM_MAX. Cost: two evaluations of F and of the gradients. */
+bool jlt_invariant_restore(double *x, const jlt_invariants *of, const double *level, const double *size, unsigned dim);
+
+/** After an accepted step: note the drift, then, when asked, restore the levels. A drift at the rounding level is left
+ *  alone, and so is a point that cannot be restored.
+ *  Errors: NONFINITE. Cost: one evaluation of F; projected: a restoration and an evaluation of the field. */
 JLT_CHECKED jlt_status jlt_invariant_watch_step(jlt_invariant_watch *self, const jlt_invariants *of, jlt_stepper *stepper,
                                                 bool project);
 
