@@ -25,7 +25,8 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
     int stop = 0;
 
     if (map->dim == 0 || map->dim > 16 || map->column >= map->dim || !(map->tolerance > 0) ||
-        !(map->tolerance < 1) || map->kernels == NULL)
+        !(map->tolerance < 1) || map->kernels == NULL ||
+        (map->project != NULL && (map->project->gradients == NULL || map->project->count > JLT_INVARIANTS_MAX)))
         return JLT_ERR_ARG;
     const int threads = map->threads > 1 ? (int)map->threads : 1;
     size_t steps = 0, rejected = 0, stages = 0;
