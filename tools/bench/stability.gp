@@ -69,6 +69,7 @@ do for [k=1:3] {
     if (k == 1) { set key top left reverse Left } else { unset key }
     plot for [i=1:6] drift(word(orbits, k), 'level', word(methods, i), '1e-12') using 5:6 with lines lw 2 lc rgb colour(i) title word(methods, i), \
          drift(word(orbits, k), 'level', 'batch', '1e-12') using 5:6 with lines lw 1 lc rgb 'black' title 'batch', \
+         drift(word(orbits, k), 'level', 'batch projected', '1e-12') using 5:6 with lines lw 2 lc rgb 'black' title 'batch, projected', \
          drift(word(orbits, k), 'five', 'projected', '1e-12') using 5:6 with lines lw 2 lc rgb '#999999' title 'dop853, projected', \
          for [i=1:4] drift(word(orbits, k), 'level', word(methods, i), '1e-14') using 5:6 with lines dt 2 lc rgb colour(i) notitle
 }
