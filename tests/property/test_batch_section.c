@@ -76,7 +76,8 @@ static const jlt_descriptor *level(void)
     return NULL;
 }
 
-static void run(const jlt_kernel_batch *kernels, double tolerance, unsigned threads, const double *starts, size_t count, rows *out)
+static void run(const jlt_kernel_batch *kernels, double tolerance, const jlt_invariants *project, unsigned threads,
+                const double *starts, size_t count, rows *out)
 {
     const jlt_descriptor *d = level();
     double params[] = { 1, 1, 1, I1, I3, a3, G }, block[256];
@@ -84,7 +85,8 @@ static void run(const jlt_kernel_batch *kernels, double tolerance, unsigned thre
     assert_true(d->block_count <= 256 && d->param_count == 7 && d->state_count == STATES);
     d->prepare(params, block);
     const jlt_batch_map map = { .kernels = kernels, .p = block, .dim = STATES, .column = 2, .direction = 1, .root = 4,
-                                .root_floor = 1e-9, .tolerance = tolerance, .max_steps = 1000000, .threads = threads };
+                                .root_floor = 1e-9, .tolerance = tolerance, .max_steps = 1000000, .threads = threads,
+                                .project = project };
     out->rows = 0;
     assert_int_equal(jlt_batch_section(&map, starts, count, RETURNS, keep, finish, out, NULL), JLT_OK);
     assert_int_equal(out->rows, count * RETURNS);
@@ -101,7 +103,7 @@ static void check_accuracy(const char *name)
     read_grid(name, &g);
     for (int i = 0; i < 3; i++) {
         double error = 0;
-        run(jlt_batch_isa_best(level(), 0), tolerance[i], 1, g.start[0], ORBITS, &r);
+        run(jlt_batch_isa_best(level(), 0), tolerance[i], NULL, 1, g.start[0], ORBITS, &r);
         for (int orbit = 0; orbit < ORBITS; orbit++)
             for (int number = 0; number < RETURNS; number++) {
                 const double *x = r.x[orbit][number], *expected = g.expected[orbit][number];
@@ -135,14 +137,41 @@ static void rows_do_not_depend_on_lane_company_or_thread(void **unused)
     for (int isa = 0; isa < JLT_ISA_COUNT; isa++) {
         const jlt_kernel_batch *kernels = level()->batches[isa];
         if (!jlt_batch_isa_runs(kernels)) continue;
-        run(kernels, 1e-10, 1, g.start[0], ORBITS, &together);
-        run(kernels, 1e-10, 2, g.start[0], ORBITS, &threaded);
+        run(kernels, 1e-10, NULL, 1, g.start[0], ORBITS, &together);
+        run(kernels, 1e-10, NULL, 2, g.start[0], ORBITS, &threaded);
         assert_memory_equal(together.x, threaded.x, sizeof together.x);
         for (int orbit = 0; orbit < ORBITS; orbit += 9) {
-            run(kernels, 1e-10, 1, g.start[orbit], 1, &alone);
+            run(kernels, 1e-10, NULL, 1, g.start[orbit], 1, &alone);
             assert_memory_equal(together.x[orbit], alone.x[0], sizeof alone.x[0]);
         }
     }
+}
+
+/* x[2], whose zero is the section: an invariant only in name, that pulls every end back to where the orbit began. */
+static void event_value(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)p;
+    out[0] = x[2];
+}
+
+static void event_gradient(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    (void)x, (void)p;
+    for (unsigned i = 0; i < STATES; i++) out[i] = i == 2;
+}
+
+static void no_projection_leads_back_across_the_section(void **unused)
+{
+    (void)unused;
+    static const jlt_invariants event = { .count = 1, .values = event_value, .gradients = event_gradient };
+    static grid g;
+    static rows plain, projected;
+
+    read_grid("grid_regular_51.csv", &g);
+    for (unsigned orbit = 0; orbit < ORBITS; orbit++) g.start[orbit][2] = -0.01;
+    run(jlt_batch_isa_best(level(), 0), 1e-10, NULL, 1, g.start[0], ORBITS, &plain);
+    run(jlt_batch_isa_best(level(), 0), 1e-10, &event, 1, g.start[0], ORBITS, &projected);
+    assert_memory_equal(plain.x, projected.x, sizeof plain.x);
 }
 
 static void the_environment_bounds_the_lanes(void **unused)
@@ -159,6 +188,7 @@ int main(void)
         cmocka_unit_test(returns_on_a_regular_island_match_quadruple_precision),
         cmocka_unit_test(returns_that_graze_the_pole_match_quadruple_precision),
         cmocka_unit_test(rows_do_not_depend_on_lane_company_or_thread),
+        cmocka_unit_test(no_projection_leads_back_across_the_section),
         cmocka_unit_test(the_environment_bounds_the_lanes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
