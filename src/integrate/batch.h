@@ -38,7 +38,7 @@ typedef struct {
     size_t max_steps;                /* of one orbit, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
     const jlt_invariants *project;   /* orbits are put back onto their starts' levels of these after every step that crosses
-                                        the section; NULL: not */
+                                        the section, unless that would lead back across it; NULL: not */
     const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step; NULL: none */
 } jlt_batch_map;
 
