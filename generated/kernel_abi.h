@@ -64,7 +64,8 @@ typedef struct {
 
 /* All stages of an explicit one-step method, on JLT_BATCH_VECTORS vectors side by side: a row is JLT_BATCH_VECTORS * lanes
  * long. For i = 1 .. count: z = x + h * sum i - 1, slope i = f(z). x and z have shape (states, row), k has (count + 1,
- * states, row) and holds slope 0, h has (row,). z is left at the last one. */
+ * states, row) and holds slope 0, h has (row,). z is left at the last one. stages_clock carries t as one more column after
+ * the states, in x, k and z alike: its slope is dt/dtau, 1 in the model's own time; z has it for the last stage alone. */
 enum { JLT_BATCH_VECTORS = 2 };
 typedef void (*jlt_kernel_stages)(const double *restrict x, double *restrict k, const jlt_stage_sum *restrict sums,
                                   unsigned count, const double *restrict h, const double *restrict p,
@@ -80,7 +81,7 @@ typedef struct {
     unsigned lanes;
     jlt_kernel_lanes rhs, jacobian, rhs_jacobian, divergence, integral_values, integral_gradients, measure_values,
         measure_divergences, time_factor, eliminated; /* NULL where the scalar kernel is */
-    jlt_kernel_stages stages;
+    jlt_kernel_stages stages, stages_clock;
     jlt_kernel_lanes_jet jet;
 } jlt_kernel_batch;
 

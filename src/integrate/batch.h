@@ -28,7 +28,8 @@ typedef enum {
 typedef struct {
     const jlt_kernel_batch *kernels; /* of one instruction set, see jlt_batch_kernels_best */
     const double *p;                 /* prepared block */
-    unsigned dim;                    /* states; t is not carried unless kernels have it */
+    unsigned dim;                    /* states */
+    bool clock;                      /* physical time is carried as one more column after the states, in starts, rows and ends */
     unsigned column;                 /* the section is x[column] = 0 */
     int direction;                   /* +1: crossed upwards; -1: downwards; 0: both */
     int root;                        /* index of the lifted root, whose error is controlled relative to itself; -1: none */
@@ -42,7 +43,7 @@ typedef struct {
     const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step; NULL: none */
 } jlt_batch_map;
 
-/** Called at each crossing, for one orbit in order of time: x (dim,); number counts from 1. A nonzero answer ends the run.
+/** Called at each crossing, for one orbit in order of time: x (columns,); number counts from 1. A nonzero answer ends the run.
  *  With several threads it is called by several at once, though never for the same orbit. */
 typedef int (*jlt_batch_row)(void *context, size_t orbit, size_t number, const double *x);
 
@@ -55,8 +56,9 @@ typedef struct {
     size_t stages;   /* evaluations of a full vector */
 } jlt_batch_work;
 
-/** The map from starts (count, dim), row after row, `returns` times each; a start with x[column] = 0 is on the section, which is
- *  no crossing. work may be NULL.
+/** The map from starts (count, columns), row after row, `returns` times each; columns = dim, and one more with the clock, whose
+ *  error is controlled as a state's against the size of the states: it never lengthens a step.
+ *  A start with x[column] = 0 is on the section, which is no crossing. work may be NULL.
  *  Errors: ARG; UNSUPPORTED, no instance for these lanes; NOMEM. Cost: 12 or 15 stages of a full row a step. No memory grows with
  *  `returns`. */
 JLT_CHECKED jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,

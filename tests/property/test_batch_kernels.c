@@ -176,11 +176,59 @@ static void stages_are_fields_of_weighted_sums(void **unused)
     }
 }
 
+/* With the clock the states go the same way bit for bit, and t is a sum of dt/dtau at the stages: 4 roundings. */
+static void the_clock_is_carried_beside_the_same_stages(void **unused)
+{
+    enum { ROW = 16, COUNT = 3 };
+    static _Alignas(64) double x[(INPUTS_MAX + 1) * ROW], z[(INPUTS_MAX + 1) * ROW], k[(COUNT + 1) * (INPUTS_MAX + 1) * ROW],
+        plain_z[INPUTS_MAX * ROW], plain_k[(COUNT + 1) * INPUTS_MAX * ROW], rate[ROW], h[ROW];
+    static const jlt_stage_sum sums[COUNT] = { { 1, { 0 }, { 0.25 } }, { 2, { 0, 1 }, { -0.5, 1.25 } }, { 3, { 0, 1, 2 }, { 0.75, 0.5, 0.125 } } };
+    uint64_t state = 20233;
+
+    (void)unused;
+    for (unsigned index = 0; index < jlt_registry_count; index++) {
+        const jlt_descriptor *d = jlt_registry[index];
+        double params[INPUTS_MAX], *p = malloc((d->block_count + 1) * sizeof *p);
+        assert_non_null(p);
+        for (unsigned i = 0; i < d->param_count; i++) params[i] = 0.2 + uniform(&state);
+        d->prepare(params, p);
+        for (int isa = 0; isa < JLT_ISA_COUNT; isa++) {
+            const jlt_kernel_batch *kernels = d->batches[isa];
+            const unsigned n = d->state_count, row = JLT_BATCH_VECTORS * kernels->lanes, slopes = (n + 1) * row;
+            if (!jlt_batch_isa_runs(kernels)) continue;
+            for (unsigned j = 0; j < row; j++) {
+                for (unsigned i = 0; i < n; i++) x[i * row + j] = inside(&d->states[i], &state);
+                x[n * row + j] = 10 * uniform(&state);
+                h[j] = 1e-3 * (j + 1);
+                k[n * row + j] = 0.5;
+            }
+            for (unsigned at = 0; at < row; at += kernels->lanes) kernels->rhs(x + at, p, k + at, row);
+            memcpy(plain_k, k, n * row * sizeof *k);
+            kernels->stages(x, plain_k, sums, COUNT, h, p, plain_z);
+            kernels->stages_clock(x, k, sums, COUNT, h, p, z);
+            for (unsigned i = 0; i < n * row; i++) {
+                assert_same(z[i], plain_z[i]);
+                for (unsigned s = 1; s <= COUNT; s++) assert_same(k[s * slopes + i], plain_k[s * n * row + i]);
+            }
+            for (unsigned j = 0; j < row; j++) rate[j] = 1;
+            for (unsigned at = 0; d->time_factor.call != NULL && at < row; at += kernels->lanes) kernels->time_factor(z + at, p, rate + at, row);
+            for (unsigned j = 0; j < row; j++) {
+                const double *clock = k + n * row + j, last = clock[COUNT * slopes];
+                const double t = x[n * row + j] + h[j] * (0.75 * clock[0] + 0.5 * clock[slopes] + 0.125 * clock[2 * slopes]);
+                assert_same(last, rate[j]);
+                if (isfinite(t)) assert_true(fabs(z[n * row + j] - t) <= 4 * 0x1p-53 * fmax(fabs(t), x[n * row + j]));
+            }
+        }
+        free(p);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lanes_agree_with_scalar_kernels),
         cmocka_unit_test(stages_are_fields_of_weighted_sums),
+        cmocka_unit_test(the_clock_is_carried_beside_the_same_stages),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

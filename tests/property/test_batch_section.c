@@ -174,6 +174,48 @@ static void no_projection_leads_back_across_the_section(void **unused)
     assert_memory_equal(plain.x, projected.x, sizeof plain.x);
 }
 
+/* Carried by the clock: t of the reference within what its states keep to, and rows of states that keep their own bound. */
+static int keep_clock(void *context, size_t orbit, size_t number, const double *x)
+{
+    (*(double(*)[ORBITS][RETURNS])context)[orbit][number - 1] = x[STATES];
+    return 0;
+}
+
+static void the_clock_matches_quadruple_precision(void **unused)
+{
+    static double starts[ORBITS][STATES + 1], expected[ORBITS][RETURNS], t[ORBITS][RETURNS];
+    static const double tolerance[] = { 1e-8, 1e-11, 1e-14 }, bound[] = { 2e-6, 2e-9, 1e-12 };
+    static grid g;
+    const jlt_descriptor *d = level();
+    double params[] = { 1, 1, 1, I1, I3, a3, G }, block[256];
+    char line[512];
+
+    (void)unused;
+    read_grid("grid_regular_51.csv", &g);
+    FILE *file = fopen(JLT_SOURCE_DIR "/tests/reference/data/grid_regular_51.csv", "r");
+    assert_non_null(file);
+    assert_non_null(fgets(line, sizeof line, file));
+    while (fgets(line, sizeof line, file) != NULL) {
+        int orbit, number;
+        double time;
+        assert_int_equal(sscanf(line, "%d,%d,%lf", &orbit, &number, &time), 3);
+        if (number > 0) expected[orbit][number - 1] = time;
+    }
+    fclose(file);
+    for (int orbit = 0; orbit < ORBITS; orbit++) memcpy(starts[orbit], g.start[orbit], sizeof g.start[orbit]);
+    d->prepare(params, block);
+    for (int i = 0; i < 3; i++) {
+        double error = 0;
+        const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = block, .dim = STATES, .clock = true, .column = 2,
+                                    .direction = 1, .root = 4, .root_floor = 1e-9, .tolerance = tolerance[i], .max_steps = 1000000 };
+        assert_int_equal(jlt_batch_section(&map, starts[0], ORBITS, RETURNS, keep_clock, finish, t, NULL), JLT_OK);
+        for (int orbit = 0; orbit < ORBITS; orbit++)
+            for (int n = 0; n < RETURNS; n++) error = fmax(error, fabs(t[orbit][n] - expected[orbit][n]));
+        print_message("clock: tolerance %g, error %.2e\n", tolerance[i], error);
+        assert_true(error < bound[i]);
+    }
+}
+
 static void the_environment_bounds_the_lanes(void **unused)
 {
     (void)unused;
@@ -189,6 +231,7 @@ int main(void)
         cmocka_unit_test(returns_that_graze_the_pole_match_quadruple_precision),
         cmocka_unit_test(rows_do_not_depend_on_lane_company_or_thread),
         cmocka_unit_test(no_projection_leads_back_across_the_section),
+        cmocka_unit_test(the_clock_matches_quadruple_precision),
         cmocka_unit_test(the_environment_bounds_the_lanes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
