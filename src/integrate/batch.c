@@ -1,6 +1,7 @@
 #include "integrate/batch.h"
 
 #include "integrate/batch_lanes.h"
+#include "integrate/invariant.h"
 
 static jlt_status run(const jlt_batch_job *job)
 {
@@ -26,7 +27,7 @@ jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, siz
 
     if (map->dim == 0 || map->dim > 16 || map->column >= map->dim || !(map->tolerance > 0) ||
         !(map->tolerance < 1) || map->kernels == NULL ||
-        (map->project != NULL && (map->project->gradients == NULL || map->project->count > JLT_INVARIANTS_MAX)))
+        (map->project > 0 && (map->kernels->integral_gradients == NULL || map->project >= JLT_INVARIANTS_MAX)))
         return JLT_ERR_ARG;
     const int threads = map->threads > 1 ? (int)map->threads : 1;
     size_t steps = 0, rejected = 0, stages = 0;

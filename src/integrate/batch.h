@@ -13,7 +13,6 @@
 #include <stdint.h>
 
 #include "core/status.h"
-#include "integrate/invariant.h"
 #include "kernel_abi.h"
 
 /** Where a lane's orbit ended. */
@@ -38,8 +37,9 @@ typedef struct {
     double tolerance;                /* of the local error, against max(|x_i|, 1), for the root against |x_i| */
     size_t max_steps;                /* of one orbit, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
-    const jlt_invariants *project;   /* orbits are put back onto their starts' levels of these after every step that crosses
-                                        the section, unless that would lead back across it; NULL: not */
+    unsigned project;                /* integrals of the kernels: after every step that crosses the section, unless that would
+                                        lead back across it, orbits are put back onto their starts' levels of these and, with
+                                        a root r, of x[0]^2 + r^2; 0: not */
     const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step; NULL: none */
 } jlt_batch_map;
 

@@ -6,7 +6,6 @@
 
 #include "integrate/batch.h"
 #include "kernel/batch_isa.h"
-#include "scene/conserved.h"
 
 typedef struct {
     jlt_chart_top chart;
@@ -42,8 +41,6 @@ static inline void drift_batch_follow(drift_batch *w, bool project, double *step
     const jlt_descriptor *d = jlt_descriptor_find("spherical_top_level", NULL, "regular", NULL);
     double starts[DRIFT_ORBITS][5];
     jlt_instance *instance = NULL;
-    jlt_conserved conserved;
-    jlt_invariants invariants;
     jlt_batch_work work;
 
     jlt_chart_top_init(&w->chart, 1, 1, 1, 1.0 / 3, 1.0 / 3, 0.51, 2.15, -0.56);
@@ -52,10 +49,9 @@ static inline void drift_batch_follow(drift_batch *w, bool project, double *step
         w->E[i] = jlt_chart_top_energy(&w->chart, starts[i]);
     }
     assert_ok(jlt_instance_create(&instance, d, params));
-    assert_ok(jlt_conserved_of(&invariants, &conserved, d, &(jlt_field){ .p = instance->block, .dim = 5, .root = 4 }));
     const jlt_batch_map map = { .kernels = jlt_batch_isa_best(d, 0), .p = instance->block, .dim = 5, .column = 2, .direction = 1,
                                 .root = 4, .root_floor = 1e-10, .tolerance = 1e-12, .max_steps = SIZE_MAX,
-                                .project = project ? &invariants : NULL };
+                                .project = project ? d->integral_count : 0 };
     assert_ok(jlt_batch_section(&map, starts[0], DRIFT_ORBITS, w->returns, drift_batch_row, drift_batch_end, w, &work));
     *steps = (double)work.steps / DRIFT_ORBITS;
     jlt_instance_destroy(instance);
