@@ -1,6 +1,9 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
 #include "dynamics/map.h"
+#include "dynamics/section_batch.h"
+#include "integrate/batch_method.h"
+#include "kernel/batch_isa.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -9,6 +12,9 @@
 
 /* A picture holds so many points at most: memory does not grow with the returns. Beyond so many they are drawn as dots. */
 enum { PICTURE_POINTS = 400000, PICTURE_DOTS = 60000 };
+
+/* Orbits that are followed at once by a thread: so many that lanes seldom wait for the last ones. */
+enum { BLOCK = 256 };
 
 typedef struct {
     jlt_motion_options motion;
@@ -19,9 +25,12 @@ typedef struct {
     size_t returns;
     int time_direction;
     bool check;
+    bool batch;
+    size_t threads; /* 0: not given */
+    bool project;
 } options;
 
-enum { BACKWARD = 2000, CHECK };
+enum { BACKWARD = 2000, CHECK, BATCH, THREADS, PROJECT };
 
 static const struct argp_option option_table[] = {
     { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "A start on the section; may be repeated", 1 },
@@ -32,8 +41,24 @@ static const struct argp_option option_table[] = {
     { "check", CHECK, NULL, 0,
       "The derivative DP of every return by the variational equations, and its determinant against the flux through the "
       "section and the integral of the divergence", 1 },
+    { "batch", BATCH, NULL, 0,
+      "Follow many orbits at once on vectors, by a Runge-Kutta method that --tol chooses: the same rows, to the accuracy of the method, "
+      "in a fraction of the time", 2 },
+    { "threads", THREADS, "N", 0, "With --batch: on so many threads; default 1. Rows do not depend on it", 2 },
+    { "project", PROJECT, NULL, 0, "With --batch: at every crossing back onto the integrals' levels of the start", 2 },
     { 0 },
 };
+
+/* What goes one orbit at a time alone. */
+static void check_batch(const options *o, const struct argp_state *state)
+{
+    if (o->time_direction < 0) argp_error(state, "--batch goes forwards in time: leave out --batch, or --backward");
+    if (o->check) argp_error(state, "--batch computes no derivatives: leave out --batch, or --check");
+    if (strcmp(o->motion.contact, "ignore") != 0)
+        argp_error(state, "--batch does not watch the contact between returns: leave out --batch, or --contact %s", o->motion.contact);
+    if (o->motion.flow.method != NULL)
+        argp_error(state, "--batch has methods of its own, chosen by --tol: leave out --batch, or --method");
+}
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
@@ -46,8 +71,14 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'n': jlt_common_count(&o->returns, value, 1, SIZE_MAX / 2, "--returns"); return 0;
     case BACKWARD: o->time_direction = -1; return 0;
     case CHECK: o->check = true; return 0;
+    case BATCH: o->batch = true; return 0;
+    case THREADS: jlt_common_count(&o->threads, value, 1, 1024, "--threads"); return 0;
+    case PROJECT: o->project = true; return 0;
     case ARGP_KEY_END:
         if (o->start_count == 0 && o->grid == NULL) argp_error(state, "say where to start: --start or --grid");
+        if (o->batch) check_batch(o, state);
+        else if (o->threads > 0 || o->project)
+            argp_error(state, "--%s is for many orbits at once: add --batch", o->project ? "project" : "threads");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -65,9 +96,13 @@ static const struct argp parser = {
     "section are empty there. With --check: trace and det of DP at that return, divergence (its integral on the levels), and "
     "defect, det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is beyond 10000 "
     "tolerances.\n\n"
+    "With --batch orbits are followed in blocks of 256 a thread, and a block's rows written when it is done. Orbits that come near a "
+    "pole are followed to their end one at a time. N is looked at at returns alone. Beyond 1024 returns rows wait in a file in "
+    "TMPDIR.\n\n"
     "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 \\\n"
     "    --returns 10 --tol 1e-13\n"
-    "  jellett section --grid 24x16 --returns 400 --plot section.svg > section.csv",
+    "  jellett section --grid 24x16 --returns 400 --plot section.svg > section.csv\n"
+    "  jellett section --batch --threads 2 --grid 100x100 > section.csv",
     children, NULL, NULL,
 };
 
@@ -81,6 +116,17 @@ typedef struct {
     jlt_map *map;        /* of --check, owned */
     double worst_defect;
 } totals;
+
+/* How orbits are followed: by the section, or many at once by the batch. */
+typedef struct {
+    jlt_section *section;
+    jlt_section_batch *batch; /* NULL: one at a time */
+    jlt_progress progress;
+    char showing;             /* a thread shows the progress; set atomically */
+    size_t returns, all;      /* of each orbit, if it does not end; of all orbits, 0: endless */
+    size_t before;            /* returns of the blocks before */
+    size_t block;             /* returns of the block that is being followed */
+} follower;
 
 /* Columns of --check: DP from the point before, NULL for none. */
 static void write_check(FILE *file, totals *sum, const options *o, const double *before, const jlt_return *row)
@@ -145,26 +191,47 @@ static void hand_over(totals *sum, jlt_fate fate)
     sum->running_count = 0;
 }
 
-static jlt_status run_orbit(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system,
-                            jlt_section *section, const double *q, jlt_progress *progress, size_t all)
+static void show(follower *f, size_t done)
 {
-    const bool endless = o->returns > ((size_t)1 << 40);
+    if (__atomic_test_and_set(&f->showing, __ATOMIC_ACQUIRE)) return;
+    jlt_progress_show(&f->progress, done, f->all);
+    __atomic_clear(&f->showing, __ATOMIC_RELEASE);
+}
+
+/* Many at once are half done when they are followed, and done when they are written. */
+static void show_batch(void *context, size_t made)
+{
+    follower *f = context;
+    show(f, f->before + made / 2);
+}
+
+static void show_written(follower *f, const totals *sum, size_t orbits, size_t number)
+{
+    if (f->all == 0) show(f, sum->rows);
+    else if (f->batch == NULL) show(f, sum->orbits * f->returns + number);
+    else show(f, f->before + f->block / 2 + (orbits * f->returns + number) / 2);
+}
+
+/* Orbit number `index` of its block. */
+static jlt_status run_orbit(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system, follower *f,
+                            const double *q, size_t index)
+{
     jlt_return row;
-    jlt_status st = jlt_section_start(section, &row, q, o->time_direction);
+    jlt_status st = f->batch != NULL ? jlt_section_batch_start(f->batch, &row, index)
+                                     : jlt_section_start(f->section, &row, q, o->time_direction);
 
     if (st != JLT_OK) return st;
     write_row(stream->file, sum, o, system, NULL, &row);
     JLT_TRY(note(sum, &row));
-    while (row.fate == JLT_FATE_ALIVE && row.number < o->returns && !jlt_motion_interrupted(&o->motion)) {
+    while (row.fate == JLT_FATE_ALIVE && row.number < o->returns && (f->batch != NULL || !jlt_motion_interrupted(&o->motion))) {
         double before[JLT_CHART_DIM_MAX];
         memcpy(before, row.q, sizeof before);
-        JLT_TRY(jlt_section_next(section, &row));
+        JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, &row) : jlt_section_next(f->section, &row));
         if (row.interrupted) break;
         write_row(stream->file, sum, o, system, before, &row);
         JLT_TRY(note(sum, &row));
         if (ferror(stream->file)) return JLT_ERR_IO;
-        jlt_progress_show(progress, endless ? sum->rows : sum->orbits * o->returns + row.number,
-                          endless ? 0 : all * o->returns);
+        show_written(f, sum, index, row.number);
     }
     hand_over(sum, row.fate);
     sum->by_fate[row.fate]++;
@@ -183,7 +250,12 @@ static jlt_exit closing_words(const totals *sum, const options *o, const jlt_str
                 stream->path);
     if (sum->empty > 0)
         fprintf(stderr, "jellett: %zu points of the grid have no state on these levels\n", sum->empty);
-    if (sum->lost_contact > 0 && !o->motion.flow.end_at_contact_loss)
+    if (o->batch && sum->lost_contact > 0)
+        fprintf(stderr,
+                "jellett: at least %zu of %zu orbits have returns with N <= 0, where the support no longer pushes and the model does "
+                "not hold; they were followed all the same, and --batch does not look between returns\n",
+                sum->lost_contact, sum->orbits);
+    else if (sum->lost_contact > 0 && !o->motion.flow.end_at_contact_loss)
         fprintf(stderr,
                 "jellett: %zu of %zu orbits pass through N <= 0, where the support no longer pushes and the model does not "
                 "hold; they were followed all the same (--contact end stops them there)\n",
@@ -251,33 +323,86 @@ static void column_names(FILE *file, const options *o, const jlt_system *system)
             strcmp(o->motion.contact, "report") == 0 ? ",contact_min" : "", o->check ? ",trace,det,divergence,defect" : "");
 }
 
-/* All starts, those of --start first. */
-static jlt_exit run_all(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system)
+/* Whatever orbits are followed with. */
+static jlt_exit open_follower(follower *f, totals *sum, const options *o, const jlt_system *system)
 {
-    jlt_section *section = NULL;
-    jlt_progress progress;
-    double q[JLT_CHART_DIM_MAX];
-    size_t grid = 0, all, i;
-    jlt_exit code = JLT_EXIT_DONE;
-    jlt_status st = jlt_section_create(&section, &system->flow);
+    const jlt_descriptor *d = system->instance->descriptor;
+    jlt_section_batch_options batch = { .threads = (unsigned)o->threads, .progress = show_batch, .context = f };
+    jlt_status st = JLT_OK;
 
-    if (st == JLT_OK && o->check) st = jlt_map_create(&sum->map, &system->flow);
-    if (st != JLT_OK) code = jlt_motion_fail(st, system, "section");
-    if (o->grid != NULL) grid = jlt_motion_grid_size(o->axes, system);
-    all = o->start_count + grid;
-    jlt_progress_start(&progress, "returns");
-    for (i = 0; code == JLT_EXIT_DONE && i < all && !jlt_motion_interrupted(&o->motion); i++) {
-        const char *what = i < o->start_count ? o->starts[i] : "a start of the grid";
-        if (i < o->start_count) code = jlt_motion_start(q, system, o->starts[i]);
-        else jlt_motion_grid_point(q, o->axes, system, i - o->start_count);
-        if (code != JLT_EXIT_DONE) break;
-        st = run_orbit(sum, stream, o, system, section, q, &progress, all);
-        if (i >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) sum->empty++;
-        else if (st != JLT_OK && st != JLT_ERR_IO) code = jlt_motion_fail(st, system, what);
-        else if (st == JLT_ERR_IO) break;
+    if (!o->batch) {
+        JLT_TRY(jlt_section_create(&f->section, &system->flow));
+        if (o->check) JLT_TRY(jlt_map_create(&sum->map, &system->flow));
+        goto done;
     }
-    jlt_progress_end(&progress);
-    jlt_section_destroy(section);
+    if (system->flow.chart->level != 0)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--batch: sections STATE=0 alone: leave out --batch for %s=%.10g",
+                                d->states[system->flow.chart->column].name, system->flow.chart->level);
+    if (o->project && d->integral_count == 0)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--project: %s has no integrals to go back to", d->model);
+    if (o->project) batch.project = d->integral_count;
+    JLT_TRY(jlt_section_batch_create(&f->batch, &system->flow, jlt_batch_isa_best(d, 0), &batch));
+done:
+    return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "section");
+}
+
+/* The comment line of --batch. */
+static void batch_header(FILE *file, const options *o, const jlt_system *system)
+{
+    const jlt_kernel_batch *kernels = jlt_batch_isa_best(system->instance->descriptor, 0);
+
+    fprintf(file, "# many orbits at once by %s on %s, lanes %u%s; %s from where an orbit comes near a pole\n",
+            jlt_batch_method_for(o->motion.flow.tolerance)->name, kernels->isa, kernels->lanes,
+            o->project ? ", projected at crossings" : "", o->motion.flow.method->name);
+}
+
+/* Orbits from so many starts, the first of which has the number `first`. */
+static jlt_exit run_block(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system, follower *f,
+                          const double *q, size_t first, size_t count)
+{
+    jlt_status st;
+
+    f->before = first * f->returns;
+    f->block = count * f->returns;
+    if (f->batch != NULL) {
+        st = jlt_section_batch_run(f->batch, q, count, o->returns);
+        if (st == JLT_ERR_IO) return jlt_command_fail(JLT_EXIT_IO, "the temporary file of rows cannot be written: is there room in TMPDIR?");
+        if (st != JLT_OK) return jlt_motion_fail(st, system, "section");
+    }
+    for (size_t i = 0; i < (f->batch != NULL ? jlt_section_batch_begun(f->batch) : count); i++) {
+        st = run_orbit(sum, stream, o, system, f, q + i * system->flow.chart->dim, i);
+        if (first + i >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) sum->empty++;
+        else if (st == JLT_ERR_IO && ferror(stream->file)) break; /* it says so when it is closed */
+        else if (st != JLT_OK)
+            return jlt_motion_fail(st, system, first + i < o->start_count ? o->starts[first + i] : "a start of the grid");
+    }
+    return JLT_EXIT_DONE;
+}
+
+/* All starts, those of --start first. */
+static jlt_exit run_all(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system, follower *f)
+{
+    const size_t room = o->batch ? BLOCK * (o->threads > 1 ? o->threads : 1) : 1;
+    const unsigned dim = system->flow.chart->dim;
+    const size_t grid = o->grid != NULL ? jlt_motion_grid_size(o->axes, system) : 0, all = o->start_count + grid;
+    double *q = calloc(room, dim * sizeof *q);
+    jlt_exit code = JLT_EXIT_DONE;
+
+    if (q == NULL) return jlt_command_no_memory();
+    f->returns = o->returns;
+    f->all = o->returns > ((size_t)1 << 40) ? 0 : all * o->returns;
+    jlt_progress_start(&f->progress, "returns");
+    for (size_t first = 0, count; first < all; first += count) {
+        for (count = 0; count < room && first + count < all && code == JLT_EXIT_DONE; count++) {
+            const size_t i = first + count;
+            if (i < o->start_count) code = jlt_motion_start(q + count * dim, system, o->starts[i]);
+            else jlt_motion_grid_point(q + count * dim, o->axes, system, i - o->start_count);
+        }
+        if (code == JLT_EXIT_DONE) code = run_block(sum, stream, o, system, f, q, first, count);
+        if (code != JLT_EXIT_DONE || ferror(stream->file) || jlt_motion_interrupted(&o->motion)) break;
+    }
+    jlt_progress_end(&f->progress);
+    free(q);
     if (code == JLT_EXIT_DONE && sum->orbits == 0 && sum->empty > 0) code = jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
     return code;
 }
@@ -286,6 +411,7 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .returns = 100, .time_direction = 1 };
     totals sum = { 0 };
+    follower f = { 0 };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
     char *points = NULL;
@@ -295,17 +421,21 @@ static jlt_exit run(int argc, char **argv)
     o.starts = calloc((size_t)argc, sizeof *o.starts);
     if (o.starts == NULL) return jlt_command_no_memory();
     jlt_motion_begin(&o.motion, argc, argv);
+    o.motion.flow.method = NULL;
     argp_parse(&parser, argc, argv, 0, NULL, &o);
+    if (o.motion.flow.method == NULL) o.motion.flow.method = jlt_method_find(NULL);
     o.motion.tells_contact = true;
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
+    if (code == JLT_EXIT_DONE) code = open_follower(&f, &sum, &o, system);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (o.motion.common.plot != NULL) sum.points = open_memstream(&points, &size);
     jlt_motion_header(stream.file, &o.motion, system);
+    if (o.batch) batch_header(stream.file, &o, system);
     column_names(stream.file, &o, system);
-    code = run_all(&sum, &stream, &o, system);
+    code = run_all(&sum, &stream, &o, system, &f);
     if (sum.points != NULL) fclose(sum.points);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);
@@ -313,6 +443,8 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, points, &sum);
 done:
     jlt_stream_discard(&stream);
+    jlt_section_destroy(f.section);
+    jlt_section_batch_destroy(f.batch);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
     jlt_map_destroy(sum.map);

@@ -12,8 +12,9 @@ struct jlt_section {
     size_t number;
     int time_direction;
     double t_start;  /* of the current return */
-    double x[JLT_CHART_STATES_MAX]; /* there, when at rest */
+    double x[JLT_CHART_STATES_MAX]; /* there */
     bool at_rest;
+    bool accepted;   /* the orbit's own integrator has not been there */
     double contact;
 };
 
@@ -86,16 +87,33 @@ void jlt_section_destroy(jlt_section *self)
     free(self);
 }
 
-/* No state changes by more than this in a unit of time, relative to its size: a crossing there is rounding error. */
-static bool rests(const jlt_section *self, const double *x)
+/* f: the field at x. */
+static double speed(const jlt_section *self, const double *x, const double *f)
 {
-    static const double still = 1e-12;
-    double f[JLT_CHART_STATES_MAX], fastest = 0;
-    unsigned i;
+    double fastest = 0;
+
+    for (unsigned i = 0; i < self->flow.chart->states; i++) fastest = fmax(fastest, fabs(f[i]) / fmax(1, fabs(x[i])));
+    return fastest;
+}
+
+double jlt_section_speed(const jlt_section *self, const double *x)
+{
+    double f[JLT_CHART_STATES_MAX];
 
     self->flow.field->call(x, self->flow.field->p, f);
-    for (i = 0; i < self->flow.chart->states; i++) fastest = fmax(fastest, fabs(f[i]) / fmax(1, fabs(x[i])));
-    return fastest < still;
+    return speed(self, x, f);
+}
+
+/* Take x for the point of the current return; f gets the field there. Returns the normal reaction. */
+static double arrive(jlt_section *self, const double *x, double *f)
+{
+    static const double still = 1e-12; /* a crossing there is rounding error */
+    const jlt_chart *chart = self->flow.chart;
+
+    self->flow.field->call(x, self->flow.field->p, f);
+    self->at_rest = speed(self, x, f) < still;
+    memcpy(self->x, x, chart->states * sizeof *x);
+    return chart->contact != NULL ? chart->contact(chart, x, f) : INFINITY;
 }
 
 static void fill(jlt_return *row, const jlt_section *self, double t, const double *x, bool on_section)
@@ -125,14 +143,9 @@ jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const dou
     if (st != JLT_OK) return st;
     self->number = 0;
     self->t_start = 0;
+    self->accepted = false;
     self->time_direction = time_direction;
-    self->at_rest = rests(self, x);
-    memcpy(self->x, x, chart->states * sizeof *x);
-    self->contact = INFINITY;
-    if (chart->contact != NULL) {
-        self->flow.field->call(x, self->flow.field->p, f);
-        self->contact = chart->contact(chart, x, f);
-    }
+    self->contact = arrive(self, x, f);
     if (row != NULL) {
         fill(row, self, 0, x, x[chart->column] == chart->level);
         if (self->event_count == 2 && !(self->contact > 0)) row->fate = JLT_FATE_LOST_CONTACT;
@@ -148,17 +161,29 @@ jlt_status jlt_section_start(jlt_section *self, jlt_return *row, const double *q
     return st != JLT_OK ? st : jlt_section_start_state(self, row, x, time_direction);
 }
 
+/* The end of an orbit at rest. */
+static void stay(jlt_section *self, jlt_return *row)
+{
+    self->number++;
+    fill(row, self, self->t_start, self->x, false);
+    row->fate = JLT_FATE_BUDGET;
+}
+
 jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
 {
     const jlt_chart *chart = self->flow.chart;
+    double f[JLT_CHART_STATES_MAX];
     jlt_outcome outcome;
     jlt_status st;
 
     if (self->at_rest) {
-        self->number++;
-        fill(row, self, self->t_start, self->x, false);
-        row->fate = JLT_FATE_BUDGET;
+        stay(self, row);
         return JLT_OK;
+    }
+    if (self->accepted) {
+        self->accepted = false;
+        st = jlt_orbit_start(self->orbit, self->t_start, self->x, self->time_direction);
+        if (st != JLT_OK) return st;
     }
     st = jlt_orbit_next(self->orbit, self->t_start + self->time_direction * self->flow.t_max, self->events,
                         self->event_count, &outcome);
@@ -173,8 +198,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
     if (outcome.end == JLT_END_EVENT && outcome.crossing.event == 0) {
         fill(row, self, outcome.t, outcome.x, true);
         row->direction = outcome.crossing.direction;
-        self->at_rest = rests(self, row->x);
-        memcpy(self->x, row->x, sizeof self->x);
+        (void)arrive(self, row->x, f);
         return JLT_OK;
     }
     fill(row, self, outcome.t, outcome.x, false);
@@ -183,6 +207,23 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
         row->fate = chart->side == NULL || chart->side(chart, row->x) > 0 ? JLT_FATE_POLE_PLUS : JLT_FATE_POLE_MINUS;
     else row->interrupted = true;
     return JLT_OK;
+}
+
+void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x)
+{
+    const unsigned column = self->flow.chart->column;
+    double f[JLT_CHART_STATES_MAX];
+
+    if (self->at_rest) {
+        stay(self, row);
+        return;
+    }
+    self->number++;
+    self->t_start = t;
+    self->accepted = true;
+    self->contact = fmin(self->contact, arrive(self, x, f));
+    fill(row, self, t, x, true);
+    row->direction = (f[column] > 0) - (f[column] < 0);
 }
 
 void jlt_section_cost(const jlt_section *self, size_t *steps, size_t *evaluations)

@@ -27,7 +27,8 @@ static const jlt_key rod_keys[] = {
 };
 static const jlt_key section_keys[] = {
     KEY("start", GROUP, SECTION_COORDINATES), KEY("grid", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
-    KEY("backward", FLAG, NULL), KEY("check", FLAG, NULL), SECTION_OPTIONS, LAST,
+    KEY("backward", FLAG, NULL), KEY("check", FLAG, NULL), KEY("batch", FLAG, NULL), KEY("threads", COUNT, NULL),
+    KEY("project", FLAG, NULL), SECTION_OPTIONS, LAST,
 };
 static const jlt_key orbits_keys[] = {
     KEY("period", COUNT, NULL), KEY("grid", RANGES, SECTION_COORDINATES), KEY("near", NUMBER, NULL),

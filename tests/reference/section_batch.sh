@@ -1,0 +1,146 @@
+#!/usr/bin/env bash
+# `jellett section --batch`, as typed: rows against quadruple precision and against those of one orbit at a time, fates, threads, rows
+# that wait in the temporary file, projection, refusals, and what an interrupt leaves.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+export TMPDIR=$scratch
+data=$JLT_SOURCE_DIR/tests/reference/data
+status=0
+fail() { echo "$*"; status=1; }
+section() { # FILE OPTION...: rows without comments
+    local file=$1
+    shift
+    jellett section "$@" > all.csv 2> err || fail "section $*: $(cat err)"
+    grep -v '^#' all.csv > "$file"
+}
+starts() { awk -F, "$1"' { printf "--start eta=%s,gamma3=%s ", $('"$2"'), $('"$2"' + 1) }' "$3"; }
+
+# Quadruple precision: all columns of all four orbits within 1e-11 at --tol 1e-13, which is what ten returns that amplify errors by
+# up to 100 make of a local error of a tolerance.
+section rows.csv --batch --tol 1e-13 --returns 10 $(starts 'NR > 1 && $2 == 0' 3 "$data/returns_51.csv")
+paste -d, <(tail -n +2 rows.csv) <(tail -n +2 "$data/returns_51.csv") | awk -F, '
+    function abs(x) { return x < 0 ? -x : x }
+    { if ($1 != $10 || $2 != $11 || $9 != "alive") print "rows differ: " $0
+      d[1] = $4 - $12; d[2] = $5 - $13; d[3] = $3 - $14; d[4] = $6 - $15; d[5] = $7 - $16; d[6] = $8 - $17
+      for (i in d) if (!(abs(d[i]) < 1e-11)) print "off by " d[i] ": " $0
+      n++ }
+    END { if (n != 44) print n " rows" }' > wrong
+[ -s wrong ] && fail "quadruple precision: $(head -1 wrong)"
+grep -q '^# many orbits at once by stepanov10 on ' all.csv || fail "the header does not tell the method"
+command=$(sed -n 's/^# command: //p' all.csv)
+eval "$command" 2> /dev/null | cmp -s - all.csv || fail "the header's command gives other rows"
+
+# One at a time, on the regular island: the same columns and keys in the same order, and values within 1000 tolerances, which 50 returns make of the some 10 of ten returns where errors grow as the square of time.
+island=(--returns 50 --grid eta=0.40:0.48:20,gamma3=-0.635:-0.605:15)
+section one.csv "${island[@]}"
+section many.csv --batch "${island[@]}"
+cmp -s <(cut -d, -f1,2,9 one.csv) <(cut -d, -f1,2,9 many.csv) || fail "orbits, returns or fates differ from those one at a time"
+cmp -s <(head -1 one.csv) <(head -1 many.csv) || fail "columns differ from those one at a time"
+paste -d, <(tail -n +2 one.csv) <(tail -n +2 many.csv) | awk -F, '
+    function abs(x) { return x < 0 ? -x : x }
+    { for (i = 3; i <= 8; i++) if (!(abs($i - $(i + 9)) < 1e-9)) print "column " i ": " $0 }' > wrong
+[ -s wrong ] && fail "against one at a time: $(head -1 wrong)"
+
+# Two threads: the same bytes; more orbits than are followed at once, those that end at poles with them.
+section chaos1.csv --batch --grid 23x17 --returns 40
+section chaos2.csv --batch --threads 2 --grid 23x17 --returns 40
+cmp -s chaos1.csv chaos2.csv || fail "two threads give other rows"
+[ "$(cut -d, -f1 chaos1.csv | uniq | wc -l)" -gt 257 ] || fail "fewer orbits than a block"
+
+# Rows that do not fit into memory go through a file that is left nowhere: more than 2048 returns of an orbit, whose first 900 are
+# those of a run that needs none.
+section long.csv --batch --threads 2 --start eta=0.44,gamma3=-0.62 --returns 2500 --start eta=0.41,gamma3=-0.61
+section short.csv --batch --start eta=0.44,gamma3=-0.62 --returns 900 --start eta=0.41,gamma3=-0.61
+[ "$(tail -n +2 long.csv | awk -F, '$1 != int((NR - 1)/2501) || $2 != (NR - 1)%2501 || $9 != "alive"' | wc -l)" -eq 0 ] ||
+    fail "long orbits: rows are missing or out of order"
+[ "$(wc -l < long.csv)" -eq 5003 ] || fail "long orbits: $(wc -l < long.csv) lines"
+awk -F, '$2 == "return" || $2 <= 900' long.csv | cmp -s - short.csv || fail "the first returns depend on how many there are"
+ls "$scratch"/jellett.* > /dev/null 2>&1 && fail "a temporary file is left"
+
+# Ends at poles, as the reference has them: side, time, velocities, within what the command keeps one at a time.
+for file in poles_51 poles_creeping_51; do
+    section ends.csv --batch --tol 1e-13 --returns 100 $(starts 'NR > 1' 1 "$data/$file.csv")
+    paste -d, <(grep ',pole' ends.csv) <(tail -n +2 "$data/$file.csv") | awk -F, '
+        function abs(x) { return x < 0 ? -x : x }
+        $9 != ($12 > 0 ? "pole+" : "pole-") || !(abs($3 - $13) < 1e-11 && abs($6 - $14) < 1e-10 && abs($8 - $16) < 1e-10)
+        END { if (NR < 2) print NR " ends" }' > wrong
+    [ -s wrong ] && fail "$file: $(head -1 wrong)"
+done
+
+# The same numbers and fates as one at a time: ends after few returns, before chaos tells the methods apart; starts without a
+# state among the others; orbits that come to rest (a3 = 0, equilibria (4.4)); crossings in either direction.
+same_fates() { # OPTION...
+    section one.csv "$@"
+    section many.csv --batch "$@"
+    cmp -s <(cut -d, -f1,2,9 one.csv) <(cut -d, -f1,2,9 many.csv) || fail "fates differ: $*"
+}
+same_fates --grid 12x9 --returns 6
+grep -q ',pole-$' many.csv && grep -q ',pole+$' many.csv || fail "no orbit ended at a pole"
+same_fates --level E=0.8 --grid eta=-3:3:6,gamma3=-0.95:0.95:20 --returns 4
+grep -q 'points of the grid have no state' err || fail "no start was passed over"
+same_fates --set a3=0 --start eta=1.0471975511965974,gamma3=0.3 --start eta=0.3,gamma3=0.2 --returns 1000
+grep -q ',budget$' many.csv || fail "no orbit came to rest"
+same_fates --direction both --grid 3x3 --returns 5
+same_fates --direction down --grid 3x3 --returns 5
+same_fates roessler --section y=0 --direction down --start x=-7,z=0.02 --start x=-6,z=0.02 --returns 20
+
+# Projected, E = m v^2/2 + I1 omega_n^2/2 + I3 omega3^2/2 + m g a3 gamma3 with omega_tau = 0 is off by what the last return adds, ten
+# tolerances at most; without, by what a thousand have added. (At (5.1), v_tau = (a3 + gamma3) omega_n + s omega3.)
+drift() {
+    awk -F, 'function abs(x) { return x < 0 ? -x : x }
+        $1 == "orbit" { next }
+        { vt = (0.51 + $5)*$7 + sqrt(1 - $5^2)*$8
+          E = ($6^2 + vt^2)/2 + ($7^2 + $8^2)/6 + 0.51*$5
+          if (abs(E - 2.15) > worst) worst = abs(E - 2.15) }
+        END { print worst }' "$1"
+}
+section projected.csv --batch --project --tol 1e-10 --start eta=0.44,gamma3=-0.62 --returns 1000
+section plain.csv --batch --tol 1e-10 --start eta=0.44,gamma3=-0.62 --returns 1000
+awk -v a="$(drift projected.csv)" -v b="$(drift plain.csv)" 'BEGIN { exit !(a < 1e-9 && b > 1e-8) }' ||
+    fail "--project: E is off by $(drift projected.csv), without it by $(drift plain.csv)"
+
+# What batches cannot do is refused, with a word on what to do instead.
+refused() { # STATUS WORDS OPTION...
+    local want=$1 words=$2 got
+    shift 2
+    jellett section "$@" --output never.csv > out 2> err < /dev/null
+    got=$?
+    [ $got -eq "$want" ] || fail "$*: status $got, not $want"
+    grep -q -- "$words" err || fail "$*: $(cat err)"
+    [ ! -e never.csv ] || fail "$*: a file is left"
+}
+at=(--start eta=0.1,gamma3=-0.6)
+refused 2 'leave out --batch, or --backward' --batch --backward "${at[@]}"
+refused 2 'leave out --batch, or --check' --batch --check "${at[@]}"
+refused 2 'leave out --batch, or --contact end' --batch --contact end "${at[@]}"
+refused 2 'leave out --batch, or --contact report' --batch --contact report "${at[@]}"
+refused 2 'leave out --batch, or --method' --batch --method gauss "${at[@]}"
+refused 2 'add --batch' --threads 2 "${at[@]}"
+refused 2 'add --batch' --project "${at[@]}"
+refused 2 'leave out --batch for z=27' --batch lorenz --section z=27 --start x=-13,y=-19
+refused 2 'no integrals' --batch --project roessler --section y=0 --start x=-7,z=0.02
+refused 3 'threads' --batch --threads 0 "${at[@]}"
+TMPDIR=/no/such/folder refused 5 TMPDIR --batch "${at[@]}" --returns 3000 --start eta=0.44,gamma3=-0.62
+
+# An interrupt leaves whole rows, orbit after orbit without a gap, none of orbits that have no return, and says how many.
+set -m
+jellett section --batch --threads 2 --grid eta=0.40:0.48:10,gamma3=-0.635:-0.605:10 --returns 100000000 --output long.csv 2> err &
+child=$!
+set +m
+sleep 1
+kill -INT $child
+code=0
+wait $child 2> /dev/null || code=$?
+[ $code -eq 130 ] || fail "interrupted: status $code"
+grep -v '^#' long.csv | awk -F, '
+    NR == 1 { next }
+    NF != 9 || $9 != "alive" { print "a broken row: " $0; exit }
+    $2 == 0 { if ($1 != orbits) { print "orbit " $1 " for " orbits + 0; exit } orbits++; number = 0 }
+    $1 != orbits - 1 || $2 != number++ { print "out of order: " $0; exit }
+    END { if (orbits < 2 || number < 2 || NR - 1 != told) print NR - 1 " rows of " orbits + 0 " orbits, the last " number + 0 }
+    ' told="$(sed -n 's/.*interrupted; \([0-9]*\) whole rows.*/\1/p' err)" - > wrong
+[ -s wrong ] && fail "interrupted: $(head -1 wrong); $(cat err)"
+ls long.csv.* > /dev/null 2>&1 && fail "interrupted: a temporary file is left"
+exit $status
