@@ -50,7 +50,7 @@ static void split(double *left, double *right, const double *b, unsigned degree,
     }
 }
 
-static unsigned variations(const double *b, unsigned degree)
+unsigned jlt_bernstein_variations(const double *b, unsigned degree)
 {
     unsigned count = 0;
     double last = 0;
@@ -107,7 +107,7 @@ typedef struct {
 
 static void collect(collection *found, const double *b, double from, double width, unsigned depth)
 {
-    const unsigned degree = found->degree, changes = variations(b, degree);
+    const unsigned degree = found->degree, changes = jlt_bernstein_variations(b, degree);
 
     if (changes == 0 || found->count == degree) return;
     if (changes == 1) {
@@ -160,7 +160,7 @@ static void collect_touches(collection *found, const double *b, double bound, do
 
     if (stays_off(b, degree, bound) || found->count == degree - 1) return;
     jlt_bernstein_derive(slope, b, degree);
-    const unsigned changes = variations(slope, degree - 1);
+    const unsigned changes = jlt_bernstein_variations(slope, degree - 1);
     if (changes == 0) return;
     if (changes == 1) {
         const double at = only_root(slope, degree - 1);

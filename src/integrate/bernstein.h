@@ -17,6 +17,9 @@ void jlt_bernstein_derive(double *d, const double *b, unsigned degree);
 
 double jlt_bernstein_value(const double *b, unsigned degree, double theta);
 
+/** Sign changes among the coefficients: as many zeros on (0, 1), or fewer by an even number. */
+unsigned jlt_bernstein_variations(const double *b, unsigned degree);
+
 /** The points of (0, 1) where the sign changes, ascending, into roots (degree,); returns their number. Zeros of even
  *  multiplicity are none, and neither is a zero at an end. Between the returned points the sign alternates, beginning with
  *  that right of 0. Two zeros nearer than about 1e-12 may be taken for none, always in pairs.

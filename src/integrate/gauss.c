@@ -245,16 +245,15 @@ static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
     return JLT_OK;
 }
 
-/* The integral of |f| over the step is at most the sum of those of its Legendre terms; the means of |P_k| are printed to 17 digits
- * from the zeros and the antiderivatives of P_k. */
-static double variation(const jlt_stepper *stepper, unsigned column)
+static unsigned bernstein(jlt_stepper *stepper, unsigned column, double *b)
 {
-    static const double mean[N] = { 1, 0.5, 0.38490017945975050967, 0.325, 0.28658999385124226, 0.25924545009619656,
-                                    0.2384934419217429, 0.22204602639120166 };
     const gauss *self = stepper->state;
-    double sum = 0;
-    for (unsigned k = 0; k < N; k++) sum += mean[k] * fabs(self->legendre[column * N + k]);
-    return fabs(stepper->h) * sum;
+    _Alignas(64) double sum[N];
+    self->batch->transform(sum, self->legendre + column * N, jlt_gauss_bernstein, 1);
+    b[0] = stepper->x_start[column];
+    for (unsigned j = 0; j < N; j++) b[j + 1] = stepper->x_start[column] + stepper->h / 56 * sum[j];
+    stepper->dense_error = self->dense_error;
+    return N;
 }
 
 const jlt_method jlt_method_gauss = {
@@ -268,5 +267,5 @@ const jlt_method jlt_method_gauss = {
     .step = step,
     .dense = dense,
     .partial = partial,
-    .variation = variation,
+    .bernstein = bernstein,
 };

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "integrate/bernstein.h"
+#include "integrate/step_control.h"
 
 enum { SIZE = JLT_BERNSTEIN_DEGREE_MAX + 1, NODES = 13 };
 static const double near_section = 1e-13; /* of the size of g's terms: on the section */
@@ -41,16 +42,20 @@ void jlt_locate_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper
     self->side = fabs(self->value) <= near_section * size ? 0 : sign(self->value);
 }
 
-/* g on the step as a polynomial in Bernstein form; returns its degree. A function of the state is interpolated at the
- * Chebyshev-Lobatto points by divided differences. */
-static unsigned event_polynomial(double *b, const jlt_event *event, const jlt_stepper *stepper)
+static void column_polynomial(double *b, unsigned *degree, const jlt_event *event, jlt_stepper *stepper)
 {
-    if (event->value == NULL) {
-        jlt_bernstein_of(b, stepper->dense + event->column, stepper->stride, stepper->dense_degree);
-        for (unsigned j = 0; j <= stepper->dense_degree; j++) b[j] -= event->level;
-        return stepper->dense_degree;
+    if (!stepper->dense_ready) {
+        *degree = stepper->method->bernstein(stepper, event->column, b);
+    } else {
+        *degree = stepper->dense_degree;
+        jlt_bernstein_of(b, stepper->dense + event->column, stepper->stride, *degree);
     }
+    for (unsigned j = 0; j <= *degree; j++) b[j] -= event->level;
+}
 
+/* A function of the state is interpolated at the Chebyshev-Lobatto points by divided differences. */
+static void value_polynomial(double *b, unsigned *degree, const jlt_event *event, const jlt_stepper *stepper)
+{
     double x[JLT_FIELD_DIM_MAX + 1], node[NODES], difference[NODES], c[NODES] = { 0 };
     for (unsigned j = 0; j < NODES; j++) {
         node[j] = 0.5 * (1 - cos(3.14159265358979323846 * j / (NODES - 1)));
@@ -64,14 +69,26 @@ static unsigned event_polynomial(double *b, const jlt_event *event, const jlt_st
         for (unsigned k = NODES - 1; k >= 1; k--) c[k] = c[k - 1] - node[j] * c[k];
         c[0] = difference[j] - node[j] * c[0];
     }
-    jlt_bernstein_of(b, c, 1, NODES - 1);
-    return NODES - 1;
+    *degree = NODES - 1;
+    jlt_bernstein_of(b, c, 1, *degree);
+}
+
+/* g on the step as a polynomial in Bernstein form. */
+static jlt_status event_polynomial(double *b, unsigned *degree, const jlt_event *event, jlt_stepper *stepper)
+{
+    if (event->value != NULL || stepper->method->bernstein == NULL) {
+        const jlt_status st = jlt_stepper_dense(stepper);
+        if (st != JLT_OK) return st;
+    }
+    if (event->value != NULL) value_polynomial(b, degree, event, stepper);
+    else column_polynomial(b, degree, event, stepper);
+    return JLT_OK;
 }
 
 /* Whether g cannot have reached zero between two values of the same sign. */
 static bool stays_away(const jlt_watch *self, const jlt_stepper *stepper, double before, double after)
 {
-    if (self->event.value != NULL || self->side == 0 || stepper->dense_ready) return false;
+    if (self->event.value != NULL || self->side == 0 || stepper->dense_ready || stepper->method->variation == NULL) return false;
     if (sign(before) != self->side || sign(after) != self->side) return false;
     return fabs(before) + fabs(after) > 1.5 * stepper->method->variation(stepper, self->event.column);
 }
@@ -148,16 +165,13 @@ static void settle_pair(zeros *z, const extremum *e, double noise)
     if (depth >= -noise && z->touches < SIZE) z->touch[z->touches++] = e->theta;
 }
 
-/* Extrema of the polynomial that lie within its error of zero are decided on the flow. */
-static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *stepper, const double *b, unsigned degree)
+/* Extrema of the polynomial that lie within its error of zero are decided on the flow. at (count,): they; size: of g's terms. */
+static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *stepper, const double *b, unsigned degree,
+                                 const double *at, unsigned count, double size)
 {
-    double slope[SIZE], bend[SIZE], at[SIZE], size = 0;
+    const double noise = 16 * DBL_EPSILON * size;
+    double slope[SIZE], bend[SIZE];
 
-    for (unsigned j = 0; j <= degree; j++) size = fmax(size, fabs(b[j]));
-    size += fabs(self->event.value == NULL ? self->event.level : 0);
-    const double doubt = stepper->dense_error * fmax(size, 1), noise = 16 * DBL_EPSILON * size;
-    const unsigned count = jlt_bernstein_touches(at, b, degree, doubt);
-    if (count == 0) return JLT_OK;
     jlt_bernstein_derive(slope, b, degree);
     jlt_bernstein_derive(bend, slope, degree - 1);
     for (unsigned i = 0; i < count; i++) {
@@ -172,6 +186,23 @@ static jlt_status settle_touches(zeros *z, const jlt_watch *self, jlt_stepper *s
     return JLT_OK;
 }
 
+/* Least and largest of the coefficients, between which g lies. */
+static void bounds(double *least, double *most, const double *b, unsigned degree)
+{
+    *least = *most = b[0];
+    for (unsigned j = 1; j <= degree; j++) {
+        *least = jlt_smaller(b[j], *least);
+        *most = jlt_larger(b[j], *most);
+    }
+}
+
+static bool asked_for(const jlt_watch *self, const jlt_stepper *stepper, int turn)
+{
+    const int direction = turn * (stepper->direction > 0 ? 1 : -1);
+    if (turn == 0) return self->event.grazing;
+    return self->event.direction == JLT_BOTH || (int)self->event.direction == direction;
+}
+
 static int sign_right_of_zero(const double *b, unsigned degree)
 {
     for (unsigned j = 0; j <= degree; j++)
@@ -182,13 +213,10 @@ static int sign_right_of_zero(const double *b, unsigned degree)
 static void note(jlt_crossing *list, unsigned *count, const jlt_watch *self, const jlt_stepper *stepper, double theta,
                  int turn)
 {
-    const int direction = turn * (stepper->direction > 0 ? 1 : -1);
-    const bool wanted = turn == 0 ? self->event.grazing
-                                  : self->event.direction == JLT_BOTH || (int)self->event.direction == direction;
-    if (!wanted || *count == JLT_CROSSINGS_MAX) return;
+    if (!asked_for(self, stepper, turn) || *count == JLT_CROSSINGS_MAX) return;
     unsigned at = (*count)++;
     for (; at > 0 && list[at - 1].theta > theta; at--) list[at] = list[at - 1];
-    list[at] = (jlt_crossing){ .theta = theta, .direction = direction };
+    list[at] = (jlt_crossing){ .theta = theta, .direction = turn * (stepper->direction > 0 ? 1 : -1) };
 }
 
 jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
@@ -196,31 +224,34 @@ jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *
     jlt_status st = JLT_OK;
     const double before = jlt_locate_value(&self->event, stepper->x_start);
     const double after = jlt_locate_value(&self->event, stepper->x);
-    double b[SIZE];
-    zeros z = { .count = 0 };
+    double b[SIZE], touch[SIZE], least, most;
+    unsigned degree, touches = 0;
+    zeros z;
 
-    *count = 0;
+    *count = z.count = z.touches = 0;
     self->value = after;
     if (stays_away(self, stepper, before, after)) return JLT_OK;
-    JLT_TRY(jlt_stepper_dense(stepper));
-    unsigned degree = event_polynomial(b, &self->event, stepper);
+    JLT_TRY(event_polynomial(b, &degree, &self->event, stepper));
     b[0] = before;
     b[degree] = after;
+    bounds(&least, &most, b, degree);
+    const double size = jlt_larger(most, -least), terms = size + fabs(self->event.value == NULL ? self->event.level : 0);
+    const double doubt = stepper->dense_error * jlt_larger(terms, 1);
+    if ((self->side > 0 && least > doubt) || (self->side < 0 && most < -doubt)) return JLT_OK;
 
     /* On the section at the start: the zero there is divided out, and again where the slope is rounding error too. */
     const bool starts_on = self->side == 0 || before == 0;
-    if (starts_on) {
-        double size = 0;
-        for (unsigned j = 0; j <= degree; j++) size = fmax(size, fabs(b[j]));
-        for (unsigned divided = 0; degree > 1 && divided < 2; divided++) {
-            if (divided > 0 && fabs(b[0]) > near_section * size) break;
-            jlt_bernstein_deflate(b, degree--);
-        }
+    for (unsigned divided = 0; starts_on && degree > 1 && divided < 2; divided++) {
+        if (divided > 0 && fabs(b[0]) > near_section * size) break;
+        jlt_bernstein_deflate(b, degree--);
     }
-    z.count = jlt_bernstein_sign_changes(z.roots, b, degree);
-    if (!starts_on) JLT_TRY(settle_touches(&z, self, stepper, b, degree));
-
+    if (!starts_on) touches = jlt_bernstein_touches(touch, b, degree, doubt);
     int side = sign_right_of_zero(b, degree);
+    /* A single crossing that nobody asked for need not be found. */
+    if (touches == 0 && jlt_bernstein_variations(b, degree) == 1 && !asked_for(self, stepper, -side)) z.roots[z.count++] = 0.5;
+    else z.count = jlt_bernstein_sign_changes(z.roots, b, degree);
+    if (touches > 0) JLT_TRY(settle_touches(&z, self, stepper, b, degree, touch, touches, terms));
+
     if (self->side != 0 && side == -self->side) note(list, count, self, stepper, 0, side);
     for (unsigned i = 0; i < z.count; i++) {
         side = -side;
@@ -233,8 +264,9 @@ done:
     return st;
 }
 
-/* Follow the flow for a short time, in place: the midpoint rule, whose error is of third order in move. */
-static void nudge(jlt_stepper *stepper, double *x, double *f, double move)
+/* Follow the flow to the zero of g, a short time `move` away by the slope here, in place: the midpoint rule with the slope of g
+ * in the middle, whose error is of third order. Returns the time it took. */
+static double nudge(jlt_stepper *stepper, const jlt_event *event, double *x, double *f, double g, double move)
 {
     const jlt_field *field = stepper->field;
     double middle[JLT_FIELD_DIM_MAX + 8], slope[JLT_FIELD_DIM_MAX + 8];
@@ -242,10 +274,12 @@ static void nudge(jlt_stepper *stepper, double *x, double *f, double move)
     for (unsigned i = 0; i < stepper->columns; i++) middle[i] = x[i] + 0.5 * move * f[i];
     field->call(middle, field->p, slope);
     if (field->time_rate != NULL) field->time_rate(middle, field->p, slope + field->dim);
+    move = -g / jlt_locate_slope(event, stepper, middle, slope);
     for (unsigned i = 0; i < stepper->columns; i++) x[i] += move * slope[i];
     field->call(x, field->p, f);
     if (field->time_rate != NULL) field->time_rate(x, field->p, f + field->dim);
     stepper->evaluations += 2;
+    return move;
 }
 
 jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_work, const jlt_event *event,
@@ -270,8 +304,7 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
         if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) goto done;
         if (nudged == 3) goto done; /* at the rounding level of g */
         if (downhill && fabs(move) <= 1e-6 * span) {
-            nudge(stepper, x, f, move);
-            *theta += move / stepper->h;
+            *theta += nudge(stepper, event, x, f, g, move) / stepper->h;
             crossing->residual = jlt_locate_value(event, x);
             crossing->slope = jlt_locate_slope(event, stepper, x, f);
             nudged++;

@@ -2,6 +2,7 @@
 #include "unit/check.h"
 #include "unit/sample_fields.h"
 
+#include "integrate/bernstein.h"
 #include "integrate/orbit.h"
 #include "integrate/taylor.h"
 
@@ -81,7 +82,8 @@ static void dop853_has_order_eight(void **unused)
 }
 
 /* The polynomial on each step, at 16 points, against Kepler's equation. Order 7 under a tolerance for order 8: the local
- * error may pass the global one by a factor; 1e4 tolerances bound both. Ends are met exactly. */
+ * error may pass the global one by a factor; 1e4 tolerances bound both. Ends are met exactly. Bernstein form is the same polynomial
+ * but for rounding: coefficients of powers grow to 6000 times the smallest terms, 1e-13 bounds their rounding. */
 static void dense_output_follows_the_solution_on_every_step(void **unused)
 {
     (void)unused;
@@ -98,6 +100,12 @@ static void dense_output_follows_the_solution_on_every_step(void **unused)
             for (unsigned k = 0; k < 4; k++) {
                 assert_near(jlt_stepper_value(stepper, k, 0), stepper->x_start[k], 1e-15);
                 assert_near(jlt_stepper_value(stepper, k, 1), stepper->x[k], 1e-14);
+            }
+            for (unsigned k = 0; stepper->method->bernstein != NULL && k < 4; k++) {
+                double b[JLT_BERNSTEIN_DEGREE_MAX + 1];
+                const unsigned degree = stepper->method->bernstein(stepper, k, b);
+                for (double theta = 0; theta <= 1; theta += 1.0 / 16)
+                    assert_near(jlt_bernstein_value(b, degree, theta), jlt_stepper_value(stepper, k, theta), 1e-13);
             }
             for (double theta = 0; theta <= 1; theta += 1.0 / 16) {
                 kepler_state(expected, stepper->tau_start + theta * stepper->h);
