@@ -62,42 +62,41 @@ unsigned jlt_bernstein_variations(const double *b, unsigned degree)
     return count;
 }
 
-/* The one zero of b on (0, 1) by Newton's method in a bracket. With u = theta/(1 - theta) b is q(u)/(1 + u)^degree,
+/* The one zero of b on (0, 1) by Halley's method in a bracket. With u = theta/(1 - theta) b is q(u)/(1 + u)^degree,
  * q = sum_j C(degree,j) b_j u^j, which Horner's rule sums stably where u <= 1: the interval is turned if the zero is right of 1/2. */
 static double only_root(const double *b, unsigned degree)
 {
-    double a[SIZE], binomial = 1, middle = 0, lo = 0, hi = 0.5;
+    double a[SIZE], binomial = 1, middle = 0, lo = 0, hi = 1;
     for (unsigned j = 0; 2 * j <= degree; j++) {
         a[j] = binomial * b[j];
         a[degree - j] = binomial * b[degree - j];
         binomial = binomial * (degree - j) / (j + 1);
     }
     for (unsigned j = 0; j <= degree; j++) middle += a[j];
-    double theta = b[0] / (b[0] - b[degree]);
     const bool turned = b[0] * middle > 0;
     for (unsigned j = 0; turned && 2 * j < degree; j++) {
         const double other = a[degree - j];
         a[degree - j] = a[j];
         a[j] = other;
     }
-    if (turned) theta = 1 - theta;
-    if (!(theta < hi)) theta = 0.25;
+    double u = turned ? -b[degree] / b[0] : -b[0] / b[degree]; /* where the straight line between the ends is zero */
+    if (!(u < hi)) u = 0.3;
     for (unsigned i = 0; i < 80; i++) {
-        const double inverse = 1 / (1 - theta), u = theta * inverse; /* inverse = 1 + u */
-        double value = a[degree], slope = 0;
+        double value = a[degree], slope = 0, bend = 0; /* bend: half the second derivative */
         for (unsigned j = degree; j-- > 0;) {
+            bend = bend * u + slope;
             slope = slope * u + value;
             value = value * u + a[j];
         }
         if (value == 0) break;
-        if (value * a[0] > 0) lo = theta;
-        else hi = theta;
-        const double move = -value / (inverse * (inverse * slope - degree * value)), newton = theta + move;
-        const bool done = fabs(move) <= 1e-8 * theta; /* what Newton's method leaves: its square */
-        theta = done || (newton > lo && newton < hi) ? newton : 0.5 * (lo + hi);
+        if (value * a[0] > 0) lo = u;
+        else hi = u;
+        const double move = -value * slope / (slope * slope - value * bend), next = u + move;
+        const bool done = fabs(move) <= 1e-5 * u; /* what Halley's method leaves: its cube */
+        u = done || (next > lo && next < hi) ? next : 0.5 * (lo + hi);
         if (done || hi - lo <= DBL_EPSILON * hi) break;
     }
-    return turned ? 1 - theta : theta;
+    return (turned ? 1 : u) / (1 + u);
 }
 
 typedef struct {

@@ -1,7 +1,8 @@
 /* Collocation at the eight Gauss nodes (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, II.1.3 and
  * VIII.6): order 16 at the ends, symmetric, and exact on quadratic integrals. The implicit equations are solved by sweeps over
  * all nodes, x <- x0 + h A f(x), which a vector processor does for the price of one evaluation; the first guess is the
- * last step's polynomial for f, continued.
+ * last step's polynomial, continued, and the field there is asked for at the end of that step already, so that it is evaluated while
+ * events are looked for.
  *
  * Error. Let a_k be the coefficients of f on the step in Legendre polynomials, n_k their size relative to the states times h.
  * For analytic solutions n_k falls like r^k, and the quadrature at the end errs by the aliased part, ~ n_0 r^16. With
@@ -28,15 +29,17 @@ typedef struct {
     double *block;             /* all arrays below */
     const jlt_gauss_batch *batch;
     jlt_gauss_nodes nodes;     /* of the step being tried */
+    jlt_gauss_nodes inside;    /* of a partial step */
+    double guessed;            /* the length that nodes hold a guess for, from the point; 0: none */
+    double *clock;             /* (N,): dt/dtau at nodes */
     double *legendre;          /* (columns, N): of the last accepted step */
     double *trial;             /* (columns, N): of the step being tried */
     double *partial;           /* (columns, N): of a partial step, or powers for the polynomial */
-    double *end;               /* (stride,) */
-    double *origin;            /* (dim,) */
-    double *inverse_weight;    /* (columns,) */
+    double *end, *end_f;       /* (stride,): the point a step leads to, and the slope there */
     double *sizes;             /* (N,): of the Legendre coefficients, relative to the states */
+    double *scratch;           /* (2 dim,): without batched kernels */
     double dense_error;
-    unsigned sweeps;           /* of the last solved step */
+    double rate;               /* what the last sweep contracted by */
     bool has_past;
 } gauss;
 
@@ -51,6 +54,18 @@ static const jlt_gauss_batch *instance(const jlt_kernel_batch *kernels)
     return &jlt_gauss_batch_baseline;
 }
 
+/* Rows of eight at `rows`, the rest at `rest`, whose ends are returned. */
+static void place(jlt_gauss_nodes *nodes, double **rows, double **rest, const jlt_stepper *stepper)
+{
+    nodes->dim = stepper->field->dim;
+    nodes->x = *rows;
+    nodes->f = nodes->x + nodes->dim * N;
+    *rows = nodes->f + nodes->dim * N;
+    nodes->origin = *rest;
+    nodes->inverse_weight = nodes->origin + nodes->dim;
+    *rest = nodes->inverse_weight + stepper->columns;
+}
+
 static jlt_status create(jlt_stepper *stepper)
 {
     const jlt_field *field = stepper->field;
@@ -60,25 +75,20 @@ static jlt_status create(jlt_stepper *stepper)
     if (self == NULL) return JLT_ERR_NOMEM;
 
     /* Rows of eight first, so that all of them stay aligned. */
-    double *block = jlt_memory_array((2 * dim + 2 + 3 * columns) * N + stepper->stride + 4 * dim + 1, sizeof *block);
+    double *block = jlt_memory_array((4 * dim + 2 + 3 * columns) * N + 2 * stepper->stride + 4 * dim + 2 * columns, sizeof *block);
     if (block == NULL) return JLT_ERR_NOMEM;
     self->block = self->legendre = block;
     self->trial = self->legendre + columns * N;
     self->partial = self->trial + columns * N;
     self->sizes = self->partial + columns * N;
-    self->nodes.x = self->sizes + N;
-    self->nodes.f = self->nodes.x + dim * N;
-    self->end = self->nodes.f + (dim + 1) * N;
-    self->origin = self->end + stepper->stride;
-    self->inverse_weight = self->origin + dim;
-    self->nodes.scratch = self->inverse_weight + columns;
-    self->nodes.origin = self->origin;
-    self->nodes.inverse_weight = self->inverse_weight;
-    self->nodes.kernels = field->batch;
-    self->nodes.call = field->call;
-    self->nodes.time_rate = field->time_rate;
-    self->nodes.p = field->p;
-    self->nodes.dim = field->dim;
+    self->clock = self->sizes + N;
+    double *rows = self->clock + N;
+    self->end = rows + 4 * dim * N;
+    self->end_f = self->end + stepper->stride;
+    self->scratch = self->end_f + stepper->stride;
+    double *rest = self->scratch + 2 * dim;
+    place(&self->nodes, &rows, &rest, stepper);
+    place(&self->inside, &rows, &rest, stepper);
     self->batch = instance(field->batch);
     return JLT_OK;
 }
@@ -91,50 +101,88 @@ static void destroy(jlt_stepper *stepper)
     free(self);
 }
 
-/* Solve for the nodes of a step h from x0, beginning with what stands in nodes.f. */
-static bool solve(gauss *self, const jlt_stepper *stepper, const double *x0, double h)
+static void evaluate(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes)
+{
+    const jlt_field *field = stepper->field;
+    double *x = self->scratch, *f = self->scratch + field->dim;
+
+    stepper->evaluations += N;
+    for (unsigned i = 0; field->batch != NULL && i < N; i += self->batch->lanes)
+        field->batch->rhs(nodes->x + i, field->p, nodes->f + i, N);
+    for (unsigned i = 0; field->batch == NULL && i < N; i++) {
+        for (unsigned c = 0; c < field->dim; c++) x[c] = nodes->x[c * N + i];
+        field->call(x, field->p, f);
+        for (unsigned c = 0; c < field->dim; c++) nodes->f[c * N + i] = f[c];
+    }
+}
+
+/* Legendre coefficients of the solved step. */
+static void expand(gauss *self, const jlt_field *field, const jlt_gauss_nodes *nodes, double *legendre)
+{
+    double *rate = self->clock;
+
+    self->batch->transform(legendre, nodes->f, jlt_gauss_legendre, field->dim);
+    if (field->time_rate == NULL) return;
+    for (unsigned i = 0; field->batch != NULL && i < N; i += self->batch->lanes)
+        field->batch->time_factor(nodes->x + i, field->p, rate + i, N);
+    for (unsigned i = 0; field->batch == NULL && i < N; i++) {
+        for (unsigned c = 0; c < field->dim; c++) self->scratch[c] = nodes->x[c * N + i];
+        field->time_rate(self->scratch, field->p, rate + i);
+    }
+    self->batch->transform(legendre + field->dim * N, rate, jlt_gauss_legendre, 1);
+}
+
+static void begin_at(const jlt_gauss_nodes *nodes, const jlt_stepper *stepper, const double *x0)
+{
+    for (unsigned c = 0; c < nodes->dim; c++) nodes->origin[c] = x0[c];
+    for (unsigned c = 0; c < stepper->columns; c++)
+        nodes->inverse_weight[c] = 1 / jlt_larger(fabs(x0[c]), stepper->scale[c]);
+}
+
+/* The last step's polynomial, continued by h from the point; without a last step a straight line. */
+static void guess(gauss *self, jlt_stepper *stepper, double h)
+{
+    const jlt_gauss_nodes *nodes = &self->nodes;
+
+    begin_at(nodes, stepper, stepper->x);
+    if (self->has_past) self->batch->continue_at(nodes, self->legendre, stepper->h, 1, h / stepper->h);
+    for (unsigned c = 0; !self->has_past && c < nodes->dim; c++)
+        for (unsigned i = 0; i < N; i++) nodes->x[c * N + i] = nodes->origin[c] + h * jlt_gauss_node[i] * stepper->f[c];
+    evaluate(self, stepper, nodes);
+    self->guessed = h;
+}
+
+/* Solve for the nodes of a step h, beginning with what stands there. The field is asked for again before the sweep is judged,
+ * which takes as long. rate: what a sweep contracts by; 1 when it is not known. */
+static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes, double h, double rate)
 {
     const double enough = 0.05 * stepper->tolerance;
     double last = INFINITY;
 
-    for (unsigned c = 0; c < stepper->field->dim; c++) self->origin[c] = x0[c];
-    for (unsigned c = 0; c < stepper->columns; c++)
-        self->inverse_weight[c] = 1 / jlt_larger(fabs(x0[c]), stepper->scale[c]);
-    for (self->sweeps = 1; self->sweeps <= SWEEPS_MAX; self->sweeps++) {
-        const double change = sqrt(self->batch->sweep(&self->nodes, h));
-        if (self->sweeps == 1) continue; /* the change from another step's nodes says nothing */
+    for (unsigned sweeps = 2; sweeps <= SWEEPS_MAX; sweeps++) {
+        const double square = self->batch->move(nodes, h);
+        evaluate(self, stepper, nodes);
+        const double change = sqrt(square), before = sweeps == 2 ? change / rate : last;
+        last = change;
         if (!(change < 1e3)) return false;
         if (change <= rounding) return true;
-        const double before = last;
-        last = change;
-        if (self->sweeps == 2) continue;
-        if (change * change <= enough * (before - change)) return true;
-        if (change > slowest_rate * before) {
+        if (change * change <= enough * (before - change)) {
+            self->rate = change / before;
+            return true;
+        }
+        if (sweeps > 2 && change > slowest_rate * before) {
             if (change < 1e-13) return true; /* rounding errors go round */
-            if (self->sweeps > 3) return false;
+            if (sweeps > 3) return false;
         }
     }
     return false;
-}
-
-static void guess_constant(gauss *self, const jlt_stepper *stepper)
-{
-    for (unsigned c = 0; c < stepper->field->dim; c++)
-        for (unsigned i = 0; i < N; i++) self->nodes.f[c * N + i] = stepper->f[c];
-}
-
-/* Legendre coefficients of the solved step. */
-static void expand(gauss *self, const jlt_stepper *stepper, double *legendre)
-{
-    if (stepper->columns > stepper->field->dim) self->batch->clock(&self->nodes);
-    self->batch->transform(legendre, self->nodes.f, jlt_gauss_legendre, stepper->columns);
 }
 
 /* Binary logarithm of the local error at the end in units of the tolerance; self->dense_error as a side result. Logarithms
  * alone: the next step waits for this, and quotients and roots would be most of it. */
 static double error_norm(gauss *self, const jlt_stepper *stepper, double h)
 {
-    self->batch->sizes(self->sizes, self->trial, self->inverse_weight, stepper->columns);
+    self->batch->sizes(self->sizes, self->trial, self->nodes.inverse_weight, stepper->columns);
     const double *n = self->sizes, largest = jlt_larger(jlt_larger(n[0], n[1]), n[2]);
     if (!(fabs(h) * largest < INFINITY)) return NAN;
     const double size = jlt_rough_log2(largest), six = jlt_rough_log2(n[6]);
@@ -156,17 +204,20 @@ static jlt_status step(jlt_stepper *stepper, double limit)
 
     for (;;) {
         if (jlt_step_vanishes(stepper->tau, h)) return finite ? JLT_ERR_NO_PROGRESS : JLT_ERR_NONFINITE;
-        if (solved_h != 0) self->batch->continue_at(self->nodes.f, self->trial, 0, h / solved_h, field->dim);
-        else if (self->has_past) self->batch->continue_at(self->nodes.f, self->legendre, 1, h / stepper->h, field->dim);
-        else guess_constant(self, stepper);
-        const bool solved = solve(self, stepper, stepper->x, h);
-        stepper->evaluations += N * self->sweeps;
+        if (solved_h != 0) { /* a longer step that was solved guesses the shorter one well */
+            self->batch->continue_at(&self->nodes, self->trial, solved_h, 0, h / solved_h);
+            evaluate(self, stepper, &self->nodes);
+        } else if (h != self->guessed) {
+            guess(self, stepper, h);
+        }
+        self->guessed = 0;
+        const bool solved = solve(self, stepper, &self->nodes, h, 1);
         if (solved) {
-            expand(self, stepper, self->trial);
+            expand(self, field, &self->nodes, self->trial);
             error = error_norm(self, stepper, h);
             if (error <= 0) {
                 for (unsigned c = 0; c < columns; c++) self->end[c] = stepper->x[c] + (h * self->trial[c * N] + stepper->x_low[c]);
-                double *f = self->nodes.x; /* the nodes are not needed any more; (columns,) fits in (dim, N) */
+                double *f = self->end_f;
                 field->call(self->end, field->p, f);
                 if (field->time_rate != NULL) field->time_rate(self->end, field->p, f + field->dim);
                 stepper->evaluations++;
@@ -176,13 +227,13 @@ static jlt_status step(jlt_stepper *stepper, double limit)
             }
         }
         finite = solved && isfinite(error);
-        solved_h = finite ? h : 0; /* a longer step that was solved guesses the shorter one well */
+        solved_h = finite ? h : 0;
         h *= finite && error > 0 ? jlt_larger(safety * jlt_rough_exp2(-error / 17), 0.3) : 0.5;
         stepper->rejected++;
         rejected = true;
     }
 
-    double factor = jlt_smaller(safety * jlt_rough_exp2(-error / 17), rejected ? 1 : growth_max);
+    const double factor = jlt_smaller(safety * jlt_rough_exp2(-error / 17), rejected ? 1 : growth_max);
     const double proposed = fabs(h) * factor;
     stepper->h_next = !rejected && size < asked ? jlt_larger(proposed, asked) : proposed;
     stepper->h = h;
@@ -193,11 +244,13 @@ static jlt_status step(jlt_stepper *stepper, double limit)
         stepper->x[c] = stepper->x_start[c] + move;
         stepper->x_low[c] = (stepper->x_start[c] - stepper->x[c]) + move;
     }
-    memcpy(stepper->f, self->nodes.x, columns * sizeof *stepper->f);
+    memcpy(stepper->f, self->end_f, columns * sizeof *stepper->f);
     double *swap = self->legendre;
     self->legendre = self->trial;
     self->trial = swap;
     self->has_past = true;
+    /* Begin the next step at once: the field is being evaluated while others look at this one. */
+    guess(self, stepper, stepper->direction * jlt_smaller(stepper->h_next, stepper->max_step));
     return JLT_OK;
 }
 
@@ -205,6 +258,7 @@ static jlt_status start(jlt_stepper *stepper)
 {
     gauss *self = stepper->state;
     self->has_past = false;
+    self->guessed = 0;
     if (!(stepper->h_next > 0)) {
         /* As for dop853, but cheaper: a first guess is only the start of a fast controller. */
         double size = 0, speed = 0;
@@ -236,11 +290,11 @@ static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
 {
     gauss *self = stepper->state;
     const double h = theta * stepper->h;
-    self->batch->continue_at(self->nodes.f, self->legendre, 0, theta, stepper->field->dim);
-    const bool solved = solve(self, stepper, stepper->x_start, h);
-    stepper->evaluations += N * self->sweeps;
-    if (!solved) return JLT_ERR_NO_CONVERGENCE;
-    expand(self, stepper, self->partial);
+    begin_at(&self->inside, stepper, stepper->x_start);
+    self->batch->continue_at(&self->inside, self->legendre, stepper->h, 0, theta);
+    evaluate(self, stepper, &self->inside);
+    if (!solve(self, stepper, &self->inside, h, jlt_larger(self->rate, 0.2) * fabs(theta))) return JLT_ERR_NO_CONVERGENCE;
+    expand(self, stepper->field, &self->inside, self->partial);
     for (unsigned c = 0; c < stepper->columns; c++) out[c] = stepper->x_start[c] + h * self->partial[c * N];
     return JLT_OK;
 }

@@ -299,11 +299,12 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
             least = fabs(crossing->residual);
             best = *theta;
         }
-        const double g = crossing->residual, move = -g / crossing->slope;
+        const double g = crossing->residual, move = -g / crossing->slope, near = fabs(move) / span;
         const bool downhill = crossing->slope * stepper->direction * turn > 0;
         if (g == 0 || (downhill && fabs(move) <= DBL_EPSILON * span)) goto done;
         if (nudged == 3) goto done; /* at the rounding level of g */
-        if (downhill && fabs(move) <= 1e-6 * span) {
+        /* What nudge leaves is below a third of the cube for steps that gauss takes. */
+        if (downhill && near * near * near <= jlt_larger(1e-3 * stepper->tolerance, 1e-18)) {
             *theta += nudge(stepper, event, x, f, g, move) / stepper->h;
             crossing->residual = jlt_locate_value(event, x);
             crossing->slope = jlt_locate_slope(event, stepper, x, f);
