@@ -174,7 +174,7 @@ static jlt_status batch_pass(void *context, bool first)
 }
 
 static jlt_status measure_batch(outcome *out, jlt_bench_time *time, const problem *p, const jlt_batch_method *method,
-                                const jlt_kernel_batch *kernels, unsigned threads, double tolerance)
+                                const jlt_kernel_batch *kernels, bool project, unsigned threads, double tolerance)
 {
     const unsigned dim = p->instance->descriptor->state_count;
     jlt_status st = JLT_ERR_NOMEM;
@@ -182,7 +182,7 @@ static jlt_status measure_batch(outcome *out, jlt_bench_time *time, const proble
 
     run.map = (jlt_batch_map){ .kernels = kernels, .p = p->instance->block, .dim = dim, .column = (unsigned)p->section, .direction = 1,
                                .root = p->root, .root_floor = 1e-9, .method = method, .tolerance = tolerance, .max_steps = 1000000,
-                               .threads = threads };
+                               .threads = threads, .project = project ? p->instance->descriptor->integral_count : 0 };
     run.starts = calloc(p->orbits, dim * sizeof *run.starts);
     run.by_orbit = calloc(p->orbits, sizeof *run.by_orbit);
     run.made = calloc(p->orbits, sizeof *run.made);
@@ -237,16 +237,17 @@ static jlt_exit run_scalar(FILE *table, const problem *p, const jlt_method *meth
 }
 
 /* A curve of batches. */
-static jlt_exit run_batch(FILE *table, const problem *p, const jlt_batch_method *method, const jlt_kernel_batch *kernels, unsigned threads)
+static jlt_exit run_batch(FILE *table, const problem *p, const jlt_batch_method *method, const jlt_kernel_batch *kernels, bool project,
+                          unsigned threads)
 {
     char name[64];
     double tolerance;
 
-    snprintf(name, sizeof name, "%s %sx%u", method->name, kernels->isa, kernels->lanes);
+    snprintf(name, sizeof name, "%s%s %sx%u", method->name, project ? " projected" : "", kernels->isa, kernels->lanes);
     for (size_t i = 0; (tolerance = jlt_bench_tolerance(p->options, i)) > 0; i++) {
         outcome out = { 0 };
         jlt_bench_time time;
-        const jlt_status st = measure_batch(&out, &time, p, method, kernels, threads, tolerance);
+        const jlt_status st = measure_batch(&out, &time, p, method, kernels, project, threads, tolerance);
         if (st == JLT_ERR_UNSUPPORTED) return JLT_EXIT_DONE;
         if (st != JLT_OK) return jlt_command_fail(jlt_command_exit(st), "%s on %s: %s", name, p->tier->name, jlt_status_text(st));
         write_row(table, p, name, threads, tolerance, &out, &time);
@@ -266,7 +267,8 @@ static void list_methods(FILE *table, const problem *p)
             fprintf(table, "%s %s\n", p->tier->name, batch->name);
 }
 
-/* All methods for one orbit at a time, where the tier has a chart; all methods of batches on all instruction sets there are. */
+/* All methods for one orbit at a time, where the tier has a chart; all methods of batches on all instruction
+ * sets there are, on the best one projected onto the levels as well. */
 static jlt_exit run_tier(FILE *table, const problem *p)
 {
     const jlt_descriptor *d = p->instance->descriptor;
@@ -279,9 +281,10 @@ static jlt_exit run_tier(FILE *table, const problem *p)
     for (size_t i = 0; (batch = jlt_batch_method_at(i)) != NULL && code == JLT_EXIT_DONE; i++) {
         if (!wanted(p, batch->name)) continue;
         for (size_t isa = 0; isa < JLT_ISA_COUNT && code == JLT_EXIT_DONE; isa++)
-            if (jlt_batch_isa_runs(d->batches[isa])) code = run_batch(table, p, batch, d->batches[isa], 1);
+            if (jlt_batch_isa_runs(d->batches[isa])) code = run_batch(table, p, batch, d->batches[isa], false, 1);
+        if (code == JLT_EXIT_DONE && d->integral_count > 0) code = run_batch(table, p, batch, jlt_batch_isa_best(d, 0), true, 1);
         if (code == JLT_EXIT_DONE && p->options->threads > 1)
-            code = run_batch(table, p, batch, jlt_batch_isa_best(d, 0), (unsigned)p->options->threads);
+            code = run_batch(table, p, batch, jlt_batch_isa_best(d, 0), false, (unsigned)p->options->threads);
     }
     return code;
 }
