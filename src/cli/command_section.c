@@ -1,5 +1,6 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
+#include "cli/writer.h"
 #include "dynamics/map.h"
 #include "dynamics/section_batch.h"
 #include "integrate/batch_method.h"
@@ -13,8 +14,9 @@
 /* A picture holds so many points at most: memory does not grow with the returns. Beyond so many they are drawn as dots. */
 enum { PICTURE_POINTS = 400000, PICTURE_DOTS = 60000 };
 
-/* Orbits that are followed at once by a thread: so many that lanes seldom wait for the last ones. */
-enum { BLOCK = 256 };
+/* Of --batch, for each thread: orbits that are followed at once, so many that lanes seldom wait for the last ones; rows that are
+ * written at once. */
+enum { BLOCK = 256, ROWS = 1024 };
 
 typedef struct {
     jlt_motion_options motion;
@@ -117,8 +119,19 @@ typedef struct {
     double worst_defect;
 } totals;
 
+/* A row as it is written. */
+typedef struct {
+    size_t orbit;
+    jlt_return at;
+    double before[JLT_CHART_DIM_MAX]; /* the point before; not for number 0 */
+} section_row;
+
 /* How orbits are followed: by the section, or many at once by the batch. */
 typedef struct {
+    const options *o;
+    const jlt_system *system;
+    totals *sum;
+    jlt_writer writer; /* its context is this */
     jlt_section *section;
     jlt_section_batch *batch; /* NULL: one at a time */
     jlt_progress progress;
@@ -128,15 +141,16 @@ typedef struct {
     size_t block;             /* returns of the block that is being followed */
 } follower;
 
-/* Columns of --check: DP from the point before, NULL for none. */
-static void write_check(FILE *file, totals *sum, const options *o, const double *before, const jlt_return *row)
+/* Columns of --check: DP from the point before. */
+static void write_check(FILE *file, follower *f, const section_row *row)
 {
+    totals *sum = f->sum;
     const unsigned d = jlt_map_flow(sum->map)->chart->dim;
     jlt_image image;
     double trace = 0;
 
-    if (before == NULL || row->fate != JLT_FATE_ALIVE
-        || jlt_map_apply(sum->map, &image, before, 1, o->time_direction) != JLT_OK) {
+    if (row->at.number == 0 || row->at.fate != JLT_FATE_ALIVE
+        || jlt_map_apply(sum->map, &image, row->before, 1, f->o->time_direction) != JLT_OK) {
         fputs(",,,,", file);
         return;
     }
@@ -145,26 +159,28 @@ static void write_check(FILE *file, totals *sum, const options *o, const double 
     fprintf(file, ",%.17g,%.17g,%.17g,%.3g", trace, image.determinant, image.expansion, image.defect);
 }
 
-static void write_row(FILE *file, totals *sum, const options *o, const jlt_system *system, const double *before,
-                      const jlt_return *row)
+static void write_row(FILE *file, void *context, const void *item)
 {
-    const jlt_chart *chart = system->flow.chart;
+    follower *f = context;
+    const jlt_system *system = f->system;
+    const section_row *row = item;
+    const jlt_return *at = &row->at;
     double omega_n, omega3;
 
-    fprintf(file, "%zu,%zu,%.17g", sum->orbits, row->number, row->t);
-    for (unsigned k = 0; k < chart->dim; k++) {
+    fprintf(file, "%zu,%zu,%.17g", row->orbit, at->number, at->t);
+    for (unsigned k = 0; k < system->flow.chart->dim; k++) {
         const bool is_gamma3 = system->is_top && k == 1; /* known off the section as well */
-        const double value = is_gamma3 ? row->x[JLT_CHART_TOP_GAMMA3] : row->q[k];
+        const double value = is_gamma3 ? at->x[JLT_CHART_TOP_GAMMA3] : at->q[k];
         if (isnan(value)) fputc(',', file);
         else fprintf(file, ",%.17g", value);
     }
     if (system->is_top) {
-        jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, row->x);
-        fprintf(file, ",%.17g,%.17g,%.17g", row->x[JLT_CHART_TOP_V_NU], omega_n, omega3);
+        jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, at->x);
+        fprintf(file, ",%.17g,%.17g,%.17g", at->x[JLT_CHART_TOP_V_NU], omega_n, omega3);
     }
-    fprintf(file, ",%s", jlt_section_fate_name(row->fate));
-    if (strcmp(o->motion.contact, "report") == 0) fprintf(file, ",%.17g", row->contact);
-    if (o->check) write_check(file, sum, o, before, row);
+    fprintf(file, ",%s", jlt_section_fate_name(at->fate));
+    if (strcmp(f->o->motion.contact, "report") == 0) fprintf(file, ",%.17g", at->contact);
+    if (f->o->check) write_check(file, f, row);
     fputc('\n', file);
 }
 
@@ -205,37 +221,36 @@ static void show_batch(void *context, size_t made)
     show(f, f->before + made / 2);
 }
 
-static void show_written(follower *f, const totals *sum, size_t orbits, size_t number)
+static void show_written(follower *f, size_t orbits, size_t number)
 {
-    if (f->all == 0) show(f, sum->rows);
-    else if (f->batch == NULL) show(f, sum->orbits * f->returns + number);
+    if (f->all == 0) show(f, f->sum->rows);
+    else if (f->batch == NULL) show(f, f->sum->orbits * f->returns + number);
     else show(f, f->before + f->block / 2 + (orbits * f->returns + number) / 2);
 }
 
 /* Orbit number `index` of its block. */
-static jlt_status run_orbit(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system, follower *f,
-                            const double *q, size_t index)
+static jlt_status run_orbit(follower *f, const double *q, size_t index)
 {
-    jlt_return row;
-    jlt_status st = f->batch != NULL ? jlt_section_batch_start(f->batch, &row, index)
-                                     : jlt_section_start(f->section, &row, q, o->time_direction);
+    totals *sum = f->sum;
+    section_row row = { .orbit = sum->orbits };
+    jlt_return *at = &row.at;
+    jlt_status st = f->batch != NULL ? jlt_section_batch_start(f->batch, at, index)
+                                     : jlt_section_start(f->section, at, q, f->o->time_direction);
 
     if (st != JLT_OK) return st;
-    write_row(stream->file, sum, o, system, NULL, &row);
-    JLT_TRY(note(sum, &row));
-    while (row.fate == JLT_FATE_ALIVE && row.number < o->returns && (f->batch != NULL || !jlt_motion_interrupted(&o->motion))) {
-        double before[JLT_CHART_DIM_MAX];
-        memcpy(before, row.q, sizeof before);
-        JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, &row) : jlt_section_next(f->section, &row));
-        if (row.interrupted) break;
-        write_row(stream->file, sum, o, system, before, &row);
-        JLT_TRY(note(sum, &row));
-        if (ferror(stream->file)) return JLT_ERR_IO;
-        show_written(f, sum, index, row.number);
+    JLT_TRY(jlt_writer_put(&f->writer, &row));
+    JLT_TRY(note(sum, at));
+    while (at->fate == JLT_FATE_ALIVE && at->number < f->returns && (f->batch != NULL || !jlt_motion_interrupted(&f->o->motion))) {
+        memcpy(row.before, at->q, sizeof row.before);
+        JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, at) : jlt_section_next(f->section, at));
+        if (at->interrupted) break;
+        JLT_TRY(jlt_writer_put(&f->writer, &row));
+        JLT_TRY(note(sum, at));
+        show_written(f, index, at->number);
     }
-    hand_over(sum, row.fate);
-    sum->by_fate[row.fate]++;
-    if (!(row.contact > 0)) sum->lost_contact++;
+    hand_over(sum, at->fate);
+    sum->by_fate[at->fate]++;
+    if (!(at->contact > 0)) sum->lost_contact++;
     sum->orbits++;
 done:
     return st;
@@ -324,15 +339,17 @@ static void column_names(FILE *file, const options *o, const jlt_system *system)
 }
 
 /* Whatever orbits are followed with. */
-static jlt_exit open_follower(follower *f, totals *sum, const options *o, const jlt_system *system)
+static jlt_exit open_follower(follower *f)
 {
+    const options *o = f->o;
+    const jlt_system *system = f->system;
     const jlt_descriptor *d = system->instance->descriptor;
     jlt_section_batch_options batch = { .threads = (unsigned)o->threads, .progress = show_batch, .context = f };
     jlt_status st = JLT_OK;
 
     if (!o->batch) {
         JLT_TRY(jlt_section_create(&f->section, &system->flow));
-        if (o->check) JLT_TRY(jlt_map_create(&sum->map, &system->flow));
+        if (o->check) JLT_TRY(jlt_map_create(&f->sum->map, &system->flow));
         goto done;
     }
     if (system->flow.chart->level != 0)
@@ -357,53 +374,60 @@ static void batch_header(FILE *file, const options *o, const jlt_system *system)
 }
 
 /* Orbits from so many starts, the first of which has the number `first`. */
-static jlt_exit run_block(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system, follower *f,
-                          const double *q, size_t first, size_t count)
+static jlt_exit run_block(follower *f, const double *q, size_t first, size_t count)
 {
+    const options *o = f->o;
+    const jlt_system *system = f->system;
     jlt_status st;
 
     f->before = first * f->returns;
     f->block = count * f->returns;
     if (f->batch != NULL) {
-        st = jlt_section_batch_run(f->batch, q, count, o->returns);
+        st = jlt_section_batch_run(f->batch, q, count, f->returns);
         if (st == JLT_ERR_IO) return jlt_command_fail(JLT_EXIT_IO, "the temporary file of rows cannot be written: is there room in TMPDIR?");
         if (st != JLT_OK) return jlt_motion_fail(st, system, "section");
     }
     for (size_t i = 0; i < (f->batch != NULL ? jlt_section_batch_begun(f->batch) : count); i++) {
-        st = run_orbit(sum, stream, o, system, f, q + i * system->flow.chart->dim, i);
-        if (first + i >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) sum->empty++;
-        else if (st == JLT_ERR_IO && ferror(stream->file)) break; /* it says so when it is closed */
+        st = run_orbit(f, q + i * system->flow.chart->dim, i);
+        if (first + i >= o->start_count && (st == JLT_ERR_EMPTY || st == JLT_ERR_DOMAIN)) f->sum->empty++;
+        else if (ferror(f->writer.stream)) return JLT_EXIT_DONE; /* it says so when it is closed */
         else if (st != JLT_OK)
             return jlt_motion_fail(st, system, first + i < o->start_count ? o->starts[first + i] : "a start of the grid");
     }
-    return JLT_EXIT_DONE;
+    st = jlt_writer_flush(&f->writer);
+    return st == JLT_ERR_NOMEM ? jlt_command_no_memory() : JLT_EXIT_DONE;
 }
 
 /* All starts, those of --start first. */
-static jlt_exit run_all(totals *sum, jlt_stream *stream, const options *o, const jlt_system *system, follower *f)
+static jlt_exit run_all(follower *f, FILE *stream)
 {
-    const size_t room = o->batch ? BLOCK * (o->threads > 1 ? o->threads : 1) : 1;
-    const unsigned dim = system->flow.chart->dim;
-    const size_t grid = o->grid != NULL ? jlt_motion_grid_size(o->axes, system) : 0, all = o->start_count + grid;
+    const options *o = f->o;
+    const size_t threads = o->threads > 1 ? o->threads : 1, room = o->batch ? BLOCK * threads : 1;
+    const unsigned dim = f->system->flow.chart->dim;
+    const size_t grid = o->grid != NULL ? jlt_motion_grid_size(o->axes, f->system) : 0, all = o->start_count + grid;
     double *q = calloc(room, dim * sizeof *q);
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (q == NULL) return jlt_command_no_memory();
+    if (q == NULL || jlt_writer_open(&f->writer, stream, write_row, f, sizeof(section_row), o->batch ? ROWS * threads : 1,
+                                     (unsigned)threads) != JLT_OK)
+        code = jlt_command_no_memory();
     f->returns = o->returns;
     f->all = o->returns > ((size_t)1 << 40) ? 0 : all * o->returns;
     jlt_progress_start(&f->progress, "returns");
-    for (size_t first = 0, count; first < all; first += count) {
+    for (size_t first = 0, count; first < all && code == JLT_EXIT_DONE; first += count) {
         for (count = 0; count < room && first + count < all && code == JLT_EXIT_DONE; count++) {
             const size_t i = first + count;
-            if (i < o->start_count) code = jlt_motion_start(q + count * dim, system, o->starts[i]);
-            else jlt_motion_grid_point(q + count * dim, o->axes, system, i - o->start_count);
+            if (i < o->start_count) code = jlt_motion_start(q + count * dim, f->system, o->starts[i]);
+            else jlt_motion_grid_point(q + count * dim, o->axes, f->system, i - o->start_count);
         }
-        if (code == JLT_EXIT_DONE) code = run_block(sum, stream, o, system, f, q, first, count);
-        if (code != JLT_EXIT_DONE || ferror(stream->file) || jlt_motion_interrupted(&o->motion)) break;
+        if (code == JLT_EXIT_DONE) code = run_block(f, q, first, count);
+        if (ferror(stream) || jlt_motion_interrupted(&o->motion)) break;
     }
     jlt_progress_end(&f->progress);
+    jlt_writer_close(&f->writer);
     free(q);
-    if (code == JLT_EXIT_DONE && sum->orbits == 0 && sum->empty > 0) code = jlt_motion_fail(JLT_ERR_EMPTY, system, "--grid");
+    if (code == JLT_EXIT_DONE && f->sum->orbits == 0 && f->sum->empty > 0)
+        code = jlt_motion_fail(JLT_ERR_EMPTY, f->system, "--grid");
     return code;
 }
 
@@ -411,7 +435,7 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .returns = 100, .time_direction = 1 };
     totals sum = { 0 };
-    follower f = { 0 };
+    follower f = { .o = &o, .sum = &sum };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
     char *points = NULL;
@@ -428,14 +452,15 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_motion_system(&system, &o.motion);
     if (code == JLT_EXIT_DONE) code = jlt_motion_axes(o.axes, system, o.grid, "--grid");
     if (code == JLT_EXIT_DONE) code = jlt_motion_check_starts(system, o.starts, o.start_count);
-    if (code == JLT_EXIT_DONE) code = open_follower(&f, &sum, &o, system);
+    f.system = system;
+    if (code == JLT_EXIT_DONE) code = open_follower(&f);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (o.motion.common.plot != NULL) sum.points = open_memstream(&points, &size);
     jlt_motion_header(stream.file, &o.motion, system);
     if (o.batch) batch_header(stream.file, &o, system);
     column_names(stream.file, &o, system);
-    code = run_all(&sum, &stream, &o, system, &f);
+    code = run_all(&f, stream.file);
     if (sum.points != NULL) fclose(sum.points);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);
