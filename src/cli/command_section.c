@@ -1,5 +1,6 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
+#include "cli/section_picture.h"
 #include "cli/writer.h"
 #include "dynamics/map.h"
 #include "dynamics/section_batch.h"
@@ -10,9 +11,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* A picture holds so many points at most: memory does not grow with the returns. Beyond so many they are drawn as dots. */
-enum { PICTURE_POINTS = 400000, PICTURE_DOTS = 60000 };
 
 /* Of --batch, for each thread: orbits that are followed at once, so many that lanes seldom wait for the last ones; rows that are
  * written at once. */
@@ -108,14 +106,10 @@ static const struct argp parser = {
     children, NULL, NULL,
 };
 
-/* Counts for the closing words, and what the picture gets: the points of the orbit that runs, and all those before it with
- * their fates. */
+/* Counts for the closing words. */
 typedef struct {
-    size_t orbits, empty, rows, by_fate[JLT_FATE_BUDGET + 1], lost_contact;
-    FILE *points;
-    double *running; /* shape (running_count, 2), owned */
-    size_t running_count, running_room, point_count;
-    jlt_map *map;        /* of --check, owned */
+    size_t orbits, empty, rows, lost_contact;
+    jlt_map *map; /* of --check, owned */
     double worst_defect;
 } totals;
 
@@ -131,6 +125,7 @@ typedef struct {
     const options *o;
     const jlt_system *system;
     totals *sum;
+    jlt_section_picture *picture;
     jlt_writer writer; /* its context is this */
     jlt_section *section;
     jlt_section_batch *batch; /* NULL: one at a time */
@@ -184,29 +179,6 @@ static void write_row(FILE *file, void *context, const void *item)
     fputc('\n', file);
 }
 
-static jlt_status note(totals *sum, const jlt_return *row)
-{
-    sum->rows++;
-    if (sum->points == NULL || isnan(row->q[0]) || sum->point_count + sum->running_count == PICTURE_POINTS) return JLT_OK;
-    if (sum->running_count == sum->running_room) {
-        const size_t room = sum->running_room == 0 ? 1024 : 2 * sum->running_room;
-        double *grown = realloc(sum->running, 2 * room * sizeof *grown);
-        if (grown == NULL) return JLT_ERR_NOMEM;
-        sum->running = grown;
-        sum->running_room = room;
-    }
-    memcpy(sum->running + 2 * sum->running_count++, row->q, 2 * sizeof *row->q);
-    return JLT_OK;
-}
-
-static void hand_over(totals *sum, jlt_fate fate)
-{
-    for (size_t i = 0; i < sum->running_count; i++)
-        fprintf(sum->points, "%.7g %.7g %d\n", sum->running[2 * i], sum->running[2 * i + 1], (int)fate);
-    sum->point_count += sum->running_count;
-    sum->running_count = 0;
-}
-
 static void show(follower *f, size_t done)
 {
     if (__atomic_test_and_set(&f->showing, __ATOMIC_ACQUIRE)) return;
@@ -228,6 +200,15 @@ static void show_written(follower *f, size_t orbits, size_t number)
     else show(f, f->before + f->block / 2 + (orbits * f->returns + number) / 2);
 }
 
+static jlt_status put(follower *f, const section_row *row)
+{
+    const jlt_status st = jlt_writer_put(&f->writer, row);
+
+    if (st != JLT_OK) return st;
+    f->sum->rows++;
+    return jlt_section_picture_add(f->picture, row->at.q);
+}
+
 /* Orbit number `index` of its block. */
 static jlt_status run_orbit(follower *f, const double *q, size_t index)
 {
@@ -238,18 +219,15 @@ static jlt_status run_orbit(follower *f, const double *q, size_t index)
                                      : jlt_section_start(f->section, at, q, f->o->time_direction);
 
     if (st != JLT_OK) return st;
-    JLT_TRY(jlt_writer_put(&f->writer, &row));
-    JLT_TRY(note(sum, at));
+    JLT_TRY(put(f, &row));
     while (at->fate == JLT_FATE_ALIVE && at->number < f->returns && (f->batch != NULL || !jlt_motion_interrupted(&f->o->motion))) {
         memcpy(row.before, at->q, sizeof row.before);
         JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, at) : jlt_section_next(f->section, at));
         if (at->interrupted) break;
-        JLT_TRY(jlt_writer_put(&f->writer, &row));
-        JLT_TRY(note(sum, at));
+        JLT_TRY(put(f, &row));
         show_written(f, index, at->number);
     }
-    hand_over(sum, at->fate);
-    sum->by_fate[at->fate]++;
+    jlt_section_picture_end(f->picture, at->fate);
     if (!(at->contact > 0)) sum->lost_contact++;
     sum->orbits++;
 done:
@@ -278,54 +256,6 @@ static jlt_exit closing_words(const totals *sum, const options *o, const jlt_str
     if (!o->check) return JLT_EXIT_DONE;
     fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g\n", sum->worst_defect);
     return sum->worst_defect <= 1e4 * o->motion.flow.tolerance ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
-}
-
-/* The whole section, or a third more than the grid that was named. */
-static void frame(FILE *stream, const options *o, const jlt_system *system)
-{
-    if (o->grid == NULL) return;
-    if (strchr(o->grid, '=') == NULL) {
-        if (system->is_top) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
-        return;
-    }
-    for (unsigned k = 0; k < 2; k++) {
-        const double low = o->axes[k].low, high = o->axes[k].high, more = (high - low) / 6;
-        if (more > 0) fprintf(stream, "set %crange [%.9g:%.9g]\n", k == 0 ? 'x' : 'y', low - more, high + more);
-    }
-}
-
-static jlt_exit draw(const options *o, const jlt_system *system, const char *points, const totals *sum)
-{
-    static const struct {
-        const char *name, *colour;
-    } looks[] = { { "alive", "#202060" }, { "end at pole +1", "#e07050" }, { "end at pole -1", "#30a0c0" },
-                  { "lost contact", "#c0a000" }, { "out of budget", "#909090" } };
-    jlt_command_output script;
-    bool first = true;
-    FILE *stream;
-
-    if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
-    stream = script.stream;
-    fputs("set encoding utf8\n$POINTS << END\n", stream);
-    fputs(points, stream);
-    fputs("END\nset title \"Poincaré map on the section, ", stream);
-    jlt_motion_caption(stream, system);
-    fprintf(stream, "\\n%zu orbits of up to %zu returns\" noenhanced\n", sum->orbits, o->returns);
-    if (system->is_top) fputs("set xlabel \"η [rad]\"\nset ylabel \"γ_3\"\n", stream);
-    else
-        fprintf(stream, "set xlabel \"%s\" noenhanced\nset ylabel \"%s\" noenhanced\n", system->flow.chart->names[0],
-                system->flow.chart->names[1]);
-    frame(stream, o, system);
-    fputs("set key tmargin center horizontal textcolor variable\nplot ", stream);
-    for (int fate = JLT_FATE_BUDGET; fate >= (int)JLT_FATE_ALIVE; fate--) {
-        if (sum->by_fate[fate] == 0) continue;
-        fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN) with %s lc rgb '%s' title \"%zu %s\" noenhanced", first ? "" : ", ",
-                fate, sum->point_count > PICTURE_DOTS ? "dots" : "points pt 7 ps 0.25", looks[fate].colour, sum->by_fate[fate],
-                looks[fate].name);
-        first = false;
-    }
-    fputs("\n", stream);
-    return jlt_common_draw(&o->motion.common, &script);
 }
 
 static void column_names(FILE *file, const options *o, const jlt_system *system)
@@ -435,11 +365,10 @@ static jlt_exit run(int argc, char **argv)
 {
     options o = { .returns = 100, .time_direction = 1 };
     totals sum = { 0 };
-    follower f = { .o = &o, .sum = &sum };
+    jlt_section_picture picture = { 0 };
+    follower f = { .o = &o, .sum = &sum, .picture = &picture };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
-    char *points = NULL;
-    size_t size = 0;
     jlt_exit code;
 
     o.starts = calloc((size_t)argc, sizeof *o.starts);
@@ -456,16 +385,19 @@ static jlt_exit run(int argc, char **argv)
     if (code == JLT_EXIT_DONE) code = open_follower(&f);
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
-    if (o.motion.common.plot != NULL) sum.points = open_memstream(&points, &size);
+    if (o.motion.common.plot != NULL && jlt_section_picture_open(&picture) != JLT_OK) {
+        code = jlt_command_no_memory();
+        goto done;
+    }
     jlt_motion_header(stream.file, &o.motion, system);
     if (o.batch) batch_header(stream.file, &o, system);
     column_names(stream.file, &o, system);
     code = run_all(&f, stream.file);
-    if (sum.points != NULL) fclose(sum.points);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);
     if (code == JLT_EXIT_DONE) code = closing_words(&sum, &o, &stream);
-    if (code == JLT_EXIT_DONE && points != NULL) code = draw(&o, system, points, &sum);
+    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL)
+        code = jlt_section_picture_draw(&picture, &o.motion.common, system, o.grid, o.axes, o.returns);
 done:
     jlt_stream_discard(&stream);
     jlt_section_destroy(f.section);
@@ -473,8 +405,7 @@ done:
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
     jlt_map_destroy(sum.map);
-    free(sum.running);
-    free(points);
+    jlt_section_picture_close(&picture);
     free(o.starts);
     return code;
 }

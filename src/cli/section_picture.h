@@ -1,0 +1,33 @@
+/** The picture of a section: the points of all orbits, coloured by what became of them. */
+#ifndef JLT_CLI_SECTION_PICTURE_H
+#define JLT_CLI_SECTION_PICTURE_H
+
+#include "cli/common.h"
+#include "cli/grid.h"
+#include "dynamics/system.h"
+
+/** Zeroed, one that is not drawn. */
+typedef struct {
+    FILE *stream; /* of `text`: the points of the orbits before; NULL: there is no picture */
+    char *text;
+    size_t size;
+    double *running; /* of the orbit that runs: shape (running_count, 2) */
+    size_t running_count, running_room;
+    size_t count, orbits, by_fate[JLT_FATE_BUDGET + 1];
+} jlt_section_picture;
+
+/** Errors: NOMEM. */
+JLT_CHECKED jlt_status jlt_section_picture_open(jlt_section_picture *self);
+void jlt_section_picture_close(jlt_section_picture *self); /* legal when zeroed */
+
+/** A point of the orbit that runs; NaN: none. Errors: NOMEM. */
+JLT_CHECKED jlt_status jlt_section_picture_add(jlt_section_picture *self, const double *q);
+
+/** That orbit is at its end. */
+void jlt_section_picture_end(jlt_section_picture *self, jlt_fate fate);
+
+/** Draw it, once. grid: as typed, NULL for none, with its axes. Says what is wrong. */
+jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *common, const jlt_system *system, const char *grid,
+                                  const jlt_grid_axis *axes, size_t returns);
+
+#endif
