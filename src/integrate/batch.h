@@ -2,8 +2,7 @@
  *
  *  Every lane has its own step, its own error control and its own fate; a finished lane is refilled from the list of
  *  starts, so that none runs empty before the list ends. Crossings are queued and refined a full vector at a time.
- *  Lanes do not see each other: an orbit's rows do not depend on its neighbours, on its lane or on the number of lanes of
- *  the same instruction set. */
+ *  Lanes do not see each other: an orbit's rows do not depend on its neighbours or on its lane. */
 #ifndef JLT_INTEGRATE_BATCH_H
 #define JLT_INTEGRATE_BATCH_H
 
@@ -40,14 +39,14 @@ typedef struct {
     unsigned project;                /* integrals of the kernels: after every step that crosses the section, unless that would
                                         lead back across it, orbits are put back onto their starts' levels of these and, with
                                         a root r, of x[0]^2 + r^2; 0: not */
-    const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step; NULL: none */
+    const volatile sig_atomic_t *interrupt; /* nonzero: stop after the step, orbits under way without their end; NULL: none */
 } jlt_batch_map;
 
 /** Called at each crossing, for one orbit in order of time: x (columns,); number counts from 1. A nonzero answer ends the run.
  *  With several threads it is called by several at once, though never for the same orbit. */
 typedef int (*jlt_batch_row)(void *context, size_t orbit, size_t number, const double *x);
 
-/** Called once an orbit, with its last point; as above. */
+/** Called once an orbit, with its last point, unless the run ends before; as above. */
 typedef int (*jlt_batch_end)(void *context, size_t orbit, jlt_lane_end end, size_t returns, const double *x);
 
 typedef struct {
