@@ -1,8 +1,8 @@
 /* Collocation at the eight Gauss nodes (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, II.1.3 and
  * VIII.6): order 16 at the ends, symmetric, and exact on quadratic integrals. The implicit equations are solved by sweeps over
  * all nodes, x <- x0 + h A f(x), which a vector processor does for the price of one evaluation; the first guess is the
- * last step's polynomial, continued, and the field there is asked for at the end of that step already, so that it is evaluated while
- * events are looked for.
+ * last step's polynomial, continued, and the field there is asked for at the end of that step already, so that it is evaluated
+ * while events are looked for.
  *
  * Error. Let a_k be the coefficients of f on the step in Legendre polynomials, n_k their size relative to the states times h.
  * For analytic solutions n_k falls like r^k, and the quadrature at the end errs by the aliased part, ~ n_0 r^16. With
@@ -39,7 +39,7 @@ typedef struct {
     double *sizes;             /* (N,): of the Legendre coefficients, relative to the states */
     double *scratch;           /* (2 dim,): without batched kernels */
     double dense_error;
-    double rate;               /* what the last sweep contracted by */
+    double rate;               /* what the last sweep of a whole step contracted by */
     bool has_past;
 } gauss;
 
@@ -153,8 +153,8 @@ static void guess(gauss *self, jlt_stepper *stepper, double h)
 }
 
 /* Solve for the nodes of a step h, beginning with what stands there. The field is asked for again before the sweep is judged,
- * which takes as long. rate: what a sweep contracts by; 1 when it is not known. */
-static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes, double h, double rate)
+ * which takes as long. rate: what a sweep contracts by, 1 when it is not known; replaced where it was measured. */
+static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes, double h, double *rate)
 {
     const double enough = 0.05 * stepper->tolerance;
     double last = INFINITY;
@@ -162,12 +162,12 @@ static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *node
     for (unsigned sweeps = 2; sweeps <= SWEEPS_MAX; sweeps++) {
         const double square = self->batch->move(nodes, h);
         evaluate(self, stepper, nodes);
-        const double change = sqrt(square), before = sweeps == 2 ? change / rate : last;
+        const double change = sqrt(square), before = sweeps == 2 ? change / *rate : last;
         last = change;
         if (!(change < 1e3)) return false;
         if (change <= rounding) return true;
         if (change * change <= enough * (before - change)) {
-            self->rate = change / before;
+            *rate = change / before;
             return true;
         }
         if (sweeps > 2 && change > slowest_rate * before) {
@@ -211,8 +211,10 @@ static jlt_status step(jlt_stepper *stepper, double limit)
             guess(self, stepper, h);
         }
         self->guessed = 0;
-        const bool solved = solve(self, stepper, &self->nodes, h, 1);
+        double rate = 1, defect = 0;
+        const bool solved = solve(self, stepper, &self->nodes, h, &rate);
         if (solved) {
+            if (rate < 1) self->rate = rate;
             expand(self, field, &self->nodes, self->trial);
             error = error_norm(self, stepper, h);
             if (error <= 0) {
@@ -221,12 +223,11 @@ static jlt_status step(jlt_stepper *stepper, double limit)
                 field->call(self->end, field->p, f);
                 if (field->time_rate != NULL) field->time_rate(self->end, field->p, f + field->dim);
                 stepper->evaluations++;
-                double defect = 0;
-                for (unsigned c = 0; c < columns; c++) defect += 0 * f[c];
+                for (unsigned c = 0; c < columns; c++) defect += 0 * self->end[c] + 0 * f[c];
                 if (defect == 0) break;
             }
         }
-        finite = solved && isfinite(error);
+        finite = solved && isfinite(error) && defect == 0;
         solved_h = finite ? h : 0;
         h *= finite && error > 0 ? jlt_larger(safety * jlt_rough_exp2(-error / 17), 0.3) : 0.5;
         stepper->rejected++;
@@ -293,7 +294,8 @@ static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
     begin_at(&self->inside, stepper, stepper->x_start);
     self->batch->continue_at(&self->inside, self->legendre, stepper->h, 0, theta);
     evaluate(self, stepper, &self->inside);
-    if (!solve(self, stepper, &self->inside, h, jlt_larger(self->rate, 0.2) * fabs(theta))) return JLT_ERR_NO_CONVERGENCE;
+    double rate = jlt_larger(self->rate, 0.2) * fabs(theta);
+    if (!solve(self, stepper, &self->inside, h, &rate)) return JLT_ERR_NO_CONVERGENCE;
     expand(self, stepper->field, &self->inside, self->partial);
     for (unsigned c = 0; c < stepper->columns; c++) out[c] = stepper->x_start[c] + h * self->partial[c * N];
     return JLT_OK;

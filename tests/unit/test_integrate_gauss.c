@@ -1,4 +1,5 @@
-/* Collocation: instances for all instruction sets agree, quadratic integrals stay, steps are reversible. */
+/* Collocation: instances for all instruction sets agree, quadratic integrals stay, steps have their order and stand alone, and
+ * what is not finite is not accepted. */
 #include "unit/check.h"
 #include "unit/sample_fields.h"
 
@@ -94,12 +95,87 @@ static void a_step_has_local_order_seventeen(void **unused)
     jlt_stepper_destroy(stepper);
 }
 
+/* How fast the sweeps of a short partial step contract says nothing of a long one, which comes out the same, bit for bit, before
+ * it and after it. Told 0.18 in place of 0.33, it would end its sweeps too soon where the first change is between 0.10 and 0.23
+ * of the tolerance, which halving cannot miss. */
+static void a_partial_step_does_not_depend_on_those_before(void **unused)
+{
+    (void)unused;
+    const jlt_field field = { .dim = 4, .call = kepler, .root = -1 };
+    const double x[4] = { 1, 0, 0, 1 };
+
+    for (double tolerance = 1e-2; tolerance > 1e-6; tolerance /= 2) {
+        double before[8] = { 0 }, between[8] = { 0 }, after[8] = { 0 };
+        jlt_stepper *stepper = NULL;
+        assert_ok(jlt_stepper_create(&stepper, jlt_method_find("gauss"), &field, 1e-2, INFINITY));
+        assert_ok(jlt_stepper_start(stepper, 0, x, +1, 2));
+        assert_ok(jlt_stepper_advance(stepper, INFINITY));
+        stepper->tolerance = tolerance;
+        assert_ok(stepper->method->partial(stepper, 0.9, before));
+        assert_ok(stepper->method->partial(stepper, 0.1, between));
+        assert_ok(stepper->method->partial(stepper, 0.9, after));
+        assert_memory_equal(after, before, sizeof before);
+        jlt_stepper_destroy(stepper);
+    }
+}
+
+static void unit_speed(const double *restrict x, const double *restrict p, double *restrict f)
+{
+    (void)x, (void)p;
+    f[0] = 1;
+}
+
+/* Time is not known for p[0] < x < p[1]. */
+static void broken_clock(const double *restrict x, const double *restrict p, double *restrict rate)
+{
+    rate[0] = x[0] > p[0] && x[0] < p[1] ? NAN : 1;
+}
+
+/* The first step, 1, has nodes in the gap and ends beyond it. Steps that halve come up to the gap and no further: none longer
+ * than 1 has its first node, at 0.02 of it, beyond. */
+static void a_gap_in_the_clock_is_not_stepped_over(void **unused)
+{
+    (void)unused;
+    const double gap[2] = { 0.1, 0.9 }, x = 0;
+    const jlt_field field = { .dim = 1, .call = unit_speed, .time_rate = broken_clock, .p = gap, .root = -1 };
+    jlt_status st = JLT_OK;
+    jlt_stepper *stepper = NULL;
+
+    assert_ok(jlt_stepper_create(&stepper, jlt_method_find("gauss"), &field, 1e-10, 1));
+    assert_ok(jlt_stepper_start(stepper, 0, &x, +1, 1));
+    for (unsigned k = 0; k < 1000 && st == JLT_OK; k++) {
+        st = jlt_stepper_advance(stepper, INFINITY);
+        assert_near(jlt_stepper_time(stepper), stepper->x[0], 1e-15);
+    }
+    assert_int_equal(st, JLT_ERR_NONFINITE);
+    assert_near(stepper->x[0], gap[0], 1e-15);
+    jlt_stepper_destroy(stepper);
+}
+
+/* The states are finite all the time; only the clock is not, at every point but the first. */
+static void a_clock_that_never_runs_is_nonfinite(void **unused)
+{
+    (void)unused;
+    const double gap[2] = { 0, INFINITY }, x = 0;
+    const jlt_field field = { .dim = 1, .call = unit_speed, .time_rate = broken_clock, .p = gap, .root = -1 };
+    jlt_stepper *stepper = NULL;
+
+    assert_ok(jlt_stepper_create(&stepper, jlt_method_find("gauss"), &field, 1e-10, INFINITY));
+    assert_ok(jlt_stepper_start(stepper, 0, &x, +1, 1));
+    assert_int_equal(jlt_stepper_advance(stepper, INFINITY), JLT_ERR_NONFINITE);
+    assert_near(stepper->x[0], 0, 0);
+    jlt_stepper_destroy(stepper);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_instruction_sets_give_the_same_orbit),
         cmocka_unit_test(quadratic_integrals_are_kept_to_rounding_at_any_step),
         cmocka_unit_test(a_step_has_local_order_seventeen),
+        cmocka_unit_test(a_partial_step_does_not_depend_on_those_before),
+        cmocka_unit_test(a_gap_in_the_clock_is_not_stepped_over),
+        cmocka_unit_test(a_clock_that_never_runs_is_nonfinite),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
