@@ -63,7 +63,8 @@ unsigned jlt_bernstein_variations(const double *b, unsigned degree)
 }
 
 /* The one zero of b on (0, 1) by Halley's method in a bracket. With u = theta/(1 - theta) b is q(u)/(1 + u)^degree,
- * q = sum_j C(degree,j) b_j u^j, which Horner's rule sums stably where u <= 1: the interval is turned if the zero is right of 1/2. */
+ * q = sum_j C(degree,j) b_j u^j, which Horner's rule sums stably where u <= 1: the interval is turned if the zero is right
+ * of 1/2. */
 static double only_root(const double *b, unsigned degree)
 {
     double a[SIZE], binomial = 1, middle = 0, lo = 0, hi = 1;

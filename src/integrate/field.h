@@ -16,7 +16,7 @@ typedef struct {
     const double *p;               /* passed through: a prepared block, or a structure aligned for double, cast */
     jlt_kernel_function time_rate; /* x, p -> dt/dtau > 0 (1,); NULL: tau is t */
     jlt_kernel_function jacobian;  /* x, p -> df/dx (dim, dim); NULL where not known */
-    jlt_kernel_jet jet;                 /* NULL where not known; the method taylor needs it */
+    jlt_kernel_jet jet;            /* NULL where not known; the method taylor needs it */
     const jlt_kernel_batch *batch; /* the same field on vectors, for the method gauss; NULL where not known */
     unsigned controlled;           /* leading states in the error norm; 0: all of them */
     int root;                      /* the lifted root whose zero is the pole, as an index into x; -1: none */
@@ -29,7 +29,8 @@ typedef struct {
  *  are left, and the field, which divides by its root, is worth nothing. */
 #define JLT_FIELD_NEAREST 0x1p-37
 
-/** The field of a generated kernel. In the model's own time its domain is watched; a lifted root does without. p: its prepared block, kept by the caller as long as the field is in use.
+/** The field of a generated kernel. In the model's own time its domain is watched; a lifted root does without. p: its prepared
+ *  block, kept by the caller as long as the field is in use.
  *  The last state is taken for the pole's root when the kernel has a time of its own and that state is bounded by 0 below.
  *  Errors: UNSUPPORTED, the descriptor has no right-hand side. */
 JLT_CHECKED jlt_status jlt_field_of(jlt_field *out, const jlt_descriptor *descriptor, const double *p);

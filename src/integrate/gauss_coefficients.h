@@ -63,7 +63,8 @@ static const _Alignas(64) double jlt_gauss_power[JLT_GAUSS_NODES][JLT_GAUSS_NODE
     { -1.0, 28.0, -252.0, 1050.0, -2310.0, 2772.0, -1716.0, 429.0 },
 };
 
-/* 56 times the Bernstein coefficients 1 ... 8, of degree 8, of the integral from 0 to theta of P_k(2 theta - 1); coefficient 0 is 0. */
+/* 56 times the Bernstein coefficients 1 ... 8, of degree 8, of the integral from 0 to theta of P_k(2 theta - 1); coefficient 0
+ * is 0. */
 static const _Alignas(64) double jlt_gauss_bernstein[JLT_GAUSS_NODES][JLT_GAUSS_NODES] = {
     { 7.0, 14.0, 21.0, 28.0, 35.0, 42.0, 49.0, 56.0 },
     { -7.0, -12.0, -15.0, -16.0, -15.0, -12.0, -7.0, 0 },

@@ -42,7 +42,8 @@ typedef struct {
 
     double *scale;        /* below it a column counts as small; INFINITY: not controlled */
     unsigned controlled;  /* columns in the error norm */
-    size_t steps, rejected, evaluations;
+    size_t steps, rejected;
+    size_t evaluations;   /* of the field so far; gauss: with the 8 that the next step begins with, whether it is taken or not */
     void *state;          /* the method's own */
 } jlt_stepper;
 
@@ -63,9 +64,9 @@ struct jlt_method {
     /* The state at tau_start + theta*h by a step of its own from the start, local error not above the whole step's;
      * out has shape (stride,) and must not be one of the stepper's arrays. theta may leave [0, 1] by a little. */
     jlt_status (*partial)(jlt_stepper *self, double theta, double *out);
-    /* One of these two, so that a step far from an event costs little. An estimate from above of the total variation of a
-     * column on the last step, from what is at hand; or the column's polynomial in Bernstein form, b (degree + 1,), with
-     * dense_error, where that costs no evaluation. Returns the degree. */
+    /* One of these two, the other is NULL, so that a step far from an event costs little. An estimate from above of the
+     * total variation of a column on the last step, from what is at hand; or the column's polynomial in Bernstein form,
+     * b (degree + 1,), with dense_error, where that costs no evaluation. Returns the degree. */
     double (*variation)(const jlt_stepper *self, unsigned column);
     unsigned (*bernstein)(jlt_stepper *self, unsigned column, double *b);
 };
@@ -98,7 +99,8 @@ JLT_CHECKED jlt_status jlt_stepper_replace(jlt_stepper *self, const double *x);
  *  led to the edge of the field's domain or beyond. */
 JLT_CHECKED jlt_status jlt_stepper_advance(jlt_stepper *self, double limit);
 
-/** Make the polynomial of the last step, once. Cost: none (taylor), 3 evaluations (dop853), 15 (the others). */
+/** Make the polynomial of the last step, once. Cost: none (gauss, taylor), 3 evaluations (dop853), 15
+ *  (the others). */
 JLT_CHECKED jlt_status jlt_stepper_dense(jlt_stepper *self);
 
 /** Value of one column, or of all (columns,), of that polynomial; jlt_stepper_dense came before. */

@@ -60,7 +60,8 @@ void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context); /
 
 /** Go on to the next crossing of one of the events, to physical time t_end (+-INFINITY: no end), or into the pole,
  *  whichever comes first. Call again to go on: the same event list continues the same count of crossings; a changed list
- *  starts from the current point. count <= 8; levels are finite, else ARG. At JLT_END_TIME the next call starts from there with nothing lost.
+ *  starts from the current point. count <= 8; levels are finite, else ARG. At JLT_END_TIME the next call starts from there
+ *  with nothing lost.
  *  Errors: NONFINITE, NO_PROGRESS, BUDGET; DOMAIN, a field in the model's own time came to the edge of its domain; out then
  *  holds the last accepted point with end JLT_END_TIME. */
 JLT_CHECKED jlt_status jlt_orbit_next(jlt_orbit *self, double t_end, const jlt_event *events, unsigned count,
