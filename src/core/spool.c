@@ -1,6 +1,7 @@
 #include "core/spool.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -76,6 +77,10 @@ static int open_file(jlt_spool *self)
     file = mkstemp(path);
     if (file >= 0) unlink(path);
     free(path);
+    if (file >= 0 && fcntl(file, F_SETFD, FD_CLOEXEC) != 0) {
+        close(file);
+        return -1;
+    }
     if (file < 0 || __atomic_compare_exchange_n(&self->file, &none, file, false, __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE)) return file;
     close(file); /* another thread was faster */
     return none;

@@ -9,8 +9,9 @@
 
 typedef struct jlt_spool jlt_spool;
 
-/** Records of `width` numbers in `sequences` sequences, each with `room` records in memory. The file, in TMPDIR or /tmp, is not made
- *  before it is needed. Errors: ARG, a zero; NOMEM. Memory: (sequences + 1) * room records. */
+/** Records of `width` numbers in `sequences` sequences, each with `room` records in memory. The file, in TMPDIR or /tmp, is not
+ *  made before it is needed, and closed in programs that are started. Errors: ARG, a zero; NOMEM.
+ *  Memory: (sequences + 1) * room records. */
 JLT_CHECKED jlt_status jlt_spool_create(jlt_spool **out, size_t width, size_t sequences, size_t room);
 void jlt_spool_destroy(jlt_spool *self); /* NULL is legal */
 

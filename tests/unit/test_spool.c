@@ -1,7 +1,9 @@
 /* The spool gives back what was put in, sequence by sequence, whatever the order of writing, with few records in memory. */
 #include "check.h"
 
+#include <fcntl.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "core/spool.h"
 
@@ -49,6 +51,24 @@ static void every_sequence_is_read_as_it_was_written(void **unused)
     }
 }
 
+/* A program that is started while the spool lives does not inherit its file. */
+static void the_file_is_closed_in_other_programs(void **unused)
+{
+    const int next = dup(STDOUT_FILENO); /* the number that the file is going to have */
+    double record[WIDTH] = { 0 };
+    jlt_spool *spool;
+
+    (void)unused;
+    assert_true(next >= 0);
+    assert_int_equal(close(next), 0);
+    assert_int_equal(jlt_spool_create(&spool, WIDTH, 1, 1), JLT_OK);
+    assert_int_equal(fcntl(next, F_GETFD), -1);
+    assert_int_equal(jlt_spool_add(spool, 0, record), JLT_OK);
+    assert_int_equal(jlt_spool_add(spool, 0, record), JLT_OK);
+    assert_int_equal(fcntl(next, F_GETFD), FD_CLOEXEC);
+    jlt_spool_destroy(spool);
+}
+
 static void without_a_folder_memory_alone_serves(void **unused)
 {
     jlt_spool *spool;
@@ -70,6 +90,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_sequence_is_read_as_it_was_written),
+        cmocka_unit_test(the_file_is_closed_in_other_programs),
         cmocka_unit_test(without_a_folder_memory_alone_serves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
