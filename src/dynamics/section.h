@@ -65,7 +65,8 @@ JLT_CHECKED jlt_status jlt_section_start_state(jlt_section *self, jlt_return *ro
 JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
 
 /** The next return, found by another integrator at time t since the start, at x (states,) on the section: row gets what
- *  jlt_section_next makes of it, but for the least reaction, which is looked at there alone; that function goes on from there. Not after an end. */
+ *  jlt_section_next makes of it, but for the least reaction, which is looked at there alone; that function goes on from there.
+ *  Not after an end. */
 void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x);
 
 /** What the fastest state changes by in a unit of time, relative to its size or 1; an orbit slower than 1e-12 is at rest. */

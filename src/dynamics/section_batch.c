@@ -1,11 +1,13 @@
 #include "dynamics/section_batch.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
 #include "core/spool.h"
 
-enum { COLUMNS_MAX = JLT_CHART_STATES_MAX + 1, ROOM = 1024 };
+/* Of an orbit's rows so many are in memory, and of all orbits' so many bytes. */
+enum { COLUMNS_MAX = JLT_CHART_STATES_MAX + 1, ROOM = 1024, BYTES = 1 << 28 };
 
 struct jlt_section_batch {
     jlt_flow flow;
@@ -90,6 +92,15 @@ static int keep_row(void *context, size_t lane, size_t number, const double *x)
     return st != JLT_OK;
 }
 
+/* Rows of an orbit that are in memory: one at least. */
+static size_t rows_in_memory(const jlt_section_batch *self, size_t count, size_t returns)
+{
+    const size_t each = BYTES / (self->columns * sizeof(double)) / count, most = returns < ROOM ? returns : ROOM;
+
+    if (each == 0) return 1;
+    return each < most ? each : most;
+}
+
 /* Rows tell enough: whoever reads beyond them goes on from the last. */
 static int ignore_end(void *context, size_t lane, jlt_lane_end end, size_t returns, const double *x)
 {
@@ -109,7 +120,7 @@ jlt_status jlt_section_batch_run(jlt_section_batch *self, const double *q, size_
     self->orbit = calloc(count, sizeof *self->orbit);
     self->starts = calloc(count, self->columns * sizeof *self->starts);
     if (self->lifted == NULL || self->lane == NULL || self->orbit == NULL || self->starts == NULL) goto done;
-    JLT_TRY(jlt_spool_create(&self->rows, self->columns, count, returns < ROOM ? returns : ROOM));
+    JLT_TRY(jlt_spool_create(&self->rows, self->columns, count, rows_in_memory(self, count, returns)));
     for (size_t i = 0; i < count; i++) {
         self->lifted[i] = chart->lift(chart, self->starts + self->lanes * self->columns, NULL, q + i * chart->dim);
         if (self->lifted[i] != JLT_OK) continue;
@@ -144,8 +155,9 @@ jlt_status jlt_section_batch_start(jlt_section_batch *self, jlt_return *row, siz
 
 jlt_status jlt_section_batch_next(jlt_section_batch *self, jlt_return *row)
 {
-    /* An orbit that all but rests crosses the section by errors of the method. */
-    const double slow = 1e3 * self->map.tolerance;
+    /* An orbit that all but rests crosses the section by errors of the method; the bound keeps others out at loose tolerances,
+     * whose speeds are of the order of 1. */
+    const double slow = fmin(1e3 * self->map.tolerance, 1e-6);
     double x[COLUMNS_MAX];
     const jlt_status st = self->alone ? JLT_ERR_EMPTY : jlt_spool_read(self->rows, x);
 

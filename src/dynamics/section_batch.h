@@ -8,8 +8,9 @@
  *      }
  *
  *  Where a lane ends early, near a pole above all, its orbit goes on one at a time with the flow's method from its last return when
- *  it is read, so that fates are found as a jlt_section finds them; so does one that has all but come to rest. The least reaction in a row is that of the returns, and not of the steps
- *  between them. Rows do not depend on the orbits beside them or on the number of threads. */
+ *  it is read, so that fates are found as a jlt_section finds them; so does one that has all but come to rest. The least reaction
+ *  in a row is that of the returns, and not of the steps between them. Rows do not depend on the orbits beside them or on the
+ *  number of threads. */
 #ifndef JLT_DYNAMICS_SECTION_BATCH_H
 #define JLT_DYNAMICS_SECTION_BATCH_H
 
@@ -35,7 +36,7 @@ void jlt_section_batch_destroy(jlt_section_batch *self); /* NULL is legal */
 
 /** Follow the orbits from starts q (count, dim) on the section for so many returns; what was there before is forgotten. An
  *  interrupt ends it early, with OK. Errors: ARG; as jlt_batch_section; IO, the temporary file.
- *  Memory: count * min(returns, 1024) rows; older rows wait in a temporary file (core/spool.h). */
+ *  Memory: count * min(returns, 1024) rows, 256 MiB or a row each at most; older rows wait in a temporary file (core/spool.h). */
 JLT_CHECKED jlt_status jlt_section_batch_run(jlt_section_batch *self, const double *q, size_t count, size_t returns);
 
 /** Orbits with a number below are there to be read: all, but after an interrupt none beyond the last that has a return. */

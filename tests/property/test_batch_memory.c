@@ -1,4 +1,4 @@
-/* A batched section map asks for the same memory however many rows go by. */
+/* A batched section map asks for the same memory however many rows go by, and a section's batch for a bounded one. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,7 +7,8 @@
 
 #include <cmocka.h>
 
-#include "integrate/batch.h"
+#include "dynamics/section_batch.h"
+#include "dynamics/system.h"
 #include "kernel/batch_isa.h"
 #include "kernel/descriptor.h"
 
@@ -100,8 +101,35 @@ static void a_hundred_times_the_rows_ask_for_the_same_memory(void **unused)
     }
 }
 
+/* Rows in memory are 256 MiB of all orbits together; beside them stand some 100 bytes an orbit. Their starts, gamma3 = 2, have
+ * no state, so that none is followed. */
+static void rows_of_many_orbits_ask_for_bounded_memory(void **unused)
+{
+    const jlt_top_values values = jlt_system_defaults();
+    const size_t orbits = 1024 * 256;
+    double *q = malloc(2 * orbits * sizeof *q);
+    jlt_section_batch *batch;
+    jlt_system *system;
+
+    (void)unused;
+    assert_non_null(q);
+    for (size_t i = 0; i < 2 * orbits; i++) q[i] = 2;
+    assert_int_equal(jlt_system_top(&system, &values, NULL), JLT_OK);
+    assert_int_equal(jlt_section_batch_create(&batch, &system->flow, jlt_batch_isa_best(system->instance->descriptor, 0),
+                                              &(jlt_section_batch_options){ .threads = 1 }), JLT_OK);
+    asked = 0;
+    assert_int_equal(jlt_section_batch_run(batch, q, orbits, 1024), JLT_OK);
+    assert_in_range(asked, 1, ((size_t)1 << 28) + 200 * orbits);
+    jlt_section_batch_destroy(batch);
+    jlt_system_destroy(system);
+    free(q);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(a_hundred_times_the_rows_ask_for_the_same_memory) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_hundred_times_the_rows_ask_for_the_same_memory),
+        cmocka_unit_test(rows_of_many_orbits_ask_for_bounded_memory),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
