@@ -1,8 +1,8 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
 #include "cli/section_picture.h"
+#include "cli/section_table.h"
 #include "cli/writer.h"
-#include "dynamics/map.h"
 #include "dynamics/section_batch.h"
 #include "integrate/batch_method.h"
 #include "kernel/batch_isa.h"
@@ -13,8 +13,8 @@
 #include <string.h>
 
 /* Of --batch, for each thread: orbits that are followed at once, so many that lanes seldom wait for the last ones; rows that are
- * written at once. */
-enum { BLOCK = 256, ROWS = 1024 };
+ * written at once. For all threads together: the most of these rows. */
+enum { BLOCK = 256, ROWS = 1024, ROWS_MAX = 1 << 16 };
 
 typedef struct {
     jlt_motion_options motion;
@@ -35,15 +35,16 @@ enum { BACKWARD = 2000, CHECK, BATCH, THREADS, PROJECT };
 static const struct argp_option option_table[] = {
     { "start", 'a', "eta=VALUE,gamma3=VALUE", 0, "A start on the section; may be repeated", 1 },
     { "grid", 'g', "COUNTxCOUNT", 0,
-      "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; points where the levels are empty are passed over", 1 },
+      "A grid of starts over the whole section, or of NAME=LOW:HIGH:COUNT,...; points where the levels are empty are passed "
+      "over", 1 },
     { "returns", 'n', "N", 0, "Returns of every orbit; default 100", 1 },
     { "backward", BACKWARD, NULL, 0, "Go backwards in time", 1 },
     { "check", CHECK, NULL, 0,
       "The derivative DP of every return by the variational equations, and its determinant against the flux through the "
       "section and the integral of the divergence", 1 },
     { "batch", BATCH, NULL, 0,
-      "Follow many orbits at once on vectors, by a Runge-Kutta method that --tol chooses: the same rows, to the accuracy of the method, "
-      "in a fraction of the time", 2 },
+      "Follow many orbits at once on vectors, by a Runge-Kutta method that --tol chooses: the same rows, to the accuracy of the "
+      "method, in a fraction of the time", 2 },
     { "threads", THREADS, "N", 0, "With --batch: on so many threads; default 1. Rows do not depend on it", 2 },
     { "project", PROJECT, NULL, 0, "With --batch: at every crossing back onto the integrals' levels of the start", 2 },
     { 0 },
@@ -55,7 +56,8 @@ static void check_batch(const options *o, const struct argp_state *state)
     if (o->time_direction < 0) argp_error(state, "--batch goes forwards in time: leave out --batch, or --backward");
     if (o->check) argp_error(state, "--batch computes no derivatives: leave out --batch, or --check");
     if (strcmp(o->motion.contact, "ignore") != 0)
-        argp_error(state, "--batch does not watch the contact between returns: leave out --batch, or --contact %s", o->motion.contact);
+        argp_error(state, "--batch does not watch the contact between returns: leave out --batch, or --contact %s",
+                   o->motion.contact);
     if (o->motion.flow.method != NULL)
         argp_error(state, "--batch has methods of its own, chosen by --tol: leave out --batch, or --method");
 }
@@ -96,9 +98,9 @@ static const struct argp parser = {
     "section are empty there. With --check: trace and det of DP at that return, divergence (its integral on the levels), and "
     "defect, det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is beyond 10000 "
     "tolerances.\n\n"
-    "With --batch orbits are followed in blocks of 256 a thread, and a block's rows written when it is done. Orbits that come near a "
-    "pole are followed to their end one at a time. N is looked at at returns alone. Beyond 1024 returns rows wait in a file in "
-    "TMPDIR.\n\n"
+    "With --batch orbits are followed in blocks of 256 a thread, and a block's rows written when it is done. Orbits that come near "
+    "a pole are followed to their end one at a time. N is looked at at returns alone. Rows beyond 1024 of an orbit, or beyond "
+    "256 MiB, wait in a file in TMPDIR.\n\n"
     "  jellett section --level E=2.15,G=-0.56 --start eta=0.1,gamma3=-0.6 \\\n"
     "    --returns 10 --tol 1e-13\n"
     "  jellett section --grid 24x16 --returns 400 --plot section.svg > section.csv\n"
@@ -109,16 +111,7 @@ static const struct argp parser = {
 /* Counts for the closing words. */
 typedef struct {
     size_t orbits, empty, rows, lost_contact;
-    jlt_map *map; /* of --check, owned */
-    double worst_defect;
 } totals;
-
-/* A row as it is written. */
-typedef struct {
-    size_t orbit;
-    jlt_return at;
-    double before[JLT_CHART_DIM_MAX]; /* the point before; not for number 0 */
-} section_row;
 
 /* How orbits are followed: by the section, or many at once by the batch. */
 typedef struct {
@@ -126,7 +119,9 @@ typedef struct {
     const jlt_system *system;
     totals *sum;
     jlt_section_picture *picture;
-    jlt_writer writer; /* its context is this */
+    jlt_section_table table;
+    jlt_writer writer; /* of the table */
+    jlt_map *map;      /* of --check */
     jlt_section *section;
     jlt_section_batch *batch; /* NULL: one at a time */
     jlt_progress progress;
@@ -134,50 +129,8 @@ typedef struct {
     size_t returns, all;      /* of each orbit, if it does not end; of all orbits, 0: endless */
     size_t before;            /* returns of the blocks before */
     size_t block;             /* returns of the block that is being followed */
+    bool cut;                 /* an interrupt came before the batch was done: its rows are written to the end */
 } follower;
-
-/* Columns of --check: DP from the point before. */
-static void write_check(FILE *file, follower *f, const section_row *row)
-{
-    totals *sum = f->sum;
-    const unsigned d = jlt_map_flow(sum->map)->chart->dim;
-    jlt_image image;
-    double trace = 0;
-
-    if (row->at.number == 0 || row->at.fate != JLT_FATE_ALIVE
-        || jlt_map_apply(sum->map, &image, row->before, 1, f->o->time_direction) != JLT_OK) {
-        fputs(",,,,", file);
-        return;
-    }
-    for (unsigned k = 0; k < d; k++) trace += image.slope[k * d + k];
-    sum->worst_defect = fmax(sum->worst_defect, fabs(image.defect));
-    fprintf(file, ",%.17g,%.17g,%.17g,%.3g", trace, image.determinant, image.expansion, image.defect);
-}
-
-static void write_row(FILE *file, void *context, const void *item)
-{
-    follower *f = context;
-    const jlt_system *system = f->system;
-    const section_row *row = item;
-    const jlt_return *at = &row->at;
-    double omega_n, omega3;
-
-    fprintf(file, "%zu,%zu,%.17g", row->orbit, at->number, at->t);
-    for (unsigned k = 0; k < system->flow.chart->dim; k++) {
-        const bool is_gamma3 = system->is_top && k == 1; /* known off the section as well */
-        const double value = is_gamma3 ? at->x[JLT_CHART_TOP_GAMMA3] : at->q[k];
-        if (isnan(value)) fputc(',', file);
-        else fprintf(file, ",%.17g", value);
-    }
-    if (system->is_top) {
-        jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, at->x);
-        fprintf(file, ",%.17g,%.17g,%.17g", at->x[JLT_CHART_TOP_V_NU], omega_n, omega3);
-    }
-    fprintf(file, ",%s", jlt_section_fate_name(at->fate));
-    if (strcmp(f->o->motion.contact, "report") == 0) fprintf(file, ",%.17g", at->contact);
-    if (f->o->check) write_check(file, f, row);
-    fputc('\n', file);
-}
 
 static void show(follower *f, size_t done)
 {
@@ -200,7 +153,7 @@ static void show_written(follower *f, size_t orbits, size_t number)
     else show(f, f->before + f->block / 2 + (orbits * f->returns + number) / 2);
 }
 
-static jlt_status put(follower *f, const section_row *row)
+static jlt_status put(follower *f, const jlt_section_row *row)
 {
     const jlt_status st = jlt_writer_put(&f->writer, row);
 
@@ -209,18 +162,23 @@ static jlt_status put(follower *f, const section_row *row)
     return jlt_section_picture_add(f->picture, row->at.q);
 }
 
+static bool stopped(const follower *f)
+{
+    return !f->cut && jlt_motion_interrupted(&f->o->motion);
+}
+
 /* Orbit number `index` of its block. */
 static jlt_status run_orbit(follower *f, const double *q, size_t index)
 {
     totals *sum = f->sum;
-    section_row row = { .orbit = sum->orbits };
+    jlt_section_row row = { .orbit = sum->orbits };
     jlt_return *at = &row.at;
     jlt_status st = f->batch != NULL ? jlt_section_batch_start(f->batch, at, index)
                                      : jlt_section_start(f->section, at, q, f->o->time_direction);
 
     if (st != JLT_OK) return st;
     JLT_TRY(put(f, &row));
-    while (at->fate == JLT_FATE_ALIVE && at->number < f->returns && (f->batch != NULL || !jlt_motion_interrupted(&f->o->motion))) {
+    while (at->fate == JLT_FATE_ALIVE && at->number < f->returns && !stopped(f)) {
         memcpy(row.before, at->q, sizeof row.before);
         JLT_TRY(f->batch != NULL ? jlt_section_batch_next(f->batch, at) : jlt_section_next(f->section, at));
         if (at->interrupted) break;
@@ -234,8 +192,10 @@ done:
     return st;
 }
 
-static jlt_exit closing_words(const totals *sum, const options *o, const jlt_stream *stream)
+static jlt_exit closing_words(const follower *f, const jlt_stream *stream)
 {
+    const totals *sum = f->sum;
+    const options *o = f->o;
     const bool interrupted = jlt_motion_interrupted(&o->motion);
 
     if (interrupted)
@@ -245,8 +205,8 @@ static jlt_exit closing_words(const totals *sum, const options *o, const jlt_str
         fprintf(stderr, "jellett: %zu points of the grid have no state on these levels\n", sum->empty);
     if (o->batch && sum->lost_contact > 0)
         fprintf(stderr,
-                "jellett: at least %zu of %zu orbits have returns with N <= 0, where the support no longer pushes and the model does "
-                "not hold; they were followed all the same, and --batch does not look between returns\n",
+                "jellett: at least %zu of %zu orbits have returns with N <= 0, where the support no longer pushes and the model "
+                "does not hold; they were followed all the same, and --batch does not look between returns\n",
                 sum->lost_contact, sum->orbits);
     else if (sum->lost_contact > 0 && !o->motion.flow.end_at_contact_loss)
         fprintf(stderr,
@@ -254,18 +214,8 @@ static jlt_exit closing_words(const totals *sum, const options *o, const jlt_str
                 "hold; they were followed all the same (--contact end stops them there)\n",
                 sum->lost_contact, sum->orbits);
     if (!o->check) return JLT_EXIT_DONE;
-    fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g\n", sum->worst_defect);
-    return sum->worst_defect <= 1e4 * o->motion.flow.tolerance ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
-}
-
-static void column_names(FILE *file, const options *o, const jlt_system *system)
-{
-    const jlt_chart *chart = system->flow.chart;
-
-    fputs("orbit,return,t", file);
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",%s", chart->names[k]);
-    fprintf(file, "%s,fate%s%s\n", system->is_top ? ",v_nu,omega_n,omega3" : "",
-            strcmp(o->motion.contact, "report") == 0 ? ",contact_min" : "", o->check ? ",trace,det,divergence,defect" : "");
+    fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g\n", f->table.worst_defect);
+    return f->table.worst_defect <= 1e4 * o->motion.flow.tolerance ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }
 
 /* Whatever orbits are followed with. */
@@ -279,7 +229,7 @@ static jlt_exit open_follower(follower *f)
 
     if (!o->batch) {
         JLT_TRY(jlt_section_create(&f->section, &system->flow));
-        if (o->check) JLT_TRY(jlt_map_create(&f->sum->map, &system->flow));
+        if (o->check) JLT_TRY(jlt_map_create(&f->map, &system->flow));
         goto done;
     }
     if (system->flow.chart->level != 0)
@@ -314,8 +264,10 @@ static jlt_exit run_block(follower *f, const double *q, size_t first, size_t cou
     f->block = count * f->returns;
     if (f->batch != NULL) {
         st = jlt_section_batch_run(f->batch, q, count, f->returns);
-        if (st == JLT_ERR_IO) return jlt_command_fail(JLT_EXIT_IO, "the temporary file of rows cannot be written: is there room in TMPDIR?");
+        if (st == JLT_ERR_IO)
+            return jlt_command_fail(JLT_EXIT_IO, "the temporary file of rows cannot be written: is there room in TMPDIR?");
         if (st != JLT_OK) return jlt_motion_fail(st, system, "section");
+        f->cut = jlt_motion_interrupted(&o->motion);
     }
     for (size_t i = 0; i < (f->batch != NULL ? jlt_section_batch_begun(f->batch) : count); i++) {
         st = run_orbit(f, q + i * system->flow.chart->dim, i);
@@ -323,6 +275,7 @@ static jlt_exit run_block(follower *f, const double *q, size_t first, size_t cou
         else if (ferror(f->writer.stream)) return JLT_EXIT_DONE; /* it says so when it is closed */
         else if (st != JLT_OK)
             return jlt_motion_fail(st, system, first + i < o->start_count ? o->starts[first + i] : "a start of the grid");
+        if (stopped(f)) break;
     }
     st = jlt_writer_flush(&f->writer);
     return st == JLT_ERR_NOMEM ? jlt_command_no_memory() : JLT_EXIT_DONE;
@@ -333,12 +286,13 @@ static jlt_exit run_all(follower *f, FILE *stream)
 {
     const options *o = f->o;
     const size_t threads = o->threads > 1 ? o->threads : 1, room = o->batch ? BLOCK * threads : 1;
+    const size_t rows = !o->batch ? 1 : ROWS * threads < ROWS_MAX ? ROWS * threads : ROWS_MAX;
     const unsigned dim = f->system->flow.chart->dim;
     const size_t grid = o->grid != NULL ? jlt_motion_grid_size(o->axes, f->system) : 0, all = o->start_count + grid;
     double *q = calloc(room, dim * sizeof *q);
     jlt_exit code = JLT_EXIT_DONE;
 
-    if (q == NULL || jlt_writer_open(&f->writer, stream, write_row, f, sizeof(section_row), o->batch ? ROWS * threads : 1,
+    if (q == NULL || jlt_writer_open(&f->writer, stream, jlt_section_table_row, &f->table, sizeof(jlt_section_row), rows,
                                      (unsigned)threads) != JLT_OK)
         code = jlt_command_no_memory();
     f->returns = o->returns;
@@ -391,11 +345,13 @@ static jlt_exit run(int argc, char **argv)
     }
     jlt_motion_header(stream.file, &o.motion, system);
     if (o.batch) batch_header(stream.file, &o, system);
-    column_names(stream.file, &o, system);
+    f.table = (jlt_section_table){ .system = system, .contact = strcmp(o.motion.contact, "report") == 0, .check = o.check,
+                                   .map = f.map, .time_direction = o.time_direction };
+    jlt_section_table_names(stream.file, &f.table);
     code = run_all(&f, stream.file);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE) code = closing_words(&sum, &o, &stream);
+    if (code == JLT_EXIT_DONE) code = closing_words(&f, &stream);
     if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL)
         code = jlt_section_picture_draw(&picture, &o.motion.common, system, o.grid, o.axes, o.returns);
 done:
@@ -404,7 +360,7 @@ done:
     jlt_section_batch_destroy(f.batch);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
-    jlt_map_destroy(sum.map);
+    jlt_map_destroy(f.map);
     jlt_section_picture_close(&picture);
     free(o.starts);
     return code;

@@ -1,0 +1,55 @@
+#include "cli/section_table.h"
+
+#include <math.h>
+
+void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
+{
+    const jlt_chart *chart = table->system->flow.chart;
+
+    fputs("orbit,return,t", stream);
+    for (unsigned k = 0; k < chart->dim; k++) fprintf(stream, ",%s", chart->names[k]);
+    fprintf(stream, "%s,fate%s%s\n", table->system->is_top ? ",v_nu,omega_n,omega3" : "", table->contact ? ",contact_min" : "",
+            table->check ? ",trace,det,divergence,defect" : "");
+}
+
+/* DP from the point before. */
+static void write_check(FILE *stream, jlt_section_table *table, const jlt_section_row *row)
+{
+    const unsigned d = table->system->flow.chart->dim;
+    jlt_image image;
+    double trace = 0;
+
+    if (row->at.number == 0 || row->at.fate != JLT_FATE_ALIVE
+        || jlt_map_apply(table->map, &image, row->before, 1, table->time_direction) != JLT_OK) {
+        fputs(",,,,", stream);
+        return;
+    }
+    for (unsigned k = 0; k < d; k++) trace += image.slope[k * d + k];
+    table->worst_defect = fmax(table->worst_defect, fabs(image.defect));
+    fprintf(stream, ",%.17g,%.17g,%.17g,%.3g", trace, image.determinant, image.expansion, image.defect);
+}
+
+void jlt_section_table_row(FILE *stream, void *table, const void *row)
+{
+    jlt_section_table *self = table;
+    const jlt_section_row *which = row;
+    const jlt_system *system = self->system;
+    const jlt_return *at = &which->at;
+    double omega_n, omega3;
+
+    fprintf(stream, "%zu,%zu,%.17g", which->orbit, at->number, at->t);
+    for (unsigned k = 0; k < system->flow.chart->dim; k++) {
+        const bool is_gamma3 = system->is_top && k == 1; /* known off the section as well */
+        const double value = is_gamma3 ? at->x[JLT_CHART_TOP_GAMMA3] : at->q[k];
+        if (isnan(value)) fputc(',', stream);
+        else fprintf(stream, ",%.17g", value);
+    }
+    if (system->is_top) {
+        jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, at->x);
+        fprintf(stream, ",%.17g,%.17g,%.17g", at->x[JLT_CHART_TOP_V_NU], omega_n, omega3);
+    }
+    fprintf(stream, ",%s", jlt_section_fate_name(at->fate));
+    if (self->contact) fprintf(stream, ",%.17g", at->contact);
+    if (self->check) write_check(stream, self, which);
+    fputc('\n', stream);
+}

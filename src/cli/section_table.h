@@ -1,0 +1,30 @@
+/** The table of `jellett section`: a row for every return. */
+#ifndef JLT_CLI_SECTION_TABLE_H
+#define JLT_CLI_SECTION_TABLE_H
+
+#include <stdio.h>
+
+#include "dynamics/map.h"
+#include "dynamics/system.h"
+
+typedef struct {
+    const jlt_system *system;
+    bool contact; /* a column for the least reaction */
+    bool check;   /* columns for DP */
+    jlt_map *map; /* of check; not owned */
+    int time_direction;
+    double worst_defect; /* of check */
+} jlt_section_table;
+
+typedef struct {
+    size_t orbit;
+    jlt_return at;
+    double before[JLT_CHART_DIM_MAX]; /* the point before; not for number 0 */
+} jlt_section_row;
+
+void jlt_section_table_names(FILE *stream, const jlt_section_table *table);
+
+/** As jlt_writer_text: table is a jlt_section_table, row a jlt_section_row. With check for one thread at a time. */
+void jlt_section_table_row(FILE *stream, void *table, const void *row);
+
+#endif
