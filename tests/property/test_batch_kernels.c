@@ -138,7 +138,9 @@ static void lanes_agree_with_scalar_kernels(void **unused)
 static void stages_are_fields_of_weighted_sums(void **unused)
 {
     static _Alignas(64) double x[INPUTS_MAX * 16], z[INPUTS_MAX * 16], k[4 * INPUTS_MAX * 16], f[INPUTS_MAX * 16], h[16];
-    static const jlt_stage_sum sums[] = { { 1, { 0 }, { 0.25 } }, { 2, { 0, 1 }, { -0.5, 1.25 } }, { 2, { 1, 2 }, { 0.75, 0.125 } } };
+    static const jlt_stage_sum sums[] = { { 1, { 0 }, { 0.25 } },
+                                          { 2, { 0, 1 }, { -0.5, 1.25 } },
+                                          { 2, { 1, 2 }, { 0.75, 0.125 } } };
     uint64_t state = 20232;
 
     (void)unused;
@@ -182,7 +184,9 @@ static void the_clock_is_carried_beside_the_same_stages(void **unused)
     enum { ROW = 16, COUNT = 3 };
     static _Alignas(64) double x[(INPUTS_MAX + 1) * ROW], z[(INPUTS_MAX + 1) * ROW], k[(COUNT + 1) * (INPUTS_MAX + 1) * ROW],
         plain_z[INPUTS_MAX * ROW], plain_k[(COUNT + 1) * INPUTS_MAX * ROW], rate[ROW], h[ROW];
-    static const jlt_stage_sum sums[COUNT] = { { 1, { 0 }, { 0.25 } }, { 2, { 0, 1 }, { -0.5, 1.25 } }, { 3, { 0, 1, 2 }, { 0.75, 0.5, 0.125 } } };
+    static const jlt_stage_sum sums[COUNT] = { { 1, { 0 }, { 0.25 } },
+                                               { 2, { 0, 1 }, { -0.5, 1.25 } },
+                                               { 3, { 0, 1, 2 }, { 0.75, 0.5, 0.125 } } };
     uint64_t state = 20233;
 
     (void)unused;
@@ -211,7 +215,8 @@ static void the_clock_is_carried_beside_the_same_stages(void **unused)
                 for (unsigned s = 1; s <= COUNT; s++) assert_same(k[s * slopes + i], plain_k[s * n * row + i]);
             }
             for (unsigned j = 0; j < row; j++) rate[j] = 1;
-            for (unsigned at = 0; d->time_factor.call != NULL && at < row; at += kernels->lanes) kernels->time_factor(z + at, p, rate + at, row);
+            for (unsigned at = 0; d->time_factor.call != NULL && at < row; at += kernels->lanes)
+                kernels->time_factor(z + at, p, rate + at, row);
             for (unsigned j = 0; j < row; j++) {
                 const double *clock = k + n * row + j, last = clock[COUNT * slopes];
                 const double t = x[n * row + j] + h[j] * (0.75 * clock[0] + 0.5 * clock[slopes] + 0.125 * clock[2 * slopes]);
