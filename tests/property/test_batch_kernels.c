@@ -75,15 +75,13 @@ static void assert_same(double a, double b)
     assert_memory_equal(&a, &b, sizeof a);
 }
 
-static void check_kernel(const jlt_descriptor *d, const pair *k, uint64_t *state)
+/* A prepared block of parameters in 0.2 ... 1.2 that the variant serves; the caller frees it. */
+static double *make_block(const jlt_descriptor *d, uint64_t *state)
 {
-    static double x[INPUTS_MAX * LANES_MAX] __attribute__((aligned(64)));
-    static double out[JLT_ISA_COUNT][OUTPUTS_MAX * LANES_MAX] __attribute__((aligned(64)));
     double params[INPUTS_MAX], *p = malloc((d->block_count + 1) * sizeof *p);
-    double one[INPUTS_MAX], expected[OUTPUTS_MAX];
 
     assert_non_null(p);
-    assert_true(k->scalar->outputs <= OUTPUTS_MAX && d->state_count <= INPUTS_MAX && d->param_count <= INPUTS_MAX);
+    assert_true(d->param_count <= INPUTS_MAX);
     for (unsigned i = 0; i < d->param_count; i++) params[i] = 0.2 + uniform(state);
     if (d->impose != NULL) {
         double imposed[INPUTS_MAX];
@@ -91,6 +89,16 @@ static void check_kernel(const jlt_descriptor *d, const pair *k, uint64_t *state
         memcpy(params, imposed, d->param_count * sizeof *params);
     }
     d->prepare(params, p);
+    return p;
+}
+
+static void check_kernel(const jlt_descriptor *d, const pair *k, uint64_t *state)
+{
+    static double x[INPUTS_MAX * LANES_MAX] __attribute__((aligned(64)));
+    static double out[JLT_ISA_COUNT][OUTPUTS_MAX * LANES_MAX] __attribute__((aligned(64)));
+    double one[INPUTS_MAX], expected[OUTPUTS_MAX], *p = make_block(d, state);
+
+    assert_true(k->scalar->outputs <= OUTPUTS_MAX && d->state_count <= INPUTS_MAX);
     for (unsigned i = 0; i < d->state_count; i++)
         for (unsigned lane = 0; lane < LANES_MAX; lane++) x[i * LANES_MAX + lane] = inside(&d->states[i], state);
     for (unsigned isa = 0; isa < JLT_ISA_COUNT; isa++) {
@@ -146,10 +154,7 @@ static void stages_are_fields_of_weighted_sums(void **unused)
     (void)unused;
     for (unsigned index = 0; index < jlt_registry_count; index++) {
         const jlt_descriptor *d = jlt_registry[index];
-        double params[INPUTS_MAX], *p = malloc((d->block_count + 1) * sizeof *p);
-        assert_non_null(p);
-        for (unsigned i = 0; i < d->param_count; i++) params[i] = 0.2 + uniform(&state);
-        d->prepare(params, p);
+        double *p = make_block(d, &state);
         for (int isa = 0; isa < JLT_ISA_COUNT; isa++) {
             const jlt_kernel_batch *kernels = d->batches[isa];
             const unsigned n = d->state_count, row = JLT_BATCH_VECTORS * kernels->lanes;
@@ -192,10 +197,7 @@ static void the_clock_is_carried_beside_the_same_stages(void **unused)
     (void)unused;
     for (unsigned index = 0; index < jlt_registry_count; index++) {
         const jlt_descriptor *d = jlt_registry[index];
-        double params[INPUTS_MAX], *p = malloc((d->block_count + 1) * sizeof *p);
-        assert_non_null(p);
-        for (unsigned i = 0; i < d->param_count; i++) params[i] = 0.2 + uniform(&state);
-        d->prepare(params, p);
+        double *p = make_block(d, &state);
         for (int isa = 0; isa < JLT_ISA_COUNT; isa++) {
             const jlt_kernel_batch *kernels = d->batches[isa];
             const unsigned n = d->state_count, row = JLT_BATCH_VECTORS * kernels->lanes, slopes = (n + 1) * row;
