@@ -1,9 +1,9 @@
 /* The methods of the batched section map have the orders they claim.
  *
  * Oracle: the plane Kepler problem, whose ellipse is known in closed form. Steps are taken in extended precision from the tables
- * themselves. A local error C h^q + O(h^(q+1)) falls by 2^q when h is halved; at h = 1/4 and 1/8, where the next term
- * is a few h of the first, the measured exponent is within 0.7 of q. Errors are above 1e-15 there; weights rounded to double move
- * the end by some 1e-17. */
+ * themselves. A local error C h^q + O(h^(q+1)) falls by 2^q when h is halved, or faster where C is so small that the next term shows,
+ * as in methods that were made for a small C; at h = 1/4 and 1/8, where the next term is otherwise a few h of the first, the measured
+ * exponent is between q - 0.7 and q + 1.7. Errors are above 1e-15 there; weights rounded to double move the end by some 1e-17. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -81,7 +81,7 @@ static void methods_have_their_orders(void **unused)
         one_step(m, h / 2, &fine, &fine_estimate);
         const double order = (double)log2l(coarse / fine), estimated = (double)log2l(coarse_estimate / fine_estimate);
         print_message("%s: error h^%.2f (%.1Le), estimate h^%.2f\n", m->name, order, fine, estimated);
-        assert_true(fabs(order - (m->order + 1)) < 0.7);
+        assert_true(order > m->order + 0.3 && order < m->order + 2.7);
         assert_true(fabs(estimated - m->error_order) < 0.7);
     }
 }
