@@ -36,9 +36,31 @@ static inline jlt_lanes jlt_lanes_fma(jlt_lanes a, jlt_lanes b, jlt_lanes c)
 #endif
 }
 
+static inline jlt_lanes jlt_lanes_fms(jlt_lanes a, jlt_lanes b, jlt_lanes c)
+{
+#if JLT_LANES == 8 && defined(__AVX512F__)
+    return (jlt_lanes)_mm512_fmsub_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif JLT_LANES == 4 && defined(__FMA__)
+    return (jlt_lanes)_mm256_fmsub_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+    return a * b - c;
+#endif
+}
+
+static inline jlt_lanes jlt_lanes_fnma(jlt_lanes a, jlt_lanes b, jlt_lanes c)
+{
+#if JLT_LANES == 8 && defined(__AVX512F__)
+    return (jlt_lanes)_mm512_fnmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif JLT_LANES == 4 && defined(__FMA__)
+    return (jlt_lanes)_mm256_fnmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+    return c - a * b;
+#endif
+}
+
 #define JLT_FMA(a, b, c) jlt_lanes_fma((a), (b), (c))
-#define JLT_FMS(a, b, c) jlt_lanes_fma((a), (b), -(c))
-#define JLT_FNMA(a, b, c) jlt_lanes_fma(-(a), (b), (c))
+#define JLT_FMS(a, b, c) jlt_lanes_fms((a), (b), (c))
+#define JLT_FNMA(a, b, c) jlt_lanes_fnma((a), (b), (c))
 
 static inline jlt_lanes jlt_lanes_root(jlt_lanes a)
 {
