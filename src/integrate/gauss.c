@@ -34,9 +34,9 @@ typedef struct {
     double *clock;             /* (N,): dt/dtau at nodes */
     double *legendre;          /* (columns, N): of the last accepted step */
     double *trial;             /* (columns, N): of the step being tried */
-    double *partial;           /* (columns, N): of a partial step, or powers for the polynomial */
+    double *partial;           /* (columns, N): of a partial step, or the powers of a polynomial */
     double *end, *end_f;       /* (stride,): the point a step leads to, and the slope there */
-    double *sizes;             /* (N,): of the Legendre coefficients, relative to the states */
+    double *sizes;             /* (N,): of the Legendre coefficients, relative to the states, as binary logarithms */
     double *scratch;           /* (2 dim,): without batched kernels */
     double dense_error;
     double rate;               /* what the last sweep of a whole step contracted by */
@@ -139,13 +139,17 @@ static void begin_at(const jlt_gauss_nodes *nodes, const jlt_stepper *stepper, c
         nodes->inverse_weight[c] = 1 / jlt_larger(fabs(x0[c]), stepper->scale[c]);
 }
 
-/* The last step's polynomial, continued by h from the point; without a last step a straight line. */
-static void guess(gauss *self, jlt_stepper *stepper, double h)
+/* The last step's polynomial, continued by h, which is growth times that step, from the point; without a last step a straight
+ * line. */
+static void guess(gauss *self, jlt_stepper *stepper, double h, double growth)
 {
     const jlt_gauss_nodes *nodes = &self->nodes;
 
     begin_at(nodes, stepper, stepper->x);
-    if (self->has_past) self->batch->continue_at(nodes, self->legendre, stepper->h, 1, h / stepper->h);
+    if (self->has_past) {
+        self->batch->transform(self->partial, self->legendre, jlt_gauss_power_ahead, nodes->dim);
+        self->batch->follow(nodes, self->partial, stepper->h, growth);
+    }
     for (unsigned c = 0; !self->has_past && c < nodes->dim; c++)
         for (unsigned i = 0; i < N; i++) nodes->x[c * N + i] = nodes->origin[c] + h * jlt_gauss_node[i] * stepper->f[c];
     evaluate(self, stepper, nodes);
@@ -183,14 +187,13 @@ static bool solve(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *node
 static double error_norm(gauss *self, const jlt_stepper *stepper, double h)
 {
     self->batch->sizes(self->sizes, self->trial, self->nodes.inverse_weight, stepper->columns);
-    const double *n = self->sizes, largest = jlt_larger(jlt_larger(n[0], n[1]), n[2]);
-    if (!(fabs(h) * largest < INFINITY)) return NAN;
-    const double size = jlt_rough_log2(largest), six = jlt_rough_log2(n[6]);
+    const double *n = self->sizes, size = jlt_larger(jlt_larger(n[0], n[1]), n[2]);
+    if (!(size < JLT_GAUSS_SIZE_MAX)) return NAN;
     /* A seventh coefficient may vanish by chance; the sixth then stands in, one factor r lower. */
-    const double last = jlt_larger(jlt_rough_log2(n[7]), six + (six - size) / 6), r = (last - size) / 7;
-    const double length = jlt_rough_log2(fabs(h));
+    const double last = jlt_larger(n[7], n[6] + (1.0 / 6) * (n[6] - size)), r = (1.0 / 7) * (last - size);
+    const double length = jlt_rough_log2(fabs(h)), units = length - jlt_rough_log2(stepper->tolerance);
     self->dense_error = jlt_rough_exp2(length + last + r);
-    return length + 2 * last - size + 2 * r - jlt_rough_log2(stepper->tolerance);
+    return units + (2 * last - size) + 2 * r;
 }
 
 static jlt_status step(jlt_stepper *stepper, double limit)
@@ -205,10 +208,11 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     for (;;) {
         if (jlt_step_vanishes(stepper->tau, h)) return finite ? JLT_ERR_NO_PROGRESS : JLT_ERR_NONFINITE;
         if (solved_h != 0) { /* a longer step that was solved guesses the shorter one well */
-            self->batch->continue_at(&self->nodes, self->trial, solved_h, 0, h / solved_h);
+            self->batch->transform(self->partial, self->trial, jlt_gauss_power, self->nodes.dim);
+            self->batch->follow(&self->nodes, self->partial, solved_h, h / solved_h);
             evaluate(self, stepper, &self->nodes);
         } else if (h != self->guessed) {
-            guess(self, stepper, h);
+            guess(self, stepper, h, h / stepper->h);
         }
         self->guessed = 0;
         double rate = 1, defect = 0;
@@ -229,12 +233,12 @@ static jlt_status step(jlt_stepper *stepper, double limit)
         }
         finite = solved && isfinite(error) && defect == 0;
         solved_h = finite ? h : 0;
-        h *= finite && error > 0 ? jlt_larger(safety * jlt_rough_exp2(-error / 17), 0.3) : 0.5;
+        h *= finite && error > 0 ? jlt_larger(safety * jlt_rough_exp2((-1.0 / 17) * error), 0.3) : 0.5;
         stepper->rejected++;
         rejected = true;
     }
 
-    const double factor = jlt_smaller(safety * jlt_rough_exp2(-error / 17), rejected ? 1 : growth_max);
+    const double factor = jlt_smaller(safety * jlt_rough_exp2((-1.0 / 17) * error), rejected ? 1 : growth_max);
     const double proposed = fabs(h) * factor;
     stepper->h_next = !rejected && size < asked ? jlt_larger(proposed, asked) : proposed;
     stepper->h = h;
@@ -251,7 +255,8 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     self->trial = swap;
     self->has_past = true;
     /* Begin the next step at once: the field is being evaluated while others look at this one. */
-    guess(self, stepper, stepper->direction * jlt_smaller(stepper->h_next, stepper->max_step));
+    const double next = jlt_smaller(stepper->h_next, stepper->max_step);
+    guess(self, stepper, stepper->direction * next, next == proposed ? factor : next / fabs(h));
     return JLT_OK;
 }
 
@@ -292,7 +297,8 @@ static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
     gauss *self = stepper->state;
     const double h = theta * stepper->h;
     begin_at(&self->inside, stepper, stepper->x_start);
-    self->batch->continue_at(&self->inside, self->legendre, stepper->h, 0, theta);
+    self->batch->transform(self->partial, self->legendre, jlt_gauss_power, self->inside.dim);
+    self->batch->follow(&self->inside, self->partial, stepper->h, theta);
     evaluate(self, stepper, &self->inside);
     double rate = jlt_larger(self->rate, 0.2) * fabs(theta);
     if (!solve(self, stepper, &self->inside, h, &rate)) return JLT_ERR_NO_CONVERGENCE;

@@ -4,7 +4,7 @@
 #ifndef JLT_INTEGRATE_GAUSS_BATCH_H
 #define JLT_INTEGRATE_GAUSS_BATCH_H
 
-enum { JLT_GAUSS_BATCH_NODES = 8 };
+enum { JLT_GAUSS_BATCH_NODES = 8, JLT_GAUSS_SIZE_MAX = 511 };
 
 typedef struct {
     unsigned dim;
@@ -20,10 +20,10 @@ typedef struct {
     double (*move)(const jlt_gauss_nodes *nodes, double h);
     /* out[c] = sum over j of in[c][j] * table[j], `rows` rows of eight. */
     void (*transform)(double *out, const double *in, const double (*table)[JLT_GAUSS_BATCH_NODES], unsigned rows);
-    /* x <- origin + h * (integral from `from`, which is 0 or 1, to the nodes of [from, from + length] of the polynomials with
-     * these Legendre coefficients on [0, 1]). */
-    void (*continue_at)(const jlt_gauss_nodes *nodes, const double *legendre, double h, double from, double length);
-    /* out (8,): the largest |in[c][k]| weight[c] over the rows c; NaN is passed over. */
+    /* x <- origin + h * (sum over m of power[c][m] a^(m + 1)), a = length * node. */
+    void (*follow)(const jlt_gauss_nodes *nodes, const double *power, double h, double length);
+    /* out (8,): binary logarithms, within 0.05, of the root of the sum over the rows c of (in[c][k] weight[c])^2, which lies between
+     * 2^-511 and JLT_GAUSS_SIZE_MAX; above that when it, or the square of it, is not finite. */
     void (*sizes)(double *out, const double *in, const double *weight, unsigned rows);
 } jlt_gauss_batch;
 

@@ -63,6 +63,18 @@ static const _Alignas(64) double jlt_gauss_power[JLT_GAUSS_NODES][JLT_GAUSS_NODE
     { -1.0, 28.0, -252.0, 1050.0, -2310.0, 2772.0, -1716.0, 429.0 },
 };
 
+/* Coefficients of a^(m + 1) in the integral from 1 to 1 + a of P_k(2 theta - 1): those above without signs. */
+static const _Alignas(64) double jlt_gauss_power_ahead[JLT_GAUSS_NODES][JLT_GAUSS_NODES] = {
+    { 1.0, 0, 0, 0, 0, 0, 0, 0 },
+    { 1.0, 1.0, 0, 0, 0, 0, 0, 0 },
+    { 1.0, 3.0, 2.0, 0, 0, 0, 0, 0 },
+    { 1.0, 6.0, 10.0, 5.0, 0, 0, 0, 0 },
+    { 1.0, 10.0, 30.0, 35.0, 14.0, 0, 0, 0 },
+    { 1.0, 15.0, 70.0, 140.0, 126.0, 42.0, 0, 0 },
+    { 1.0, 21.0, 140.0, 420.0, 630.0, 462.0, 132.0, 0 },
+    { 1.0, 28.0, 252.0, 1050.0, 2310.0, 2772.0, 1716.0, 429.0 },
+};
+
 /* 56 times the Bernstein coefficients 1 ... 8, of degree 8, of the integral from 0 to theta of P_k(2 theta - 1); coefficient 0
  * is 0. */
 static const _Alignas(64) double jlt_gauss_bernstein[JLT_GAUSS_NODES][JLT_GAUSS_NODES] = {
