@@ -80,8 +80,11 @@ static double only_root(const double *b, unsigned degree)
         a[degree - j] = a[j];
         a[j] = other;
     }
-    double u = turned ? -b[degree] / b[0] : -b[0] / b[degree]; /* where the straight line between the ends is zero */
-    if (!(u < hi)) u = 0.3;
+    unsigned first = 0; /* where the control polygon is zero, which is near */
+    while (b[0] * b[first + 1] > 0) first++;
+    const double start = (first + b[first] / (b[first] - b[first + 1])) / degree;
+    double u = turned ? (1 - start) / start : start / (1 - start);
+    if (!(u > 0 && u < hi)) u = 0.5;
     for (unsigned i = 0; i < 80; i++) {
         double value = a[degree], slope = 0, bend = 0; /* bend: half the second derivative */
         for (unsigned j = degree; j-- > 0;) {
