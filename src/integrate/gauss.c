@@ -35,7 +35,8 @@ typedef struct {
     double *legendre;          /* (columns, N): of the last accepted step */
     double *trial;             /* (columns, N): of the step being tried */
     double *partial;           /* (columns, N): of a partial step, or the powers of a polynomial */
-    double *end, *end_f;       /* (stride,): the point a step leads to, and the slope there */
+    double *end, *end_low;     /* (stride,): the point a step leads to, and what rounding cuts off it */
+    double *end_f;             /* (stride,): the slope there */
     double *sizes;             /* (N,): of the Legendre coefficients, relative to the states, as binary logarithms */
     double *scratch;           /* (2 dim,): without batched kernels */
     double dense_error;
@@ -75,7 +76,7 @@ static jlt_status create(jlt_stepper *stepper)
     if (self == NULL) return JLT_ERR_NOMEM;
 
     /* Rows of eight first, so that all of them stay aligned. */
-    double *block = jlt_memory_array((4 * dim + 2 + 3 * columns) * N + 2 * stepper->stride + 4 * dim + 2 * columns, sizeof *block);
+    double *block = jlt_memory_array((4 * dim + 2 + 3 * columns) * N + 3 * stepper->stride + 4 * dim + 2 * columns, sizeof *block);
     if (block == NULL) return JLT_ERR_NOMEM;
     self->block = self->legendre = block;
     self->trial = self->legendre + columns * N;
@@ -84,7 +85,8 @@ static jlt_status create(jlt_stepper *stepper)
     self->clock = self->sizes + N;
     double *rows = self->clock + N;
     self->end = rows + 4 * dim * N;
-    self->end_f = self->end + stepper->stride;
+    self->end_low = self->end + stepper->stride;
+    self->end_f = self->end_low + stepper->stride;
     self->scratch = self->end_f + stepper->stride;
     double *rest = self->scratch + 2 * dim;
     place(&self->nodes, &rows, &rest, stepper);
@@ -200,7 +202,7 @@ static jlt_status step(jlt_stepper *stepper, double limit)
 {
     gauss *self = stepper->state;
     const jlt_field *field = stepper->field;
-    const unsigned columns = stepper->columns, stride = stepper->stride;
+    const unsigned columns = stepper->columns;
     const double asked = jlt_smaller(stepper->h_next, stepper->max_step), size = jlt_smaller(asked, limit);
     double h = stepper->direction * size, error = NAN, solved_h = 0; /* error: its logarithm */
     bool rejected = false, finite = true;
@@ -222,12 +224,16 @@ static jlt_status step(jlt_stepper *stepper, double limit)
             expand(self, field, &self->nodes, self->trial);
             error = error_norm(self, stepper, h);
             if (error <= 0) {
-                for (unsigned c = 0; c < columns; c++) self->end[c] = stepper->x[c] + (h * self->trial[c * N] + stepper->x_low[c]);
+                for (unsigned c = 0; c < columns; c++) {
+                    const double move = h * self->trial[c * N] + stepper->x_low[c];
+                    self->end[c] = stepper->x[c] + move;
+                    self->end_low[c] = (stepper->x[c] - self->end[c]) + move;
+                }
                 double *f = self->end_f;
                 field->call(self->end, field->p, f);
                 if (field->time_rate != NULL) field->time_rate(self->end, field->p, f + field->dim);
                 stepper->evaluations++;
-                for (unsigned c = 0; c < columns; c++) defect += 0 * self->end[c] + 0 * f[c];
+                for (unsigned c = 0; c < columns; c++) defect += 0 * (self->end[c] + f[c]);
                 if (defect == 0) break;
             }
         }
@@ -242,14 +248,12 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     const double proposed = fabs(h) * factor;
     stepper->h_next = !rejected && size < asked ? jlt_larger(proposed, asked) : proposed;
     stepper->h = h;
-    memcpy(stepper->x_start, stepper->x, stride * sizeof *stepper->x);
-    memcpy(stepper->f_start, stepper->f, stride * sizeof *stepper->f);
-    for (unsigned c = 0; c < columns; c++) {
-        const double move = h * self->trial[c * N] + stepper->x_low[c];
-        stepper->x[c] = stepper->x_start[c] + move;
-        stepper->x_low[c] = (stepper->x_start[c] - stepper->x[c]) + move;
-    }
-    memcpy(stepper->f, self->end_f, columns * sizeof *stepper->f);
+    const size_t size_of_row = stepper->stride * sizeof *stepper->x;
+    memcpy(stepper->x_start, stepper->x, size_of_row);
+    memcpy(stepper->f_start, stepper->f, size_of_row);
+    memcpy(stepper->x, self->end, size_of_row);
+    memcpy(stepper->x_low, self->end_low, size_of_row);
+    memcpy(stepper->f, self->end_f, size_of_row);
     double *swap = self->legendre;
     self->legendre = self->trial;
     self->trial = swap;

@@ -19,19 +19,22 @@ double jlt_locate_value(const jlt_event *event, const double *x)
     return event->value != NULL ? event->value(event->context, x) : x[event->column] - event->level;
 }
 
-double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f)
+/* Central difference along the flow: enough for Newton's method, whose residual is exact. */
+static double difference_along(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f)
 {
-    const unsigned columns = stepper->columns;
+    const double step = 1e-5 * fabs(stepper->h);
     double shifted[JLT_FIELD_DIM_MAX + 1] = { 0 };
 
-    if (event->value == NULL) return f[event->column];
-    if (event->rate != NULL) return event->rate(event->context, x, f);
-    /* Central difference along the flow: enough for Newton's method, whose residual is exact. */
-    const double step = 1e-5 * fabs(stepper->h);
-    for (unsigned i = 0; i < columns; i++) shifted[i] = x[i] + step * f[i];
+    for (unsigned i = 0; i < stepper->columns; i++) shifted[i] = x[i] + step * f[i];
     const double ahead = event->value(event->context, shifted);
-    for (unsigned i = 0; i < columns; i++) shifted[i] = x[i] - step * f[i];
+    for (unsigned i = 0; i < stepper->columns; i++) shifted[i] = x[i] - step * f[i];
     return (ahead - event->value(event->context, shifted)) / (2 * step);
+}
+
+double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, const double *x, const double *f)
+{
+    if (event->value == NULL) return f[event->column];
+    return event->rate != NULL ? event->rate(event->context, x, f) : difference_along(event, stepper, x, f);
 }
 
 void jlt_locate_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper)
