@@ -13,7 +13,7 @@ typedef struct {
     const char *reference; /* NULL: not given */
     const char *form, *method; /* only this tier, this method; NULL: all */
     size_t returns, repeats, threads;
-    bool quick;            /* every third decade of tolerance */
+    bool quick;            /* every third decade of tolerance, from 1e-5 */
     bool list;             /* section, slope: only name what there is, a line "TIER METHOD" or "METHOD" each */
 } jlt_bench_options;
 
@@ -55,7 +55,7 @@ JLT_CHECKED jlt_status jlt_bench_clock(jlt_bench_time *time, size_t repeats, uns
 /* A field of a table, after a comma: empty for NaN. */
 void jlt_bench_number(FILE *table, const char *format, double value);
 
-/* The tolerances of a diagram, from 1e-5 to 1e-15, by index; 0 past the end. */
+/* The tolerances of a diagram, from 1e-4 to 1e-15, by index; 0 past the end. */
 double jlt_bench_tolerance(const jlt_bench_options *options, size_t index);
 
 #endif

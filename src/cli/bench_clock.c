@@ -50,6 +50,6 @@ void jlt_bench_number(FILE *table, const char *format, double value)
 
 double jlt_bench_tolerance(const jlt_bench_options *options, size_t index)
 {
-    const size_t decade = 5 + index * (options->quick ? 3 : 1);
+    const size_t decade = options->quick ? 5 + 3 * index : 4 + index;
     return decade <= 15 ? strtod((const char[]){ '1', 'e', '-', (char)('0' + decade / 10), (char)('0' + decade % 10), 0 }, NULL) : 0;
 }

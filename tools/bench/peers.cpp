@@ -148,7 +148,7 @@ template <class Form, class Peer> static void orbit(Peer &peer, const Question &
 
 template <class Form, class Peer> static void section_curve(const Question &q)
 {
-    for (int decade = 5; decade <= 15; decade += q.stride) {
+    for (int decade = q.stride > 1 ? 5 : 4; decade <= 15; decade += q.stride) {
         const double tolerance = std::strtod(("1e-" + std::to_string(decade)).c_str(), nullptr);
         Outcome out;
         const auto seconds = clock_of(q.repeats, [&](bool first) {
@@ -210,7 +210,7 @@ template <class Peer> static bool central(Peer &peer, const double *q, double h,
 
 template <class Peer> static void slope_curve(const Question &q, const char *way, bool (*of)(Peer &, const double *, double, double *))
 {
-    for (int decade = 5; decade <= 15; decade += q.stride) {
+    for (int decade = q.stride > 1 ? 5 : 4; decade <= 15; decade += q.stride) {
         const double tolerance = std::strtod(("1e-" + std::to_string(decade)).c_str(), nullptr), h = 0.3 * std::cbrt(tolerance);
         double error = 0;
         size_t failed = 0;
