@@ -103,19 +103,28 @@ static void destroy(jlt_stepper *stepper)
     free(self);
 }
 
-static void evaluate(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes)
+static __attribute__((noinline)) void evaluate_by_one(gauss *self, const jlt_field *field, const jlt_gauss_nodes *nodes)
 {
-    const jlt_field *field = stepper->field;
     double *x = self->scratch, *f = self->scratch + field->dim;
 
-    stepper->evaluations += N;
-    for (unsigned i = 0; field->batch != NULL && i < N; i += self->batch->lanes)
-        field->batch->rhs(nodes->x + i, field->p, nodes->f + i, N);
-    for (unsigned i = 0; field->batch == NULL && i < N; i++) {
+    for (unsigned i = 0; i < N; i++) {
         for (unsigned c = 0; c < field->dim; c++) x[c] = nodes->x[c * N + i];
         field->call(x, field->p, f);
         for (unsigned c = 0; c < field->dim; c++) nodes->f[c * N + i] = f[c];
     }
+}
+
+static void evaluate(gauss *self, jlt_stepper *stepper, const jlt_gauss_nodes *nodes)
+{
+    const jlt_field *field = stepper->field;
+    const unsigned lanes = self->batch->lanes;
+
+    stepper->evaluations += N;
+    if (field->batch == NULL) {
+        evaluate_by_one(self, field, nodes);
+        return;
+    }
+    for (unsigned i = 0; i < N; i += lanes) field->batch->rhs(nodes->x + i, field->p, nodes->f + i, N);
 }
 
 /* Legendre coefficients of the solved step. */
@@ -311,6 +320,18 @@ static jlt_status partial(jlt_stepper *stepper, double theta, double *out)
     return JLT_OK;
 }
 
+/* |P_k| <= 1. */
+static double variation(const jlt_stepper *stepper, unsigned column)
+{
+    const double *legendre = ((const gauss *)stepper->state)->legendre + column * N;
+    double even = 0, odd = 0;
+    for (unsigned k = 0; k < N; k += 2) {
+        even += fabs(legendre[k]);
+        odd += fabs(legendre[k + 1]);
+    }
+    return fabs(stepper->h) * (even + odd);
+}
+
 static unsigned bernstein(jlt_stepper *stepper, unsigned column, double *b)
 {
     const gauss *self = stepper->state;
@@ -333,5 +354,6 @@ const jlt_method jlt_method_gauss = {
     .step = step,
     .dense = dense,
     .partial = partial,
+    .variation = variation,
     .bernstein = bernstein,
 };

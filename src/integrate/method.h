@@ -64,9 +64,9 @@ struct jlt_method {
     /* The state at tau_start + theta*h by a step of its own from the start, local error not above the whole step's;
      * out has shape (stride,) and must not be one of the stepper's arrays. theta may leave [0, 1] by a little. */
     jlt_status (*partial)(jlt_stepper *self, double theta, double *out);
-    /* One of these two, the other is NULL, so that a step far from an event costs little. An estimate from above of the
-     * total variation of a column on the last step, from what is at hand; or the column's polynomial in Bernstein form,
-     * b (degree + 1,), with dense_error, where that costs no evaluation. Returns the degree. */
+    /* So that a step far from an event costs little; either may be NULL, not both. An estimate from above of the total variation of
+     * a column on the last step, from what is at hand; the column's polynomial in Bernstein form, b (degree + 1,), with
+     * dense_error, where that costs no evaluation. Returns the degree. */
     double (*variation)(const jlt_stepper *self, unsigned column);
     unsigned (*bernstein)(jlt_stepper *self, unsigned column, double *b);
 };
