@@ -96,7 +96,8 @@ static double only_root(const double *b, unsigned degree)
         if (value * a[0] > 0) lo = u;
         else hi = u;
         const double move = -value * slope / (slope * slope - value * bend), next = u + move;
-        const bool done = fabs(move) <= 1e-5 * u; /* what Halley's method leaves: its cube */
+        /* What Halley's method leaves is the cube of its move, unless that is short because the slope vanishes. */
+        const bool done = fabs(move) <= 1e-5 * u && fabs(value) <= 1e-5 * u * fabs(slope);
         u = done || (next > lo && next < hi) ? next : 0.5 * (lo + hi);
         if (done || hi - lo <= DBL_EPSILON * hi) break;
     }

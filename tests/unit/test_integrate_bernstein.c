@@ -78,6 +78,18 @@ static void zeros_at_the_ends_belong_to_nobody(void **unused)
     assert_near(roots[0], 0.4, 1e-15);
 }
 
+/* With u = theta/(1 - theta) it is 0.486 + 3 u^2 - 4 u^3, whose one zero u > 0 is 0.9; the control polygon's zero, theta = 1/3, is
+ * u = 1/2, where its slope is 0. Condition number near 1. */
+static void a_first_guess_at_an_extremum_is_left(void **unused)
+{
+    (void)unused;
+    const double b[4] = { 0.486, 0, 1, -4 };
+    double root;
+
+    assert_int_equal(jlt_bernstein_sign_changes(&root, b, 3), 1);
+    assert_near(root, 9.0 / 19, 1e-14);
+}
+
 static void dividing_by_theta_and_deriving_match_the_coefficients(void **unused)
 {
     (void)unused;
@@ -120,6 +132,7 @@ int main(void)
         cmocka_unit_test(two_near_zeros_are_two_and_a_double_zero_is_none),
         cmocka_unit_test(zeros_at_the_ends_belong_to_nobody),
         cmocka_unit_test(touches_are_the_extrema_within_the_bound_and_no_others),
+        cmocka_unit_test(a_first_guess_at_an_extremum_is_left),
         cmocka_unit_test(dividing_by_theta_and_deriving_match_the_coefficients),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
