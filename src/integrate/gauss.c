@@ -24,6 +24,7 @@
 enum { N = JLT_GAUSS_NODES, SWEEPS_MAX = 24 };
 static const double rounding = 8e-16; /* half a unit in each of 48 values, root of the sum of squares */
 static const double slowest_rate = 0.7, growth_max = 2.5, safety = 0.65;
+static const double farthest = 128; /* lengths of a step: its polynomial continued farther is rounding errors */
 
 typedef struct {
     double *block;             /* all arrays below */
@@ -150,18 +151,19 @@ static void begin_at(const jlt_gauss_nodes *nodes, const jlt_stepper *stepper, c
         nodes->inverse_weight[c] = 1 / jlt_larger(fabs(x0[c]), stepper->scale[c]);
 }
 
-/* The last step's polynomial, continued by h, which is growth times that step, from the point; without a last step a straight
- * line. */
+/* The last step's polynomial, continued by h, which is growth times that step, from the point; without a last step, or where it
+ * was cut too short to tell, a straight line. */
 static void guess(gauss *self, jlt_stepper *stepper, double h, double growth)
 {
     const jlt_gauss_nodes *nodes = &self->nodes;
+    const bool told = self->has_past && growth < farthest;
 
     begin_at(nodes, stepper, stepper->x);
-    if (self->has_past) {
+    if (told) {
         self->batch->transform(self->partial, self->legendre, jlt_gauss_power_ahead, nodes->dim);
         self->batch->follow(nodes, self->partial, stepper->h, growth);
     }
-    for (unsigned c = 0; !self->has_past && c < nodes->dim; c++)
+    for (unsigned c = 0; !told && c < nodes->dim; c++)
         for (unsigned i = 0; i < N; i++) nodes->x[c * N + i] = nodes->origin[c] + h * jlt_gauss_node[i] * stepper->f[c];
     evaluate(self, stepper, nodes);
     self->guessed = h;

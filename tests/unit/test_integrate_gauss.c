@@ -119,6 +119,28 @@ static void a_partial_step_does_not_depend_on_those_before(void **unused)
     }
 }
 
+/* A step that a limit cut to a millionth or less says nothing of a whole one, which is taken at once all the same. */
+static void a_step_after_one_cut_short_is_as_long_as_before_it(void **unused)
+{
+    (void)unused;
+    const jlt_field field = { .dim = 4, .call = kepler, .root = -1 };
+    const double x[4] = { 1, 0, 0, 1 };
+
+    for (double cut = 1e-6; cut > 1e-13; cut /= 10) {
+        jlt_stepper *stepper = NULL;
+        assert_ok(jlt_stepper_create(&stepper, jlt_method_find("gauss"), &field, 1e-10, INFINITY));
+        assert_ok(jlt_stepper_start(stepper, 0, x, +1, 0));
+        for (unsigned k = 0; k < 6; k++) assert_ok(jlt_stepper_advance(stepper, INFINITY));
+        const double whole = stepper->h_next;
+        assert_ok(jlt_stepper_advance(stepper, cut * whole));
+        const size_t rejected = stepper->rejected;
+        assert_ok(jlt_stepper_advance(stepper, INFINITY));
+        assert_near(stepper->h, whole, 0);
+        assert_int_equal(stepper->rejected, rejected);
+        jlt_stepper_destroy(stepper);
+    }
+}
+
 static void unit_speed(const double *restrict x, const double *restrict p, double *restrict f)
 {
     (void)x, (void)p;
@@ -174,6 +196,7 @@ int main(void)
         cmocka_unit_test(quadratic_integrals_are_kept_to_rounding_at_any_step),
         cmocka_unit_test(a_step_has_local_order_seventeen),
         cmocka_unit_test(a_partial_step_does_not_depend_on_those_before),
+        cmocka_unit_test(a_step_after_one_cut_short_is_as_long_as_before_it),
         cmocka_unit_test(a_gap_in_the_clock_is_not_stepped_over),
         cmocka_unit_test(a_clock_that_never_runs_is_nonfinite),
     };
