@@ -263,8 +263,7 @@ static void list_methods(FILE *table, const problem *p)
     for (size_t i = 0; (method = jlt_method_at(i)) != NULL; i++)
         if (p->instance->descriptor->state_count <= JLT_CHART_STATES_MAX) fprintf(table, "%s %s\n", p->tier->name, method->name);
     for (size_t i = 0; (batch = jlt_batch_method_at(i)) != NULL; i++)
-        if (p->instance->descriptor->state_count > JLT_CHART_STATES_MAX || jlt_method_find(batch->name) == NULL)
-            fprintf(table, "%s %s\n", p->tier->name, batch->name);
+        fprintf(table, "%s %s\n", p->tier->name, batch->name);
 }
 
 /* All methods for one orbit at a time, where the tier has a chart; all methods of batches on all instruction

@@ -58,7 +58,7 @@ typedef struct {
 /** The map from starts (count, columns), row after row, `returns` times each; columns = dim, and one more with the clock, whose
  *  error is controlled as a state's against the size of the states: it never lengthens a step.
  *  A start with x[column] = 0 is on the section, which is no crossing. work may be NULL.
- *  Errors: ARG; UNSUPPORTED, no instance for these lanes; NOMEM. Cost: 13 or 15 stages of a full row a step. No memory grows with
+ *  Errors: ARG; UNSUPPORTED, no instance for these lanes; NOMEM. Cost: 12 or 15 stages of a full row a step. No memory grows with
  *  `returns`. */
 JLT_CHECKED jlt_status jlt_batch_section(const jlt_batch_map *map, const double *starts, size_t count, size_t returns,
                                          jlt_batch_row row, jlt_batch_end end, void *context, jlt_batch_work *work);
