@@ -74,14 +74,14 @@ static double only_root(const double *b, unsigned degree)
         binomial = binomial * (degree - j) / (j + 1);
     }
     for (unsigned j = 0; j <= degree; j++) middle += a[j];
-    const bool turned = b[0] * middle > 0;
+    const bool rises = b[0] < 0, turned = rises ? middle < 0 : middle > 0;
     for (unsigned j = 0; turned && 2 * j < degree; j++) {
         const double other = a[degree - j];
         a[degree - j] = a[j];
         a[j] = other;
     }
     unsigned first = 0; /* where the control polygon is zero, which is near */
-    while (b[0] * b[first + 1] > 0) first++;
+    while (rises ? b[first + 1] < 0 : b[first + 1] > 0) first++;
     const double start = (first + b[first] / (b[first] - b[first + 1])) / degree;
     double u = turned ? (1 - start) / start : start / (1 - start);
     if (!(u > 0 && u < hi)) u = 0.5;
@@ -93,7 +93,7 @@ static double only_root(const double *b, unsigned degree)
             value = value * u + a[j];
         }
         if (value == 0) break;
-        if (value * a[0] > 0) lo = u;
+        if (rises == turned ? value > 0 : value < 0) lo = u;
         else hi = u;
         const double move = -value * slope / (slope * slope - value * bend), next = u + move;
         /* What Halley's method leaves is the cube of its move, unless that is short because the slope vanishes. */
@@ -132,17 +132,23 @@ static void collect(collection *found, const double *b, double from, double widt
     collect(found, right, from + width * theta, width * (1 - theta), depth + 1);
 }
 
-unsigned jlt_bernstein_sign_changes(double *roots, const double *b, unsigned degree)
+/* Zeros at the ends divided out: signs on (0, 1) stay. Returns the degree. */
+static unsigned without_ends(double *b, unsigned degree)
 {
-    double inner[SIZE]; /* zeros at the ends divided out: signs on (0, 1) stay */
-    memcpy(inner, b, (degree + 1) * sizeof *inner);
-    while (degree > 0 && inner[0] == 0) jlt_bernstein_deflate(inner, degree--);
-    while (degree > 0 && inner[degree] == 0) {
-        for (unsigned j = 0; j < degree; j++) inner[j] = inner[j] * degree / (degree - j);
+    while (degree > 0 && b[0] == 0) jlt_bernstein_deflate(b, degree--);
+    while (degree > 0 && b[degree] == 0) {
+        for (unsigned j = 0; j < degree; j++) b[j] = b[j] * degree / (degree - j);
         degree--;
     }
-    collection found = { .roots = roots, .degree = degree };
-    if (degree > 0) collect(&found, inner, 0, 1, 0);
+    return degree;
+}
+
+unsigned jlt_bernstein_sign_changes(double *roots, const double *b, unsigned degree)
+{
+    double inner[SIZE];
+    memcpy(inner, b, (degree + 1) * sizeof *inner);
+    collection found = { .roots = roots, .degree = without_ends(inner, degree) };
+    if (found.degree > 0) collect(&found, inner, 0, 1, 0);
     return found.count;
 }
 
@@ -164,10 +170,10 @@ static void collect_touches(collection *found, const double *b, double bound, do
 
     if (stays_off(b, degree, bound) || found->count == degree - 1) return;
     jlt_bernstein_derive(slope, b, degree);
-    const unsigned changes = jlt_bernstein_variations(slope, degree - 1);
+    const unsigned inner = without_ends(slope, degree - 1), changes = jlt_bernstein_variations(slope, inner);
     if (changes == 0) return;
     if (changes == 1) {
-        const double at = only_root(slope, degree - 1);
+        const double at = only_root(slope, inner);
         if (fabs(jlt_bernstein_value(b, degree, at)) <= bound) found->roots[found->count++] = from + width * at;
         return;
     }

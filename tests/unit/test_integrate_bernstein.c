@@ -90,6 +90,29 @@ static void a_first_guess_at_an_extremum_is_left(void **unused)
     assert_near(root, 9.0 / 19, 1e-14);
 }
 
+/* Products of two such coefficients underflow. */
+static void signs_of_tiny_coefficients_count(void **unused)
+{
+    (void)unused;
+    const double b[4] = { -0.1e-170, -0.2e-170, -0.1e-170, 3e-170 };
+    double root;
+
+    assert_int_equal(jlt_bernstein_sign_changes(&root, b, 3), 1);
+    assert_true(jlt_bernstein_value(b, 3, root - 1e-9) < 0 && jlt_bernstein_value(b, 3, root + 1e-9) > 0);
+}
+
+/* theta^3/3 - 0.35 theta^2 + 0.343/6 has its minimum, 0, at 0.7, and a slope of 0 at 0. */
+static void a_flat_beginning_hides_no_touch(void **unused)
+{
+    (void)unused;
+    const double c[4] = { 0.343 / 6, 0, -0.35, 1.0 / 3 };
+    double b[4], at[4];
+
+    jlt_bernstein_of(b, c, 1, 3);
+    assert_int_equal(jlt_bernstein_touches(at, b, 3, 1e-9), 1);
+    assert_near(at[0], 0.7, 1e-8);
+}
+
 static void dividing_by_theta_and_deriving_match_the_coefficients(void **unused)
 {
     (void)unused;
@@ -133,6 +156,8 @@ int main(void)
         cmocka_unit_test(zeros_at_the_ends_belong_to_nobody),
         cmocka_unit_test(touches_are_the_extrema_within_the_bound_and_no_others),
         cmocka_unit_test(a_first_guess_at_an_extremum_is_left),
+        cmocka_unit_test(signs_of_tiny_coefficients_count),
+        cmocka_unit_test(a_flat_beginning_hides_no_touch),
         cmocka_unit_test(dividing_by_theta_and_deriving_match_the_coefficients),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
