@@ -83,13 +83,23 @@ jlt_status jlt_command_close(jlt_command_output *output)
     return failed ? JLT_ERR_NOMEM : JLT_OK;
 }
 
+static bool is_standard_output(const char *path)
+{
+    return path == NULL || strcmp(path, "-") == 0;
+}
+
+jlt_exit jlt_command_check_output(const char *path)
+{
+    return is_standard_output(path) || jlt_file_reachable(path) == JLT_OK ? JLT_EXIT_DONE : jlt_command_cannot_write(path);
+}
+
 jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path)
 {
     jlt_exit code = JLT_EXIT_DONE;
 
     if (jlt_command_close(output) != JLT_OK) {
         code = jlt_command_no_memory();
-    } else if (path == NULL || strcmp(path, "-") == 0) {
+    } else if (is_standard_output(path)) {
         if (fwrite(output->text, 1, output->size, stdout) != output->size || fflush(stdout) != 0) {
             code = jlt_command_fail(JLT_EXIT_IO, "cannot write to standard output: %s", strerror(errno));
             clearerr(stdout);

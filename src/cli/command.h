@@ -78,6 +78,9 @@ JLT_CHECKED jlt_status jlt_command_open(jlt_command_output *output);
 /* All that was written is in `text` then. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_command_close(jlt_command_output *output);
 
+/* Before long work: whether the result may be delivered there. Says what is wrong, and returns the exit status. */
+jlt_exit jlt_command_check_output(const char *path);
+
 /* Deliver and close; path NULL or "-" is standard output. Says what went wrong, and returns the exit status. */
 jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path);
 void jlt_command_discard(jlt_command_output *output); /* legal when never opened, if zeroed */

@@ -109,6 +109,8 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code = JLT_EXIT_USAGE;
 
     if (argp_parse(&parser, argc, argv, 0, NULL, &o) != 0) goto done;
+    code = jlt_command_check_output(o.output);
+    if (code != JLT_EXIT_DONE) goto done;
     if (command == NULL || jlt_command_open(&output) != JLT_OK) {
         code = jlt_command_no_memory();
         goto done;

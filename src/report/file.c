@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <libgen.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -89,4 +90,23 @@ jlt_status jlt_file_write(const char *path, const char *data, size_t size)
         errno = reason;
     }
     return st;
+}
+
+jlt_status jlt_file_reachable(const char *path)
+{
+    struct stat about;
+    char *copy;
+
+    if (stat(path, &about) == 0 && !S_ISREG(about.st_mode)) {
+        if (!S_ISDIR(about.st_mode)) return access(path, W_OK) == 0 ? JLT_OK : JLT_ERR_IO;
+        errno = EISDIR;
+        return JLT_ERR_IO;
+    }
+    copy = strdup(path);
+    if (copy == NULL) return JLT_ERR_NOMEM;
+    const bool good = access(dirname(copy), W_OK | X_OK) == 0;
+    const int reason = errno;
+    free(copy);
+    errno = reason;
+    return good ? JLT_OK : JLT_ERR_IO;
 }

@@ -13,4 +13,7 @@
  *  Errors: IO (errno says why), NOMEM. Cost: one fsync. */
 JLT_CHECKED jlt_status jlt_file_write(const char *path, const char *data, size_t size);
 
+/** Whether jlt_file_write could begin at this path now: to be asked before work that takes long. Errors: IO (errno says why), NOMEM. */
+JLT_CHECKED jlt_status jlt_file_reachable(const char *path);
+
 #endif

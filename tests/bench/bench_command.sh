@@ -56,6 +56,9 @@ expect 2 jellett bench section
 expect 5 jellett bench section --reference "$folder/nothing.csv"
 echo "orbit,return,t,gamma3,v_nu,omega_n,omega3" > "$folder/empty.csv"
 expect 3 jellett bench section --reference "$folder/empty.csv"
+# That the table has no place is said before anything is measured, or read.
+expect 5 jellett bench section --reference "$folder/empty.csv" --output "$folder/nowhere/table.csv"
+expect 5 jellett bench section --reference "$folder/empty.csv" --output "$folder"
 printf '0,0,0,0.1,0.2,0.3,0.4\n0,2,0,0.1,0.2,0.3,0.4\n' > "$folder/gap.csv"
 expect 3 jellett bench section --reference "$folder/gap.csv"
 printf '0,0,0,0.1\n' > "$folder/short.csv"
