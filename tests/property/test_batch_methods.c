@@ -12,10 +12,11 @@
 #include <cmocka.h>
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "integrate/batch_method.h"
 
-enum { DIM = 4 };
+enum { DIM = 4, TREE_MAX = 11 };
 
 static const long double eccentricity = 0.3L;
 
@@ -86,49 +87,117 @@ static void methods_have_their_orders(void **unused)
     }
 }
 
-static void weights_are_consistent_and_no_stage_needs_a_later_one(void **unused)
+static void no_stage_needs_a_later_one(void **unused)
 {
     const jlt_batch_method *m;
 
     (void)unused;
-    for (size_t i = 0; (m = jlt_batch_method_at(i)) != NULL; i++) {
-        double all = 0, error = 0;
-        for (unsigned l = 0; l < m->sum[m->stages - 1].count; l++) all += m->sum[m->stages - 1].weight[l];
-        for (unsigned l = 0; l < m->error.count; l++) error += m->error.weight[l];
-        assert_true(fabs(all - 1) < 4e-15 && fabs(error) < 4e-15);
+    for (size_t i = 0; (m = jlt_batch_method_at(i)) != NULL; i++)
         for (unsigned s = 0; s < m->stages; s++)
             for (unsigned l = 0; l < m->sum[s].count; l++) assert_true(m->sum[s].slope[l] <= s);
-    }
 }
 
-/* A stage at node c, the sum of its weights, is of order 2 at least from the third on: sum of weight * node = c^2/2. With 12
- * weights and nodes rounded to double it holds to 16 units of 2^-53 of the largest weight. */
-static void stages_are_of_order_two(void **unused)
+/* An elementary weight at the slopes, and the same of absolute values of all weights. */
+typedef struct {
+    long double value[JLT_BATCH_STAGES_MAX + 1], size[JLT_BATCH_STAGES_MAX + 1];
+} elementary;
+
+static long double weigh(const jlt_stage_sum *sum, const elementary *e, long double *size)
+{
+    long double value = 0;
+
+    *size = 0;
+    for (unsigned l = 0; l < sum->count; l++) {
+        value += (long double)sum->weight[l] * e->value[sum->slope[l]];
+        *size += fabsl((long double)sum->weight[l]) * e->size[sum->slope[l]];
+    }
+    return value;
+}
+
+/* Rooted trees of `order` vertices as levels in preorder, one after another (T. Beyer, S. M. Hedetniemi, SIAM J. Comput. 9 (1980),
+ * 706-712). False after the last. */
+static bool next_tree(unsigned *level, unsigned order)
+{
+    unsigned last = order, parent;
+
+    while (last > 0 && level[last - 1] <= 1) last--;
+    if (last == 0) return false;
+    parent = last - 1;
+    while (level[parent - 1] != level[last - 1] - 1) parent--;
+    for (unsigned v = last - 1; v < order; v++) level[v] = level[v - (last - parent)];
+    return true;
+}
+
+/* The elementary weight of a tree at all slopes, and its density gamma. */
+static elementary elementary_weight(const jlt_batch_method *m, const unsigned *level, unsigned order, long double *density)
+{
+    elementary e[TREE_MAX];
+    unsigned vertices[TREE_MAX];
+
+    *density = 1;
+    for (unsigned v = 0; v < order; v++) {
+        vertices[v] = 1;
+        for (unsigned s = 0; s <= m->stages; s++) e[v].value[s] = e[v].size[s] = 1;
+    }
+    for (unsigned v = order; v-- > 0;) {
+        unsigned parent = v;
+        *density *= vertices[v];
+        if (v == 0) break;
+        while (level[parent] != level[v] - 1) parent--;
+        vertices[parent] += vertices[v];
+        e[parent].value[0] = e[parent].size[0] = 0;
+        for (unsigned s = 1; s <= m->stages; s++) {
+            long double size;
+            e[parent].value[s] *= weigh(&m->sum[s - 1], &e[v], &size);
+            e[parent].size[s] *= size;
+        }
+    }
+    return e[0];
+}
+
+/* How far the conditions of all trees of one order are missed, at worst, by the solution and by the estimate, in units of the bound
+ * that rounding weights to double sets: 2^-53 for each of a tree's weights, and half as much for arithmetic of 64 bits. */
+static void miss(const jlt_batch_method *m, unsigned order, long double *solution, long double *estimate)
+{
+    static const unsigned rooted_trees[TREE_MAX] = { 1, 1, 2, 4, 9, 20, 48, 115, 286, 719, 1842 };
+    unsigned level[TREE_MAX], trees = 0;
+
+    *solution = *estimate = 0;
+    for (unsigned v = 0; v < order; v++) level[v] = v;
+    do {
+        long double density, size, unit = 0x1p-53L * (order + 0.5L);
+        const elementary e = elementary_weight(m, level, order, &density);
+        long double value = weigh(&m->sum[m->stages - 1], &e, &size);
+        *solution = fmaxl(*solution, fabsl(value - 1 / density) / (unit * size));
+        value = weigh(&m->error, &e, &size);
+        if (size > 0) *estimate = fmaxl(*estimate, fabsl(value) / (unit * size));
+        trees++;
+    } while (next_tree(level, order));
+    assert_int_equal(trees, rooted_trees[order - 1]);
+}
+
+/* J. C. Butcher's conditions, one a rooted tree: 200 to order 8, 1205 to order 10. */
+static void weights_meet_the_order_conditions_and_no_more(void **unused)
 {
     const jlt_batch_method *m;
 
     (void)unused;
-    for (size_t i = 0; (m = jlt_batch_method_at(i)) != NULL; i++) {
-        long double node[JLT_BATCH_STAGES_MAX + 1] = { 0 };
-        for (unsigned s = 0; s < m->stages; s++) {
-            long double moment = 0, largest = 1;
-            for (unsigned l = 0; l < m->sum[s].count; l++) {
-                const long double weight = m->sum[s].weight[l];
-                node[s + 1] += weight;
-                moment += weight * node[m->sum[s].slope[l]];
-                largest = fmaxl(largest, fabsl(weight));
-            }
-            if (s > 0) assert_true(fabsl(moment - node[s + 1] * node[s + 1] / 2) < 16 * 0x1p-53L * largest);
+    for (size_t i = 0; (m = jlt_batch_method_at(i)) != NULL; i++)
+        for (unsigned order = 1; order <= m->order + 1; order++) {
+            long double solution, estimate;
+            miss(m, order, &solution, &estimate);
+            print_message("%s, order %u: %.2Lg, %.2Lg\n", m->name, order, solution, estimate);
+            assert_true(order <= m->order ? solution < 1 : solution > 1000);
+            if (order <= m->error_order) assert_true(order < m->error_order ? estimate < 1 : estimate > 1000);
         }
-    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(methods_have_their_orders),
-        cmocka_unit_test(stages_are_of_order_two),
-        cmocka_unit_test(weights_are_consistent_and_no_stage_needs_a_later_one),
+        cmocka_unit_test(weights_meet_the_order_conditions_and_no_more),
+        cmocka_unit_test(no_stage_needs_a_later_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
