@@ -59,20 +59,30 @@ static jlt_status replace(const char *path, char *temporary, const char *data, s
     return JLT_ERR_IO;
 }
 
+typedef enum { PLACE_FILE, PLACE_DEVICE, PLACE_FOLDER } place;
+
+/* What stands at a path; a file that is not there yet is one. errno is set for a folder. */
+static place place_of(const char *path)
+{
+    struct stat about;
+
+    if (stat(path, &about) != 0 || S_ISREG(about.st_mode)) return PLACE_FILE;
+    if (!S_ISDIR(about.st_mode)) return PLACE_DEVICE;
+    errno = EISDIR;
+    return PLACE_FOLDER;
+}
+
 jlt_status jlt_file_write(const char *path, const char *data, size_t size)
 {
     static const char suffix[] = ".XXXXXX";
     const size_t length = strlen(path);
-    struct stat about;
+    const place at = place_of(path);
     sigset_t ending, before;
     char *temporary;
     jlt_status st;
 
-    if (stat(path, &about) == 0 && !S_ISREG(about.st_mode)) {
-        if (!S_ISDIR(about.st_mode)) return write_device(path, data, size);
-        errno = EISDIR;
-        return JLT_ERR_IO;
-    }
+    if (at == PLACE_FOLDER) return JLT_ERR_IO;
+    if (at == PLACE_DEVICE) return write_device(path, data, size);
     temporary = malloc(length + sizeof suffix);
     if (temporary == NULL) return JLT_ERR_NOMEM;
     memcpy(temporary, path, length);
@@ -94,15 +104,11 @@ jlt_status jlt_file_write(const char *path, const char *data, size_t size)
 
 jlt_status jlt_file_reachable(const char *path)
 {
-    struct stat about;
-    char *copy;
+    const place at = place_of(path);
 
-    if (stat(path, &about) == 0 && !S_ISREG(about.st_mode)) {
-        if (!S_ISDIR(about.st_mode)) return access(path, W_OK) == 0 ? JLT_OK : JLT_ERR_IO;
-        errno = EISDIR;
-        return JLT_ERR_IO;
-    }
-    copy = strdup(path);
+    if (at == PLACE_FOLDER) return JLT_ERR_IO;
+    if (at == PLACE_DEVICE) return access(path, W_OK) == 0 ? JLT_OK : JLT_ERR_IO;
+    char *copy = strdup(path);
     if (copy == NULL) return JLT_ERR_NOMEM;
     const bool good = access(dirname(copy), W_OK | X_OK) == 0;
     const int reason = errno;

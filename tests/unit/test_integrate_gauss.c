@@ -70,18 +70,27 @@ static void quadratic_integrals_are_kept_to_rounding_at_any_step(void **unused)
     jlt_orbit_destroy(orbit);
 }
 
+/* At the start of a circular orbit of length 2 pi. The field lives as long as the stepper. */
+static jlt_stepper *on_a_circle(const jlt_field *field, double tolerance, double first_step)
+{
+    const double x[4] = { 1, 0, 0, 1 };
+    jlt_stepper *stepper = NULL;
+
+    assert_ok(jlt_stepper_create(&stepper, jlt_method_find("gauss"), field, tolerance, INFINITY));
+    assert_ok(jlt_stepper_start(stepper, 0, x, +1, first_step));
+    return stepper;
+}
+
 /* Error of one step by the partial step of a solved longer one, against a circular orbit: h and 0.8 h differ by 0.8^-17 = 44.
  * 25 to 80 is accepted, the second error being near 1e-14. */
 static void a_step_has_local_order_seventeen(void **unused)
 {
     (void)unused;
     const jlt_field field = { .dim = 4, .call = kepler, .root = -1 };
-    const double x[4] = { 1, 0, 0, 1 }, h = 1.6;
+    const double h = 1.6;
     double error[2];
-    jlt_stepper *stepper = NULL;
+    jlt_stepper *stepper = on_a_circle(&field, 1e-4, h);
 
-    assert_ok(jlt_stepper_create(&stepper, jlt_method_find("gauss"), &field, 1e-4, INFINITY));
-    assert_ok(jlt_stepper_start(stepper, 0, x, +1, h));
     assert_ok(jlt_stepper_advance(stepper, INFINITY));
     assert_near(stepper->h, h, 0);
     stepper->tolerance = 1e-15; /* sweeps to the rounding level */
@@ -102,13 +111,10 @@ static void a_partial_step_does_not_depend_on_those_before(void **unused)
 {
     (void)unused;
     const jlt_field field = { .dim = 4, .call = kepler, .root = -1 };
-    const double x[4] = { 1, 0, 0, 1 };
 
     for (double tolerance = 1e-2; tolerance > 1e-6; tolerance /= 2) {
         double before[8] = { 0 }, between[8] = { 0 }, after[8] = { 0 };
-        jlt_stepper *stepper = NULL;
-        assert_ok(jlt_stepper_create(&stepper, jlt_method_find("gauss"), &field, 1e-2, INFINITY));
-        assert_ok(jlt_stepper_start(stepper, 0, x, +1, 2));
+        jlt_stepper *stepper = on_a_circle(&field, 1e-2, 2);
         assert_ok(jlt_stepper_advance(stepper, INFINITY));
         stepper->tolerance = tolerance;
         assert_ok(stepper->method->partial(stepper, 0.9, before));
@@ -124,12 +130,9 @@ static void a_step_after_one_cut_short_is_as_long_as_before_it(void **unused)
 {
     (void)unused;
     const jlt_field field = { .dim = 4, .call = kepler, .root = -1 };
-    const double x[4] = { 1, 0, 0, 1 };
 
     for (double cut = 1e-6; cut > 1e-13; cut /= 10) {
-        jlt_stepper *stepper = NULL;
-        assert_ok(jlt_stepper_create(&stepper, jlt_method_find("gauss"), &field, 1e-10, INFINITY));
-        assert_ok(jlt_stepper_start(stepper, 0, x, +1, 0));
+        jlt_stepper *stepper = on_a_circle(&field, 1e-10, 0);
         for (unsigned k = 0; k < 6; k++) assert_ok(jlt_stepper_advance(stepper, INFINITY));
         const double whole = stepper->h_next;
         assert_ok(jlt_stepper_advance(stepper, cut * whole));
