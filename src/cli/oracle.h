@@ -3,7 +3,7 @@
 #ifndef JLT_CLI_ORACLE_H
 #define JLT_CLI_ORACLE_H
 
-#include "ball.h"
+#include "ball/ball.h"
 #include "cli/assign.h"
 #include "kernel_abi.h"
 

@@ -6,7 +6,7 @@
 #include "cli/measure.h"
 #include "cli/oracle.h"
 #include "core/random.h"
-#include "prove.h"
+#include "prove/prove.h"
 
 #include <jansson.h>
 #include <stdbool.h>

@@ -9,8 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "model.h"
-#include "print.h"
+#include "read/model.h"
+#include "show/print.h"
 
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t count, size_t size);

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model.h"
-#include "print.h"
-#include "show.h"
+#include "read/model.h"
+#include "show/print.h"
+#include "show/show.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

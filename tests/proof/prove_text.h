@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "prove.h"
+#include "prove/prove.h"
 
 static inline ttc_model *parse_text(const char *text)
 {

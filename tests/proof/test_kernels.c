@@ -2,7 +2,7 @@
  * exchanged for another does not. */
 #include "prove_text.h"
 
-#include "prove_kernels.h"
+#include "readback/prove_kernels.h"
 
 static ttc_model *read_table(const char *path)
 {

@@ -2,7 +2,7 @@
  * that the reader refuses is no table, and counts neither way. */
 #include "prove_text.h"
 
-#include "mutate.h"
+#include "prove/mutate.h"
 
 /* Mutants that no claim of a table refutes. */
 static size_t survivors(const char *path)

@@ -1,7 +1,7 @@
 /* Ball enclosures of a model's expressions: they hold the exact value, are thin, and never claim too much. */
 #include "unit/check.h"
 
-#include "ball.h"
+#include "ball/ball.h"
 #include "core/random.h"
 
 #include <float.h>

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "graph.h"
+#include "expression/graph.h"
 
 enum { SYMBOLS = 4, TRIALS = 400 };
 

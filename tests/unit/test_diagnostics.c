@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model.h"
-#include "source.h"
+#include "read/model.h"
+#include "base/source.h"
 
 #define HEAD "model t\nparam a\nstate x\nstate y\neq x = a*y\neq y = x\n" /* six lines */
 

@@ -6,7 +6,7 @@
 #include <cmocka.h>
 #include <stdlib.h>
 
-#include "graph.h"
+#include "expression/graph.h"
 
 static void equal_expressions_are_one_node(void **unused)
 {

@@ -8,10 +8,10 @@
 
 #include <cmocka.h>
 
-#include "diagnostic.h"
-#include "kernels.h"
-#include "model.h"
-#include "program.h"
+#include "base/diagnostic.h"
+#include "kernels/kernels.h"
+#include "read/model.h"
+#include "optimize/program.h"
 
 /* 1/sqrt(x x + 1), with y y beside it: 1 + 1 + 5 + 4 multiplications one after another, whatever else is there. */
 static void latency_is_that_of_the_longest_chain(void **unused)

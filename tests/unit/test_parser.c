@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model.h"
-#include "print.h"
-#include "sha256.h"
+#include "read/model.h"
+#include "show/print.h"
+#include "base/sha256.h"
 
 static ttc_model *parse(const char *text)
 {

@@ -1,0 +1,155 @@
+/* An angle is compared with a basis coefficient by coefficient, over a common denominator. */
+#include "algebra/angle.h"
+
+#include <flint/fmpq_mat.h>
+#include <stdlib.h>
+
+/* denominator = least common multiple of it and that of a */
+static void include_denominator(ttc_ring *ring, fmpz_mpoly_t denominator, const ttc_ratio *a)
+{
+    fmpz_mpoly_t common, rest;
+    fmpz_mpoly_init(common, ring->context);
+    fmpz_mpoly_init(rest, ring->context);
+    if (fmpz_mpoly_gcd(common, denominator, a->denominator, ring->context)
+        && fmpz_mpoly_divides(rest, a->denominator, common, ring->context))
+        fmpz_mpoly_mul(denominator, denominator, rest, ring->context);
+    else
+        ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+    fmpz_mpoly_clear(rest, ring->context);
+    fmpz_mpoly_clear(common, ring->context);
+}
+
+/* One equation a term: its coefficient in the sum of the columns is that in the last column. Terms that several columns
+ * have give the same equation again. */
+static void fill_equations(ttc_ring *ring, fmpq_mat_t equations, fmpz_mpoly_t *columns, size_t count, ulong *exponents)
+{
+    slong row = 0;
+    fmpz_t coefficient, one;
+    fmpz_init(coefficient);
+    fmpz_init_set_ui(one, 1);
+    for (size_t from = 0; from < count; from++)
+        for (slong term = 0; term < fmpz_mpoly_length(columns[from], ring->context); term++, row++) {
+            fmpz_mpoly_get_term_exp_ui(exponents, columns[from], term, ring->context);
+            for (size_t j = 0; j < count; j++) {
+                fmpz_mpoly_get_coeff_fmpz_ui(coefficient, columns[j], exponents, ring->context);
+                fmpq_set_fmpz_frac(fmpq_mat_entry(equations, row, (slong)j), coefficient, one);
+            }
+        }
+    fmpz_clear(one);
+    fmpz_clear(coefficient);
+}
+
+/* The solution of equations whose columns but the last are independent. */
+static ttc_angle_relation solve(ttc_ring *ring, long *multiples, fmpq_mat_t equations, size_t count)
+{
+    if (fmpq_mat_rref(equations, equations) > (slong)count) return TTC_ANGLE_FREE;
+    for (size_t i = 0; i < count; i++)
+        if (!fmpz_is_one(fmpq_mat_entry_den(equations, (slong)i, (slong)count))) return TTC_ANGLE_FRACTION;
+    for (size_t i = 0; i < count; i++) {
+        const fmpz *multiple = fmpq_mat_entry_num(equations, (slong)i, (slong)count);
+        if (fmpz_cmp_si(multiple, TTC_ANGLE_MULTIPLE_LIMIT) > 0 || fmpz_cmp_si(multiple, -TTC_ANGLE_MULTIPLE_LIMIT) < 0)
+            ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+        else multiples[i] = fmpz_get_si(multiple);
+    }
+    return TTC_ANGLE_WHOLE;
+}
+
+ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_ratio *angle, const ttc_ratio *basis,
+                                    size_t count)
+{
+    ttc_angle_relation relation = TTC_ANGLE_FREE;
+    fmpz_mpoly_t denominator, factor;
+    fmpz_mpoly_t *columns = calloc(count + 1, sizeof *columns);
+    ulong *exponents = calloc(ring->variable_count + 1, sizeof *exponents);
+    slong terms = 0;
+
+    if (columns == NULL || exponents == NULL) {
+        free(columns);
+        free(exponents);
+        ttc_ring_fail(ring, TTC_RING_NO_MEMORY);
+        return relation;
+    }
+    fmpz_mpoly_init(denominator, ring->context);
+    fmpz_mpoly_init(factor, ring->context);
+    fmpz_mpoly_one(denominator, ring->context);
+    for (size_t j = 0; j <= count; j++) include_denominator(ring, denominator, j < count ? basis + j : angle);
+    for (size_t j = 0; j <= count; j++) {
+        const ttc_ratio *a = j < count ? basis + j : angle;
+        fmpz_mpoly_init(columns[j], ring->context);
+        if (fmpz_mpoly_divides(factor, denominator, a->denominator, ring->context))
+            fmpz_mpoly_mul(columns[j], a->numerator, factor, ring->context);
+        terms += fmpz_mpoly_length(columns[j], ring->context);
+    }
+    if (ring->status == TTC_RING_OK) {
+        fmpq_mat_t equations;
+        fmpq_mat_init(equations, terms, (slong)count + 1);
+        fill_equations(ring, equations, columns, count + 1, exponents);
+        relation = solve(ring, multiples, equations, count);
+        fmpq_mat_clear(equations);
+    }
+    for (size_t j = 0; j <= count; j++) fmpz_mpoly_clear(columns[j], ring->context);
+    fmpz_mpoly_clear(factor, ring->context);
+    fmpz_mpoly_clear(denominator, ring->context);
+    free(exponents);
+    free(columns);
+    return relation;
+}
+
+/* One pass in the order given; *fraction is where the first untried fraction of others stands, or count. */
+static size_t choose_in_order(ttc_ring *ring, size_t *chosen, const ttc_ratio *angles, const size_t *order, size_t count,
+                              const bool *tried, size_t *fraction)
+{
+    ttc_ratio basis[TTC_ANGLE_LIMIT]; /* borrowed */
+    long multiples[TTC_ANGLE_LIMIT];
+    size_t found = 0;
+    *fraction = count;
+    for (size_t i = 0; i < count && ring->status == TTC_RING_OK; i++) {
+        ttc_angle_relation relation = ttc_angle_relate(ring, multiples, angles + order[i], basis, found);
+        if (relation == TTC_ANGLE_FREE) {
+            basis[found] = angles[order[i]];
+            chosen[found++] = order[i];
+        } else if (relation == TTC_ANGLE_FRACTION && !tried[order[i]] && *fraction == count) {
+            *fraction = i;
+        }
+    }
+    return found;
+}
+
+size_t ttc_angle_choose(ttc_ring *ring, size_t *chosen, const ttc_ratio *angles, size_t count, size_t fixed)
+{
+    size_t order[TTC_ANGLE_LIMIT], fraction = count, found;
+    bool tried[TTC_ANGLE_LIMIT];
+    for (size_t i = 0; i < count; i++) {
+        order[i] = i;
+        tried[i] = i < fixed;
+    }
+    for (;;) {
+        found = choose_in_order(ring, chosen, angles, order, count, tried, &fraction);
+        if (fraction == count) return found;
+        size_t first = order[fraction];
+        for (size_t i = fraction; i > fixed; i--) order[i] = order[i - 1];
+        order[fixed] = first;
+        tried[first] = true;
+    }
+}
+
+void ttc_angle_turn(ttc_ring *ring, ttc_ratio *cosine, ttc_ratio *sine, const ttc_ratio *c, const ttc_ratio *s, long multiple)
+{
+    ttc_ratio turn, real, imaginary;
+    ttc_ratio_init(ring, &turn);
+    ttc_ratio_init(ring, &real);
+    ttc_ratio_init(ring, &imaginary);
+    if (multiple > 0) ttc_ratio_set(ring, &turn, s);
+    else ttc_ratio_scale(ring, &turn, s, ring->minus_one);
+    for (long k = labs(multiple); k > 0 && ring->status == TTC_RING_OK; k--) {
+        ttc_ratio_multiply(ring, &imaginary, cosine, &turn);
+        ttc_ratio_add_product(ring, &imaginary, sine, c);
+        ttc_ratio_multiply(ring, &real, sine, &turn);
+        ttc_ratio_multiply(ring, cosine, cosine, c);
+        ttc_ratio_subtract(ring, cosine, cosine, &real);
+        ttc_ratio_set(ring, sine, &imaginary);
+    }
+    ttc_ratio_clear(ring, &imaginary);
+    ttc_ratio_clear(ring, &real);
+    ttc_ratio_clear(ring, &turn);
+}

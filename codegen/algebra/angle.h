@@ -1,0 +1,28 @@
+/** Angles that are sums of others: exact coefficients, and the addition theorems. */
+#ifndef TTC_ANGLE_H
+#define TTC_ANGLE_H
+
+#include "algebra/ratio.h"
+
+enum { TTC_ANGLE_LIMIT = 128, TTC_ANGLE_MULTIPLE_LIMIT = 64 };
+
+typedef enum {
+    TTC_ANGLE_WHOLE,    /* a sum of whole multiples of the basis */
+    TTC_ANGLE_FRACTION, /* of rational ones that are not all whole */
+    TTC_ANGLE_FREE      /* of no rational ones: cosine and sine are independent of those of the basis */
+} ttc_angle_relation;
+
+/** How `angle` follows from `basis`, shape (count,), which is linearly independent over the rationals.
+ *  Out: multiples, shape (count,), when WHOLE. Multiples over TTC_ANGLE_MULTIPLE_LIMIT are the ring's failure TOO_LARGE. */
+ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_ratio *angle, const ttc_ratio *basis,
+                                    size_t count);
+
+/** As few of the angles as all others are sums of whole multiples of, tried in their order, and again with one first that is a
+ *  fraction of others; where there are no such, fractions are left. The first `fixed` ones, which are independent, are always chosen.
+ *  Out: chosen, shape (count,): positions, as many as returned. count is at most TTC_ANGLE_LIMIT. */
+size_t ttc_angle_choose(ttc_ring *ring, size_t *chosen, const ttc_ratio *angles, size_t count, size_t fixed);
+
+/** (cosine + i sine) *= (c + i s)^multiple, for the cosine and sine c, s of one angle. */
+void ttc_angle_turn(ttc_ring *ring, ttc_ratio *cosine, ttc_ratio *sine, const ttc_ratio *c, const ttc_ratio *s, long multiple);
+
+#endif

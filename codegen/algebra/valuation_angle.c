@@ -1,0 +1,163 @@
+/* Angles of a valuation: a basis of those that are linearly independent over the rationals, and the others as sums of whole
+ * multiples of it. */
+#include "algebra/angle.h"
+#include "algebra/valuation_state.h"
+
+#include <stdlib.h>
+
+#define NO_SYMBOL UINT32_MAX
+
+static bool in_basis(const ttc_valuation *v, uint32_t cosine)
+{
+    for (size_t i = 0; i < v->basis_count; i++)
+        if (v->basis[i] == cosine) return true;
+    return false;
+}
+
+/* How an angle follows from the basis. */
+static ttc_angle_relation relate(ttc_valuation *v, long *multiples, const ttc_ratio *angle)
+{
+    ttc_angle_relation relation = TTC_ANGLE_FREE;
+    const size_t count = v->basis_count;
+    ttc_ratio *angles = calloc(count + 1, sizeof *angles);
+    if (angles == NULL) {
+        ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
+        return relation;
+    }
+    for (size_t i = 0; i < count; i++) {
+        ttc_ratio_init(v->ring, angles + i);
+        ttc_evaluate(v, angles + i, v->model->symbols[v->basis[i]].definition);
+    }
+    if (v->ring->status == TTC_RING_OK) relation = ttc_angle_relate(v->ring, multiples, angle, angles, count);
+    for (size_t i = 0; i < count; i++) ttc_ratio_clear(v->ring, angles + i);
+    free(angles);
+    return relation;
+}
+
+static bool is_angle(ttc_symbol_kind kind) { return kind == TTC_COSINE || kind == TTC_SINE; }
+
+/* The table's angles, without those of cosines and sines of others, which join the basis when they are met. Their number
+ * is bounded because that of comparisons is its cube. */
+static size_t plain_angles(ttc_valuation *v, uint32_t *cosines)
+{
+    const ttc_model *model = v->model;
+    size_t count = 0;
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        const ttc_symbol_entry *entry = &model->symbols[i];
+        if (entry->kind != TTC_COSINE) continue;
+        unsigned char *support = ttc_model_support(model, &entry->definition, 1);
+        bool plain = support != NULL;
+        if (support == NULL) ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
+        for (uint32_t k = 0; plain && k < model->symbol_count; k++) plain = !support[k] || !is_angle(model->symbols[k].kind);
+        free(support);
+        if (plain) cosines[count++] = i;
+        if (count > TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
+        if (v->ring->status != TTC_RING_OK) return 0;
+    }
+    return count;
+}
+
+static void find_basis(ttc_valuation *v)
+{
+    uint32_t *cosines = calloc(v->model->symbol_count + 1, sizeof *cosines);
+    ttc_ratio angles[TTC_ANGLE_LIMIT];
+    size_t chosen[TTC_ANGLE_LIMIT], count = 0, fixed = 0;
+
+    v->has_basis = true;
+    if (cosines == NULL) ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
+    else count = plain_angles(v, cosines);
+    for (size_t i = 0; i < count; i++) {
+        ttc_ratio_init(v->ring, angles + i);
+        ttc_evaluate(v, angles + i, v->model->symbols[cosines[i]].definition);
+    }
+    /* An angle that is in the basis by now is part of what a state is bound to; it has its variable, and keeps it. */
+    for (size_t i = 0; i < count; i++) {
+        if (!in_basis(v, cosines[i])) continue;
+        const uint32_t cosine = cosines[fixed];
+        const ttc_ratio angle = angles[fixed];
+        cosines[fixed] = cosines[i];
+        angles[fixed++] = angles[i];
+        cosines[i] = cosine;
+        angles[i] = angle;
+    }
+    if (fixed < v->basis_count) ttc_ring_fail(v->ring, TTC_RING_ANGLE);
+    if (v->ring->status == TTC_RING_OK) v->basis_count = ttc_angle_choose(v->ring, chosen, angles, count, fixed);
+    for (size_t i = 0; i < v->basis_count; i++) v->basis[i] = cosines[chosen[i]];
+    for (size_t i = 0; i < count; i++) ttc_ratio_clear(v->ring, angles + i);
+    free(cosines);
+}
+
+/* cos or sin of a sum of multiples of the basis */
+static void sum_of_angles(ttc_valuation *v, ttc_ratio *out, const long *multiples, size_t count, bool is_sine)
+{
+    ttc_ratio cosine, sine, c, s;
+    ttc_ratio_init(v->ring, &cosine);
+    ttc_ratio_init(v->ring, &sine);
+    ttc_ratio_init(v->ring, &c);
+    ttc_ratio_init(v->ring, &s);
+    ttc_ratio_set_integer(v->ring, &cosine, 1);
+    for (size_t i = 0; i < count; i++) {
+        if (multiples[i] == 0) continue;
+        ttc_valuation_value(v, &c, v->basis[i]);
+        ttc_valuation_value(v, &s, v->model->symbols[v->basis[i]].partner);
+        ttc_angle_turn(v->ring, &cosine, &sine, &c, &s, multiples[i]);
+    }
+    ttc_ratio_set(v->ring, out, is_sine ? &sine : &cosine);
+    ttc_ratio_clear(v->ring, &s);
+    ttc_ratio_clear(v->ring, &c);
+    ttc_ratio_clear(v->ring, &sine);
+    ttc_ratio_clear(v->ring, &cosine);
+}
+
+/* cos or sin of any angle in a plain valuation; cosine: the symbol that may join the basis with it, or NO_SYMBOL. */
+static void value_at_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *angle, bool is_sine, uint32_t cosine)
+{
+    if (!v->has_basis) find_basis(v);
+    const size_t count = v->basis_count;
+    long *multiples = calloc(count + 1, sizeof *multiples);
+    if (multiples == NULL) ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
+    ttc_angle_relation relation = v->ring->status == TTC_RING_OK ? relate(v, multiples, angle) : TTC_ANGLE_FREE;
+    if (v->ring->status != TTC_RING_OK) {
+        free(multiples);
+        return;
+    }
+    if (relation == TTC_ANGLE_WHOLE) sum_of_angles(v, out, multiples, count, is_sine);
+    else if (relation == TTC_ANGLE_FRACTION) ttc_ring_fail(v->ring, TTC_RING_ANGLE_FRACTION);
+    else if (cosine == NO_SYMBOL) ttc_ring_fail(v->ring, TTC_RING_ANGLE);
+    else v->basis[v->basis_count++] = cosine;
+    free(multiples);
+}
+
+void ttc_valuation_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *angle, bool is_sine)
+{
+    value_at_angle(v, out, angle, is_sine, NO_SYMBOL);
+}
+
+/* Of an angle in the basis the cosine is a free variable, and the sine a square root of 1 - cos^2. */
+void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
+{
+    const ttc_symbol_entry *entry = &v->model->symbols[symbol];
+    const bool is_sine = entry->kind == TTC_SINE;
+    const uint32_t cosine = is_sine ? entry->partner : symbol;
+    ttc_ratio angle, one;
+    ttc_ratio_init(v->ring, &angle);
+    ttc_ratio_init(v->ring, &one);
+    ttc_evaluate(v, &angle, entry->definition);
+    if (v->base != NULL) {
+        ttc_valuation_angle(v->base, out, &angle, is_sine);
+        goto done;
+    }
+    if (!v->has_basis) find_basis(v);
+    if (!in_basis(v, cosine)) value_at_angle(v, out, &angle, is_sine, cosine);
+    if (!in_basis(v, cosine)) goto done;
+    ttc_ratio_set_variable(v->ring, out, v->variable[cosine]);
+    if (is_sine) {
+        ttc_ratio_multiply(v->ring, out, out, out);
+        ttc_ratio_set_integer(v->ring, &one, 1);
+        ttc_ratio_subtract(v->ring, &angle, &one, out);
+        ttc_ring_root(v->ring, out, &angle, v->variable[symbol], false);
+    }
+done:
+    ttc_ratio_clear(v->ring, &one);
+    ttc_ratio_clear(v->ring, &angle);
+}

@@ -1,0 +1,310 @@
+#include "ball/ball.h"
+
+#include "ball/ball_exact.h"
+
+#include <flint/fmpq.h>
+
+#if __has_include(<flint/arb.h>)
+#include <flint/arb.h>
+#else
+#include <arb.h>
+#endif
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FIRST_PRECISION = 256, LAST_PRECISION = 2048, DOUBLE_PRECISION = 53, KEEP_BITS = 100 };
+
+/* In balls of full precision, or in 53-bit balls with roots taken in full or as written. */
+typedef enum { FULL, ROUNDED, PLAIN, MODES } evaluation;
+
+typedef enum { UNKNOWN, GOOD, BAD } knowledge;
+
+/* What is known of every node, by id. */
+typedef struct {
+    size_t size;
+    arb_ptr balls;
+    unsigned char *state; /* knowledge */
+} ball_memory;
+
+struct ttc_ball {
+    ttc_ball_symbols symbols;
+    ball_memory balls[MODES];
+    ttc_ball_exact exact;
+    long precision;
+};
+
+ttc_ball *ttc_ball_create(const ttc_model *model)
+{
+    ttc_ball *ball = calloc(1, sizeof *ball);
+    ttc_ball_symbols *symbols;
+
+    if (ball == NULL) return NULL;
+    symbols = &ball->symbols;
+    symbols->model = model;
+    ball->precision = FIRST_PRECISION;
+    symbols->values = malloc((model->symbol_count + 1) * sizeof *symbols->values);
+    symbols->known = calloc(model->symbol_count + 1, 1);
+    symbols->bound = calloc(model->symbol_count + 1, sizeof *symbols->bound);
+    if (symbols->values == NULL || symbols->known == NULL || symbols->bound == NULL) {
+        free(symbols->values);
+        free(symbols->known);
+        free(symbols->bound);
+        free(ball);
+        return NULL;
+    }
+    for (size_t i = 0; i < model->symbol_count; i++) fmpq_init(&symbols->values[i]);
+    return ball;
+}
+
+static void forget_balls(ball_memory *m)
+{
+    if (m->balls != NULL) _arb_vec_clear(m->balls, (long)m->size);
+    free(m->state);
+    *m = (ball_memory){ 0 };
+}
+
+void ttc_ball_destroy(ttc_ball *ball)
+{
+    if (ball == NULL) return;
+    for (int mode = 0; mode < MODES; mode++) forget_balls(&ball->balls[mode]);
+    ttc_ball_exact_clear(&ball->exact);
+    for (size_t i = 0; i < ball->symbols.model->symbol_count; i++) fmpq_clear(&ball->symbols.values[i]);
+    free(ball->symbols.values);
+    free(ball->symbols.known);
+    free(ball->symbols.bound);
+    free(ball);
+}
+
+/* Room for every node there is now; where the graph has grown, all is forgotten. */
+static bool room(ttc_ball *ball)
+{
+    const size_t size = ttc_graph_size(ball->symbols.model->graph) + 1;
+
+    for (int mode = 0; mode < MODES; mode++) {
+        ball_memory *m = &ball->balls[mode];
+        if (m->size >= size) continue;
+        forget_balls(m);
+        m->state = calloc(size, 1);
+        if (m->state == NULL) return false;
+        m->balls = _arb_vec_init((long)size);
+        m->size = size;
+    }
+    return true;
+}
+
+static void forget_values(ttc_ball *ball)
+{
+    for (int mode = 0; mode < MODES; mode++)
+        if (ball->balls[mode].state != NULL) memset(ball->balls[mode].state, UNKNOWN, ball->balls[mode].size);
+    ttc_ball_exact_forget(&ball->exact);
+}
+
+bool ttc_ball_set(ttc_ball *ball, uint32_t symbol, double value)
+{
+    arf_t exact;
+
+    if (!isfinite(value)) return false;
+    arf_init(exact);
+    arf_set_d(exact, value);
+    arf_get_fmpq(&ball->symbols.values[symbol], exact);
+    arf_clear(exact);
+    ball->symbols.known[symbol] = 1;
+    forget_values(ball);
+    return true;
+}
+
+bool ttc_ball_set_fraction(ttc_ball *ball, uint32_t symbol, const char *fraction)
+{
+    if (fmpq_set_str(&ball->symbols.values[symbol], fraction, 10) != 0 || fmpz_is_zero(fmpq_denref(&ball->symbols.values[symbol])))
+        return false;
+    fmpq_canonicalise(&ball->symbols.values[symbol]);
+    ball->symbols.known[symbol] = 1;
+    forget_values(ball);
+    return true;
+}
+
+static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id);
+
+static void add_rounding(arb_t ball)
+{
+    mag_t radius;
+    mag_init(radius);
+    arb_get_mag(radius, ball);
+    mag_mul_2exp_si(radius, radius, -DOUBLE_PRECISION);
+    arb_add_error_mag(ball, radius);
+    mag_clear(radius);
+}
+
+static bool evaluate_symbol(arb_t out, ttc_ball *ball, evaluation mode, uint32_t symbol, long precision)
+{
+    const ttc_symbol_entry *entry = &ball->symbols.model->symbols[symbol];
+    const evaluation inner = mode == ROUNDED && entry->kind == TTC_ROOT ? FULL : mode;
+    arb_srcptr of;
+
+    if (ball->symbols.known[symbol]) {
+        arb_set_fmpq(out, &ball->symbols.values[symbol], precision);
+        if (mode == PLAIN) add_rounding(out);
+        return true;
+    }
+    if (ball->symbols.bound[symbol] != TTC_NONE) {
+        if (!evaluate(ball, mode, ball->symbols.bound[symbol])) return false;
+        arb_set(out, ball->balls[mode].balls + ball->symbols.bound[symbol]);
+        return true;
+    }
+    if (entry->definition == TTC_NONE || !evaluate(ball, inner, entry->definition)) return false;
+    of = ball->balls[inner].balls + entry->definition;
+    switch (entry->kind) {
+    case TTC_ROOT:
+        arb_sqrt(out, of, inner == FULL ? ball->precision : precision);
+        if (mode == ROUNDED) arb_set_round(out, out, precision);
+        return true;
+    case TTC_COSINE: arb_cos(out, of, precision); return true;
+    case TTC_SINE: arb_sin(out, of, precision); return true;
+    case TTC_LET: arb_set(out, of); return true;
+    default: return false;
+    }
+}
+
+static bool evaluate_parts(arb_t out, ttc_ball *ball, evaluation mode, ttc_id id, long precision)
+{
+    const ttc_graph *graph = ball->symbols.model->graph;
+    const bool product = ttc_kind_of(graph, id) == TTC_PRODUCT;
+    const size_t count = ttc_part_count(graph, id);
+    arb_t term;
+    bool good = true;
+
+    arb_init(term);
+    arb_set_fmpq(out, ttc_coefficient(graph, id), precision);
+    for (size_t i = 0; good && i < count; i++) {
+        const ttc_part part = ttc_part_at(graph, id, i);
+        good = evaluate(ball, mode, part.id);
+        if (!good) break;
+        if (product) {
+            arb_pow_ui(term, ball->balls[mode].balls + part.id, (unsigned long)labs((long)part.exponent), precision);
+            if (part.exponent < 0) arb_div(out, out, term, precision);
+            else arb_mul(out, out, term, precision);
+        } else if (fmpq_is_one(part.coefficient)) {
+            arb_add(out, out, ball->balls[mode].balls + part.id, precision);
+        } else {
+            arb_set_fmpq(term, part.coefficient, precision);
+            arb_mul(term, term, ball->balls[mode].balls + part.id, precision);
+            arb_add(out, out, term, precision);
+        }
+    }
+    arb_clear(term);
+    return good;
+}
+
+static bool evaluate(ttc_ball *ball, evaluation mode, ttc_id id)
+{
+    const long precision = mode == FULL ? ball->precision : DOUBLE_PRECISION;
+    ball_memory *m = &ball->balls[mode];
+    const ttc_kind kind = ttc_kind_of(ball->symbols.model->graph, id);
+    bool good;
+
+    if (m->state[id] != UNKNOWN) return m->state[id] == GOOD;
+    m->state[id] = BAD; /* met again on the way down, it would stand for itself */
+    if (kind == TTC_NUMBER) {
+        arb_set_fmpq(m->balls + id, ttc_coefficient(ball->symbols.model->graph, id), precision);
+        good = true;
+    } else if (kind == TTC_SYMBOL) {
+        good = evaluate_symbol(m->balls + id, ball, mode, ttc_symbol_of(ball->symbols.model->graph, id), precision);
+    } else {
+        good = evaluate_parts(m->balls + id, ball, mode, id, precision);
+    }
+    m->state[id] = good ? GOOD : BAD;
+    return good;
+}
+
+/* Full precision, raised until the ball is thin or holds zero at the last one. */
+static bool evaluate_full(ttc_ball *ball, ttc_id id)
+{
+    if (!room(ball)) return false;
+    for (;;) {
+        arb_srcptr value = ball->balls[FULL].balls + id;
+        if (!evaluate(ball, FULL, id)) return false;
+        if (arb_is_zero(value) || (arb_is_finite(value) && arb_rel_accuracy_bits(value) >= KEEP_BITS)) return true;
+        if (ball->precision >= LAST_PRECISION) return arb_is_finite(value);
+        ball->precision *= 2;
+        memset(ball->balls[FULL].state, UNKNOWN, ball->balls[FULL].size);
+    }
+}
+
+static double radius_of(ttc_ball *ball, evaluation mode, ttc_id id)
+{
+    if (!evaluate(ball, mode, id) || !arb_is_finite(ball->balls[mode].balls + id)) return INFINITY;
+    return mag_get_d(arb_radref(ball->balls[mode].balls + id));
+}
+
+bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id)
+{
+    arf_t rest, value;
+    arb_srcptr enclosure;
+    bool good = id != TTC_NONE && evaluate_full(ball, id);
+
+    if (!good) {
+        ball->precision = FIRST_PRECISION;
+        return false;
+    }
+    enclosure = ball->balls[FULL].balls + id;
+    arf_init(rest);
+    arf_init(value);
+    out->value = arf_get_d(arb_midref(enclosure), ARF_RND_NEAR);
+    out->rest = 0.0;
+    if (isfinite(out->value)) {
+        arf_set_d(value, out->value);
+        arf_sub(rest, arb_midref(enclosure), value, ARF_PREC_EXACT, ARF_RND_NEAR);
+        out->rest = arf_get_d(rest, ARF_RND_NEAR);
+    }
+    out->radius = mag_get_d(arb_radref(enclosure));
+    out->rounding = radius_of(ball, ROUNDED, id);
+    out->plain_rounding = radius_of(ball, PLAIN, id);
+    arf_clear(value);
+    arf_clear(rest);
+    if (ball->precision != FIRST_PRECISION) {
+        ball->precision = FIRST_PRECISION;
+        memset(ball->balls[FULL].state, UNKNOWN, ball->balls[FULL].size);
+    }
+    return true;
+}
+
+/* FLINT's text as one for free(). */
+static char *owned(char *written)
+{
+    char *text = written == NULL ? NULL : strdup(written);
+
+    flint_free(written);
+    return text;
+}
+
+char *ttc_ball_text(ttc_ball *ball, ttc_id id, long digits, bool *excludes_zero)
+{
+    if (id == TTC_NONE || !evaluate_full(ball, id)) return NULL;
+    *excludes_zero = !arb_contains_zero(ball->balls[FULL].balls + id);
+    return owned(arb_get_str(ball->balls[FULL].balls + id, digits, ARB_STR_MORE));
+}
+
+bool ttc_ball_exact_sign(int *sign, ttc_ball *ball, ttc_id id)
+{
+    const fmpq *value = ttc_ball_exact_value(&ball->exact, &ball->symbols, id);
+
+    if (value == NULL) return false;
+    *sign = fmpq_sgn(value);
+    return true;
+}
+
+char *ttc_ball_exact_text(ttc_ball *ball, ttc_id id)
+{
+    const fmpq *value = ttc_ball_exact_value(&ball->exact, &ball->symbols, id);
+
+    return value == NULL ? NULL : owned(fmpq_get_str(NULL, 10, value));
+}
+
+void ttc_ball_bind(ttc_ball *ball, uint32_t symbol, ttc_id id)
+{
+    ball->symbols.known[symbol] = 0;
+    ball->symbols.bound[symbol] = id;
+    forget_values(ball);
+}

@@ -1,0 +1,77 @@
+#include "base/text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void ttc_text_clear(ttc_text *text)
+{
+    free(text->bytes);
+    *text = (ttc_text){ 0 };
+}
+
+static bool reserve(ttc_text *text, size_t extra)
+{
+    if (text->failed) return false;
+    size_t needed = text->length + extra + 1;
+    if (needed <= text->capacity) return true;
+    size_t capacity = text->capacity < 64 ? 64 : text->capacity;
+    while (capacity < needed) capacity *= 2;
+    char *bytes = realloc(text->bytes, capacity);
+    if (bytes == NULL) {
+        text->failed = true;
+        return false;
+    }
+    text->bytes = bytes;
+    text->capacity = capacity;
+    return true;
+}
+
+void ttc_text_add_bytes(ttc_text *text, const char *bytes, size_t length)
+{
+    if (!reserve(text, length)) return;
+    if (length > 0) memcpy(text->bytes + text->length, bytes, length);
+    text->length += length;
+    text->bytes[text->length] = '\0';
+}
+
+void ttc_text_add(ttc_text *text, const char *bytes) { ttc_text_add_bytes(text, bytes, strlen(bytes)); }
+
+void ttc_text_format(ttc_text *text, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    int length = vsnprintf(NULL, 0, format, list);
+    va_end(list);
+    if (length < 0 || !reserve(text, (size_t)length)) {
+        text->failed = true;
+        return;
+    }
+    va_start(list, format);
+    vsnprintf(text->bytes + text->length, (size_t)length + 1, format, list);
+    va_end(list);
+    text->length += (size_t)length;
+}
+
+const char *ttc_text_string(const ttc_text *text) { return text->bytes == NULL ? "" : text->bytes; }
+
+/* Octal escapes have at most three digits, so that a digit which follows is never swallowed. */
+void ttc_text_add_escaped(ttc_text *text, const char *bytes)
+{
+    for (const unsigned char *c = (const unsigned char *)bytes; *c != '\0'; c++) {
+        if (*c == '"' || *c == '\\' || *c == '?') ttc_text_format(text, "\\%c", *c);
+        else if (*c == '\n') ttc_text_add(text, "\\n");
+        else if (*c < 32 || *c > 126) ttc_text_format(text, "\\%03o", *c);
+        else ttc_text_add_bytes(text, (const char *)c, 1);
+    }
+}
+
+void ttc_text_add_comment(ttc_text *text, const char *bytes)
+{
+    for (const char *c = bytes; *c != '\0'; c++) {
+        if ((c[0] == '*' && c[1] == '/') || (c[0] == '/' && c[1] == '*')) ttc_text_format(text, "%c ", *c);
+        else if (*c == '\n' || *c == '\r') ttc_text_add(text, " ");
+        else ttc_text_add_bytes(text, c, 1);
+    }
+}

@@ -1,0 +1,187 @@
+/* ttc prove: every claim of the tables, proved or refuted exactly. */
+#include "command/command.h"
+#include "prove/mutate.h"
+#include "readback/prove_kernels.h"
+
+#include <jansson.h>
+#include <string.h>
+
+static bool is_proved_kernel(const ttc_proof *proof)
+{
+    return proof->status == TTC_PROVED && strcmp(proof->kind, "kernel") == 0;
+}
+
+/* The proved kernels of one field, which stand together, on one line. Returns the index of the last of them. */
+static size_t print_kernels(const ttc_proof_report *report, size_t first)
+{
+    const char *name = report->proofs[first].name;
+    size_t stem = strcspn(name, " "), i = first;
+    printf("%-8s %-11s %.*s:", ttc_proof_status_name(TTC_PROVED), "kernel", (int)stem, name);
+    while (i < report->proof_count && is_proved_kernel(&report->proofs[i])
+           && strncmp(report->proofs[i].name, name, stem + 1) == 0)
+        printf(" %s", report->proofs[i++].name + stem + 1);
+    printf("\n");
+    return i - 1;
+}
+
+static void print_text(const ttc_proof_report *report)
+{
+    for (size_t i = 0; i < report->proof_count; i++) {
+        const ttc_proof *proof = &report->proofs[i];
+        if (is_proved_kernel(proof)) {
+            i = print_kernels(report, i);
+            continue;
+        }
+        printf("%-8s %-11s %s", ttc_proof_status_name(proof->status), proof->kind, proof->name);
+        if (proof->status == TTC_PROVED && proof->remainder != NULL) printf("  (%s)", proof->remainder);
+        if (proof->status != TTC_PROVED)
+            printf("\n         %s:%u: %s", report->file, (unsigned)proof->place.line,
+                   proof->remainder != NULL ? proof->remainder : "no reason could be stored");
+        printf("\n");
+    }
+    printf("%s: %zu claims: %zu proved, %zu refuted", report->model, report->proof_count, report->proved, report->refuted);
+    if (report->meaningless > 0) printf(", %zu not settled", report->meaningless);
+    printf("\n");
+}
+
+static json_t *proof_json(const ttc_proof *proof)
+{
+    json_t *object = json_pack("{s:s, s:s, s:i, s:s, s:s?}", "name", proof->name, "kind", proof->kind, "line",
+                               (int)proof->place.line, "status", ttc_proof_status_name(proof->status), "remainder",
+                               proof->status == TTC_PROVED ? NULL : proof->remainder);
+    if (object != NULL && proof->status == TTC_PROVED && proof->remainder != NULL)
+        json_object_set_new(object, "witness", json_string(proof->remainder));
+    return object;
+}
+
+static json_t *report_json(const ttc_proof_report *report)
+{
+    json_t *claims = json_array();
+    for (size_t i = 0; i < report->proof_count; i++) json_array_append_new(claims, proof_json(&report->proofs[i]));
+    return json_pack("{s:s, s:s, s:s, s:o, s:{s:I, s:I, s:I, s:I}}", "model", report->model, "file", report->file, "hash",
+                     report->sha256, "claims", claims, "totals", "claims", (json_int_t)report->proof_count, "proved",
+                     (json_int_t)report->proved, "refuted", (json_int_t)report->refuted, "error",
+                     (json_int_t)report->meaningless);
+}
+
+static void complain(const ttc_proof_report *report)
+{
+    for (size_t i = 0; i < report->proof_count; i++)
+        if (report->proofs[i].status == TTC_MEANINGLESS)
+            fprintf(stderr, "%s:%u:%u: error: the %s claim '%s' is not settled: %s\n", report->file,
+                    (unsigned)report->proofs[i].place.line, (unsigned)report->proofs[i].place.column,
+                    report->proofs[i].kind, report->proofs[i].name,
+                    report->proofs[i].remainder != NULL ? report->proofs[i].remainder : "no reason could be stored");
+}
+
+static void raise_status(int *status, int to)
+{
+    if (*status < to) *status = to;
+}
+
+/* One table gives an object, several an array of them. */
+static void print_json(json_t *reports, size_t file_count)
+{
+    json_t *shown = file_count == 1 && json_array_size(reports) == 1 ? json_array_get(reports, 0) : reports;
+    json_dumpf(shown, stdout, JSON_INDENT(2));
+    printf("\n");
+}
+
+static const char *fate_name(ttc_mutant_fate fate)
+{
+    switch (fate) {
+    case TTC_MUTANT_REFUTED: return "refuted";
+    case TTC_MUTANT_SURVIVED: return "survived";
+    case TTC_MUTANT_UNREADABLE: break;
+    }
+    return "unreadable";
+}
+
+static void print_mutants(const ttc_model *model, const ttc_mutation_report *report)
+{
+    for (size_t i = 0; i < report->count; i++) {
+        const ttc_mutant *mutant = &report->mutants[i];
+        if (mutant->fate == TTC_MUTANT_REFUTED) continue;
+        printf("%s:%u:%u: mutant %s: %s '%.*s'\n", model->file, (unsigned)mutant->place.line,
+               (unsigned)mutant->place.column, fate_name(mutant->fate), mutant->dropped ? "dropped" : "flipped",
+               (int)mutant->term_length, mutant->term);
+    }
+    printf("%s: %zu mutants: %zu refuted, %zu survived, %zu unreadable\n", model->name, report->count, report->refuted,
+           report->survived, report->unreadable);
+}
+
+static json_t *mutants_json(const ttc_model *model, const ttc_mutation_report *report)
+{
+    json_t *mutants = json_array();
+    for (size_t i = 0; i < report->count; i++) {
+        const ttc_mutant *mutant = &report->mutants[i];
+        json_array_append_new(mutants,
+                              json_pack("{s:i, s:i, s:s%, s:s, s:s, s:s?}", "line", (int)mutant->place.line, "column",
+                                        (int)mutant->place.column, "term", mutant->term, mutant->term_length, "change",
+                                        mutant->dropped ? "dropped" : "flipped", "fate", fate_name(mutant->fate),
+                                        "refuted", mutant->refuted));
+    }
+    return json_pack("{s:s, s:s, s:o, s:{s:I, s:I, s:I, s:I}}", "model", model->name, "hash", model->sha256, "mutants",
+                     mutants, "totals", "mutants", (json_int_t)report->count, "refuted", (json_int_t)report->refuted,
+                     "survived", (json_int_t)report->survived, "unreadable", (json_int_t)report->unreadable);
+}
+
+/* A survivor means that a claim is missing: exit status 1, as for a claim that fails. */
+static int mutate(const ttc_model *model, bool json, json_t *reports)
+{
+    ttc_mutation_report *report = NULL;
+    if (!ttc_mutate(model, ttc_resolve_beside, NULL, &report)) {
+        fprintf(stderr, "ttc: out of memory while mutating %s\n", model->file);
+        return TTC_EXIT_IO;
+    }
+    if (json) json_array_append_new(reports, mutants_json(model, report));
+    else print_mutants(model, report);
+    int status = report->survived > 0 ? TTC_EXIT_REFUTED : TTC_EXIT_DONE;
+    ttc_mutation_report_destroy(report);
+    return status;
+}
+
+/* NULL: memory ran out, or the kernels cannot be made. */
+static ttc_proof_report *make_report(const ttc_model *model, bool kernels)
+{
+    ttc_plan plan = { 0 };
+    ttc_proof_report *report = NULL;
+    if (!ttc_prove(model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report)) return NULL;
+    bool ok = !kernels || (ttc_plan_create(&plan, model) && ttc_prove_kernels(&plan, report));
+    ttc_plan_clear(&plan);
+    if (ok) return report;
+    ttc_proof_report_destroy(report);
+    return NULL;
+}
+
+static int prove(const ttc_model *model, bool kernels, bool json, json_t *reports)
+{
+    int status = TTC_EXIT_DONE;
+    ttc_proof_report *report = make_report(model, kernels);
+    if (report == NULL) {
+        fprintf(stderr, "ttc: out of memory while proving %s, or its kernels cannot be made\n", model->file);
+        return TTC_EXIT_IO;
+    }
+    if (json) json_array_append_new(reports, report_json(report));
+    else print_text(report);
+    complain(report);
+    if (report->refuted > 0) status = TTC_EXIT_REFUTED;
+    if (report->meaningless > 0) status = TTC_EXIT_BAD_TABLE;
+    ttc_proof_report_destroy(report);
+    return status;
+}
+
+int ttc_command_prove(const ttc_options *options)
+{
+    int status = TTC_EXIT_DONE;
+    json_t *reports = json_array();
+    for (size_t i = 0; i < options->file_count; i++) {
+        ttc_model *model = ttc_command_read(options->files[i], &status);
+        if (model == NULL) continue;
+        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options->kernels, options->json, reports));
+        ttc_model_destroy(model);
+    }
+    if (options->json) print_json(reports, options->file_count);
+    json_decref(reports);
+    return status;
+}

@@ -1,0 +1,187 @@
+/* ttc, the term-table compiler: command line and dispatch. */
+#include "command/command.h"
+
+#include <argp.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k' };
+
+#define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
+#define END_OF_OPTIONS { NULL, 0, NULL, 0, NULL, 0 }
+
+static const struct argp_option check_options[] = { JSON_OPTION, END_OF_OPTIONS };
+static const struct argp_option prove_options[] = {
+    JSON_OPTION,
+    { "kernels", OPTION_KERNELS, NULL, 0, "Prove as well that every kernel computes what the table says", 0 },
+    { "mutate", OPTION_MUTATE, NULL, 0, "Flip and drop every term in turn, and report whether some claim is then refuted", 0 },
+    END_OF_OPTIONS
+};
+static const struct argp_option show_options[] = {
+    { "format", OPTION_FORMAT, "FORMAT", 0, "text (as in the table; the default), latex, or dot (the graph of the shared "
+                                            "expressions, for Graphviz)", 0 },
+    END_OF_OPTIONS
+};
+
+static const struct argp_option generate_options[] = {
+    { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files; made when it is missing", 0 }, END_OF_OPTIONS
+};
+static const struct argp_option cost_options[] = { JSON_OPTION, END_OF_OPTIONS };
+
+typedef struct {
+    const char *name, *summary;
+    int (*run)(const ttc_options *options);
+    const struct argp_option *options;
+    const char *help;
+} command;
+
+static const command commands[] = {
+    { "check", "read tables and report what is wrong with them", ttc_command_check, check_options,
+      "Read each table and report every error and warning as FILE:LINE:COLUMN, with the line and a caret. Nothing is "
+      "proved and nothing is written." },
+    { "prove", "prove or refute every claim of tables, exactly", ttc_command_prove, prove_options,
+      "Prove every claim of each table over Q(parameters)(states, roots), and that its variants, times and eliminations "
+      "follow from it. A refuted claim is printed with its place and the remainder that is not zero; one that says "
+      "nothing (a vanishing denominator, an empty zero level) is an error of the table." },
+    { "show", "print equations and Jacobian as text, LaTeX or a graph", ttc_command_show, show_options,
+      "Print the right-hand side of each equation and every entry of the Jacobian that is not zero, differentiated "
+      "exactly." },
+    { "generate", "write C kernels", ttc_command_generate, generate_options,
+      "Write kernels for every variant, time and elimination of each table, the registry of all of them, a manifest and "
+      "operation counts. Output is a pure function of the tables; on any error no file is touched." },
+    { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
+      "Print operations, depth and live temporaries of every kernel, as generated and as the terms stand." },
+};
+
+enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
+
+static const char exit_text[] =
+    "\vExit status: 0 done; 1 a claim is refuted; 2 the command line is wrong; 3 a table is wrong; 5 a file cannot be "
+    "read or written.";
+
+static error_t parse_option(int key, char *argument, struct argp_state *state)
+{
+    ttc_options *options = state->input;
+    switch (key) {
+    case OPTION_JSON:
+        options->json = true;
+        return 0;
+    case OPTION_KERNELS:
+        options->kernels = true;
+        return 0;
+    case OPTION_MUTATE:
+        options->mutate = true;
+        return 0;
+    case OPTION_OUT:
+        options->out = argument;
+        return 0;
+    case OPTION_FORMAT:
+        if (strcmp(argument, "text") != 0 && strcmp(argument, "latex") != 0 && strcmp(argument, "dot") != 0)
+            argp_error(state, "unknown format '%s' (expected text, latex or dot)", argument);
+        options->format = argument;
+        return 0;
+    case ARGP_KEY_ARG:
+        options->files[options->file_count++] = argument;
+        return 0;
+    case ARGP_KEY_END:
+        if (options->file_count == 0) argp_error(state, "no table is given (expected FILE.tt)");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static void print_help(FILE *stream)
+{
+    fprintf(stream, "Usage: ttc COMMAND [OPTION...] FILE.tt...\n"
+                    "Compile term tables: readable models of mechanics with claims that are proved exactly.\n\n"
+                    "Commands:\n");
+    for (size_t i = 0; i < COMMAND_COUNT; i++) fprintf(stream, "  %-10s %s\n", commands[i].name, commands[i].summary);
+    fprintf(stream, "\nA table names parameters, states and equations, one term a line:\n\n"
+                    "    model oscillator\n"
+                    "    param k > 0\n"
+                    "    state x\n"
+                    "    state v\n"
+                    "    eq x = v\n"
+                    "    eq v =\n"
+                    "        - k*x\n"
+                    "    integral E = v^2/2 + k*x^2/2\n\n"
+                    "  ttc check oscillator.tt\n"
+                    "  ttc show --format latex oscillator.tt\n\n"
+                    "'ttc COMMAND --help' explains a command and its options; 'ttc --version' prints the version.\n"
+                    "%s\n", exit_text + 1);
+}
+
+/* The command line as headers quote it: options and base names, so that it does not depend on where files lie. */
+static char *quote_command_line(int argc, char **argv)
+{
+    size_t length = strlen("ttc") + 1;
+    for (int i = 1; i < argc; i++) length += strlen(argv[i]) + 1;
+    char *line = malloc(length);
+    if (line == NULL) return NULL;
+    strcpy(line, "ttc");
+    for (int i = 1; i < argc; i++) {
+        const char *slash = strrchr(argv[i], '/');
+        strcat(line, " ");
+        strcat(line, slash == NULL ? argv[i] : slash + 1);
+    }
+    return line;
+}
+
+/* What stdio still holds goes out now, so that a full disk is noticed. */
+static int flushed(int status)
+{
+    if (fflush(stdout) == 0 && !ferror(stdout)) return status;
+    fprintf(stderr, "ttc: cannot write the result\n");
+    return TTC_EXIT_IO;
+}
+
+static int run_command(const command *chosen, int argc, char **argv)
+{
+    char name[64];
+    int status = TTC_EXIT_USAGE;
+    ttc_options options = { .format = "text" };
+    char *line = quote_command_line(argc, argv);
+    char *help = malloc(strlen(chosen->help) + sizeof exit_text);
+    options.files = calloc((size_t)argc, sizeof *options.files);
+    if (line == NULL || help == NULL || options.files == NULL) {
+        fprintf(stderr, "ttc: out of memory\n");
+        status = TTC_EXIT_IO;
+        goto done;
+    }
+    options.command_line = line;
+    snprintf(name, sizeof name, "ttc %s", chosen->name);
+    strcpy(help, chosen->help);
+    strcat(help, exit_text);
+    struct argp argp = { chosen->options, parse_option, "FILE.tt...", help, NULL, NULL, NULL };
+    argv[1] = name;
+    argp_err_exit_status = TTC_EXIT_USAGE;
+    if (argp_parse(&argp, argc - 1, argv + 1, 0, NULL, &options) == 0) status = chosen->run(&options);
+    status = flushed(status);
+done:
+    free(options.files);
+    free(help);
+    free(line);
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    const char *word = argc > 1 ? argv[1] : "";
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "-?") == 0 || strcmp(word, "help") == 0) {
+        print_help(stdout);
+        return flushed(TTC_EXIT_DONE);
+    }
+    if (strcmp(word, "--version") == 0 || strcmp(word, "-V") == 0) {
+        puts("ttc " JLT_VERSION);
+        return flushed(TTC_EXIT_DONE);
+    }
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        if (strcmp(commands[i].name, word) == 0) return run_command(commands + i, argc, argv);
+    if (argc > 1) fprintf(stderr, "ttc: unknown command '%s'\n", word);
+    else fprintf(stderr, "ttc: no command is given\n");
+    fprintf(stderr, "Commands:");
+    for (size_t i = 0; i < COMMAND_COUNT; i++) fprintf(stderr, " %s", commands[i].name);
+    fprintf(stderr, ". Try 'ttc --help'.\n");
+    return TTC_EXIT_USAGE;
+}

@@ -1,0 +1,82 @@
+/** Writing C: constants, expressions, kernel bodies, and whole files. Everything is a pure function of its arguments. */
+#ifndef TTC_EMIT_H
+#define TTC_EMIT_H
+
+#include "fields/block.h"
+#include "kernels/plan.h"
+#include "optimize/program.h"
+#include "fields/formula.h"
+
+/** How programs are spelled: the type of temporaries, inputs (input INDEX input_end), what makes a scalar parameter or
+ *  constant one of that type, functions, outputs (output INDEX output_middle VALUE output_end), and whether each temporary
+ *  carries its formula. */
+typedef struct {
+    const char *type, *input, *input_end, *broadcast, *broadcast_end;
+    const char *root, *cosine, *sine;
+    const char *output, *output_middle, *output_end;
+    bool formulas;
+} ttc_dialect;
+
+extern const ttc_dialect ttc_dialect_scalar;
+
+/* True when the program has such an instruction. */
+bool ttc_emit_uses(const ttc_program *program, ttc_op op);
+
+/** The statements of a kernel. Temporaries are t0, t1, ...; each carries its formula.
+ *  block: where p[] points to, NULL for raw parameters; parameters: the C name of that array;
+ *  offset: index of the first output. */
+void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program *program, const ttc_field *field,
+                   const ttc_block *block, const char *parameters, size_t offset);
+
+/* `static void NAME(x, PARAMETERS, out) { ... }` */
+void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *program, const ttc_field *field,
+                       const ttc_block *block);
+
+/* The unsimplified field in complex arithmetic, a function named rhs_complex. */
+void ttc_emit_complex(ttc_text *text, ttc_field *field);
+
+/* Where a kernel loses digits, from the denominators and roots it evaluates, item by item; nothing when nowhere. */
+#define TTC_LOSS_SEPARATOR "; "
+void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel);
+
+/* Kernels and table of the equilibria served; the table is named `equilibria`. False: memory, or a claim's expression is
+ * not of the form it must have. */
+bool ttc_emit_equilibria(ttc_text *text, ttc_kernels *kernels);
+
+/* The name of the table's file without its folder; borrowed. */
+const char *ttc_emit_base_name(const ttc_model *model);
+
+/* Name parts: "general", "balanced_in_regular_on_level_G", ... */
+void ttc_emit_stem(ttc_text *text, const ttc_field *field);
+
+/* The kernels of one descriptor on vectors of lanes, to be compiled once for each instruction set. */
+void ttc_emit_lanes(ttc_text *text, const ttc_kernels *kernels);
+
+/* The function `jet`: Taylor coefficients of the solution, scalar and on lanes; and the header with its recurrences. */
+void ttc_emit_jet(ttc_text *text, const ttc_kernels *kernels);
+void ttc_emit_jet_lanes(ttc_text *text, const ttc_kernels *kernels);
+void ttc_emit_jet_header(ttc_text *text);
+
+/* The instruction sets of batched kernels. */
+enum { TTC_ISA_COUNT = 3 };
+extern const char *const ttc_isa_names[TTC_ISA_COUNT], *const ttc_isa_files[TTC_ISA_COUNT];
+
+/* The file that compiles all batched kernels of a model for one instruction set. */
+void ttc_emit_batch(ttc_text *text, const ttc_plan *plan, unsigned isa);
+void ttc_emit_lanes_header(ttc_text *text);
+
+/* The file of one descriptor. */
+bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *kernels);
+
+/* The model's table as a character array. */
+void ttc_emit_table(ttc_text *text, const ttc_model *model);
+
+/* The ball-arithmetic file of one model, of its fields without variant. */
+bool ttc_emit_ball(ttc_text *text, const ttc_plan *plan);
+
+/* Files that are the same for all models. */
+void ttc_emit_abi(ttc_text *text);
+void ttc_emit_arithmetic(ttc_text *text);
+void ttc_emit_ball_header(ttc_text *text);
+
+#endif

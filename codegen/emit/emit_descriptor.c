@@ -1,0 +1,295 @@
+/* The file of one descriptor: header, kernels, tables. */
+#include "emit/emit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void ttc_emit_stem(ttc_text *text, const ttc_field *field)
+{
+    ttc_text_add(text, field->variant == NULL ? "general" : field->variant->name);
+    if (field->time != NULL) ttc_text_format(text, "_in_%s", field->time->name);
+    if (field->elimination != NULL) ttc_text_format(text, "_on_%s", field->elimination->name);
+}
+
+const char *ttc_emit_base_name(const ttc_model *model)
+{
+    const char *slash = strrchr(model->file, '/');
+    return slash == NULL ? model->file : slash + 1;
+}
+
+static const char *or_empty(const char *string) { return string == NULL ? "" : string; }
+
+static void add_comment_line(ttc_text *text, const char *label, const char *content)
+{
+    if (content == NULL || *content == '\0') return;
+    ttc_text_format(text, " *  %-12s", label);
+    ttc_text_add_comment(text, content);
+    ttc_text_add(text, "\n");
+}
+
+static void describe_field(ttc_text *text, ttc_field *field)
+{
+    ttc_text line = { 0 };
+    if (field->variant != NULL) {
+        ttc_text_format(&line, "%s: ", field->variant->name);
+        ttc_emit_condition(&line, field, &field->variant->bindings);
+        add_comment_line(text, "Variant:", ttc_text_string(&line));
+        ttc_text_clear(&line);
+    }
+    if (field->time != NULL) {
+        ttc_text_format(&line, "%s: dt = (", field->time->name);
+        ttc_emit_formula(&line, field->graph, field->time->factor, ttc_emit_symbol_name, field);
+        ttc_text_add(&line, ") dtau");
+        for (size_t i = 0; i < field->time->lifted_count; i++)
+            ttc_text_format(&line, "%s%s", i == 0 ? "; states of their own: " : ", ",
+                            field->model->symbols[field->time->lifted[i]].name);
+        add_comment_line(text, "Time:", ttc_text_string(&line));
+        ttc_text_clear(&line);
+    }
+    if (field->elimination != NULL) {
+        ttc_text_format(&line, "%s: %s from %s = %s", field->elimination->name,
+                        field->model->symbols[field->elimination->state].name,
+                        field->model->claims[field->elimination->integral].name,
+                        field->model->symbols[field->elimination->level].name);
+        add_comment_line(text, "Eliminated:", ttc_text_string(&line));
+        ttc_text_clear(&line);
+    }
+    text->failed |= line.failed;
+}
+
+/* Losses of the field and its Jacobian, one a line. */
+static void add_accuracy(ttc_text *text, ttc_kernels *k)
+{
+    ttc_text losses = { 0 };
+    ttc_emit_losses(&losses, k->field, k->kernels + TTC_KERNEL_RHS_JACOBIAN);
+    ttc_text_add(text, " *\n *  Accuracy\n");
+    if (losses.length == 0) ttc_text_add(text, " *    no denominator or radicand of the field vanishes in the domain\n");
+    for (char *line = losses.bytes, *end = line; line != NULL; line = end == NULL ? NULL : end + strlen(TTC_LOSS_SEPARATOR)) {
+        end = strstr(line, TTC_LOSS_SEPARATOR);
+        if (end != NULL) *end = '\0';
+        ttc_text_add(text, " *    ");
+        ttc_text_add_comment(text, line);
+        ttc_text_add(text, "\n");
+    }
+    text->failed |= losses.failed;
+    ttc_text_clear(&losses);
+}
+
+static void add_header(ttc_text *text, ttc_kernels *k)
+{
+    const ttc_model *model = k->field->model;
+    ttc_text_add(text, "/* ");
+    ttc_text_add_comment(text, model->title == NULL ? model->name : model->title);
+    ttc_text_add(text, "\n *\n");
+    add_comment_line(text, "Source:", model->source);
+    describe_field(text, k->field);
+    ttc_text_format(text, " *  %-12s%s, SHA-256 %s\n", "Table:", model->name, model->sha256);
+    ttc_text_format(text, " *  %-12sttc generate --out DIR %s (ttc %s); do not edit\n", "Command:", ttc_emit_base_name(model),
+                    JLT_VERSION);
+    ttc_text_add(text, " *\n *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)\n");
+    for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {
+        const ttc_kernel *kernel = k->kernels + kind;
+        if (kernel->count == 0) continue;
+        ttc_count c = ttc_program_count(kernel->optimized);
+        ttc_text_format(text, " *  %-20s%u %4u %4u %4u %4u %4u %6u %4u   (%u)\n", ttc_kernel_name((ttc_kernel_kind)kind), c.add,
+                        c.multiply, c.fma, c.divide, c.root, c.elementary, c.depth, c.live,
+                        ttc_count_flops(ttc_program_count(kernel->naive)));
+    }
+    add_accuracy(text, k);
+    const ttc_kernel *both = k->kernels + TTC_KERNEL_RHS_JACOBIAN;
+    if (ttc_program_count(both->optimized).divide < ttc_program_count(both->naive).divide)
+        ttc_text_add(text, " *    one division serves all denominators: their product may leave the range of double precision where none of\n"
+                           " *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN\n");
+    ttc_text_add(text, " */\n");
+}
+
+static void add_prepare(ttc_text *text, const ttc_kernels *k)
+{
+    size_t n = k->field->param_count;
+    ttc_text_add(text, "static void prepare(const double *restrict params, double *restrict out)\n{\n");
+    if (n == 0 && k->block.count == 0) ttc_text_add(text, "    (void)params;\n    (void)out;\n");
+    for (size_t i = 0; i < n; i++) ttc_text_format(text, "    out[%zu] = params[%zu];\n", i, i);
+    ttc_emit_body(text, &ttc_dialect_scalar, k->prepare, k->field, NULL, "params", n);
+    ttc_text_add(text, "}\n\n");
+}
+
+static bool add_impose(ttc_text *text, ttc_kernels *k)
+{
+    ttc_field *field = k->field;
+    if (field->variant == NULL) return true;
+    ttc_id *ids = calloc(field->param_count + 1, sizeof *ids);
+    ttc_program *program = NULL;
+    for (size_t i = 0; ids != NULL && i < field->param_count; i++)
+        ids[i] = ttc_field_specialise(field, field->model->symbols[field->params[i]].node);
+    if (ids != NULL) program = ttc_lower(field, ids, field->param_count, (ttc_lowering){ .share = true });
+    if (program != NULL) {
+        ttc_emit_function(text, "impose", program, field, NULL);
+        ttc_text_add(text, "\n");
+    }
+    ttc_program_destroy(program);
+    free(ids);
+    return program != NULL;
+}
+
+static void add_double(ttc_text *text, const ttc_graph *graph, ttc_id id, const char *otherwise)
+{
+    if (id != TTC_NONE && ttc_kind_of(graph, id) == TTC_NUMBER) ttc_emit_constant(text, ttc_coefficient(graph, id));
+    else ttc_text_add(text, otherwise);
+}
+
+static void add_quantities(ttc_text *text, const char *name, const ttc_field *field, const uint32_t *symbols, size_t count)
+{
+    static const char *const signs[] = { "JLT_ANY_SIGN", "JLT_POSITIVE", "JLT_NONNEGATIVE", "JLT_NONZERO" };
+    if (count == 0) return;
+    ttc_text_format(text, "static const jlt_quantity %s[] = {\n", name);
+    for (size_t i = 0; i < count; i++) {
+        const ttc_symbol_entry *s = field->model->symbols + symbols[i];
+        ttc_text_format(text, "    { \"%s\", \"", s->name);
+        ttc_text_add_escaped(text, or_empty(s->unit));
+        ttc_text_add(text, "\", \"");
+        ttc_text_add_escaped(text, or_empty(s->meaning));
+        ttc_text_add(text, "\", ");
+        add_double(text, field->graph, s->kind == TTC_STATE ? s->low : TTC_NONE, s->kind == TTC_ROOT ? "0.0" : "-INFINITY");
+        ttc_text_add(text, ", ");
+        add_double(text, field->graph, s->kind == TTC_STATE ? s->high : TTC_NONE, "INFINITY");
+        ttc_text_format(text, ", %s, ", s->kind == TTC_PARAM ? signs[s->sign] : signs[0]);
+        add_double(text, field->graph, s->kind == TTC_PARAM ? s->value : TTC_NONE, "NAN");
+        ttc_text_add(text, " },\n");
+    }
+    ttc_text_add(text, "};\n\n");
+}
+
+static void add_names(ttc_text *text, const char *name, ttc_field *field, const uint32_t *claims, size_t count)
+{
+    if (count == 0) return;
+    ttc_text_format(text, "static const jlt_named %s[] = {\n", name);
+    for (size_t i = 0; i < count; i++) {
+        const ttc_claim *claim = field->model->claims + claims[i];
+        ttc_text_format(text, "    { \"%s\", \"", claim->name);
+        ttc_emit_condition(text, field, &claim->when);
+        ttc_text_add(text, "\" },\n");
+    }
+    ttc_text_add(text, "};\n\n");
+}
+
+static void add_count(ttc_text *text, ttc_count c)
+{
+    ttc_text_format(text, "{ %u, %u, %u, %u, %u, %u, %u, %u }", c.add, c.multiply, c.fma, c.divide, c.root, c.elementary,
+                    c.depth, c.live);
+}
+
+static void add_kernel_member(ttc_text *text, ttc_kernels *k, ttc_kernel_kind kind)
+{
+    const ttc_kernel *kernel = k->kernels + kind;
+    ttc_text losses = { 0 };
+    if (kernel->count == 0) {
+        ttc_text_format(text, "    .%s = { .loses_digits = \"\" },\n", ttc_kernel_name(kind));
+        return;
+    }
+    ttc_emit_losses(&losses, k->field, kernel);
+    ttc_text_format(text, "    .%s = { %s, %zu, ", ttc_kernel_name(kind), ttc_kernel_name(kind), kernel->count);
+    add_count(text, ttc_program_count(kernel->optimized));
+    ttc_text_add(text, ", ");
+    add_count(text, ttc_program_count(kernel->naive));
+    ttc_text_add(text, ",\n        \"");
+    ttc_text_add_escaped(text, ttc_text_string(&losses));
+    ttc_text_add(text, "\" },\n");
+    text->failed |= losses.failed;
+    ttc_text_clear(&losses);
+}
+
+static void add_string_member(ttc_text *text, const char *member, const char *value)
+{
+    ttc_text_format(text, "    .%s = \"", member);
+    ttc_text_add_escaped(text, or_empty(value));
+    ttc_text_add(text, "\",\n");
+}
+
+static void add_descriptor(ttc_text *text, ttc_kernels *k)
+{
+    const ttc_field *field = k->field;
+    const ttc_model *model = field->model;
+    ttc_text_format(text, "const jlt_descriptor jlt_kernels_%s_", model->name);
+    ttc_emit_stem(text, field);
+    ttc_text_add(text, " = {\n");
+    add_string_member(text, "model", model->name);
+    add_string_member(text, "variant", field->variant == NULL ? "" : field->variant->name);
+    add_string_member(text, "time", field->time == NULL ? "" : field->time->name);
+    add_string_member(text, "elimination", field->elimination == NULL ? "" : field->elimination->name);
+    add_string_member(text, "title", model->title);
+    add_string_member(text, "source", model->source);
+    add_string_member(text, "sha256", model->sha256);
+    add_string_member(text, "generator", "ttc " JLT_VERSION);
+    ttc_text_format(text, "    .table = jlt_table_%s,\n", model->name);
+    ttc_text_format(text, "    .state_count = %zu, .param_count = %zu, .block_count = %zu,\n", field->state_count,
+                    field->param_count, ttc_block_size(&k->block));
+    if (field->state_count > 0) ttc_text_add(text, "    .states = states,\n");
+    if (field->param_count > 0) ttc_text_add(text, "    .params = params,\n");
+    if (field->variant != NULL) ttc_text_add(text, "    .impose = impose,\n");
+    ttc_text_add(text, "    .prepare = prepare,\n");
+    for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) add_kernel_member(text, k, (ttc_kernel_kind)kind);
+    ttc_text_format(text, "    .integral_count = %zu, .measure_count = %zu, .equilibria_count = %zu,\n", k->integral_count,
+                    k->measure_count, k->family_count);
+    if (k->integral_count > 0) ttc_text_add(text, "    .integrals = integrals,\n");
+    if (k->measure_count > 0) ttc_text_add(text, "    .measures = measures,\n");
+    if (k->family_count > 0) ttc_text_add(text, "    .equilibria = equilibria,\n");
+    ttc_text_add(text, "    .jet = jet,\n    .rhs_complex = rhs_complex,\n    .batches = {\n");
+    for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
+        ttc_text_format(text, "        &jlt_batch_%s_", model->name);
+        ttc_emit_stem(text, field);
+        ttc_text_format(text, "_%s,\n", ttc_isa_names[isa]);
+    }
+    ttc_text_add(text, "    },\n};\n");
+}
+
+bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
+{
+    const ttc_field *field = k->field;
+    add_header(text, k);
+    ttc_text_add(text, "#include \"kernel_abi.h\"\n#include \"kernel_arithmetic.h\"\n#include \"kernel_jet.h\"\n\n#include <math.h>\n\n");
+    ttc_text_format(text, "extern const char jlt_table_%s[];\nextern const jlt_descriptor jlt_kernels_%s_", field->model->name,
+                    field->model->name);
+    ttc_emit_stem(text, field);
+    ttc_text_add(text, ";\n");
+    for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
+        ttc_text_format(text, "extern const jlt_kernel_batch jlt_batch_%s_", field->model->name);
+        ttc_emit_stem(text, field);
+        ttc_text_format(text, "_%s;\n", ttc_isa_names[isa]);
+    }
+    ttc_text_add(text, "\n");
+    if (!add_impose(text, k)) return false;
+    add_prepare(text, k);
+    for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {
+        if (k->kernels[kind].count == 0) continue;
+        ttc_emit_function(text, ttc_kernel_name((ttc_kernel_kind)kind), k->kernels[kind].optimized, field, &k->block);
+        ttc_text_add(text, "\n");
+    }
+    ttc_emit_jet(text, k);
+    ttc_text_add(text, "\n");
+    ttc_emit_complex(text, k->field);
+    ttc_text_add(text, "\n");
+    if (!ttc_emit_equilibria(text, k)) return false;
+    add_quantities(text, "states", field, field->states, field->state_count);
+    add_quantities(text, "params", field, field->params, field->param_count);
+    add_names(text, "integrals", k->field, k->integrals, k->integral_count);
+    add_names(text, "measures", k->field, k->measures, k->measure_count);
+    add_descriptor(text, k);
+    return !text->failed;
+}
+
+/* A string literal may be too long for a conforming compiler; an array of characters may not. */
+void ttc_emit_table(ttc_text *text, const ttc_model *model)
+{
+    ttc_text_format(text, "/* The table of %s, byte for byte; SHA-256 %s. Written by ttc %s; do not edit. */\n", model->name,
+                    model->sha256, JLT_VERSION);
+    ttc_text_format(text, "extern const char jlt_table_%s[];\n\nconst char jlt_table_%s[] = {", model->name, model->name);
+    for (const char *c = model->text; *c != '\0'; c++) {
+        if (c == model->text || c[-1] == '\n') ttc_text_add(text, "\n    ");
+        if (*c == '\n') ttc_text_add(text, "'\\n',");
+        else if (*c == '\'' || *c == '\\') ttc_text_format(text, "'\\%c',", *c);
+        else if ((unsigned char)*c < 32 || (unsigned char)*c > 126) ttc_text_format(text, "'\\%03o',", (unsigned)(unsigned char)*c);
+        else ttc_text_format(text, "'%c',", *c);
+    }
+    ttc_text_add(text, "\n    '\\0'\n};\n");
+}

@@ -1,0 +1,11 @@
+/** Coefficients of an expression that is a polynomial in one symbol. */
+#ifndef TTC_LAMBDA_H
+#define TTC_LAMBDA_H
+
+#include "expression/graph.h"
+
+/** coefficients, shape (degree + 1,): of symbol^degree first, down to the constant one.
+ *  Returns false when the expression is no polynomial in the symbol, has a higher degree, or memory is out. */
+bool ttc_polynomial_coefficients(ttc_graph *graph, ttc_id *coefficients, size_t degree, ttc_id expression, uint32_t symbol);
+
+#endif

@@ -1,0 +1,221 @@
+/* Which kernels a field has, and the expressions of their outputs. */
+#include "kernels/kernels.h"
+
+#include "optimize/optimize.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const char *ttc_kernel_name(ttc_kernel_kind kind)
+{
+    static const char *const names[] = { "rhs", "jacobian", "rhs_jacobian", "divergence", "integral_values",
+                                         "integral_gradients", "measure_values", "measure_divergences", "time_factor",
+                                         "eliminated" };
+    return names[kind];
+}
+
+static bool reserve(ttc_kernels *k, ttc_kernel_kind kind, size_t count)
+{
+    k->kernels[kind].outputs = calloc(count + 1, sizeof(ttc_id));
+    return k->kernels[kind].outputs != NULL;
+}
+
+static void append(ttc_kernels *k, ttc_kernel_kind kind, ttc_id id)
+{
+    k->kernels[kind].outputs[k->kernels[kind].count++] = id;
+}
+
+static bool add_field_kernels(ttc_kernels *k)
+{
+    ttc_field *field = k->field;
+    size_t n = field->state_count;
+    if (!reserve(k, TTC_KERNEL_RHS, n) || !reserve(k, TTC_KERNEL_JACOBIAN, n * n)
+        || !reserve(k, TTC_KERNEL_RHS_JACOBIAN, n + n * n) || !reserve(k, TTC_KERNEL_DIVERGENCE, 1)
+        || !reserve(k, TTC_KERNEL_TIME_FACTOR, 1) || !reserve(k, TTC_KERNEL_ELIMINATED, 1))
+        return false;
+    for (size_t i = 0; i < n; i++) {
+        append(k, TTC_KERNEL_RHS, field->rhs[i]);
+        append(k, TTC_KERNEL_RHS_JACOBIAN, field->rhs[i]);
+    }
+    ttc_id trace = ttc_integer(field->graph, 0);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n; j++) {
+            ttc_id partial = ttc_field_partial(field, field->rhs[i], j);
+            append(k, TTC_KERNEL_JACOBIAN, partial);
+            append(k, TTC_KERNEL_RHS_JACOBIAN, partial);
+            if (i == j) trace = ttc_add(field->graph, trace, partial);
+        }
+    append(k, TTC_KERNEL_DIVERGENCE, trace);
+    if (field->time != NULL) append(k, TTC_KERNEL_TIME_FACTOR, field->factor);
+    if (field->elimination != NULL) append(k, TTC_KERNEL_ELIMINATED, field->symbols[field->elimination->state].node);
+    return !field->failed && trace != TTC_NONE;
+}
+
+/* The field's kernels once more, from fractions gathered: another start for the optimizer. */
+static bool add_gathered(ttc_kernels *k)
+{
+    static const ttc_kernel_kind kinds[] = { TTC_KERNEL_RHS, TTC_KERNEL_JACOBIAN, TTC_KERNEL_RHS_JACOBIAN, TTC_KERNEL_DIVERGENCE };
+    ttc_field *field = k->field;
+    size_t n = field->state_count;
+    ttc_id *rhs = calloc(n + 1, sizeof *rhs), trace = ttc_integer(field->graph, 0);
+    bool ok = rhs != NULL && ttc_field_gather(field, rhs), differs = false;
+    for (size_t i = 0; ok && i < n; i++) differs |= rhs[i] != field->rhs[i];
+    for (size_t i = 0; ok && differs && i < sizeof kinds / sizeof *kinds; i++) {
+        k->kernels[kinds[i]].gathered = calloc(k->kernels[kinds[i]].count + 1, sizeof(ttc_id));
+        ok = k->kernels[kinds[i]].gathered != NULL;
+    }
+    for (size_t i = 0; ok && differs && i < n; i++) {
+        k->kernels[TTC_KERNEL_RHS].gathered[i] = k->kernels[TTC_KERNEL_RHS_JACOBIAN].gathered[i] = rhs[i];
+        for (size_t j = 0; j < n && ok; j++) {
+            ttc_id partial = ttc_field_partial(field, rhs[i], j);
+            k->kernels[TTC_KERNEL_JACOBIAN].gathered[i * n + j] = partial;
+            k->kernels[TTC_KERNEL_RHS_JACOBIAN].gathered[n + i * n + j] = partial;
+            if (i == j) trace = ttc_add(field->graph, trace, partial);
+            ok = partial != TTC_NONE && trace != TTC_NONE;
+        }
+    }
+    if (ok && differs) k->kernels[TTC_KERNEL_DIVERGENCE].gathered[0] = trace;
+    free(rhs);
+    return ok;
+}
+
+static uint32_t *claims_of_kind(ttc_kernels *k, ttc_claim_kind kind, size_t *count)
+{
+    const ttc_model *model = k->field->model;
+    uint32_t *list = calloc(model->claim_count + 1, sizeof *list);
+    if (list == NULL) return NULL;
+    for (uint32_t i = 0; i < model->claim_count; i++) {
+        const ttc_claim *claim = model->claims + i;
+        bool is_level = k->field->elimination != NULL && k->field->elimination->integral == i;
+        bool all = kind == TTC_CLAIM_EQUILIBRIA && k->field->variant == NULL;
+        if (claim->kind == kind && !is_level && (all || ttc_field_implies(k->field, claim))) list[(*count)++] = i;
+    }
+    return list;
+}
+
+static bool add_integral_kernels(ttc_kernels *k)
+{
+    ttc_field *field = k->field;
+    size_t n = field->state_count;
+    k->integrals = claims_of_kind(k, TTC_CLAIM_INTEGRAL, &k->integral_count);
+    if (k->integrals == NULL || !reserve(k, TTC_KERNEL_INTEGRAL_VALUES, k->integral_count)
+        || !reserve(k, TTC_KERNEL_INTEGRAL_GRADIENTS, k->integral_count * n))
+        return false;
+    for (size_t i = 0; i < k->integral_count; i++) {
+        ttc_id value = ttc_field_specialise(field, field->model->claims[k->integrals[i]].expression);
+        append(k, TTC_KERNEL_INTEGRAL_VALUES, value);
+        for (size_t j = 0; j < n; j++) append(k, TTC_KERNEL_INTEGRAL_GRADIENTS, ttc_field_partial(field, value, j));
+    }
+    return !field->failed;
+}
+
+/* A density rho of the field f is rho/c for c f; on a level I = const it is rho/(dI/dz), z the eliminated state. On the
+ * larger space of a lifted root there is no density that would be one on the model's. */
+static ttc_id density(ttc_kernels *k, uint32_t claim)
+{
+    ttc_field *field = k->field;
+    ttc_id rho = ttc_field_specialise(field, field->model->claims[claim].expression);
+    if (rho != TTC_NONE) rho = ttc_field_distribute(field, rho, ttc_power(field->graph, field->factor, -1));
+    if (field->elimination == NULL || rho == TTC_NONE) return rho;
+    ttc_id integral = field->model->claims[field->elimination->integral].expression;
+    ttc_id slope = ttc_field_specialise(field, ttc_model_partial(field->model, integral, field->elimination->state));
+    return slope == TTC_NONE ? TTC_NONE : ttc_field_distribute(field, rho, ttc_power(field->graph, slope, -1));
+}
+
+/* div(rho f) = rho div f + grad rho . f */
+static ttc_id density_divergence(ttc_kernels *k, ttc_id rho)
+{
+    ttc_field *field = k->field;
+    ttc_graph *graph = field->graph;
+    ttc_id sum = ttc_multiply(graph, rho, k->kernels[TTC_KERNEL_DIVERGENCE].outputs[0]);
+    for (size_t j = 0; j < field->state_count; j++)
+        sum = ttc_add(graph, sum, ttc_multiply(graph, ttc_field_partial(field, rho, j), field->rhs[j]));
+    return sum;
+}
+
+static bool add_measure_kernels(ttc_kernels *k)
+{
+    k->measures = claims_of_kind(k, TTC_CLAIM_MEASURE, &k->measure_count);
+    if (k->measures == NULL) return false;
+    if (k->field->time != NULL && k->field->time->lifted_count > 0) k->measure_count = 0;
+    if (!reserve(k, TTC_KERNEL_MEASURE_VALUES, k->measure_count)
+        || !reserve(k, TTC_KERNEL_MEASURE_DIVERGENCES, k->measure_count))
+        return false;
+    for (size_t i = 0; i < k->measure_count; i++) {
+        ttc_id rho = density(k, k->measures[i]);
+        if (rho == TTC_NONE) return false;
+        append(k, TTC_KERNEL_MEASURE_VALUES, rho);
+        append(k, TTC_KERNEL_MEASURE_DIVERGENCES, density_divergence(k, rho));
+    }
+    return !k->field->failed;
+}
+
+static bool build_jet(ttc_kernels *k)
+{
+    size_t n = k->field->state_count;
+    ttc_id *outputs = malloc((n + 1) * sizeof *outputs);
+    if (outputs == NULL) return false;
+    memcpy(outputs, k->field->rhs, n * sizeof *outputs);
+    outputs[n] = k->field->factor;
+    k->jet = ttc_optimize(k->field, outputs, NULL, n + (k->field->time != NULL), TTC_FOR_JETS, &k->block);
+    free(outputs);
+    return k->jet != NULL;
+}
+
+static bool build_programs(ttc_kernels *k)
+{
+    k->block.field = k->field;
+    for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {
+        ttc_kernel *kernel = k->kernels + kind;
+        if (kernel->count == 0) continue;
+        for (size_t i = 0; i < kernel->count; i++)
+            if (kernel->outputs[i] == TTC_NONE) return false;
+        kernel->naive = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ 0 });
+        kernel->reference = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ .share = true });
+        ttc_purpose purpose = kind <= TTC_KERNEL_DIVERGENCE ? TTC_FOR_STEPS : TTC_FOR_POINTS;
+        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count, purpose, &k->block);
+        if (kernel->naive == NULL || kernel->reference == NULL || kernel->optimized == NULL) return false;
+    }
+    if (!build_jet(k)) return false;
+    k->prepare = ttc_lower(k->field, k->block.entries, k->block.count, (ttc_lowering){ .share = true });
+    return k->prepare != NULL && !k->block.failed;
+}
+
+ttc_kernels *ttc_kernels_create(ttc_field *field)
+{
+    ttc_kernels *k = calloc(1, sizeof *k);
+    if (k == NULL) {
+        ttc_field_destroy(field);
+        return NULL;
+    }
+    k->field = field;
+    bool serves_families = field->time == NULL && field->elimination == NULL;
+    bool ok = add_field_kernels(k) && add_gathered(k) && add_integral_kernels(k) && add_measure_kernels(k);
+    if (ok && serves_families) {
+        k->families = claims_of_kind(k, TTC_CLAIM_EQUILIBRIA, &k->family_count);
+        ok = k->families != NULL;
+    }
+    if (ok && build_programs(k)) return k;
+    ttc_kernels_destroy(k);
+    return NULL;
+}
+
+void ttc_kernels_destroy(ttc_kernels *kernels)
+{
+    if (kernels == NULL) return;
+    for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {
+        free(kernels->kernels[kind].outputs);
+        free(kernels->kernels[kind].gathered);
+        ttc_program_destroy(kernels->kernels[kind].naive);
+        ttc_program_destroy(kernels->kernels[kind].reference);
+        ttc_program_destroy(kernels->kernels[kind].optimized);
+    }
+    ttc_program_destroy(kernels->jet);
+    ttc_program_destroy(kernels->prepare);
+    ttc_block_clear(&kernels->block);
+    free(kernels->integrals);
+    free(kernels->measures);
+    free(kernels->families);
+    ttc_field_destroy(kernels->field);
+    free(kernels);
+}

@@ -1,0 +1,55 @@
+/** The kernels of one field: what each computes, and the programs that compute it. */
+#ifndef TTC_KERNELS_H
+#define TTC_KERNELS_H
+
+#include "fields/block.h"
+#include "fields/field.h"
+#include "optimize/lower.h"
+#include "optimize/program.h"
+
+/* In the order of the descriptor. */
+typedef enum {
+    TTC_KERNEL_RHS,
+    TTC_KERNEL_JACOBIAN,
+    TTC_KERNEL_RHS_JACOBIAN,
+    TTC_KERNEL_DIVERGENCE,
+    TTC_KERNEL_INTEGRAL_VALUES,
+    TTC_KERNEL_INTEGRAL_GRADIENTS,
+    TTC_KERNEL_MEASURE_VALUES,
+    TTC_KERNEL_MEASURE_DIVERGENCES,
+    TTC_KERNEL_TIME_FACTOR,
+    TTC_KERNEL_ELIMINATED,
+    TTC_KERNEL_KINDS
+} ttc_kernel_kind;
+
+typedef struct {
+    ttc_id *outputs; /* what is computed, in the field's symbols */
+    size_t count;    /* 0: the field has no such kernel */
+    ttc_id *gathered; /* the same functions from the gathered field; NULL for kernels that gain nothing from it */
+    ttc_program *naive;     /* on raw parameters, as the expressions stand, nothing shared but units */
+    ttc_program *reference; /* the same with equal subexpressions once: what ball kernels evaluate */
+    ttc_program *optimized; /* on the prepared block */
+} ttc_kernel;
+
+typedef struct {
+    ttc_field *field;
+    ttc_block block;
+    ttc_program *jet;     /* the field, and dt/dtau after it in a time of its own: what Taylor recurrences are made from */
+    ttc_program *prepare; /* raw parameters -> entries of the block after the parameters */
+    ttc_kernel kernels[TTC_KERNEL_KINDS];
+    uint32_t *integrals; /* claims that hold here, in order of appearance */
+    size_t integral_count;
+    uint32_t *measures;
+    size_t measure_count;
+    uint32_t *families;  /* equilibria claims served here */
+    size_t family_count;
+} ttc_kernels;
+
+/** All kernels of a field, which then belongs to the result (also on failure). NULL when memory is out or an
+ *  expression grows beyond the graph's limits. */
+ttc_kernels *ttc_kernels_create(ttc_field *field);
+void ttc_kernels_destroy(ttc_kernels *kernels); /* legal on NULL */
+
+const char *ttc_kernel_name(ttc_kernel_kind kind); /* as in the descriptor */
+
+#endif

@@ -1,0 +1,40 @@
+#include "kernels/plan.h"
+
+#include <stdlib.h>
+
+static bool plan_field(ttc_planned *planned, const ttc_model *model)
+{
+    ttc_field *field = NULL;
+    planned->status = ttc_field_create(&field, model, planned->variant, planned->time, planned->elimination);
+    if (planned->status == TTC_FIELD_DIVIDES_BY_ZERO) return true;
+    if (planned->status != TTC_FIELD_OK) return false;
+    planned->kernels = ttc_kernels_create(field);
+    return planned->kernels != NULL;
+}
+
+bool ttc_plan_create(ttc_plan *plan, const ttc_model *model)
+{
+    size_t most = (model->variant_count + 1) * (model->time_count + 1) * (model->elimination_count + 1);
+    *plan = (ttc_plan){ .model = model, .fields = calloc(most, sizeof *plan->fields) };
+    if (plan->fields == NULL) return false;
+    for (size_t v = 0; v <= model->variant_count; v++)
+        for (size_t t = 0; t <= model->time_count; t++)
+            for (size_t e = 0; e <= model->elimination_count; e++) {
+                ttc_planned *planned = plan->fields + plan->count++;
+                planned->variant = v == 0 ? NULL : model->variants + v - 1;
+                planned->time = t == 0 ? NULL : model->times + t - 1;
+                planned->elimination = e == 0 ? NULL : model->eliminations + e - 1;
+                if (!plan_field(planned, model)) {
+                    ttc_plan_clear(plan);
+                    return false;
+                }
+            }
+    return true;
+}
+
+void ttc_plan_clear(ttc_plan *plan)
+{
+    for (size_t i = 0; i < plan->count; i++) ttc_kernels_destroy(plan->fields[i].kernels);
+    free(plan->fields);
+    *plan = (ttc_plan){ 0 };
+}

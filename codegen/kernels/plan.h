@@ -1,0 +1,26 @@
+/** The kernel plan of a model: every field that its table asks for, with its kernels. */
+#ifndef TTC_PLAN_H
+#define TTC_PLAN_H
+
+#include "kernels/kernels.h"
+
+typedef struct {
+    const ttc_variant *variant;
+    const ttc_time *time;
+    const ttc_elimination *elimination;
+    ttc_kernels *kernels;    /* NULL: skipped */
+    ttc_field_status status; /* why it was skipped */
+} ttc_planned;
+
+typedef struct {
+    const ttc_model *model;
+    ttc_planned *fields; /* general first; variants slowest, eliminations fastest */
+    size_t count;
+} ttc_plan;
+
+/** Every product variant x time x elimination of the model. A field that divides by zero identically is skipped.
+ *  Returns false when memory is out or an expression outgrows the graph; the plan is then empty. */
+bool ttc_plan_create(ttc_plan *plan, const ttc_model *model);
+void ttc_plan_clear(ttc_plan *plan); /* legal on a zeroed plan */
+
+#endif

@@ -1,0 +1,247 @@
+/* Several deterministic ways to the same program; the cheapest is kept. */
+#include "optimize/optimize.h"
+
+#include "optimize/system.h"
+#include "optimize/system_lower.h"
+
+#include <limits.h>
+#include <stdlib.h>
+
+/* An operation counts 2, and each of its flops 1 more: what a target with fused operations and one without pay, on the
+ * mean. A division or root is worth six multiplications. */
+static unsigned cost_of(const ttc_program *program)
+{
+    ttc_count c = ttc_program_count(program);
+    return 3 * (c.add + c.multiply) + 4 * c.fma + 18 * (c.divide + c.root) + 60 * c.elementary;
+}
+
+/* Searches from each start, several where they are cheap; in each, first extractions, then rounds of undoing and redoing,
+ * until so many in a row have brought nothing. Work is counted in comparisons and bounded, so that a search ends at the
+ * same place on every machine: EFFORT is what a kernel may take before it is searched again, WORK_LIMIT ends one search.
+ * FINISHES ways to the program are tried at last. */
+enum { REPEATS = 8, SEEDS = 8, PATIENCE = 80, FINISHES = 16 };
+#define EFFORT UINT64_C(500000)
+#define WORK_LIMIT UINT64_C(60000000)
+
+/* How a system becomes a program. seed: of the last extraction; above 0 it also finds what reciprocals share. */
+typedef struct {
+    bool one_division;
+    uint64_t seed;
+} manner;
+
+static ttc_program *finish(const ttc_system *system, ttc_block *block, manner how)
+{
+    ttc_program *fused = NULL;
+    ttc_system *copy = ttc_system_clone(system);
+    if (copy == NULL) return NULL;
+    if (how.one_division) ttc_system_share_reciprocals(copy, how.seed > 0);
+    /* The products that recover reciprocals meet other factors, so there may be more to take out. */
+    ttc_system_tidy(copy);
+    ttc_system_cancel(copy);
+    ttc_system_extract(copy, how.seed);
+    ttc_system_tidy(copy);
+    if (!copy->failed) {
+        ttc_program *program = ttc_system_lower(copy, block);
+        if (program != NULL) fused = ttc_program_fuse(program);
+        ttc_program_destroy(program);
+    }
+    ttc_system_destroy(copy);
+    return fused;
+}
+
+/* What a program takes: cost among others, where operations fill the processor; latency alone, where they wait for each
+ * other. */
+typedef struct {
+    unsigned cost, latency; /* UINT_MAX on failure */
+} rating;
+
+/* The block's entries are thrown away. */
+static rating rate(const ttc_system *system, manner how)
+{
+    ttc_block scratch = { .field = system->field };
+    ttc_program *program = finish(system, &scratch, how);
+    rating r = { UINT_MAX, UINT_MAX };
+    if (program != NULL) r = (rating){ cost_of(program), ttc_program_latency(program) };
+    ttc_program_destroy(program);
+    ttc_block_clear(&scratch);
+    return r;
+}
+
+/* True when divisions of their own save at least four operations each: a quotient needs none of the products that make
+ * one division of several and take it apart again, and such divisions do not wait for each other. */
+static bool several_divisions_serve(const ttc_system *system)
+{
+    ttc_block scratch = { .field = system->field };
+    ttc_program *one = finish(system, &scratch, (manner){ true, 0 }), *several = finish(system, &scratch, (manner){ false, 0 });
+    bool serve = false;
+    if (one != NULL && several != NULL) {
+        ttc_count a = ttc_program_count(one), b = ttc_program_count(several);
+        serve = ttc_count_flops(b) + 4 * (b.divide - a.divide) <= ttc_count_flops(a) && b.divide > a.divide;
+    }
+    ttc_program_destroy(one);
+    ttc_program_destroy(several);
+    ttc_block_clear(&scratch);
+    return serve;
+}
+
+/* The best system of a search; one on trial takes its place when it costs no more, so that a search drifts over ties. */
+typedef struct {
+    ttc_system *best;
+    unsigned cost;
+    uint64_t work;
+} contest;
+
+/* Takes ownership of the system. */
+static void enter(contest *c, ttc_system *system)
+{
+    unsigned cost = system == NULL || system->failed ? UINT_MAX : rate(system, (manner){ true, 0 }).cost;
+    if (system != NULL && cost <= c->cost) {
+        ttc_system_destroy(c->best);
+        c->best = system;
+        c->cost = cost;
+    } else {
+        ttc_system_destroy(system);
+    }
+}
+
+static void extract_from(contest *c, const ttc_system *start, uint64_t seed)
+{
+    ttc_system *system = ttc_system_clone(start);
+    if (system == NULL) return;
+    if (seed % 2 == 1) ttc_system_rescale(system);
+    c->work += ttc_system_extract(system, seed / 2);
+    ttc_system_rescale(system);
+    ttc_system_tidy(system);
+    enter(c, system);
+}
+
+/* Undo some of what was extracted, and extract again (Schrimpf, Schneider, Stamm-Wilbrandt, Dueck 2000). */
+static void ruin_and_recreate(contest *c, uint64_t round)
+{
+    ttc_system *system = ttc_system_clone(c->best);
+    if (system == NULL) return;
+    uint64_t random = round * UINT64_C(0x9E3779B97F4A7C15) + 12345;
+    unsigned percent = 3u + 7u * (unsigned)(round % 5);
+    for (uint32_t v = 0; v < system->count && !system->failed; v++) {
+        random = random * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
+        if (system->variables[v].is_extracted && (random >> 33) % 100 < percent) ttc_system_inline(system, v);
+    }
+    ttc_system_tidy(system);
+    if (!system->failed) c->work += ttc_system_extract(system, round);
+    ttc_system_rescale(system);
+    ttc_system_tidy(system);
+    enter(c, system);
+}
+
+/* One search from one start. */
+static contest search(const ttc_system *start, uint64_t number)
+{
+    contest c = { NULL, UINT_MAX, 0 };
+    for (uint64_t seed = 0; seed < SEEDS && c.work < WORK_LIMIT; seed++)
+        extract_from(&c, start, seed == 0 ? number % 2 : number * SEEDS + seed);
+    unsigned before = c.cost;
+    for (uint64_t round = 1, idle = 0; idle < PATIENCE && c.work < WORK_LIMIT && c.best != NULL; round++) {
+        ruin_and_recreate(&c, (number << 32) + round);
+        idle = c.cost < before ? 0 : idle + 1;
+        before = c.cost;
+    }
+    return c;
+}
+
+enum { STARTS = 4 };
+
+/* As given, and with products written out: a start that is no different from another is left out. */
+static bool make_starts(ttc_system **starts, ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count)
+{
+    for (int k = 0; k < STARTS; k++) starts[k] = NULL;
+    for (int k = 0; k < 2; k++) {
+        const ttc_id *ids = k == 0 ? outputs : other;
+        if (ids == NULL) continue;
+        starts[k] = ttc_system_create(field, ids, count);
+        starts[k + 2] = starts[k] == NULL ? NULL : ttc_system_clone(starts[k]);
+        if (starts[k + 2] == NULL) return false;
+        bool differs = ttc_system_write_out(starts[k + 2]);
+        ttc_system_raise_reciprocals(starts[k]);
+        ttc_system_raise_reciprocals(starts[k + 2]);
+        if (differs) continue;
+        ttc_system_destroy(starts[k + 2]);
+        starts[k + 2] = NULL;
+    }
+    return true;
+}
+
+/* The best system of searches from all starts. */
+static ttc_system *search_all(ttc_system *const *starts)
+{
+    contest best = { NULL, UINT_MAX, 0 };
+    uint64_t work = 0;
+    for (uint64_t k = 0; k < STARTS || (k < STARTS * REPEATS && work < EFFORT); k++) {
+        if (starts[k % STARTS] == NULL) continue;
+        contest c = search(starts[k % STARTS], k);
+        work += c.work;
+        if (c.best != NULL && c.cost < best.cost) {
+            ttc_system_destroy(best.best);
+            best = c;
+        } else {
+            ttc_system_destroy(c.best);
+        }
+    }
+    return best.best;
+}
+
+/* A system and its program's way of being made. */
+typedef struct {
+    ttc_system *system;
+    manner how;
+    rating rating;
+} choice;
+
+/* Of several ways to the program, the quickest that costs no more than the first. */
+static choice choose(ttc_system *system, ttc_purpose purpose)
+{
+    choice c = { system, { purpose != TTC_FOR_POINTS || !several_divisions_serve(system), 0 }, { UINT_MAX, UINT_MAX } };
+    c.rating = rate(system, c.how);
+    for (uint64_t seed = 1; seed < FINISHES && purpose != TTC_FOR_JETS; seed++) {
+        manner how = { c.how.one_division, seed };
+        rating r = rate(system, how);
+        if (r.cost > c.rating.cost || r.latency >= c.rating.latency) continue;
+        c.how = how;
+        c.rating = r;
+    }
+    return c;
+}
+
+/* The system, or one in which no division waits for a root, if this is a shorter way from states to outputs for at most a
+ * thirtieth more work: an integration waits for each of its calls, while a batch is as slow as its operations are many.
+ * Takes ownership. */
+static choice choose_quick(ttc_system *system, ttc_purpose purpose)
+{
+    choice c = choose(system, purpose);
+    ttc_system *other = purpose == TTC_FOR_JETS ? NULL : ttc_system_clone(system);
+    if (other == NULL || !ttc_system_divide_by_radicands(other)) {
+        ttc_system_destroy(other);
+        return c;
+    }
+    ttc_system_tidy(other);
+    choice o = choose(other, purpose);
+    bool is_quicker = !other->failed && o.rating.latency < c.rating.latency && 30 * o.rating.cost <= 31 * c.rating.cost;
+    ttc_system_destroy(is_quicker ? system : other);
+    return is_quicker ? o : c;
+}
+
+ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, ttc_purpose purpose,
+                          ttc_block *block)
+{
+    ttc_system *starts[STARTS], *best = NULL;
+    ttc_program *program = NULL, *scheduled = NULL;
+    if (make_starts(starts, field, outputs, other, count)) best = search_all(starts);
+    if (best != NULL) {
+        choice c = choose_quick(best, purpose);
+        program = finish(c.system, block, c.how);
+        ttc_system_destroy(c.system);
+    }
+    if (program != NULL) scheduled = ttc_program_schedule(program);
+    ttc_program_destroy(program);
+    for (int k = 0; k < STARTS; k++) ttc_system_destroy(starts[k]);
+    return scheduled;
+}

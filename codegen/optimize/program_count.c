@@ -1,0 +1,116 @@
+/* Operation counts, depth, latency and live temporaries of a program. */
+#include "optimize/program.h"
+
+#include <limits.h>
+#include <stdlib.h>
+
+static void tally(ttc_count *count, ttc_op op)
+{
+    switch (op) {
+    case TTC_OP_NEGATE:
+    case TTC_OP_ADD:
+    case TTC_OP_SUBTRACT:
+        count->add++;
+        break;
+    case TTC_OP_MULTIPLY:
+        count->multiply++;
+        break;
+    case TTC_OP_DIVIDE:
+        count->divide++;
+        break;
+    case TTC_OP_FMA:
+    case TTC_OP_FMS:
+    case TTC_OP_FNMA:
+        count->fma++;
+        break;
+    case TTC_OP_ROOT:
+        count->root++;
+        break;
+    case TTC_OP_COSINE:
+    case TTC_OP_SINE:
+        count->elementary++;
+        break;
+    default:
+        break;
+    }
+}
+
+unsigned ttc_count_flops(ttc_count count)
+{
+    return count.add + count.multiply + 2 * count.fma + count.divide + count.root + count.elementary;
+}
+
+/* A temporary is alive from its instruction to its last use; one that is an output is written out at once. */
+ttc_count ttc_program_count(const ttc_program *program)
+{
+    ttc_count count = { 0 };
+    size_t n = ttc_program_size(program);
+    unsigned *depth = calloc(n + 1, sizeof *depth);
+    size_t *last_use = calloc(n + 1, sizeof *last_use);
+    unsigned *ending = calloc(n + 1, sizeof *ending);
+    unsigned live = 0;
+
+    if (depth == NULL || last_use == NULL || ending == NULL) goto done;
+    for (size_t k = 0; k < n; k++) {
+        const ttc_instruction *i = ttc_program_at(program, (ttc_value)k);
+        const ttc_value operands[] = { i->a, i->b, i->c };
+        unsigned arity = ttc_op_arity(i->op);
+        last_use[k] = k;
+        for (unsigned j = 0; j < arity; j++) {
+            if (depth[operands[j]] > depth[k]) depth[k] = depth[operands[j]];
+            last_use[operands[j]] = k;
+        }
+        if (arity > 0) depth[k]++;
+        if (depth[k] > count.depth) count.depth = depth[k];
+        tally(&count, i->op);
+    }
+    for (size_t k = 0; k < n; k++)
+        if (ttc_op_arity(ttc_program_at(program, (ttc_value)k)->op) > 0) ending[last_use[k]]++;
+    for (size_t k = 0; k < n; k++) {
+        if (ttc_op_arity(ttc_program_at(program, (ttc_value)k)->op) == 0) continue;
+        live++;
+        if (live > count.live) count.live = live;
+        live -= ending[k];
+    }
+done:
+    free(ending);
+    free(last_use);
+    free(depth);
+    return count;
+}
+
+unsigned ttc_op_latency(ttc_op op)
+{
+    switch (op) {
+    case TTC_OP_INPUT:
+    case TTC_OP_PARAMETER:
+    case TTC_OP_CONSTANT:
+        return 0;
+    case TTC_OP_DIVIDE:
+        return 4;
+    case TTC_OP_ROOT:
+        return 5;
+    case TTC_OP_COSINE:
+    case TTC_OP_SINE:
+        return 15;
+    default:
+        return 1;
+    }
+}
+
+unsigned ttc_program_latency(const ttc_program *program)
+{
+    size_t n = ttc_program_size(program);
+    unsigned *ready = calloc(n + 1, sizeof *ready), longest = 0;
+    if (ready == NULL) return UINT_MAX;
+    for (size_t k = 0; k < n; k++) {
+        const ttc_instruction *i = ttc_program_at(program, (ttc_value)k);
+        const ttc_value operands[] = { i->a, i->b, i->c };
+        for (unsigned j = 0; j < ttc_op_arity(i->op); j++)
+            if (ready[operands[j]] > ready[k]) ready[k] = ready[operands[j]];
+        ready[k] += ttc_op_latency(i->op);
+        if (ready[k] > longest) longest = ready[k];
+    }
+    free(ready);
+    return longest;
+}

@@ -1,0 +1,217 @@
+/* Variables, cubes and sums. */
+#include "optimize/system.h"
+
+#include "fields/formula.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+ttc_system *ttc_system_clone(const ttc_system *system)
+{
+    ttc_system *copy = calloc(1, sizeof *copy);
+    if (copy == NULL) return NULL;
+    *copy = *system;
+    copy->names = NULL;
+    copy->name_count = 0;
+    copy->capacity = system->count + 32;
+    copy->variables = calloc(copy->capacity, sizeof *copy->variables);
+    copy->outputs = calloc(system->output_count + 1, sizeof *copy->outputs);
+    copy->failed = copy->variables == NULL || copy->outputs == NULL;
+    copy->count = 0;
+    for (uint32_t i = 0; i < system->count && !copy->failed; i++) {
+        ttc_variable *v = copy->variables + copy->count++;
+        *v = system->variables[i];
+        v->definition = (ttc_polynomial){ 0 };
+        uint32_t n = system->variables[i].definition.count;
+        if (n == 0) continue;
+        v->definition.cubes = malloc(n * sizeof *v->definition.cubes);
+        copy->failed |= v->definition.cubes == NULL;
+        if (copy->failed) break;
+        memcpy(v->definition.cubes, system->variables[i].definition.cubes, n * sizeof *v->definition.cubes);
+        v->definition.count = v->definition.capacity = n;
+    }
+    if (!copy->failed) {
+        memcpy(copy->outputs, system->outputs, system->output_count * sizeof *copy->outputs);
+        return copy;
+    }
+    ttc_system_destroy(copy);
+    return NULL;
+}
+
+void ttc_system_destroy(ttc_system *system)
+{
+    if (system == NULL) return;
+    for (uint32_t i = 0; i < system->count; i++) free(system->variables[i].definition.cubes);
+    for (size_t i = 0; i < system->name_count; i++) free(system->names[i]);
+    free(system->names);
+    free(system->variables);
+    free(system->outputs);
+    free(system);
+}
+
+void ttc_system_write_name(const ttc_system *system, ttc_text *text, uint32_t variable)
+{
+    const ttc_variable *v = system->variables + variable;
+    const ttc_field *field = system->field;
+    if (v->kind == TTC_VARIABLE_INPUT) ttc_text_add(text, field->symbols[field->states[v->operand]].name);
+    if (v->label == NULL) return;
+    ttc_text_add(text, v->label);
+    if (v->divisor == TTC_NONE) return;
+    bool bracket = ttc_kind_of(field->graph, v->divisor) != TTC_SYMBOL;
+    ttc_text_add(text, bracket ? "/(" : "/");
+    ttc_emit_formula(text, field->graph, v->divisor, ttc_emit_symbol_name, (void *)(uintptr_t)field);
+    if (bracket) ttc_text_add(text, ")");
+}
+
+void ttc_system_name(ttc_system *system, uint32_t variable, ttc_text *label)
+{
+    char **names = label->failed ? NULL : realloc(system->names, (system->name_count + 1) * sizeof *names);
+    if (names == NULL) {
+        ttc_text_clear(label);
+        return;
+    }
+    system->names = names;
+    names[system->name_count++] = label->bytes;
+    system->variables[variable].label = label->bytes;
+}
+
+uint32_t ttc_system_add_variable(ttc_system *system, ttc_variable_kind kind, uint32_t operand)
+{
+    if (system->count == system->capacity) {
+        uint32_t capacity = 2 * system->capacity + 32;
+        ttc_variable *variables = realloc(system->variables, capacity * sizeof *variables);
+        if (variables == NULL) {
+            system->failed = true;
+            return 0;
+        }
+        system->variables = variables;
+        system->capacity = capacity;
+    }
+    system->variables[system->count] = (ttc_variable){ .kind = kind, .operand = operand };
+    return system->count++;
+}
+
+void ttc_polynomial_add(ttc_system *system, ttc_polynomial *p, const ttc_cube *cube)
+{
+    if (p->count == p->capacity) {
+        uint32_t capacity = p->capacity == 0 ? 4 : 2 * p->capacity;
+        ttc_cube *cubes = realloc(p->cubes, capacity * sizeof *cubes);
+        if (cubes == NULL) {
+            system->failed = true;
+            return;
+        }
+        p->cubes = cubes;
+        p->capacity = capacity;
+    }
+    p->cubes[p->count++] = *cube;
+}
+
+void ttc_polynomial_remove(ttc_polynomial *p, uint32_t index)
+{
+    p->count--;
+    for (uint32_t i = index; i < p->count; i++) p->cubes[i] = p->cubes[i + 1];
+}
+
+ttc_cube ttc_cube_one(const ttc_system *system)
+{
+    ttc_cube cube = { .scale = system->one, .sign = 1 };
+    return cube;
+}
+
+bool ttc_cube_multiply(ttc_cube *cube, uint32_t variable)
+{
+    if (cube->count == TTC_CUBE_LIMIT) return false;
+    unsigned at = cube->count++;
+    for (; at > 0 && cube->factors[at - 1] > variable; at--) cube->factors[at] = cube->factors[at - 1];
+    cube->factors[at] = variable;
+    return true;
+}
+
+void ttc_cube_remove(ttc_cube *cube, uint32_t variable)
+{
+    unsigned at = 0;
+    while (cube->factors[at] != variable) at++;
+    cube->count--;
+    for (; at < cube->count; at++) cube->factors[at] = cube->factors[at + 1];
+    cube->factors[cube->count] = 0;
+}
+
+unsigned ttc_cube_power(const ttc_cube *cube, uint32_t variable)
+{
+    unsigned power = 0;
+    for (unsigned i = 0; i < cube->count; i++) power += cube->factors[i] == variable;
+    return power;
+}
+
+bool ttc_cube_same_factors(const ttc_cube *a, const ttc_cube *b)
+{
+    return a->count == b->count && memcmp(a->factors, b->factors, a->count * sizeof *a->factors) == 0;
+}
+
+static ttc_id signed_scale(ttc_system *system, const ttc_cube *cube)
+{
+    return ttc_multiply(system->field->graph, cube->scale, ttc_integer(system->field->graph, cube->sign));
+}
+
+void ttc_polynomial_merge(ttc_system *system, ttc_polynomial *p, const ttc_cube *cube)
+{
+    for (uint32_t i = 0; i < p->count; i++) {
+        if (!ttc_cube_same_factors(p->cubes + i, cube)) continue;
+        ttc_id mine = signed_scale(system, p->cubes + i), other = signed_scale(system, cube);
+        ttc_id sum = ttc_add(system->field->graph, mine, other);
+        system->failed |= sum == TTC_NONE;
+        if (system->failed) return;
+        if (ttc_is_number(system->field->graph, sum, 0)) {
+            ttc_polynomial_remove(p, i);
+            return;
+        }
+        p->cubes[i].scale = system->one;
+        p->cubes[i].sign = 1;
+        ttc_cube_scale(system, p->cubes + i, sum);
+        return;
+    }
+    ttc_polynomial_add(system, p, cube);
+}
+
+void ttc_cube_scale(ttc_system *system, ttc_cube *cube, ttc_id factor)
+{
+    ttc_graph *graph = system->field->graph;
+    ttc_id scale = ttc_multiply(graph, cube->scale, factor);
+    if (scale == TTC_NONE) {
+        system->failed = true;
+        return;
+    }
+    const fmpq *leading = ttc_kind_of(graph, scale) == TTC_SUM ? ttc_part_at(graph, scale, 0).coefficient
+                                                               : ttc_coefficient(graph, scale);
+    if (ttc_kind_of(graph, scale) != TTC_SYMBOL && fmpq_sgn(leading) < 0) {
+        scale = ttc_multiply(graph, scale, ttc_integer(graph, -1));
+        cube->sign = (int8_t)-cube->sign;
+        system->failed |= scale == TTC_NONE;
+    }
+    cube->scale = scale;
+}
+
+unsigned ttc_cube_cost(const ttc_system *system, const ttc_cube *cube)
+{
+    unsigned parts = cube->count + (cube->scale != system->one ? 1u : 0u);
+    return parts > 1 ? parts - 1 : 0;
+}
+
+bool ttc_scale_is_safe(const ttc_field *field, ttc_id scale)
+{
+    const ttc_graph *graph = field->graph;
+    switch (ttc_kind_of(graph, scale)) {
+    case TTC_NUMBER:
+        return !fmpq_is_zero(ttc_coefficient(graph, scale));
+    case TTC_SYMBOL: {
+        const ttc_field_symbol *s = field->symbols + ttc_symbol_of(graph, scale);
+        return s->role == TTC_ROLE_PARAM && (s->sign == TTC_POSITIVE || s->sign == TTC_NONZERO);
+    }
+    case TTC_PRODUCT:
+        for (size_t i = 0; i < ttc_part_count(graph, scale); i++)
+            if (!ttc_scale_is_safe(field, ttc_part_at(graph, scale, i).id)) return false;
+        return true;
+    default:
+        return false;
+    }
+}

@@ -1,0 +1,148 @@
+#include "prove/branch.h"
+
+static ttc_id term_node(ttc_task *task, const fmpz_mpoly_t polynomial, slong index)
+{
+    ttc_graph *graph = task->model->graph;
+    fmpq_t coefficient;
+    fmpq_init(coefficient);
+    fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(coefficient), polynomial, index, task->ring->context);
+    ttc_id node = ttc_number(graph, coefficient);
+    for (size_t v = 0; v < task->ring->variable_count; v++) {
+        ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, index, (slong)v, task->ring->context);
+        size_t symbol = exponent == 0 ? SIZE_MAX : ttc_valuation_symbol(task->field, (slong)v);
+        if (exponent == 0) continue;
+        ttc_id factor = symbol == SIZE_MAX ? TTC_NONE : ttc_symbol(graph, (uint32_t)symbol);
+        node = ttc_multiply(graph, node, ttc_power(graph, factor, (long)exponent));
+    }
+    fmpq_clear(coefficient);
+    return node;
+}
+
+static ttc_id polynomial_node(ttc_task *task, const fmpz_mpoly_t polynomial)
+{
+    ttc_id sum = ttc_integer(task->model->graph, 0);
+    for (slong i = 0; i < fmpz_mpoly_length(polynomial, task->ring->context); i++)
+        sum = ttc_add(task->model->graph, sum, term_node(task, polynomial, i));
+    return sum;
+}
+
+static bool is_state_variable(ttc_task *task, slong variable)
+{
+    size_t symbol = ttc_valuation_symbol(task->field, variable);
+    if (symbol >= task->model->symbol_count) return symbol != SIZE_MAX;
+    ttc_symbol_kind kind = task->model->symbols[symbol].kind;
+    return kind == TTC_STATE || kind == TTC_ROOT || kind == TTC_COSINE || kind == TTC_SINE;
+}
+
+static bool state_free(ttc_task *task, const fmpz_mpoly_t polynomial)
+{
+    for (size_t v = 0; v < task->ring->variable_count; v++)
+        if (is_state_variable(task, (slong)v) && fmpz_mpoly_degree_si(polynomial, (slong)v, task->ring->context) > 0)
+            return false;
+    return true;
+}
+
+bool ttc_branch_never_zero(ttc_task *task, const fmpz_mpoly_t factor)
+{
+    if (state_free(task, factor)) return true;
+    bool result = false;
+    fmpz_mpoly_t norm, quotient;
+    fmpz_mpoly_init(norm, task->ring->context);
+    fmpz_mpoly_init(quotient, task->ring->context);
+    for (size_t i = 0; !result && i < task->ring->generator_count; i++) {
+        if (!task->ring->generators[i].positive) continue;
+        ttc_ratio_norm(task->ring, norm, &task->ring->generators[i].square);
+        result = fmpz_mpoly_divides(quotient, norm, factor, task->ring->context) != 0;
+    }
+    fmpz_mpoly_clear(quotient, task->ring->context);
+    fmpz_mpoly_clear(norm, task->ring->context);
+    return result;
+}
+
+static bool in_some_radicand(ttc_task *task, const fmpz_mpoly_t polynomial, slong variable)
+{
+    for (size_t i = task->ring->generator_count; i-- > 0;) {
+        const ttc_generator *generator = &task->ring->generators[i];
+        if (fmpz_mpoly_degree_si(polynomial, generator->variable, task->ring->context) < 1) continue;
+        if (ttc_ratio_uses(task->ring, &generator->square, variable)) return true;
+        if (in_some_radicand(task, generator->square.numerator, variable)) return true;
+    }
+    return false;
+}
+
+static bool is_generator(const ttc_ring *ring, slong variable)
+{
+    for (size_t i = 0; i < ring->generator_count; i++)
+        if (ring->generators[i].variable == variable) return true;
+    return false;
+}
+
+/* The state to solve for: a leading coefficient free of states before any other, linear before quadratic, short before
+ * long. */
+static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *degree)
+{
+    slong best = -1, best_cost = WORD_MAX;
+    fmpz_mpoly_t leading;
+    fmpz_mpoly_init(leading, task->ring->context);
+    for (slong v = 0; v < (slong)task->ring->variable_count; v++) {
+        slong d = fmpz_mpoly_degree_si(factor, v, task->ring->context);
+        if (d < 1 || d > 2 || !is_state_variable(task, v) || is_generator(task->ring, v)) continue;
+        if (in_some_radicand(task, factor, v)) continue;
+        ulong exponent = (ulong)d;
+        fmpz_mpoly_get_coeff_vars_ui(leading, factor, &v, &exponent, 1, task->ring->context);
+        slong cost = state_free(task, leading) ? d - 1 : 2 * fmpz_mpoly_length(leading, task->ring->context) + d - 1;
+        if (cost < best_cost) {
+            best = v;
+            best_cost = cost;
+            *degree = exponent;
+        }
+    }
+    fmpz_mpoly_clear(leading, task->ring->context);
+    return best;
+}
+
+static ttc_id coefficient_node(ttc_task *task, const fmpz_mpoly_t factor, slong variable, ulong exponent)
+{
+    fmpz_mpoly_t coefficient;
+    fmpz_mpoly_init(coefficient, task->ring->context);
+    fmpz_mpoly_get_coeff_vars_ui(coefficient, factor, &variable, &exponent, 1, task->ring->context);
+    ttc_id node = polynomial_node(task, coefficient);
+    fmpz_mpoly_clear(coefficient, task->ring->context);
+    return node;
+}
+
+/* a x^2 + b x + c = 0 as x = y - b/(2a), y^2 = (b^2 - 4ac)/(4a^2); a x + b = 0 as x = -b/a. */
+bool ttc_branch_solve(ttc_branch *b, ttc_task *task, const fmpz_mpoly_t factor)
+{
+    ttc_graph *graph = task->model->graph;
+    ulong degree = 0;
+    slong variable = choose_variable(task, factor, &degree);
+    if (variable < 0 || b->relation_count == TTC_BRANCH_RELATIONS_MAX) return false;
+    uint32_t symbol = (uint32_t)ttc_valuation_symbol(task->field, variable);
+    ttc_id coefficients[3] = { TTC_NONE };
+    for (ulong k = 0; k <= degree; k++) coefficients[k] = coefficient_node(task, factor, variable, k);
+    ttc_id lead = coefficients[degree], zero = ttc_integer(graph, 0);
+    if (degree == 1) {
+        ttc_id value = ttc_subtract(graph, zero, ttc_divide(graph, coefficients[0], lead));
+        b->solutions[b->solution_count++] = (ttc_solution){ symbol, value, false };
+    } else if (coefficients[1] == zero) {
+        ttc_id square = ttc_subtract(graph, zero, ttc_divide(graph, coefficients[0], lead));
+        b->solutions[b->solution_count++] = (ttc_solution){ symbol, square, true };
+    } else {
+        if (b->spares == TTC_SPARE_SYMBOLS) return false;
+        uint32_t spare = (uint32_t)(task->model->symbol_count + b->spares++);
+        ttc_id middle = ttc_divide(graph, coefficients[1], ttc_multiply(graph, ttc_integer(graph, 2), lead));
+        ttc_id square = ttc_power(graph, middle, 2);
+        square = ttc_subtract(graph, square, ttc_divide(graph, coefficients[0], lead));
+        ttc_id value = ttc_subtract(graph, ttc_symbol(graph, spare), middle);
+        b->solutions[b->solution_count++] = (ttc_solution){ spare, square, true };
+        b->solutions[b->solution_count++] = (ttc_solution){ symbol, value, false };
+    }
+    b->relation_count++;
+    fmpz_mpoly_t leading;
+    fmpz_mpoly_init(leading, task->ring->context);
+    fmpz_mpoly_get_coeff_vars_ui(leading, factor, &variable, &degree, 1, task->ring->context);
+    if (!state_free(task, leading)) b->leading[b->leading_count++] = lead;
+    fmpz_mpoly_clear(leading, task->ring->context);
+    return true;
+}

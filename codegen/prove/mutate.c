@@ -1,0 +1,168 @@
+#include "prove/mutate.h"
+
+#include "read/token.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    const ttc_model *model;
+    ttc_token *tokens;
+    ttc_mutation_report *report;
+    size_t capacity;
+} mutation;
+
+static bool is_mark(const ttc_token *token, char mark) { return token->kind == TTC_TOKEN_MARK && *token->text == mark; }
+static bool is_sign(const ttc_token *token) { return is_mark(token, '+') || is_mark(token, '-'); }
+
+/* The term of tokens first to last, its sign included when it has one. */
+static bool add_mutants(mutation *m, size_t first, size_t last)
+{
+    const ttc_token *tokens = m->tokens;
+    const char *start = tokens[first].text, *end = tokens[last].text + tokens[last].length;
+    if (m->report->count + 2 > m->capacity) {
+        size_t capacity = 2 * m->capacity + 16;
+        ttc_mutant *grown = realloc(m->report->mutants, capacity * sizeof *grown);
+        if (grown == NULL) return false;
+        m->report->mutants = grown;
+        m->capacity = capacity;
+    }
+    for (int dropped = 0; dropped < 2; dropped++)
+        m->report->mutants[m->report->count++] = (ttc_mutant){ .place = { tokens[first].line, tokens[first].column },
+                                                               .term = start, .term_length = (size_t)(end - start),
+                                                               .dropped = dropped == 1 };
+    return true;
+}
+
+/* Terms of the sum that begins at `at`: up to a token that closes it. Sums in parentheses follow (grouped:
+ * one of them), but no exponents. */
+static bool sum_terms(mutation *m, size_t *at, bool grouped)
+{
+    const ttc_token *tokens = m->tokens;
+    size_t first = *at, start = *at;
+    for (;;) {
+        const ttc_token *token = &tokens[*at];
+        bool opens = is_mark(token, '(');
+        bool exponent = *at > 0 && is_mark(&tokens[*at - 1], '^');
+        bool closes = token->kind == TTC_TOKEN_END || token->kind == TTC_TOKEN_RECORD || token->kind == TTC_TOKEN_KEYWORD
+                      || is_mark(token, ')') || is_mark(token, ',');
+        if (closes || (is_sign(token) && !exponent && *at > first)) {
+            bool whole = grouped && closes && first == start; /* a group of one term is no sum */
+            if (*at > first && !whole && !add_mutants(m, first, *at - 1)) return false;
+            if (closes) return true;
+            first = *at;
+        }
+        ++*at;
+        if (opens && exponent) {
+            while (!is_mark(&tokens[*at], ')') && tokens[*at].kind != TTC_TOKEN_END) ++*at;
+        } else if (opens && !sum_terms(m, at, true)) {
+            return false;
+        }
+        if (opens && is_mark(&tokens[*at], ')')) ++*at;
+    }
+}
+
+/* The expression of an equation, let or root: what stands after '=' (for a root, inside of sqrt). */
+static bool record_terms(mutation *m, size_t record)
+{
+    size_t at = record + 1;
+    while (m->tokens[at].kind == TTC_TOKEN_NAME || m->tokens[at].kind == TTC_TOKEN_UNIT) at++;
+    if (!is_mark(&m->tokens[at], '=')) return true;
+    at++;
+    if (m->tokens[record].keyword == TTC_KEYWORD_ROOT) at += 2;
+    return sum_terms(m, &at, false);
+}
+
+static bool find_terms(mutation *m)
+{
+    for (size_t i = 0; m->tokens[i].kind != TTC_TOKEN_END; i++) {
+        ttc_keyword keyword = m->tokens[i].keyword;
+        if (m->tokens[i].kind != TTC_TOKEN_RECORD) continue;
+        if (keyword != TTC_KEYWORD_EQ && keyword != TTC_KEYWORD_LET && keyword != TTC_KEYWORD_ROOT) continue;
+        if (!record_terms(m, i)) return false;
+    }
+    return true;
+}
+
+/* The table with the term replaced: by its opposite, or by 0. */
+static char *mutant_text(const ttc_model *model, const ttc_mutant *mutant)
+{
+    size_t before = (size_t)(mutant->term - model->text);
+    const char *rest = mutant->term + mutant->term_length, *body = mutant->term;
+    char sign = *body == '-' ? '+' : '-';
+    if (*body == '+' || *body == '-') body++;
+    if (mutant->dropped) sign = '+';
+    char *text = malloc(strlen(model->text) + 3);
+    if (text == NULL) return NULL;
+    memcpy(text, model->text, before);
+    char *at = text + before;
+    *at++ = sign;
+    if (mutant->dropped) {
+        *at++ = '0';
+    } else {
+        memcpy(at, body, (size_t)(rest - body));
+        at += rest - body;
+    }
+    strcpy(at, rest);
+    return text;
+}
+
+static bool prove_mutant(const ttc_model *model, ttc_resolver resolver, void *context, ttc_mutant *mutant)
+{
+    bool done = false;
+    ttc_proof_report *report = NULL;
+    char *text = mutant_text(model, mutant);
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *mutated = NULL;
+    if (text == NULL || diagnostics == NULL) goto done;
+    mutated = ttc_model_parse(text, strlen(text), model->file, diagnostics);
+    mutant->fate = TTC_MUTANT_UNREADABLE;
+    done = mutated == NULL || ttc_prove(mutated, resolver, context, TTC_PROVE_UNTIL_REFUTED, &report);
+    if (report == NULL) goto done;
+    mutant->fate = report->refuted > 0 ? TTC_MUTANT_REFUTED : TTC_MUTANT_SURVIVED;
+    if (report->refuted > 0) {
+        mutant->refuted = report->proofs[report->proof_count - 1].name;
+        report->proofs[report->proof_count - 1].name = NULL;
+    }
+done:
+    ttc_proof_report_destroy(report);
+    ttc_model_destroy(mutated);
+    ttc_diagnostics_destroy(diagnostics);
+    free(text);
+    return done;
+}
+
+bool ttc_mutate(const ttc_model *model, ttc_resolver resolver, void *context, ttc_mutation_report **report)
+{
+    *report = NULL;
+    bool ok = false;
+    mutation m = { .model = model };
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    m.report = calloc(1, sizeof *m.report);
+    if (diagnostics == NULL || m.report == NULL) goto done;
+    m.tokens = ttc_lex(model->text, strlen(model->text), diagnostics);
+    if (m.tokens == NULL || !find_terms(&m)) goto done;
+    for (size_t i = 0; i < m.report->count; i++) {
+        ttc_mutant *mutant = &m.report->mutants[i];
+        if (!prove_mutant(model, resolver, context, mutant)) goto done;
+        m.report->refuted += mutant->fate == TTC_MUTANT_REFUTED;
+        m.report->survived += mutant->fate == TTC_MUTANT_SURVIVED;
+        m.report->unreadable += mutant->fate == TTC_MUTANT_UNREADABLE;
+    }
+    *report = m.report;
+    m.report = NULL;
+    ok = true;
+done:
+    ttc_mutation_report_destroy(m.report);
+    free(m.tokens);
+    ttc_diagnostics_destroy(diagnostics);
+    return ok;
+}
+
+void ttc_mutation_report_destroy(ttc_mutation_report *report)
+{
+    if (report == NULL) return;
+    for (size_t i = 0; i < report->count; i++) free(report->mutants[i].refuted);
+    free(report->mutants);
+    free(report);
+}

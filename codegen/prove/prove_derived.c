@@ -1,0 +1,125 @@
+#include "prove/prove_derived.h"
+
+/* A root is refuted when no term of its radicand is positive anywhere; where it is real in the domain is not examined. */
+static void prove_root(ttc_task *task)
+{
+    const ttc_symbol_entry *root = &task->model->symbols[task->claim->family];
+    ttc_ratio radicand;
+    ttc_ratio_init(task->ring, &radicand);
+    ttc_evaluate(task->field, &radicand, root->definition);
+    if (ttc_task_open(task) && (ttc_ratio_is_zero(task->ring, &radicand) || ttc_ratio_sign(task->ring, &radicand) < 0))
+        ttc_task_refute(task, &radicand, "not positive: the radicand of %s", root->name);
+    ttc_ratio_clear(task->ring, &radicand);
+}
+
+/* The field is defined under the substitution; that its values lie in the domain is checked with every claim. */
+static void prove_variant(ttc_task *task)
+{
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; i < task->model->state_count; i++) ttc_evaluate(task->field, &value, ttc_model_field(task->model, i));
+    ttc_ratio_clear(task->ring, &value);
+}
+
+/* dt = factor dtau keeps the direction of time, and a lifted root r, now a state, stays on r^2 = radicand:
+ * 2 r dr/dtau = d(radicand)/dtau. */
+static void prove_time(ttc_task *task)
+{
+    const ttc_time *time = &task->model->times[task->claim->family];
+    ttc_graph *graph = task->model->graph;
+    ttc_ratio left, right;
+    ttc_ratio_init(task->ring, &left);
+    ttc_ratio_init(task->ring, &right);
+    ttc_evaluate(task->field, &left, time->factor);
+    if (ttc_task_open(task) && (ttc_ratio_is_zero(task->ring, &left) || ttc_ratio_sign(task->ring, &left) < 0))
+        ttc_task_refute(task, &left, "not positive: dt/dtau");
+    for (size_t i = 0; i < time->lifted_count && ttc_task_open(task); i++) {
+        const ttc_symbol_entry *root = &task->model->symbols[time->lifted[i]];
+        ttc_id rate = ttc_multiply(graph, time->factor, ttc_derive_field(task->model, root->node));
+        ttc_evaluate(task->field, &left, ttc_multiply(graph, ttc_multiply(graph, ttc_integer(graph, 2), root->node), rate));
+        rate = ttc_multiply(graph, time->factor, ttc_derive_field(task->model, root->definition));
+        ttc_evaluate(task->field, &right, rate);
+        ttc_ratio_subtract(task->ring, &left, &left, &right);
+        ttc_task_require_zero(task, &left, "d(%s^2 - radicand)/dtau", root->name);
+    }
+    ttc_ratio_clear(task->ring, &right);
+    ttc_ratio_clear(task->ring, &left);
+}
+
+/* With the solution in its place the integral has the level's value, and the solution moves as the state did. */
+static void prove_elimination(ttc_task *task)
+{
+    const ttc_elimination *elimination = &task->model->eliminations[task->claim->family];
+    const ttc_claim *integral = &task->model->claims[elimination->integral];
+    const ttc_symbol_entry *state = &task->model->symbols[elimination->state];
+    ttc_ratio left, right;
+    ttc_ratio_init(task->ring, &left);
+    ttc_ratio_init(task->ring, &right);
+    ttc_evaluate(task->field, &left, integral->expression);
+    ttc_evaluate(task->field, &right, task->model->symbols[elimination->level].node);
+    ttc_ratio_subtract(task->ring, &left, &left, &right);
+    ttc_task_require_zero(task, &left, "%s - its level", integral->name);
+    ttc_evaluate(task->field, &left, ttc_derive_field(task->model, elimination->solution));
+    for (size_t i = 0; i < task->model->state_count; i++)
+        if (task->model->states[i] == elimination->state) ttc_evaluate(task->field, &right, ttc_model_field(task->model, i));
+    ttc_ratio_subtract(task->ring, &left, &left, &right);
+    ttc_task_require_zero(task, &left, "rate of the solution for %s - its equation", state->name);
+    ttc_ratio_clear(task->ring, &right);
+    ttc_ratio_clear(task->ring, &left);
+}
+
+static size_t root_count(const ttc_model *model)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < model->symbol_count; i++) count += model->symbols[i].kind == TTC_ROOT;
+    return count;
+}
+
+static uint32_t root_at(const ttc_model *model, size_t index)
+{
+    uint32_t symbol = 0;
+    while (model->symbols[symbol].kind != TTC_ROOT || index-- > 0) symbol++;
+    return symbol;
+}
+
+size_t ttc_derived_count(const ttc_model *model)
+{
+    return root_count(model) + model->variant_count + model->time_count + model->elimination_count;
+}
+
+void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_claim *derived)
+{
+    *derived = (ttc_derived_claim){ .claim = { .kind = TTC_CLAIM_EQUAL } };
+    if (index < root_count(model)) {
+        uint32_t symbol = root_at(model, index);
+        derived->kind = "root";
+        derived->name = model->symbols[symbol].name;
+        derived->claim.place = model->symbols[symbol].place;
+        derived->claim.family = symbol;
+        derived->prove = prove_root;
+        return;
+    }
+    index -= root_count(model);
+    if (index < model->variant_count) {
+        derived->kind = "variant";
+        derived->name = model->variants[index].name;
+        derived->claim.place = model->variants[index].place;
+        derived->claim.when = model->variants[index].bindings;
+        derived->prove = prove_variant;
+    } else if ((index -= model->variant_count) < model->time_count) {
+        derived->kind = "time";
+        derived->name = model->times[index].name;
+        derived->claim.place = model->times[index].place;
+        derived->prove = prove_time;
+    } else {
+        index -= model->time_count;
+        const ttc_elimination *elimination = &model->eliminations[index];
+        derived->kind = "eliminate";
+        derived->name = elimination->name;
+        derived->claim.place = elimination->place;
+        derived->substitution = (ttc_binding){ elimination->state, elimination->solution, elimination->place };
+        derived->claim.when = (ttc_bindings){ &derived->substitution, 1 };
+        derived->prove = prove_elimination;
+    }
+    derived->claim.family = (uint32_t)index;
+}

@@ -1,0 +1,18 @@
+/** What a model says or the compiler derives without a claim being made (roots, variants, times, eliminations): each becomes a claim of its own, and is proved. */
+#ifndef TTC_PROVE_DERIVED_H
+#define TTC_PROVE_DERIVED_H
+
+#include "prove/prove_task.h"
+
+typedef struct {
+    const char *kind, *name;
+    ttc_claim claim;     /* `when` holds the substitution and is borrowed, or points to `substitution`; name, place borrowed */
+    ttc_binding substitution;
+    ttc_prover prove;    /* finds its subject at index claim.family */
+} ttc_derived_claim;
+
+size_t ttc_derived_count(const ttc_model *model);
+/* index < ttc_derived_count(model). The result must stay where it is while it is proved. */
+void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_claim *derived);
+
+#endif

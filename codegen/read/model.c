@@ -1,0 +1,102 @@
+#include "read/model.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void ttc_claim_clear(ttc_claim *claim)
+{
+    if (claim->target_names != NULL)
+        for (size_t i = 0; i < claim->bindings.count; i++) free(claim->target_names[i]);
+    free(claim->target_names);
+    free(claim->target);
+    free(claim->bindings.items);
+    free(claim->when.items);
+    free(claim->modulo);
+    free(claim->entries);
+    free(claim->members);
+    free(claim->name);
+}
+
+void ttc_model_destroy(ttc_model *model)
+{
+    if (model == NULL) return;
+    for (size_t i = 0; i < model->symbol_count; i++) {
+        free(model->symbols[i].name);
+        free(model->symbols[i].unit);
+        free(model->symbols[i].meaning);
+    }
+    for (size_t i = 0; i < model->equation_count; i++) free(model->equations[i].terms);
+    for (size_t i = 0; i < model->variant_count; i++) {
+        free(model->variants[i].name);
+        free(model->variants[i].bindings.items);
+    }
+    for (size_t i = 0; i < model->time_count; i++) {
+        free(model->times[i].name);
+        free(model->times[i].lifted);
+    }
+    for (size_t i = 0; i < model->elimination_count; i++) free(model->eliminations[i].name);
+    for (size_t i = 0; i < model->claim_count; i++) ttc_claim_clear(model->claims + i);
+    free(model->symbols);
+    free(model->params);
+    free(model->states);
+    free(model->equations);
+    free(model->variants);
+    free(model->times);
+    free(model->eliminations);
+    free(model->claims);
+    free(model->file);
+    free(model->name);
+    free(model->title);
+    free(model->source);
+    free(model->text);
+    ttc_graph_destroy(model->graph);
+    free(model);
+}
+
+bool ttc_model_find_symbol(const ttc_model *model, const char *name, uint32_t *symbol)
+{
+    for (size_t i = model->symbol_count; i-- > 0;) /* the indeterminate, first of all, gives way to a name of the table */
+        if (strcmp(model->symbols[i].name, name) == 0) {
+            *symbol = (uint32_t)i;
+            return true;
+        }
+    return false;
+}
+
+bool ttc_claim_speaks_of_family(ttc_claim_kind kind)
+{
+    return kind == TTC_CLAIM_TRACE || kind == TTC_CLAIM_CHARPOLY || kind == TTC_CLAIM_OBSTRUCTS || kind == TTC_CLAIM_MATRIX ||
+           kind == TTC_CLAIM_LEFT_NULL;
+}
+
+bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim)
+{
+    for (size_t i = 0; i < model->claim_count; i++)
+        if (!ttc_claim_speaks_of_family(model->claims[i].kind) && strcmp(model->claims[i].name, name) == 0) {
+            *claim = (uint32_t)i;
+            return true;
+        }
+    return false;
+}
+
+ttc_id ttc_model_field(const ttc_model *model, size_t k) { return model->equations[k].sum; }
+
+const char *ttc_claim_kind_name(ttc_claim_kind kind)
+{
+    switch (kind) {
+    case TTC_CLAIM_INTEGRAL: return "integral";
+    case TTC_CLAIM_INVARIANT: return "invariant";
+    case TTC_CLAIM_MEASURE: return "measure";
+    case TTC_CLAIM_REVERSOR: return "reversor";
+    case TTC_CLAIM_EQUILIBRIA: return "equilibria";
+    case TTC_CLAIM_TRACE: return "trace";
+    case TTC_CLAIM_CHARPOLY: return "charpoly";
+    case TTC_CLAIM_OBSTRUCTS: return "obstructs";
+    case TTC_CLAIM_MATRIX: return "matrix";
+    case TTC_CLAIM_LEFT_NULL: return "leftnull";
+    case TTC_CLAIM_EQUAL: return "equal";
+    case TTC_CLAIM_RATE: return "rate";
+    case TTC_CLAIM_REDUCTION: return "reduction";
+    }
+    return "claim";
+}

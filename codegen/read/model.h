@@ -1,0 +1,183 @@
+/** A model: what one term table says, names resolved and expressions in one graph.
+ *
+ *  Everything is plain data that later passes read and never change; symbol numbers index `symbols` and are the symbol
+ *  numbers of the graph. Order of appearance is kept everywhere. */
+#ifndef TTC_MODEL_H
+#define TTC_MODEL_H
+
+#include "base/diagnostic.h"
+#include "expression/graph.h"
+
+typedef struct {
+    uint32_t line, column; /* 1-based; column counts bytes */
+} ttc_place;
+
+typedef enum {
+    TTC_PARAM,
+    TTC_STATE,
+    TTC_ROOT,   /* definition = radicand; symbol^2 = radicand, symbol > 0 */
+    TTC_COSINE, /* definition = angle; partner = the sine */
+    TTC_SINE,
+    TTC_LET,    /* definition = what it stands for */
+    TTC_LEVEL,  /* the value of an integral, named by `eliminate`; a parameter of the eliminated kernels */
+    TTC_LAMBDA  /* the indeterminate of characteristic polynomials; always present, named lambda */
+} ttc_symbol_kind;
+
+typedef enum { TTC_ANY_SIGN, TTC_POSITIVE, TTC_NONNEGATIVE, TTC_NONZERO } ttc_sign; /* of a parameter */
+
+typedef struct {
+    char *name, *unit, *meaning; /* unit and meaning may be NULL */
+    ttc_symbol_kind kind;
+    ttc_place place;
+    ttc_id node;       /* the symbol itself in the graph */
+    ttc_id definition; /* see the kinds; TTC_NONE otherwise. Its node stands before `node` in the graph */
+    uint32_t partner;  /* of an angle pair */
+    ttc_sign sign;     /* TTC_PARAM */
+    ttc_id low, high;  /* TTC_STATE: open interval, constants or expressions in parameters; TTC_NONE: unbounded */
+    ttc_id value;      /* TTC_PARAM: the default, a number; TTC_NONE: none given */
+} ttc_symbol_entry;
+
+/* One line of an equation: sign and expression together. */
+typedef struct {
+    ttc_id expression;
+    ttc_place place;
+} ttc_term;
+
+typedef struct {
+    uint32_t state; /* symbol */
+    ttc_term *terms;
+    size_t term_count;
+    ttc_id sum;
+    ttc_place place;
+} ttc_equation;
+
+/* SYMBOL = expression: a substitution, in `variant`, `when`, `equilibria`, `reduction`. */
+typedef struct {
+    uint32_t symbol;
+    ttc_id expression;
+    ttc_place place;
+} ttc_binding;
+
+typedef struct {
+    ttc_binding *items;
+    size_t count;
+} ttc_bindings;
+
+typedef struct {
+    char *name;
+    ttc_bindings bindings;
+    ttc_place place;
+} ttc_variant;
+
+typedef struct {
+    char *name;
+    ttc_id factor; /* dt = factor * dtau */
+    uint32_t *lifted; /* roots that become states */
+    size_t lifted_count;
+    ttc_place place;
+} ttc_time;
+
+typedef struct {
+    char *name;
+    uint32_t state; /* symbol of the state that goes */
+    uint32_t integral; /* index into claims */
+    uint32_t level; /* symbol: TTC_LEVEL, or a TTC_PARAM that the table declares itself */
+    ttc_id solution; /* the state in terms of the others and the level; the integral is linear in it */
+    ttc_place place;
+} ttc_elimination;
+
+typedef enum {
+    TTC_CLAIM_INTEGRAL,
+    TTC_CLAIM_INVARIANT,
+    TTC_CLAIM_MEASURE,
+    TTC_CLAIM_REVERSOR,   /* bindings: STATE = -STATE */
+    TTC_CLAIM_EQUILIBRIA, /* bindings: STATE = expression */
+    TTC_CLAIM_TRACE,      /* these five: family = index of their equilibria claim */
+    TTC_CLAIM_CHARPOLY,
+    TTC_CLAIM_OBSTRUCTS,
+    TTC_CLAIM_MATRIX,     /* entries: the Jacobian on the family, row by row */
+    TTC_CLAIM_LEFT_NULL,  /* members: integrals whose gradients on the family are left null vectors */
+    TTC_CLAIM_EQUAL,      /* expression = other */
+    TTC_CLAIM_RATE,       /* d(expression)/dt = other */
+    TTC_CLAIM_REDUCTION   /* bindings_of_target: target's STATE or ROOT = expression here, see `target` */
+} ttc_claim_kind;
+
+typedef struct {
+    ttc_claim_kind kind;
+    char *name;
+    ttc_place place;
+    ttc_id expression, other;
+    ttc_bindings bindings;
+    ttc_bindings when;    /* substitutions made first; in parameters or states */
+    uint32_t *modulo;     /* claims (integral or invariant) whose zero level is taken */
+    size_t modulo_count;
+    uint32_t family;
+    ttc_id *entries;      /* n*n */
+    size_t entry_count;
+    uint32_t *members;
+    size_t member_count;
+    char *target;         /* REDUCTION: file name of the reduced model, beside this one */
+    char **target_names;  /* REDUCTION: names in the target, one a binding */
+} ttc_claim;
+
+typedef struct ttc_model {
+    char *file;  /* as given, for diagnostics */
+    char *name, *title, *source; /* title and source may be NULL */
+    char sha256[65]; /* of the text, hexadecimal */
+    char *text;  /* the table itself, NUL-terminated */
+    ttc_graph *graph;
+    ttc_symbol_entry *symbols;
+    size_t symbol_count;
+    uint32_t *params, *states; /* symbols in order of appearance */
+    size_t param_count, state_count;
+    ttc_equation *equations; /* in the order of states */
+    size_t equation_count;   /* equals state_count in a complete model */
+    ttc_variant *variants;
+    size_t variant_count;
+    ttc_time *times;
+    size_t time_count;
+    ttc_elimination *eliminations;
+    size_t elimination_count;
+    ttc_claim *claims;
+    size_t claim_count;
+} ttc_model;
+
+/** Read a table. text: `length` bytes, need not be NUL-terminated; file: a name for messages.
+ *  Returns NULL when there was an error; `diagnostics` then holds every one that was found, in order of place; it may hold
+ *  warnings in any case. Cost: linear in the text, and in the nodes it makes. */
+ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, ttc_diagnostics *diagnostics);
+
+/* The same from a file; an unreadable one is a diagnostic too. */
+ttc_model *ttc_model_read(const char *path, ttc_diagnostics *diagnostics);
+
+void ttc_model_destroy(ttc_model *model); /* legal on NULL */
+
+void ttc_claim_clear(ttc_claim *claim); /* frees what it holds */
+
+/* Symbol or claim by name; false when there is none. */
+bool ttc_model_find_symbol(const ttc_model *model, const char *name, uint32_t *symbol);
+bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim);
+
+/* Replace every `let` by its definition, all the way down. Roots and angles stay symbols. */
+ttc_id ttc_model_expand(const ttc_model *model, ttc_id id);
+
+/* True when `id` depends on `symbol`, through lets, roots and angles. */
+bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol);
+
+/* All symbols that any of the `count` expressions depends on, through definitions: shape (symbol_count,), 1 or 0, for the
+ * caller to free; NULL when memory is out. */
+unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size_t count);
+
+/** Partial derivative with respect to a state (or parameter), through lets, roots and angles by the chain rule; lets
+ *  themselves stay as they are in the factors. */
+ttc_id ttc_model_partial(const ttc_model *model, ttc_id id, uint32_t symbol);
+
+/* The k-th equation's right-hand side: the sum of its terms. */
+ttc_id ttc_model_field(const ttc_model *model, size_t k);
+
+/* Claims whose name is that of an equilibria claim: trace, charpoly, obstructs, matrix, leftnull. */
+bool ttc_claim_speaks_of_family(ttc_claim_kind kind);
+
+const char *ttc_claim_kind_name(ttc_claim_kind kind); /* as written in the table: "integral", ... */
+
+#endif

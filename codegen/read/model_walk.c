@@ -1,0 +1,92 @@
+/* Walks through definitions: what lets, roots and angles stand for. */
+#include "read/model.h"
+
+#include <stdlib.h>
+
+typedef struct {
+    const ttc_model *model;
+    uint32_t symbol; /* the one differentiated by */
+} frame;
+
+static ttc_id let_definition(void *context, uint32_t symbol)
+{
+    const ttc_symbol_entry *entry = ((const frame *)context)->model->symbols + symbol;
+    return entry->kind == TTC_LET ? entry->definition : TTC_NONE;
+}
+
+static ttc_id any_definition(void *context, uint32_t symbol)
+{
+    return ((const frame *)context)->model->symbols[symbol].definition;
+}
+
+static ttc_id expanded_value(void *context, uint32_t symbol, ttc_id definition_value)
+{
+    return definition_value != TTC_NONE ? definition_value : ((const frame *)context)->model->symbols[symbol].node;
+}
+
+ttc_id ttc_model_expand(const ttc_model *model, ttc_id id)
+{
+    frame f = { model, 0 };
+    return ttc_substitute_through(model->graph, id, let_definition, expanded_value, &f);
+}
+
+/* r^2 = q gives r' = q'/(2 r); (cos a)' = -(sin a) a', (sin a)' = (cos a) a'. */
+static ttc_id slope(void *context, uint32_t symbol, ttc_id definition_slope)
+{
+    const frame *f = context;
+    ttc_graph *graph = f->model->graph;
+    const ttc_symbol_entry *entry = f->model->symbols + symbol;
+    if (symbol == f->symbol) return ttc_integer(graph, 1);
+    if (definition_slope == TTC_NONE || ttc_is_number(graph, definition_slope, 0)) return TTC_NONE;
+    ttc_id factor;
+    switch (entry->kind) {
+    case TTC_ROOT:
+        return ttc_divide(graph, definition_slope, ttc_multiply(graph, ttc_integer(graph, 2), entry->node));
+    case TTC_COSINE:
+        factor = ttc_multiply(graph, ttc_integer(graph, -1), f->model->symbols[entry->partner].node);
+        return ttc_multiply(graph, factor, definition_slope);
+    case TTC_SINE:
+        return ttc_multiply(graph, f->model->symbols[entry->partner].node, definition_slope);
+    default:
+        return definition_slope;
+    }
+}
+
+ttc_id ttc_model_partial(const ttc_model *model, ttc_id id, uint32_t symbol)
+{
+    frame f = { model, symbol };
+    return ttc_derivative_through(model->graph, id, any_definition, slope, &f);
+}
+
+unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size_t count)
+{
+    ttc_id last = TTC_NONE;
+    for (size_t i = 0; i < count; i++)
+        if (ids[i] > last) last = ids[i];
+    unsigned char *seen = calloc((size_t)last + 1, 1);
+    unsigned char *support = calloc(model->symbol_count, 1);
+    if (seen == NULL || support == NULL) {
+        free(seen);
+        free(support);
+        return NULL;
+    }
+    for (size_t i = 0; i < count; i++) seen[ids[i]] = 1;
+    for (ttc_id at = last; at > 0; at--) {
+        if (!seen[at]) continue;
+        for (size_t i = 0; i < ttc_part_count(model->graph, at); i++) seen[ttc_part_at(model->graph, at, i).id] = 1;
+        if (ttc_kind_of(model->graph, at) != TTC_SYMBOL) continue;
+        uint32_t symbol = ttc_symbol_of(model->graph, at);
+        support[symbol] = 1;
+        seen[model->symbols[symbol].definition] = 1; /* entry 0 takes those without */
+    }
+    free(seen);
+    return support;
+}
+
+bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol)
+{
+    unsigned char *support = ttc_model_support(model, &id, 1);
+    bool result = support == NULL || support[symbol];
+    free(support);
+    return result;
+}

@@ -1,0 +1,286 @@
+/* Claims: one shape a kind, and the clauses `when` and `modulo` that several share. */
+#include "read/parser.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_clause_allowed(ttc_claim_kind kind)
+{
+    return kind == TTC_CLAIM_INTEGRAL || kind == TTC_CLAIM_INVARIANT || kind == TTC_CLAIM_MEASURE ||
+           kind == TTC_CLAIM_REVERSOR || kind == TTC_CLAIM_EQUILIBRIA || kind == TTC_CLAIM_EQUAL || kind == TTC_CLAIM_RATE ||
+           kind == TTC_CLAIM_REDUCTION;
+}
+
+static bool parse_names(ttc_parser *parser, ttc_reference_role role, size_t owner, const char *expected)
+{
+    do {
+        const ttc_token *name = ttc_parse_name(parser, expected);
+        if (name == NULL || !ttc_parse_refer(parser, role, owner, name)) return false;
+    } while (ttc_parse_accept_mark(parser, ','));
+    return true;
+}
+
+/* [when NAME = expr, ...] [modulo NAME, ...] in any order, each once */
+static bool parse_clauses(ttc_parser *parser, ttc_claim *claim)
+{
+    size_t index = parser->model->claim_count;
+    bool has_modulo = false;
+    for (;;) {
+        ttc_place place = ttc_token_place(ttc_parse_peek(parser));
+        if (ttc_parse_at_keyword(parser, TTC_KEYWORD_WHEN)) {
+            if (claim->when.count > 0) return ttc_parse_error(parser, place, "a second 'when' (expected one list)");
+            parser->at++;
+            if (!ttc_parse_bindings(parser, &claim->when, 1u << TTC_PARAM | 1u << TTC_STATE, "a parameter or a state"))
+                return false;
+            ttc_parse_check_constants(parser, &claim->when);
+        } else if (ttc_parse_at_keyword(parser, TTC_KEYWORD_MODULO) && claim->kind != TTC_CLAIM_REVERSOR &&
+                   claim->kind != TTC_CLAIM_EQUILIBRIA) {
+            if (has_modulo) return ttc_parse_error(parser, place, "a second 'modulo' (expected one list)");
+            has_modulo = true;
+            parser->at++;
+            if (!parse_names(parser, TTC_REFER_MODULO, index, "an integral or invariant")) return false;
+        } else {
+            return true;
+        }
+    }
+}
+
+static bool parse_reversor(ttc_parser *parser, ttc_claim *claim)
+{
+    do {
+        uint32_t symbol;
+        const ttc_token *name = ttc_parse_name(parser, "a state");
+        if (name == NULL) return false;
+        if (!ttc_parse_find(parser, name, &symbol)) {
+            ttc_parse_unknown(parser, name);
+            return false;
+        }
+        const ttc_symbol_entry *entry = parser->model->symbols + symbol;
+        ttc_place place = ttc_token_place(name);
+        if (entry->kind != TTC_STATE) return ttc_parse_error(parser, place, "'%s' is not a state (expected one)", entry->name);
+        for (size_t i = 0; i < claim->bindings.count; i++)
+            if (claim->bindings.items[i].symbol == symbol)
+                return ttc_parse_error(parser, place, "'%s' is reversed twice", entry->name);
+        if (ttc_parse_peek(parser)->kind != TTC_TOKEN_ARROW) return ttc_parse_unexpected(parser, "'->' after the state");
+        parser->at++;
+        if (!ttc_parse_expect_mark(parser, '-', "'->'")) return false;
+        const ttc_token *image = ttc_parse_name(parser, "the same state");
+        if (image == NULL) return false;
+        if (image->length != name->length || memcmp(image->text, name->text, name->length) != 0)
+            return ttc_parse_error(parser, ttc_token_place(image), "a reversor turns a state into another (expected '%s -> -%s')",
+                                   entry->name, entry->name);
+        ttc_id minus = ttc_multiply(parser->model->graph, ttc_integer(parser->model->graph, -1), entry->node);
+        if (minus == TTC_NONE) return ttc_parse_graph_error(parser, place) != TTC_NONE;
+        ttc_binding *items = ttc_parse_extend(claim->bindings.items, claim->bindings.count, sizeof *items);
+        if (items == NULL) return ttc_parse_no_memory(parser);
+        claim->bindings.items = items;
+        items[claim->bindings.count++] = (ttc_binding){ symbol, minus, place };
+    } while (ttc_parse_accept_mark(parser, ','));
+    return true;
+}
+
+/* e11, e12, ... ; e21, ... */
+static bool parse_matrix(ttc_parser *parser, ttc_claim *claim)
+{
+    size_t width = 0, column = 0;
+    for (;;) {
+        ttc_place place = ttc_token_place(ttc_parse_peek(parser));
+        ttc_id id = ttc_parse_expression(parser);
+        if (id == TTC_NONE) return false;
+        ttc_id *entries = ttc_parse_extend(claim->entries, claim->entry_count, sizeof *entries);
+        if (entries == NULL) return ttc_parse_no_memory(parser);
+        claim->entries = entries;
+        entries[claim->entry_count++] = id;
+        column++;
+        if (ttc_parse_accept_mark(parser, ',')) continue;
+        if (width == 0) width = column;
+        if (column != width) {
+            claim->entry_count = 0; /* said once: the size of the whole is then not looked at */
+            return ttc_parse_error(parser, place, "a row of %zu entries (expected %zu, as in the first row)", column, width);
+        }
+        column = 0;
+        if (!ttc_parse_accept_mark(parser, ';')) return true;
+    }
+}
+
+/* FILE.tt, as words joined by dots, or a text in quotes; beside this table. */
+static bool parse_target_file(ttc_parser *parser, ttc_claim *claim)
+{
+    const ttc_token *first = ttc_parse_peek(parser);
+    const char *end = first->text;
+    if (first->kind == TTC_TOKEN_STRING) {
+        parser->at++;
+        end = first->text + first->length;
+    } else {
+        const ttc_token *token = first;
+        while (token->kind == TTC_TOKEN_NAME || (token->kind == TTC_TOKEN_MARK && *token->text == '.')) {
+            if (token > first && token->text != end) break;
+            end = token->text + token->length;
+            token = parser->tokens + ++parser->at;
+        }
+    }
+    size_t length = (size_t)(end - first->text);
+    bool plain = length > 3 && memcmp(end - 3, ".tt", 3) == 0 && first->text[0] != '.' &&
+                 memchr(first->text, '/', length) == NULL && memchr(first->text, '\\', length) == NULL;
+    if (!plain)
+        return ttc_parse_error(parser, ttc_token_place(first), "not the name of a table (expected FILE.tt, beside this one)");
+    claim->target = ttc_parse_copy(parser, first->text, length);
+    return claim->target != NULL;
+}
+
+/* NAME = expr, ... with names of the target, which are looked up when the target is read */
+static bool parse_target_bindings(ttc_parser *parser, ttc_claim *claim)
+{
+    do {
+        const ttc_token *name = ttc_parse_name(parser, "a state or root of the target");
+        if (name == NULL || !ttc_parse_expect_mark(parser, '=', "the name")) return false;
+        if (claim->bindings.count >= TTC_SYMBOL_LIMIT)
+            return ttc_parse_error(parser, ttc_token_place(name), "too many names are set (expected at most %d)",
+                                   TTC_SYMBOL_LIMIT);
+        for (size_t i = 0; i < claim->bindings.count; i++)
+            if (strlen(claim->target_names[i]) == name->length &&
+                memcmp(claim->target_names[i], name->text, name->length) == 0)
+                return ttc_parse_error(parser, ttc_token_place(name), "'%.*s' is set twice", (int)name->length, name->text);
+        ttc_id expression = ttc_parse_expression(parser);
+        if (expression == TTC_NONE) return false;
+        size_t count = claim->bindings.count;
+        ttc_binding *items = ttc_parse_extend(claim->bindings.items, count, sizeof *items);
+        if (items != NULL) claim->bindings.items = items;
+        char **names = ttc_parse_extend(claim->target_names, count, sizeof *names);
+        if (names != NULL) claim->target_names = names;
+        if (items == NULL || names == NULL) return ttc_parse_no_memory(parser);
+        names[count] = ttc_parse_copy(parser, name->text, name->length);
+        if (names[count] == NULL) return false;
+        items[count] = (ttc_binding){ 0, expression, ttc_token_place(name) };
+        claim->bindings.count++;
+    } while (ttc_parse_accept_mark(parser, ','));
+    return true;
+}
+
+static bool parse_reduction(ttc_parser *parser, ttc_claim *claim)
+{
+    return ttc_parse_expect_keyword(parser, TTC_KEYWORD_ONTO, "':'") && parse_target_file(parser, claim) &&
+           ttc_parse_expect_keyword(parser, TTC_KEYWORD_WITH, "the table") && parse_target_bindings(parser, claim);
+}
+
+/* What stands after the name, up to the clauses. */
+static bool parse_body(ttc_parser *parser, ttc_claim *claim)
+{
+    size_t index = parser->model->claim_count;
+    switch (claim->kind) {
+    case TTC_CLAIM_OBSTRUCTS:
+        return true;
+    case TTC_CLAIM_REVERSOR:
+        return parse_reversor(parser, claim);
+    case TTC_CLAIM_EQUILIBRIA:
+        return ttc_parse_expect_mark(parser, ':', "the name") &&
+               ttc_parse_bindings(parser, &claim->bindings, 1u << TTC_STATE, "a state");
+    case TTC_CLAIM_LEFT_NULL:
+        return ttc_parse_expect_mark(parser, ':', "the family") && parse_names(parser, TTC_REFER_MEMBER, index, "an integral");
+    case TTC_CLAIM_REDUCTION:
+        return ttc_parse_expect_mark(parser, ':', "the name") && parse_reduction(parser, claim);
+    case TTC_CLAIM_MATRIX:
+        return ttc_parse_expect_mark(parser, '=', "the family") && parse_matrix(parser, claim);
+    case TTC_CLAIM_EQUAL:
+    case TTC_CLAIM_RATE:
+        if (!ttc_parse_expect_mark(parser, ':', "the name") || (claim->expression = ttc_parse_expression(parser)) == TTC_NONE ||
+            !ttc_parse_expect_mark(parser, '=', "the left side"))
+            return false;
+        claim->other = ttc_parse_expression(parser);
+        return claim->other != TTC_NONE;
+    default:
+        if (!ttc_parse_expect_mark(parser, '=', "the name")) return false;
+        parser->in_charpoly = claim->kind == TTC_CLAIM_CHARPOLY;
+        claim->expression = ttc_parse_expression(parser);
+        parser->in_charpoly = false;
+        return claim->expression != TTC_NONE;
+    }
+}
+
+static ttc_claim_kind kind_of(ttc_keyword keyword)
+{
+    switch (keyword) {
+    case TTC_KEYWORD_INTEGRAL: return TTC_CLAIM_INTEGRAL;
+    case TTC_KEYWORD_INVARIANT: return TTC_CLAIM_INVARIANT;
+    case TTC_KEYWORD_MEASURE: return TTC_CLAIM_MEASURE;
+    case TTC_KEYWORD_REVERSOR: return TTC_CLAIM_REVERSOR;
+    case TTC_KEYWORD_EQUILIBRIA: return TTC_CLAIM_EQUILIBRIA;
+    case TTC_KEYWORD_TRACE: return TTC_CLAIM_TRACE;
+    case TTC_KEYWORD_CHARPOLY: return TTC_CLAIM_CHARPOLY;
+    case TTC_KEYWORD_OBSTRUCTS: return TTC_CLAIM_OBSTRUCTS;
+    case TTC_KEYWORD_MATRIX: return TTC_CLAIM_MATRIX;
+    case TTC_KEYWORD_LEFTNULL: return TTC_CLAIM_LEFT_NULL;
+    case TTC_KEYWORD_EQUAL: return TTC_CLAIM_EQUAL;
+    case TTC_KEYWORD_RATE: return TTC_CLAIM_RATE;
+    default: return TTC_CLAIM_REDUCTION;
+    }
+}
+
+/* What `when` sets, the record itself must not set again. */
+static bool check_set_once(ttc_parser *parser, const ttc_claim *claim)
+{
+    unsigned char *set = calloc(parser->model->symbol_count, 1);
+    if (set == NULL) return ttc_parse_no_memory(parser);
+    bool ok = true;
+    for (size_t i = 0; i < claim->bindings.count; i++) set[claim->bindings.items[i].symbol] = 1;
+    for (size_t i = 0; ok && i < claim->when.count; i++)
+        if (set[claim->when.items[i].symbol])
+            ok = ttc_parse_error(parser, claim->when.items[i].place, "'%s' is set twice",
+                                 parser->model->symbols[claim->when.items[i].symbol].name);
+    free(set);
+    return ok;
+}
+
+/* A claim's own name is new; the records that speak of a family stand once for each. */
+static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_token *name)
+{
+    const ttc_model *model = parser->model;
+    if (model->claim_count >= TTC_SYMBOL_LIMIT)
+        return ttc_parse_error(parser, claim->place, "too many claims (expected at most %d)", TTC_SYMBOL_LIMIT);
+    for (size_t i = 0; i < model->claim_count; i++) {
+        const ttc_claim *other = model->claims + i;
+        bool rivals = ttc_claim_speaks_of_family(claim->kind) ? other->kind == claim->kind
+                                                    : !ttc_claim_speaks_of_family(other->kind) && other->kind != TTC_CLAIM_REVERSOR;
+        if (rivals && strlen(other->name) == name->length && memcmp(other->name, name->text, name->length) == 0)
+            return ttc_parse_error(parser, ttc_token_place(name), "'%s' is claimed twice (first in line %u)", other->name,
+                                   (unsigned)other->place.line);
+    }
+    return true;
+}
+
+static bool parse_parts(ttc_parser *parser, const ttc_token *keyword, ttc_claim *claim)
+{
+    static const ttc_token reversor = { .kind = TTC_TOKEN_NAME, .length = 8, .text = "reversor" };
+    const ttc_token *name = claim->kind == TTC_CLAIM_REVERSOR ? &reversor : ttc_parse_name(parser, "the claim's name");
+    if (name == NULL) return false;
+    claim->place = ttc_token_place(name == &reversor ? keyword : name);
+    claim->name = ttc_parse_copy(parser, name->text, name->length);
+    if (claim->name == NULL) return false;
+    if (name != &reversor && !check_name(parser, claim, name)) return false;
+    if (ttc_claim_speaks_of_family(claim->kind) && !ttc_parse_refer(parser, TTC_REFER_FAMILY, parser->model->claim_count, name))
+        return false;
+    if (!parse_body(parser, claim)) return false;
+    if (is_clause_allowed(claim->kind) && !parse_clauses(parser, claim)) return false;
+    if (!ttc_parse_check_circle(parser, &claim->when, &claim->when, NULL)) return false;
+    if (claim->kind != TTC_CLAIM_EQUILIBRIA) return true;
+    return check_set_once(parser, claim) &&
+           ttc_parse_check_circle(parser, &claim->bindings, &claim->bindings, &claim->when);
+}
+
+/* A claim that is wrong is kept with its name, so that what refers to it is not reported as well. */
+bool ttc_parse_claim(ttc_parser *parser, const ttc_token *keyword)
+{
+    ttc_model *model = parser->model;
+    ttc_claim claim = { .kind = kind_of(keyword->keyword) };
+    bool ok = parse_parts(parser, keyword, &claim);
+    ttc_claim *claims = claim.name == NULL || model->claim_count >= TTC_SYMBOL_LIMIT
+                            ? NULL
+                            : ttc_parse_extend(model->claims, model->claim_count, sizeof *claims);
+    if (claims == NULL) {
+        ttc_claim_clear(&claim);
+        return ok ? ttc_parse_no_memory(parser) : false;
+    }
+    model->claims = claims;
+    claims[model->claim_count++] = claim;
+    return ok;
+}

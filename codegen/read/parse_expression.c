@@ -1,0 +1,206 @@
+/* Expressions by recursive descent:
+ *
+ *      expr   := [+|-] term { (+|-) term }
+ *      term   := factor { (*|/) factor }
+ *      factor := base [ ^ integer ]
+ *      base   := number | name | ( expr )
+ *
+ * Recursion goes through parentheses alone, which are counted. Sums and products are built at once from all their parts. */
+#include "read/parser.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool push_operand(ttc_parser *parser, ttc_id id, long exponent, ttc_place place)
+{
+    if (parser->operand_count == parser->operand_capacity) {
+        size_t capacity = 2 * parser->operand_capacity + 64;
+        ttc_id *operands = realloc(parser->operands, capacity * sizeof *operands);
+        if (operands != NULL) parser->operands = operands;
+        long *exponents = realloc(parser->exponents, capacity * sizeof *exponents);
+        if (exponents != NULL) parser->exponents = exponents;
+        fmpq *weights = realloc(parser->weights, capacity * sizeof *weights);
+        if (weights != NULL) parser->weights = weights;
+        ttc_place *places = realloc(parser->places, capacity * sizeof *places);
+        if (places != NULL) parser->places = places;
+        if (operands == NULL || exponents == NULL || weights == NULL || places == NULL) return ttc_parse_no_memory(parser);
+        parser->operand_capacity = capacity;
+    }
+    size_t at = parser->operand_count++;
+    parser->operands[at] = id;
+    parser->exponents[at] = exponent;
+    parser->weights[at] = (fmpq){ exponent < 0 ? -1 : 1, 1 };
+    parser->places[at] = place;
+    return true;
+}
+
+ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place)
+{
+    ttc_graph_status status = ttc_graph_error(parser->model->graph);
+    ttc_graph_clear_error(parser->model->graph);
+    if (status == TTC_GRAPH_NO_MEMORY || status == TTC_GRAPH_OK) ttc_parse_no_memory(parser);
+    else ttc_parse_error(parser, place, "%s", ttc_graph_status_text(status));
+    return TTC_NONE;
+}
+
+static bool is_integer(const ttc_token *token)
+{
+    bool result = token->kind == TTC_TOKEN_NUMBER;
+    for (uint32_t i = 0; result && i < token->length; i++) result = token->text[i] >= '0' && token->text[i] <= '9';
+    return result;
+}
+
+/* integer, with a sign or in parentheses */
+static bool parse_exponent(ttc_parser *parser, long *exponent)
+{
+    bool enclosed = ttc_parse_accept_mark(parser, '(');
+    bool negative = ttc_parse_accept_mark(parser, '-');
+    if (!negative) ttc_parse_accept_mark(parser, '+');
+    const ttc_token *token = ttc_parse_peek(parser);
+    if (!is_integer(token)) return ttc_parse_unexpected(parser, "an integer exponent");
+    parser->at++;
+    long value = 0;
+    for (uint32_t i = 0; i < token->length && value <= TTC_EXPONENT_LIMIT; i++) value = 10 * value + (token->text[i] - '0');
+    if (value > TTC_EXPONENT_LIMIT)
+        return ttc_parse_error(parser, ttc_token_place(token), "the exponent is too large (expected at most %d)",
+                               TTC_EXPONENT_LIMIT);
+    if (enclosed && !ttc_parse_expect_mark(parser, ')', "the exponent")) return false;
+    if (ttc_parse_at_mark(parser, '^')) return ttc_parse_unexpected(parser, "parentheses around a power of a power");
+    *exponent = negative ? -value : value;
+    return true;
+}
+
+static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
+{
+    static const char lambda[] = "lambda";
+    uint32_t symbol;
+    if (parser->in_charpoly && name->length == strlen(lambda) && memcmp(name->text, lambda, name->length) == 0)
+        return parser->model->symbols[0].node;
+    if (ttc_parse_find(parser, name, &symbol)) {
+        parser->used[symbol] = 1;
+        return parser->model->symbols[symbol].node;
+    }
+    for (size_t i = 0; i < parser->model->claim_count; i++) {
+        const ttc_claim *claim = parser->model->claims + i;
+        bool has_value = claim->kind == TTC_CLAIM_INTEGRAL || claim->kind == TTC_CLAIM_INVARIANT ||
+                         claim->kind == TTC_CLAIM_MEASURE;
+        if (has_value && strlen(claim->name) == name->length && memcmp(claim->name, name->text, name->length) == 0)
+            return claim->expression;
+    }
+    ttc_parse_unknown(parser, name);
+    return TTC_NONE;
+}
+
+static ttc_id parse_base(ttc_parser *parser)
+{
+    const ttc_token *token = ttc_parse_peek(parser);
+    if (token->kind == TTC_TOKEN_NUMBER) {
+        parser->at++;
+        return ttc_parse_number(parser, token);
+    }
+    if (token->kind == TTC_TOKEN_NAME) {
+        parser->at++;
+        if (ttc_parse_at_mark(parser, '(')) {
+            ttc_parse_unexpected(parser, "an operator: names stand for quantities, not for functions");
+            return TTC_NONE;
+        }
+        return parse_symbol(parser, token);
+    }
+    if (!ttc_parse_at_mark(parser, '(')) {
+        ttc_parse_unexpected(parser, "a number, a name or '('");
+        return TTC_NONE;
+    }
+    if (parser->nesting >= TTC_NESTING_LIMIT) {
+        ttc_parse_error(parser, ttc_token_place(token), "parentheses nest too deep (expected at most %d)", TTC_NESTING_LIMIT);
+        return TTC_NONE;
+    }
+    parser->at++;
+    parser->nesting++;
+    ttc_id id = ttc_parse_expression(parser);
+    parser->nesting--;
+    return id != TTC_NONE && ttc_parse_expect_mark(parser, ')', "the expression in parentheses") ? id : TTC_NONE;
+}
+
+static ttc_id parse_term(ttc_parser *parser)
+{
+    size_t first = parser->operand_count;
+    ttc_place place = ttc_token_place(ttc_parse_peek(parser));
+    bool divides = false;
+    do {
+        ttc_place factor_place = ttc_token_place(ttc_parse_peek(parser));
+        ttc_id id = parse_base(parser);
+        long exponent = 1;
+        if (id == TTC_NONE || (ttc_parse_accept_mark(parser, '^') && !parse_exponent(parser, &exponent))) return TTC_NONE;
+        if (divides) exponent = -exponent;
+        if (exponent < 0 && ttc_is_number(parser->model->graph, id, 0)) {
+            ttc_parse_error(parser, factor_place, "division by zero");
+            return TTC_NONE;
+        }
+        if (!push_operand(parser, id, exponent, factor_place)) return TTC_NONE;
+        divides = ttc_parse_at_mark(parser, '/');
+    } while (ttc_parse_accept_mark(parser, '*') || ttc_parse_accept_mark(parser, '/'));
+    size_t count = parser->operand_count - first;
+    parser->operand_count = first;
+    ttc_id id = count == 1 && parser->exponents[first] == 1
+                    ? parser->operands[first]
+                    : ttc_product(parser->model->graph, parser->operands + first, parser->exponents + first, count);
+    return id == TTC_NONE ? ttc_parse_graph_error(parser, place) : id;
+}
+
+size_t ttc_parse_terms(ttc_parser *parser)
+{
+    size_t first = parser->operand_count;
+    bool more = true;
+    while (more) {
+        ttc_place place = ttc_token_place(ttc_parse_peek(parser));
+        bool negative = ttc_parse_at_mark(parser, '-');
+        if (!ttc_parse_accept_mark(parser, '-')) ttc_parse_accept_mark(parser, '+');
+        ttc_id id = parse_term(parser);
+        if (id == TTC_NONE || !push_operand(parser, id, negative ? -1 : 1, place)) return SIZE_MAX;
+        more = ttc_parse_at_mark(parser, '+') || ttc_parse_at_mark(parser, '-');
+    }
+    return first;
+}
+
+ttc_id ttc_parse_expression(ttc_parser *parser)
+{
+    ttc_place place = ttc_token_place(ttc_parse_peek(parser));
+    size_t first = ttc_parse_terms(parser);
+    if (first == SIZE_MAX) return TTC_NONE;
+    size_t count = parser->operand_count - first;
+    parser->operand_count = first;
+    ttc_id id = count == 1 && parser->exponents[first] == 1
+                    ? parser->operands[first]
+                    : ttc_sum(parser->model->graph, parser->operands + first, parser->weights + first, count);
+    if (id == TTC_NONE) return ttc_parse_graph_error(parser, place);
+    if (parser->nesting > 0) return id;
+    return ttc_parse_measure(parser, id, place) ? id : TTC_NONE;
+}
+
+/* Measures every node made since the last call: parts stand before wholes, definitions before their symbols. */
+bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place)
+{
+    const ttc_model *model = parser->model;
+    const ttc_graph *graph = model->graph;
+    if (id >= parser->measured_capacity) {
+        size_t capacity = 2 * (size_t)id + 64;
+        double *expansions = realloc(parser->expansions, capacity * sizeof *expansions);
+        if (expansions == NULL) return ttc_parse_no_memory(parser);
+        parser->expansions = expansions;
+        parser->measured_capacity = capacity;
+    }
+    for (ttc_id at = (ttc_id)parser->measured + 1; at <= id; at++) {
+        double operands = 1;
+        if (ttc_kind_of(graph, at) == TTC_SYMBOL) {
+            const ttc_symbol_entry *entry = model->symbols + ttc_symbol_of(graph, at);
+            if (entry->kind == TTC_LET) operands = parser->expansions[entry->definition];
+        }
+        for (size_t i = 0; i < ttc_part_count(graph, at); i++)
+            operands += parser->expansions[ttc_part_at(graph, at, i).id];
+        parser->expansions[at] = operands;
+    }
+    if (id > parser->measured) parser->measured = id;
+    if (parser->expansions[id] <= TTC_EXPANSION_LIMIT) return true;
+    return ttc_parse_error(parser, place, "the expression written out in full is too large (expected at most %d operands)",
+                           TTC_EXPANSION_LIMIT);
+}

@@ -1,0 +1,139 @@
+/* Names: symbols by hash, definitions, and helpful words about names that mean nothing. */
+#include "read/parser.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static uint32_t hash_name(const char *text, size_t length)
+{
+    uint32_t hash = 2166136261u; /* FNV-1a */
+    for (size_t i = 0; i < length; i++) hash = (hash ^ (unsigned char)text[i]) * 16777619u;
+    return hash;
+}
+
+static bool is_named(const ttc_token *token, const char *name)
+{
+    return strlen(name) == token->length && memcmp(name, token->text, token->length) == 0;
+}
+
+bool ttc_parse_find(const ttc_parser *parser, const ttc_token *name, uint32_t *symbol)
+{
+    uint32_t hash = hash_name(name->text, name->length);
+    for (size_t i = 1; i < parser->model->symbol_count; i++)
+        if (parser->hashes[i] == hash && is_named(name, parser->model->symbols[i].name)) {
+            *symbol = (uint32_t)i;
+            return true;
+        }
+    return false;
+}
+
+static bool append_symbol(ttc_parser *parser, ttc_symbol_entry entry, uint32_t hash)
+{
+    ttc_model *model = parser->model;
+    size_t count = model->symbol_count;
+    ttc_symbol_entry *symbols = ttc_parse_extend(model->symbols, count, sizeof *symbols);
+    if (symbols != NULL) model->symbols = symbols;
+    uint32_t *hashes = ttc_parse_extend(parser->hashes, count, sizeof *hashes);
+    if (hashes != NULL) parser->hashes = hashes;
+    unsigned char *used = ttc_parse_extend(parser->used, count, sizeof *used);
+    if (used != NULL) parser->used = used;
+    if (symbols == NULL || hashes == NULL || used == NULL) return ttc_parse_no_memory(parser);
+    symbols[count] = entry;
+    hashes[count] = hash;
+    used[count] = 0;
+    model->symbol_count++;
+    return true;
+}
+
+/* A definition that was refused is TTC_NONE; its name is then known all the same, so that each mistake is told once. */
+bool ttc_parse_define(ttc_parser *parser, const ttc_token *name, ttc_symbol_kind kind, ttc_id definition, uint32_t *symbol)
+{
+    ttc_model *model = parser->model;
+    if (kind != TTC_LAMBDA && ttc_parse_find(parser, name, symbol))
+        return ttc_parse_error(parser, ttc_token_place(name), "'%.*s' is defined twice (first in line %u)", (int)name->length,
+                               name->text, (unsigned)model->symbols[*symbol].place.line);
+    if (model->symbol_count >= TTC_SYMBOL_LIMIT)
+        return ttc_parse_error(parser, ttc_token_place(name), "too many names (expected at most %d)", TTC_SYMBOL_LIMIT);
+    ttc_symbol_entry entry = { .kind = kind, .place = ttc_token_place(name), .definition = definition };
+    *symbol = (uint32_t)model->symbol_count;
+    if (definition == TTC_NONE && (kind == TTC_LET || kind == TTC_ROOT)) entry.kind = TTC_PARAM;
+    entry.node = ttc_symbol(model->graph, *symbol);
+    if (entry.node == TTC_NONE) {
+        ttc_parse_graph_error(parser, entry.place);
+        return false;
+    }
+    entry.name = ttc_parse_copy(parser, name->text, name->length);
+    if (entry.name == NULL) return false;
+    if (append_symbol(parser, entry, hash_name(name->text, name->length))) return true;
+    free(entry.name);
+    return false;
+}
+
+/* Where a record of the table defines the name, NULL when none does. */
+static const ttc_token *find_definition(const ttc_parser *parser, const ttc_token *name)
+{
+    for (const ttc_token *t = parser->tokens; t->kind != TTC_TOKEN_END; t++) {
+        bool defines = t->kind == TTC_TOKEN_RECORD &&
+                       (t->keyword == TTC_KEYWORD_PARAM || t->keyword == TTC_KEYWORD_STATE || t->keyword == TTC_KEYWORD_ROOT ||
+                        t->keyword == TTC_KEYWORD_ANGLE || t->keyword == TTC_KEYWORD_LET);
+        for (int i = 1; defines && i <= (t->keyword == TTC_KEYWORD_ANGLE ? 2 : 1); i++) {
+            if (t[i].kind != TTC_TOKEN_NAME) break;
+            if (t[i].length == name->length && memcmp(t[i].text, name->text, name->length) == 0) return t + i;
+        }
+    }
+    return NULL;
+}
+
+static const ttc_token *record_of(const ttc_token *token)
+{
+    while (token->kind != TTC_TOKEN_RECORD) token--;
+    return token;
+}
+
+/* Equal but for one character changed, dropped or added, or for case. */
+static bool resembles(const char *a, size_t n, const char *b, size_t m)
+{
+    size_t head = 0, tail = 0;
+    while (head < n && head < m && (a[head] | 0x20) == (b[head] | 0x20)) head++;
+    while (tail < n - head && tail < m - head && (a[n - 1 - tail] | 0x20) == (b[m - 1 - tail] | 0x20)) tail++;
+    return n - head - tail <= 1 && m - head - tail <= 1 && (head + tail > 0 || (n == 1 && m == 1 && (*a | 0x20) == (*b | 0x20)));
+}
+
+void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name)
+{
+    ttc_place place = ttc_token_place(name);
+    int length = (int)name->length;
+    const char *text = name->text, *near = NULL;
+    bool searched = ttc_error_count(parser->diagnostics) < TTC_DIAGNOSTIC_LIMIT;
+    const ttc_token *definition = searched ? find_definition(parser, name) : NULL;
+    if (definition != NULL && record_of(definition) == record_of(name)) {
+        ttc_parse_error(parser, place, "'%.*s' stands for itself (expected names that stand above)", length, text);
+    } else if (definition != NULL && definition > name) {
+        ttc_parse_error(parser, place, "'%.*s' is used before line %u defines it (expected names that stand above, so that no "
+                        "circle arises)", length, text, (unsigned)definition->line);
+    } else if (definition != NULL) {
+        ttc_parse_error(parser, place, "'%.*s' has no meaning, as its record in line %u is wrong", length, text,
+                        (unsigned)definition->line);
+    } else if (is_named(name, "lambda")) {
+        ttc_parse_error(parser, place, "'lambda' is the indeterminate of 'charpoly' and means nothing elsewhere (expected "
+                        "another name)");
+    } else {
+        for (size_t i = 1; searched && near == NULL && i < parser->model->symbol_count; i++)
+            if (resembles(parser->model->symbols[i].name, strlen(parser->model->symbols[i].name), text, name->length))
+                near = parser->model->symbols[i].name;
+        ttc_parse_error(parser, place, "unknown name '%.*s' (expected a name defined above%s%s%s)", length, text,
+                        near == NULL ? "" : "; did you mean '", near == NULL ? "" : near, near == NULL ? "" : "'?");
+    }
+}
+
+bool ttc_parse_refer(ttc_parser *parser, ttc_reference_role role, size_t owner, const ttc_token *name)
+{
+    if (parser->reference_count >= TTC_REFERENCE_LIMIT)
+        return ttc_parse_error(parser, ttc_token_place(name), "too many names of claims (expected at most %d)",
+                               TTC_REFERENCE_LIMIT);
+    ttc_reference *references = ttc_parse_extend(parser->references, parser->reference_count, sizeof *references);
+    if (references == NULL) return ttc_parse_no_memory(parser);
+    parser->references = references;
+    references[parser->reference_count++] = (ttc_reference){ role, owner, name };
+    return true;
+}

@@ -1,0 +1,254 @@
+/* Driver of the parser: the table's records one by one, and the words they share. */
+#include "read/parser.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/sha256.h"
+#include "base/source.h"
+
+void *ttc_parse_extend(void *array, size_t count, size_t size)
+{
+    bool full = (count & (count - 1)) == 0; /* zero or a power of two */
+    return full ? realloc(array, (count == 0 ? 1 : 2 * count) * size) : array;
+}
+
+ttc_place ttc_token_place(const ttc_token *token) { return (ttc_place){ token->line, token->column }; }
+
+const ttc_token *ttc_parse_peek(const ttc_parser *parser) { return parser->tokens + parser->at; }
+
+bool ttc_parse_at_mark(const ttc_parser *parser, char mark)
+{
+    const ttc_token *token = ttc_parse_peek(parser);
+    return token->kind == TTC_TOKEN_MARK && token->text[0] == mark;
+}
+
+bool ttc_parse_at_keyword(const ttc_parser *parser, ttc_keyword keyword)
+{
+    const ttc_token *token = ttc_parse_peek(parser);
+    return (token->kind == TTC_TOKEN_KEYWORD || token->kind == TTC_TOKEN_NAME) && token->keyword == keyword;
+}
+
+bool ttc_parse_accept_mark(ttc_parser *parser, char mark)
+{
+    if (!ttc_parse_at_mark(parser, mark)) return false;
+    parser->at++;
+    return true;
+}
+
+bool ttc_parse_accept_keyword(ttc_parser *parser, ttc_keyword keyword)
+{
+    if (!ttc_parse_at_keyword(parser, keyword)) return false;
+    parser->at++;
+    return true;
+}
+
+bool ttc_parse_error(ttc_parser *parser, ttc_place place, const char *format, ...)
+{
+    char message[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    ttc_report(parser->diagnostics, TTC_ERROR, place.line, place.column, "%s", message);
+    return false;
+}
+
+bool ttc_parse_no_memory(ttc_parser *parser)
+{
+    parser->out_of_memory = true;
+    return false;
+}
+
+static ttc_place place_after(const ttc_token *token)
+{
+    bool enclosed = token->kind == TTC_TOKEN_STRING || token->kind == TTC_TOKEN_UNIT;
+    return (ttc_place){ token->line, token->column + token->length + (enclosed ? 2 : 0) };
+}
+
+bool ttc_parse_unexpected(ttc_parser *parser, const char *expected)
+{
+    const ttc_token *token = ttc_parse_peek(parser);
+    ttc_place place = ttc_token_place(token);
+    int length = token->length > 40 ? 40 : (int)token->length;
+    switch (token->kind) {
+    case TTC_TOKEN_BAD:
+        return false;
+    case TTC_TOKEN_END:
+        return ttc_parse_error(parser, place_after(token - 1), "the table ends within a record (expected %s)", expected);
+    case TTC_TOKEN_RECORD:
+        return ttc_parse_error(parser, place_after(token - 1), "the record ends too early (expected %s)", expected);
+    case TTC_TOKEN_KEYWORD:
+        return ttc_parse_error(parser, place, "'%.*s' is a keyword and names nothing (expected %s)", length, token->text,
+                               expected);
+    case TTC_TOKEN_STRING:
+        return ttc_parse_error(parser, place, "unexpected text in quotes (expected %s)", expected);
+    case TTC_TOKEN_UNIT:
+        return ttc_parse_error(parser, place, "unexpected unit (expected %s)", expected);
+    default:
+        return ttc_parse_error(parser, place, "unexpected '%.*s' (expected %s)", length, token->text, expected);
+    }
+}
+
+bool ttc_parse_expect_mark(ttc_parser *parser, char mark, const char *after)
+{
+    if (ttc_parse_accept_mark(parser, mark)) return true;
+    char expected[80];
+    snprintf(expected, sizeof expected, "'%c' after %s", mark, after);
+    return ttc_parse_unexpected(parser, expected);
+}
+
+bool ttc_parse_expect_keyword(ttc_parser *parser, ttc_keyword keyword, const char *after)
+{
+    if (ttc_parse_accept_keyword(parser, keyword)) return true;
+    char expected[80];
+    snprintf(expected, sizeof expected, "'%s' after %s", ttc_keyword_text(keyword), after);
+    return ttc_parse_unexpected(parser, expected);
+}
+
+const ttc_token *ttc_parse_name(ttc_parser *parser, const char *what)
+{
+    const ttc_token *token = ttc_parse_peek(parser);
+    if (token->kind == TTC_TOKEN_NAME) {
+        parser->at++;
+        return token;
+    }
+    ttc_parse_unexpected(parser, what);
+    return NULL;
+}
+
+bool ttc_parse_record_end(ttc_parser *parser)
+{
+    const ttc_token *token = ttc_parse_peek(parser);
+    if (token->kind == TTC_TOKEN_RECORD || token->kind == TTC_TOKEN_END) return true;
+    return ttc_parse_unexpected(parser, "the end of the record");
+}
+
+char *ttc_parse_copy(ttc_parser *parser, const char *text, size_t length)
+{
+    char *copy = malloc(length + 1);
+    if (copy == NULL) {
+        ttc_parse_no_memory(parser);
+        return NULL;
+    }
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    return copy;
+}
+
+static bool parse_model(ttc_parser *parser, const ttc_token *keyword)
+{
+    if (parser->model->name != NULL)
+        return ttc_parse_error(parser, ttc_token_place(keyword), "a second model (expected one model a file)");
+    const ttc_token *name = ttc_parse_name(parser, "the model's name");
+    if (name == NULL) return false;
+    parser->model->name = ttc_parse_copy(parser, name->text, name->length);
+    return parser->model->name != NULL;
+}
+
+static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
+{
+    switch (keyword->keyword) {
+    case TTC_KEYWORD_MODEL:
+        return parse_model(parser, keyword);
+    case TTC_KEYWORD_TITLE:
+    case TTC_KEYWORD_SOURCE:
+        return ttc_parse_title(parser, keyword);
+    case TTC_KEYWORD_PARAM:
+    case TTC_KEYWORD_STATE:
+    case TTC_KEYWORD_ROOT:
+    case TTC_KEYWORD_ANGLE:
+    case TTC_KEYWORD_LET:
+        return ttc_parse_quantity(parser, keyword);
+    case TTC_KEYWORD_EQ:
+        return ttc_parse_equation(parser);
+    case TTC_KEYWORD_DEFAULT:
+        return ttc_parse_default(parser);
+    case TTC_KEYWORD_VARIANT:
+    case TTC_KEYWORD_TIME:
+    case TTC_KEYWORD_ELIMINATE:
+        return ttc_parse_kernel(parser, keyword);
+    case TTC_KEYWORD_NONE:
+        return false; /* reported by the lexer */
+    default:
+        return ttc_parse_claim(parser, keyword);
+    }
+}
+
+static void parse_table(ttc_parser *parser)
+{
+    const ttc_token *first = parser->tokens;
+    if (first->kind == TTC_TOKEN_END)
+        ttc_parse_error(parser, ttc_token_place(first), "the table is empty (expected 'model NAME')");
+    else if (first->keyword != TTC_KEYWORD_MODEL)
+        ttc_parse_error(parser, ttc_token_place(first), "the table opens without its model (expected 'model NAME' first)");
+    while (!parser->out_of_memory && ttc_parse_peek(parser)->kind != TTC_TOKEN_END) {
+        const ttc_token *keyword = parser->tokens + parser->at++;
+        parser->operand_count = 0;
+        parser->nesting = 0;
+        parser->in_charpoly = false;
+        if (keyword->kind == TTC_TOKEN_RECORD && parse_record(parser, keyword)) ttc_parse_record_end(parser);
+        while (ttc_parse_peek(parser)->kind != TTC_TOKEN_RECORD && ttc_parse_peek(parser)->kind != TTC_TOKEN_END) parser->at++;
+    }
+}
+
+static ttc_model *create_model(const char *text, size_t length, const char *file)
+{
+    ttc_model *model = calloc(1, sizeof *model);
+    if (model == NULL) return NULL;
+    model->graph = ttc_graph_create();
+    model->text = malloc(length + 1);
+    model->file = malloc(strlen(file) + 1);
+    if (model->graph == NULL || model->text == NULL || model->file == NULL) {
+        ttc_model_destroy(model);
+        return NULL;
+    }
+    if (length > 0) memcpy(model->text, text, length);
+    model->text[length] = '\0';
+    memcpy(model->file, file, strlen(file) + 1);
+    ttc_sha256(model->sha256, text, length);
+    return model;
+}
+
+ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, ttc_diagnostics *diagnostics)
+{
+    static const ttc_token lambda = { .kind = TTC_TOKEN_NAME, .length = 6, .text = "lambda" };
+    ttc_diagnostics_source(diagnostics, file, text, length);
+    if (!ttc_source_check(text, length, diagnostics)) return NULL;
+
+    ttc_parser parser = { .diagnostics = diagnostics, .errors_before = ttc_error_count(diagnostics) };
+    ttc_token *tokens = NULL;
+    uint32_t symbol;
+    parser.model = create_model(text, length, file);
+    parser.out_of_memory = parser.model == NULL || (tokens = ttc_lex(text, length, diagnostics)) == NULL;
+    if (!parser.out_of_memory && ttc_parse_define(&parser, &lambda, TTC_LAMBDA, TTC_NONE, &symbol)) {
+        parser.tokens = tokens;
+        parse_table(&parser);
+        if (!parser.out_of_memory) ttc_parse_resolve(&parser);
+    }
+    if (parser.out_of_memory) ttc_report(diagnostics, TTC_ERROR, 1, 1, "out of memory");
+    free(tokens);
+    free(parser.hashes);
+    free(parser.used);
+    free(parser.references);
+    free(parser.operands);
+    free(parser.exponents);
+    free(parser.weights);
+    free(parser.places);
+    free(parser.expansions);
+    if (ttc_error_count(diagnostics) == parser.errors_before) return parser.model;
+    ttc_model_destroy(parser.model);
+    return NULL;
+}
+
+ttc_model *ttc_model_read(const char *path, ttc_diagnostics *diagnostics)
+{
+    size_t length = 0;
+    ttc_diagnostics_source(diagnostics, path, NULL, 0);
+    char *text = ttc_source_read(path, &length, diagnostics);
+    if (text == NULL) return NULL;
+    ttc_model *model = ttc_model_parse(text, length, path, diagnostics);
+    free(text);
+    return model;
+}

@@ -1,0 +1,110 @@
+/* Inside of the parser: tokens to model. Each ttc_parse_... reads from the token at hand, reports what is wrong and then
+ * returns false (or TTC_NONE); the driver goes on at the next record. */
+#ifndef TTC_PARSER_H
+#define TTC_PARSER_H
+
+#include "read/model.h"
+#include "read/token.h"
+
+enum {
+    TTC_NESTING_LIMIT = 256,          /* of parentheses */
+    TTC_DIGIT_LIMIT = 1000,           /* of a number */
+    TTC_DECIMAL_EXPONENT_LIMIT = 999, /* of a number */
+    TTC_SYMBOL_LIMIT = 4096,          /* names of quantities; claims */
+    TTC_STATE_LIMIT = 128,
+    TTC_KERNEL_LIMIT = 256,           /* variants; times; eliminations */
+    TTC_REFERENCE_LIMIT = 1 << 14,    /* names of claims within records */
+    TTC_EXPANSION_LIMIT = 1000000     /* operands of an expression written out in full */
+};
+
+/* A claim's name used by another record; looked up when the whole table is read, so that order is free. */
+typedef enum { TTC_REFER_FAMILY, TTC_REFER_MODULO, TTC_REFER_MEMBER, TTC_REFER_ELIMINATION } ttc_reference_role;
+
+typedef struct {
+    ttc_reference_role role;
+    size_t owner; /* index of the claim or elimination that refers */
+    const ttc_token *name;
+} ttc_reference;
+
+typedef struct {
+    ttc_model *model;
+    ttc_diagnostics *diagnostics;
+    const ttc_token *tokens;
+    size_t at;
+    size_t errors_before; /* reports of earlier tables */
+    bool out_of_memory;
+
+    uint32_t *hashes;    /* of names, by symbol */
+    unsigned char *used; /* by symbol */
+    ttc_reference *references;
+    size_t reference_count;
+
+    /* Expressions under construction: operands of nested sums and products on one stack. */
+    ttc_id *operands;
+    long *exponents;
+    fmpq *weights; /* 1 or -1, which need no clearing */
+    ttc_place *places;
+    size_t operand_count, operand_capacity;
+    unsigned nesting;
+    bool in_charpoly; /* `lambda` is the indeterminate */
+
+    double *expansions; /* by node: operands when written out in full */
+    size_t measured, measured_capacity;
+} ttc_parser;
+
+/* Tokens. */
+const ttc_token *ttc_parse_peek(const ttc_parser *parser);
+bool ttc_parse_at_mark(const ttc_parser *parser, char mark);
+bool ttc_parse_at_keyword(const ttc_parser *parser, ttc_keyword keyword);
+bool ttc_parse_accept_mark(ttc_parser *parser, char mark);
+bool ttc_parse_accept_keyword(ttc_parser *parser, ttc_keyword keyword);
+bool ttc_parse_expect_mark(ttc_parser *parser, char mark, const char *after);
+bool ttc_parse_expect_keyword(ttc_parser *parser, ttc_keyword keyword, const char *after);
+const ttc_token *ttc_parse_name(ttc_parser *parser, const char *what); /* NULL after a report */
+bool ttc_parse_record_end(ttc_parser *parser); /* reports what is left over */
+bool ttc_parse_unexpected(ttc_parser *parser, const char *expected); /* reports; always false */
+ttc_place ttc_token_place(const ttc_token *token);
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+bool ttc_parse_error(ttc_parser *parser, ttc_place place, const char *format, ...); /* always false */
+bool ttc_parse_no_memory(ttc_parser *parser); /* always false */
+
+/* Expressions. */
+ttc_id ttc_parse_expression(ttc_parser *parser);
+/* The terms of a sum, left on the operand stack from the returned index on; SIZE_MAX after a report. */
+size_t ttc_parse_terms(ttc_parser *parser);
+ttc_id ttc_parse_number(ttc_parser *parser, const ttc_token *token);
+ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place); /* reports the graph's error; always TTC_NONE */
+bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place); /* expansion within its limit */
+
+/* Names. */
+bool ttc_parse_find(const ttc_parser *parser, const ttc_token *name, uint32_t *symbol); /* lambda excluded */
+bool ttc_parse_define(ttc_parser *parser, const ttc_token *name, ttc_symbol_kind kind, ttc_id definition, uint32_t *symbol);
+void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name);
+bool ttc_parse_refer(ttc_parser *parser, ttc_reference_role role, size_t owner, const ttc_token *name);
+char *ttc_parse_copy(ttc_parser *parser, const char *text, size_t length); /* NULL when memory is out */
+
+/* Lists shared by records. */
+bool ttc_parse_bindings(ttc_parser *parser, ttc_bindings *bindings, unsigned kinds, const char *expected);
+void ttc_parse_check_constants(ttc_parser *parser, const ttc_bindings *bindings); /* warns of excluded values */
+/* The symbols set in `bound` must not stand, through definitions, in the expressions of `in` (after `first` is substituted
+ * into them, when it is not NULL). */
+bool ttc_parse_check_circle(ttc_parser *parser, const ttc_bindings *bound, const ttc_bindings *in, const ttc_bindings *first);
+
+/* Records: the token at hand is the one after the keyword. */
+bool ttc_parse_title(ttc_parser *parser, const ttc_token *keyword);
+bool ttc_parse_quantity(ttc_parser *parser, const ttc_token *keyword); /* param, state, root, angle, let */
+bool ttc_parse_equation(ttc_parser *parser);
+bool ttc_parse_default(ttc_parser *parser);
+bool ttc_parse_kernel(ttc_parser *parser, const ttc_token *keyword); /* variant, time, eliminate */
+bool ttc_parse_claim(ttc_parser *parser, const ttc_token *keyword);
+
+/* When every record is read: references, eliminations, completeness, names never used. */
+void ttc_parse_resolve(ttc_parser *parser);
+
+/* Room for one more item of an array that holds `count`: the array, moved or not, or NULL when memory is out. */
+void *ttc_parse_extend(void *array, size_t count, size_t size);
+
+#endif

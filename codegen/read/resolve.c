@@ -1,0 +1,197 @@
+/* What can be said only when the whole table is read: references between claims, eliminations, completeness. */
+#include "read/parser.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool find_claim(const ttc_model *model, const ttc_token *name, uint32_t *claim)
+{
+    char text[TTC_NAME_LIMIT + 1];
+    memcpy(text, name->text, name->length);
+    text[name->length] = '\0';
+    return ttc_model_find_claim(model, text, claim);
+}
+
+static bool append_claim(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t claim)
+{
+    uint32_t *grown = ttc_parse_extend(*list, *count, sizeof *grown);
+    if (grown == NULL) return ttc_parse_no_memory(parser);
+    *list = grown;
+    grown[(*count)++] = claim;
+    return true;
+}
+
+static void resolve_reference(ttc_parser *parser, const ttc_reference *reference)
+{
+    ttc_model *model = parser->model;
+    const ttc_token *name = reference->name;
+    ttc_place place = ttc_token_place(name);
+    uint32_t found;
+    if (reference->role != TTC_REFER_ELIMINATION && reference->owner >= model->claim_count) return;
+    const char *expected = reference->role == TTC_REFER_FAMILY   ? "an 'equilibria' record"
+                           : reference->role == TTC_REFER_MODULO ? "an 'integral' or 'invariant' record"
+                                                                 : "an 'integral' record";
+    if (!find_claim(model, name, &found)) {
+        ttc_parse_error(parser, place, "unknown claim '%.*s' (expected the name of %s)", (int)name->length, name->text, expected);
+        return;
+    }
+    ttc_claim_kind kind = model->claims[found].kind;
+    bool fits = reference->role == TTC_REFER_FAMILY   ? kind == TTC_CLAIM_EQUILIBRIA
+                : reference->role == TTC_REFER_MODULO ? kind == TTC_CLAIM_INTEGRAL || kind == TTC_CLAIM_INVARIANT
+                                                      : kind == TTC_CLAIM_INTEGRAL;
+    if (!fits) {
+        ttc_parse_error(parser, place, "'%.*s' is the name of '%s' (expected that of %s)", (int)name->length, name->text,
+                        ttc_claim_kind_name(kind), expected);
+        return;
+    }
+    ttc_claim *owner = model->claims + reference->owner;
+    switch (reference->role) {
+    case TTC_REFER_FAMILY: owner->family = found; break;
+    case TTC_REFER_MODULO: append_claim(parser, &owner->modulo, &owner->modulo_count, found); break;
+    case TTC_REFER_MEMBER: append_claim(parser, &owner->members, &owner->member_count, found); break;
+    case TTC_REFER_ELIMINATION: model->eliminations[reference->owner].integral = found; break;
+    }
+}
+
+/* A claim may rest on the zero level of others, never on its own. */
+static void check_modulo_circles(ttc_parser *parser)
+{
+    const ttc_model *model = parser->model;
+    unsigned char *settled = calloc(model->claim_count + 1, 1);
+    if (settled == NULL) {
+        ttc_parse_no_memory(parser);
+        return;
+    }
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (size_t i = 0; i < model->claim_count; i++) {
+            bool free_of_doubt = !settled[i];
+            for (size_t k = 0; free_of_doubt && k < model->claims[i].modulo_count; k++)
+                free_of_doubt = settled[model->claims[i].modulo[k]];
+            if (!free_of_doubt) continue;
+            settled[i] = 1;
+            changed = true;
+        }
+    }
+    for (size_t i = 0; i < model->claim_count; i++)
+        if (!settled[i])
+            ttc_parse_error(parser, model->claims[i].place, "'%s' rests on itself through 'modulo': a circle",
+                            model->claims[i].name);
+    free(settled);
+}
+
+typedef struct {
+    const ttc_model *model;
+    uint32_t state;
+} chart;
+
+static ttc_id let_definition(void *context, uint32_t symbol)
+{
+    const ttc_symbol_entry *entry = ((const chart *)context)->model->symbols + symbol;
+    return entry->kind == TTC_LET ? entry->definition : TTC_NONE;
+}
+
+/* A let that the state does not enter stays. */
+static ttc_id at_zero(void *context, uint32_t symbol, ttc_id definition_value)
+{
+    const chart *c = context;
+    const ttc_symbol_entry *entry = c->model->symbols + symbol;
+    if (symbol == c->state) return ttc_integer(c->model->graph, 0);
+    return definition_value == TTC_NONE || definition_value == entry->definition ? TTC_NONE : definition_value;
+}
+
+/* integral = slope * state + rest gives state = (level - rest)/slope. */
+static void solve_elimination(ttc_parser *parser, ttc_elimination *elimination)
+{
+    const ttc_model *model = parser->model;
+    const ttc_claim *integral = model->claims + elimination->integral;
+    const char *state = model->symbols[elimination->state].name;
+    if (integral->when.count > 0 || integral->modulo_count > 0) {
+        ttc_parse_error(parser, elimination->place, "'%s' is an integral under a condition only (expected one that always holds)",
+                        integral->name);
+        return;
+    }
+    chart c = { model, elimination->state };
+    ttc_id slope = ttc_model_partial(model, integral->expression, elimination->state);
+    if (slope != TTC_NONE && ttc_model_depends(model, slope, elimination->state)) slope = ttc_model_expand(model, slope);
+    if (slope != TTC_NONE && ttc_model_depends(model, slope, elimination->state)) {
+        ttc_parse_error(parser, elimination->place, "the integral '%s' is not linear in '%s'", integral->name, state);
+        return;
+    }
+    if (slope != TTC_NONE && ttc_is_number(model->graph, slope, 0)) {
+        ttc_parse_error(parser, elimination->place, "the integral '%s' does not depend on '%s'", integral->name, state);
+        return;
+    }
+    ttc_id rest = ttc_substitute_through(model->graph, integral->expression, let_definition, at_zero, &c);
+    ttc_id level = model->symbols[elimination->level].node;
+    elimination->solution = ttc_divide(model->graph, ttc_subtract(model->graph, level, rest), slope);
+    if (elimination->solution == TTC_NONE) ttc_parse_graph_error(parser, elimination->place);
+}
+
+/* One level names the value of one integral, whatever number of charts use it. */
+static void check_levels(ttc_parser *parser)
+{
+    const ttc_model *model = parser->model;
+    for (size_t i = 0; i < model->elimination_count; i++)
+        for (size_t k = 0; k < i; k++)
+            if (model->eliminations[i].level == model->eliminations[k].level &&
+                model->eliminations[i].integral != model->eliminations[k].integral) {
+                ttc_parse_error(parser, model->eliminations[i].place, "'%s' is already the level of '%s'",
+                                model->symbols[model->eliminations[i].level].name,
+                                model->claims[model->eliminations[k].integral].name);
+                break;
+            }
+}
+
+static void check_equations(ttc_parser *parser)
+{
+    const ttc_model *model = parser->model;
+    bool is_right = ttc_error_count(parser->diagnostics) == parser->errors_before; /* else the states may be what is wrong */
+    if (model->state_count == 0 && is_right) ttc_parse_error(parser, (ttc_place){ 1, 1 }, "the model has no state (expected at least one)");
+    for (size_t i = 0; i < model->state_count; i++) {
+        const ttc_symbol_entry *state = model->symbols + model->states[i];
+        if (i >= model->equation_count || model->equations[i].place.line == 0)
+            ttc_parse_error(parser, state->place, "the state '%s' has no equation (expected 'eq %s = ...')", state->name,
+                            state->name);
+    }
+}
+
+static void check_matrices(ttc_parser *parser)
+{
+    const ttc_model *model = parser->model;
+    size_t expected = model->state_count * model->state_count;
+    for (size_t i = 0; i < model->claim_count; i++) {
+        const ttc_claim *claim = model->claims + i;
+        if (claim->kind == TTC_CLAIM_MATRIX && claim->entry_count > 0 && claim->entry_count != expected)
+            ttc_parse_error(parser, claim->place, "a matrix of %zu entries (expected %zu rows of %zu)", claim->entry_count,
+                            model->state_count, model->state_count);
+    }
+}
+
+static void warn_unused(ttc_parser *parser)
+{
+    const ttc_model *model = parser->model;
+    for (size_t i = 1; i < model->symbol_count; i++) {
+        const ttc_symbol_entry *entry = model->symbols + i;
+        const char *kind = entry->kind == TTC_PARAM  ? "parameter"
+                           : entry->kind == TTC_LET  ? "let"
+                           : entry->kind == TTC_ROOT ? "root"
+                           : entry->kind == TTC_COSINE && !parser->used[entry->partner] ? "angle"
+                                                                                        : NULL;
+        if (kind != NULL && !parser->used[i])
+            ttc_report(parser->diagnostics, TTC_WARNING, entry->place.line, entry->place.column, "the %s '%s' is never used", kind,
+                       entry->name);
+    }
+}
+
+void ttc_parse_resolve(ttc_parser *parser)
+{
+    for (size_t i = 0; i < parser->reference_count; i++) resolve_reference(parser, parser->references + i);
+    check_equations(parser);
+    check_matrices(parser);
+    check_modulo_circles(parser);
+    if (parser->out_of_memory || ttc_error_count(parser->diagnostics) > parser->errors_before) return;
+    check_levels(parser);
+    for (size_t i = 0; i < parser->model->elimination_count; i++) solve_elimination(parser, parser->model->eliminations + i);
+    warn_unused(parser);
+}

@@ -1,0 +1,62 @@
+/* Words of a table. The lexer knows lines: a record opens at a keyword that is the first word of its line. */
+#ifndef TTC_TOKEN_H
+#define TTC_TOKEN_H
+
+#include "base/diagnostic.h"
+
+/* Keywords that open a record. */
+#define TTC_RECORD_LIST(X)                                                                                   \
+    X(MODEL, "model") X(TITLE, "title") X(SOURCE, "source") X(PARAM, "param") X(STATE, "state")              \
+    X(ROOT, "root") X(ANGLE, "angle") X(LET, "let") X(EQ, "eq") X(VARIANT, "variant") X(TIME, "time")        \
+    X(ELIMINATE, "eliminate") X(DEFAULT, "default") X(INTEGRAL, "integral") X(INVARIANT, "invariant")        \
+    X(MEASURE, "measure") X(REVERSOR, "reversor") X(EQUILIBRIA, "equilibria") X(TRACE, "trace")              \
+    X(CHARPOLY, "charpoly") X(OBSTRUCTS, "obstructs") X(EQUAL, "equal") X(MATRIX, "matrix")                  \
+    X(LEFTNULL, "leftnull") X(REDUCTION, "reduction") X(RATE, "rate")
+
+/* Keywords inside a record. */
+#define TTC_CLAUSE_LIST(X)                                                                                   \
+    X(IN, "in") X(WHEN, "when") X(MODULO, "modulo") X(BY, "by") X(LIFTING, "lifting") X(ONTO, "onto")        \
+    X(WITH, "with") X(SQRT, "sqrt") X(COS, "cos") X(SIN, "sin")
+
+#define TTC_KEYWORD_ENUM(name, text) TTC_KEYWORD_##name,
+typedef enum {
+    TTC_RECORD_LIST(TTC_KEYWORD_ENUM)
+    TTC_RECORD_COUNT,
+    TTC_KEYWORD_LAST_RECORD = TTC_RECORD_COUNT - 1,
+    TTC_CLAUSE_LIST(TTC_KEYWORD_ENUM)
+    TTC_KEYWORD_NONE
+} ttc_keyword;
+#undef TTC_KEYWORD_ENUM
+
+typedef enum {
+    TTC_TOKEN_END,     /* of the table */
+    TTC_TOKEN_RECORD,  /* a keyword that opens a record; keyword NONE: a line that belongs to no record */
+    TTC_TOKEN_KEYWORD, /* any keyword elsewhere */
+    TTC_TOKEN_NAME,    /* a word of a later addition carries its keyword as well: its place decides what it is */
+    TTC_TOKEN_NUMBER,
+    TTC_TOKEN_STRING,  /* text without the quotes */
+    TTC_TOKEN_UNIT,    /* text without the brackets */
+    TTC_TOKEN_ARROW,   /* -> */
+    TTC_TOKEN_AT_LEAST,  /* >= */
+    TTC_TOKEN_NOT_EQUAL, /* != */
+    TTC_TOKEN_MARK,    /* one character, text[0] */
+    TTC_TOKEN_BAD      /* already reported */
+} ttc_token_kind;
+
+typedef struct {
+    ttc_token_kind kind;
+    ttc_keyword keyword;
+    uint32_t line, column;
+    uint32_t length;
+    const char *text; /* into the table */
+} ttc_token;
+
+enum { TTC_NAME_LIMIT = 63 };
+
+/* Returns the tokens, closed by one of kind END, for the caller to free; NULL when memory is out. `text` has been
+ * checked by ttc_source_check. Cost: linear. */
+ttc_token *ttc_lex(const char *text, size_t length, ttc_diagnostics *diagnostics);
+
+const char *ttc_keyword_text(ttc_keyword keyword); /* "" for NONE */
+
+#endif

@@ -1,0 +1,15 @@
+/** Expressions for the eye. The text form is the table's own: parsed again, it gives the same node. */
+#ifndef TTC_PRINT_H
+#define TTC_PRINT_H
+
+#include "read/model.h"
+
+typedef enum { TTC_NOTATION_TEXT, TTC_NOTATION_LATEX } ttc_notation;
+
+/* False, and nothing is written, when the expression written out passes a million operands, or memory is out. */
+bool ttc_print(FILE *stream, const ttc_model *model, ttc_id id, ttc_notation notation);
+
+/* The name of a symbol; in LaTeX, Greek letters by name and what follows `_`, or digits at the end, as index. */
+void ttc_print_symbol(FILE *stream, const ttc_model *model, uint32_t symbol, ttc_notation notation);
+
+#endif
