@@ -39,6 +39,8 @@ static bool is_soft(ttc_keyword keyword)
     case TTC_KEYWORD_LEFTNULL:
     case TTC_KEYWORD_REDUCTION:
     case TTC_KEYWORD_RATE:
+    case TTC_KEYWORD_POSITIVE:
+    case TTC_KEYWORD_DOMAIN:
     case TTC_KEYWORD_MODULO:
     case TTC_KEYWORD_ONTO:
     case TTC_KEYWORD_WITH: return true;

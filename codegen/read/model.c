@@ -43,7 +43,10 @@ void ttc_model_destroy(ttc_model *model)
     free(model->variants);
     free(model->times);
     free(model->eliminations);
+    for (size_t i = 0; i < model->region_count; i++) free(model->regions[i].name);
     free(model->claims);
+    free(model->regions);
+    free(model->divisors);
     free(model->file);
     free(model->name);
     free(model->title);
@@ -96,6 +99,7 @@ const char *ttc_claim_kind_name(ttc_claim_kind kind)
     case TTC_CLAIM_LEFT_NULL: return "leftnull";
     case TTC_CLAIM_EQUAL: return "equal";
     case TTC_CLAIM_RATE: return "rate";
+    case TTC_CLAIM_POSITIVE: return "positive";
     case TTC_CLAIM_REDUCTION: return "reduction";
     }
     return "claim";

@@ -83,6 +83,7 @@ typedef struct {
     uint32_t integral; /* index into claims */
     uint32_t level; /* symbol: TTC_LEVEL, or a TTC_PARAM that the table declares itself */
     ttc_id solution; /* the state in terms of the others and the level; the integral is linear in it */
+    ttc_id slope;    /* of the integral in the state: what the solution divides by */
     ttc_place place;
 } ttc_elimination;
 
@@ -99,6 +100,7 @@ typedef enum {
     TTC_CLAIM_LEFT_NULL,  /* members: integrals whose gradients on the family are left null vectors */
     TTC_CLAIM_EQUAL,      /* expression = other */
     TTC_CLAIM_RATE,       /* d(expression)/dt = other */
+    TTC_CLAIM_POSITIVE,   /* expression > 0 */
     TTC_CLAIM_REDUCTION   /* bindings_of_target: target's STATE or ROOT = expression here, see `target` */
 } ttc_claim_kind;
 
@@ -120,6 +122,28 @@ typedef struct {
     char **target_names;  /* REDUCTION: names in the target, one a binding */
 } ttc_claim;
 
+/* `domain NAME : expression > 0`: a part of the domain that no sign of a parameter and no interval of a state can say. */
+typedef struct {
+    char *name;
+    ttc_id expression;
+    ttc_place place;
+} ttc_region;
+
+/* What a table divides by, as it is written, before anything is cancelled: it is not zero on the domain. */
+typedef enum {
+    TTC_DIVIDES_FIELD,  /* in an equation, an interval or a domain record: wherever the model is looked at */
+    TTC_DIVIDES_SYMBOL, /* in the definition of symbol `owner`: wherever that is used */
+    TTC_DIVIDES_CLAIM,  /* in claim `owner` */
+    TTC_DIVIDES_VARIANT,
+    TTC_DIVIDES_TIME
+} ttc_divisor_role;
+
+typedef struct {
+    ttc_id divisor;
+    ttc_divisor_role role;
+    uint32_t owner;
+} ttc_divisor;
+
 typedef struct ttc_model {
     char *file;  /* as given, for diagnostics */
     char *name, *title, *source; /* title and source may be NULL */
@@ -140,6 +164,10 @@ typedef struct ttc_model {
     size_t elimination_count;
     ttc_claim *claims;
     size_t claim_count;
+    ttc_region *regions;
+    size_t region_count;
+    ttc_divisor *divisors;
+    size_t divisor_count;
 } ttc_model;
 
 /** Read a table. text: `length` bytes, need not be NUL-terminated; file: a name for messages.

@@ -8,7 +8,7 @@ static bool is_clause_allowed(ttc_claim_kind kind)
 {
     return kind == TTC_CLAIM_INTEGRAL || kind == TTC_CLAIM_INVARIANT || kind == TTC_CLAIM_MEASURE ||
            kind == TTC_CLAIM_REVERSOR || kind == TTC_CLAIM_EQUILIBRIA || kind == TTC_CLAIM_EQUAL || kind == TTC_CLAIM_RATE ||
-           kind == TTC_CLAIM_REDUCTION;
+           kind == TTC_CLAIM_POSITIVE || kind == TTC_CLAIM_REDUCTION;
 }
 
 static bool parse_names(ttc_parser *parser, ttc_reference_role role, size_t owner, const char *expected)
@@ -181,6 +181,10 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
         return ttc_parse_expect_mark(parser, ':', "the name") && parse_reduction(parser, claim);
     case TTC_CLAIM_MATRIX:
         return ttc_parse_expect_mark(parser, '=', "the family") && parse_matrix(parser, claim);
+    case TTC_CLAIM_POSITIVE:
+        if (!ttc_parse_expect_mark(parser, ':', "the name")) return false;
+        claim->expression = ttc_parse_expression(parser);
+        return claim->expression != TTC_NONE;
     case TTC_CLAIM_EQUAL:
     case TTC_CLAIM_RATE:
         if (!ttc_parse_expect_mark(parser, ':', "the name") || (claim->expression = ttc_parse_expression(parser)) == TTC_NONE ||
@@ -212,6 +216,7 @@ static ttc_claim_kind kind_of(ttc_keyword keyword)
     case TTC_KEYWORD_LEFTNULL: return TTC_CLAIM_LEFT_NULL;
     case TTC_KEYWORD_EQUAL: return TTC_CLAIM_EQUAL;
     case TTC_KEYWORD_RATE: return TTC_CLAIM_RATE;
+    case TTC_KEYWORD_POSITIVE: return TTC_CLAIM_POSITIVE;
     default: return TTC_CLAIM_REDUCTION;
     }
 }

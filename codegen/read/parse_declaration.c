@@ -310,3 +310,31 @@ bool ttc_parse_default(ttc_parser *parser)
     } while (ttc_parse_accept_mark(parser, ','));
     return true;
 }
+
+/* NAME : expr > 0 */
+bool ttc_parse_region(ttc_parser *parser)
+{
+    ttc_model *model = parser->model;
+    const ttc_token *name = ttc_parse_name(parser, "a name for the condition");
+    if (name == NULL || !ttc_parse_expect_mark(parser, ':', "the name")) return false;
+    for (size_t i = 0; i < model->region_count; i++)
+        if (strlen(model->regions[i].name) == name->length && memcmp(model->regions[i].name, name->text, name->length) == 0)
+            return ttc_parse_error(parser, ttc_token_place(name), "a second domain record '%s' (first in line %u)",
+                                   model->regions[i].name, (unsigned)model->regions[i].place.line);
+    if (model->region_count >= TTC_REGION_LIMIT)
+        return ttc_parse_error(parser, ttc_token_place(name), "too many domain records (expected at most %d)", TTC_REGION_LIMIT);
+    ttc_id expression = ttc_parse_expression(parser);
+    if (expression == TTC_NONE || !ttc_parse_expect_mark(parser, '>', "the expression")) return false;
+    const ttc_token *zero = ttc_parse_peek(parser);
+    if (zero->kind != TTC_TOKEN_NUMBER || zero->length != 1 || *zero->text != '0')
+        return ttc_parse_unexpected(parser, "0: a domain is where an expression is > 0");
+    parser->at++;
+    ttc_region *regions = ttc_parse_extend(model->regions, model->region_count, sizeof *regions);
+    if (regions == NULL) return ttc_parse_no_memory(parser);
+    model->regions = regions;
+    ttc_region *region = regions + model->region_count;
+    *region = (ttc_region){ ttc_parse_copy(parser, name->text, name->length), expression, ttc_token_place(name) };
+    if (region->name == NULL) return false;
+    model->region_count++;
+    return true;
+}

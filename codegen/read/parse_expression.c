@@ -34,6 +34,16 @@ static bool push_operand(ttc_parser *parser, ttc_id id, long exponent, ttc_place
     return true;
 }
 
+bool ttc_parse_divides(ttc_parser *parser, ttc_id divisor)
+{
+    if (ttc_kind_of(parser->model->graph, divisor) == TTC_NUMBER) return true;
+    ttc_id *divisors = ttc_parse_extend(parser->divisors, parser->divisor_count, sizeof *divisors);
+    if (divisors == NULL) return ttc_parse_no_memory(parser);
+    parser->divisors = divisors;
+    divisors[parser->divisor_count++] = divisor;
+    return true;
+}
+
 ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place)
 {
     ttc_graph_status status = ttc_graph_error(parser->model->graph);
@@ -84,8 +94,12 @@ static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
         const ttc_claim *claim = parser->model->claims + i;
         bool has_value = claim->kind == TTC_CLAIM_INTEGRAL || claim->kind == TTC_CLAIM_INVARIANT ||
                          claim->kind == TTC_CLAIM_MEASURE;
-        if (has_value && strlen(claim->name) == name->length && memcmp(claim->name, name->text, name->length) == 0)
-            return claim->expression;
+        if (!has_value || strlen(claim->name) != name->length || memcmp(claim->name, name->text, name->length) != 0) continue;
+        for (size_t k = 0; k < parser->model->divisor_count; k++) {
+            const ttc_divisor *d = parser->model->divisors + k;
+            if (d->role == TTC_DIVIDES_CLAIM && d->owner == i && !ttc_parse_divides(parser, d->divisor)) return TTC_NONE;
+        }
+        return claim->expression;
     }
     ttc_parse_unknown(parser, name);
     return TTC_NONE;
@@ -136,6 +150,7 @@ static ttc_id parse_term(ttc_parser *parser)
             ttc_parse_error(parser, factor_place, "division by zero");
             return TTC_NONE;
         }
+        if (exponent < 0 && !ttc_parse_divides(parser, id)) return TTC_NONE;
         if (!push_operand(parser, id, exponent, factor_place)) return TTC_NONE;
         divides = ttc_parse_at_mark(parser, '/');
     } while (ttc_parse_accept_mark(parser, '*') || ttc_parse_accept_mark(parser, '/'));

@@ -169,11 +169,46 @@ static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
     case TTC_KEYWORD_TIME:
     case TTC_KEYWORD_ELIMINATE:
         return ttc_parse_kernel(parser, keyword);
+    case TTC_KEYWORD_DOMAIN:
+        return ttc_parse_region(parser);
     case TTC_KEYWORD_NONE:
         return false; /* reported by the lexer */
     default:
         return ttc_parse_claim(parser, keyword);
     }
+}
+
+typedef struct {
+    size_t symbols, claims, variants, times;
+} record_counts;
+
+static record_counts counts_of(const ttc_model *model)
+{
+    return (record_counts){ model->symbol_count, model->claim_count, model->variant_count, model->time_count };
+}
+
+/* What the record divides by belongs to what the record has made. */
+static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts before)
+{
+    ttc_model *model = parser->model;
+    const record_counts now = counts_of(model);
+    ttc_divisor d = { .role = TTC_DIVIDES_FIELD };
+    if (now.claims > before.claims) d = (ttc_divisor){ .role = TTC_DIVIDES_CLAIM, .owner = (uint32_t)before.claims };
+    else if (now.variants > before.variants) d = (ttc_divisor){ .role = TTC_DIVIDES_VARIANT, .owner = (uint32_t)before.variants };
+    else if (now.times > before.times) d = (ttc_divisor){ .role = TTC_DIVIDES_TIME, .owner = (uint32_t)before.times };
+    else if (now.symbols > before.symbols && keyword != TTC_KEYWORD_STATE)
+        d = (ttc_divisor){ .role = TTC_DIVIDES_SYMBOL, .owner = (uint32_t)before.symbols };
+    for (size_t i = 0; i < parser->divisor_count; i++) {
+        ttc_divisor *divisors = ttc_parse_extend(model->divisors, model->divisor_count, sizeof *divisors);
+        if (divisors == NULL) {
+            ttc_parse_no_memory(parser);
+            return;
+        }
+        model->divisors = divisors;
+        d.divisor = parser->divisors[i];
+        divisors[model->divisor_count++] = d;
+    }
+    parser->divisor_count = 0;
 }
 
 static void parse_table(ttc_parser *parser)
@@ -188,7 +223,10 @@ static void parse_table(ttc_parser *parser)
         parser->operand_count = 0;
         parser->nesting = 0;
         parser->in_charpoly = false;
+        parser->divisor_count = 0;
+        const record_counts before = counts_of(parser->model);
         if (keyword->kind == TTC_TOKEN_RECORD && parse_record(parser, keyword)) ttc_parse_record_end(parser);
+        keep_divisors(parser, keyword->keyword, before);
         while (ttc_parse_peek(parser)->kind != TTC_TOKEN_RECORD && ttc_parse_peek(parser)->kind != TTC_TOKEN_END) parser->at++;
     }
 }
@@ -236,6 +274,7 @@ ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, tt
     free(parser.exponents);
     free(parser.weights);
     free(parser.places);
+    free(parser.divisors);
     free(parser.expansions);
     if (ttc_error_count(diagnostics) == parser.errors_before) return parser.model;
     ttc_model_destroy(parser.model);

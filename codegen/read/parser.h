@@ -12,6 +12,7 @@ enum {
     TTC_DECIMAL_EXPONENT_LIMIT = 999, /* of a number */
     TTC_SYMBOL_LIMIT = 4096,          /* names of quantities; claims */
     TTC_STATE_LIMIT = 128,
+    TTC_REGION_LIMIT = 256,           /* domain records */
     TTC_KERNEL_LIMIT = 256,           /* variants; times; eliminations */
     TTC_REFERENCE_LIMIT = 1 << 14,    /* names of claims within records */
     TTC_EXPANSION_LIMIT = 1000000     /* operands of an expression written out in full */
@@ -48,6 +49,9 @@ typedef struct {
     unsigned nesting;
     bool in_charpoly; /* `lambda` is the indeterminate */
 
+    ttc_id *divisors; /* of the record at hand, as written */
+    size_t divisor_count;
+
     double *expansions; /* by node: operands when written out in full */
     size_t measured, measured_capacity;
 } ttc_parser;
@@ -72,6 +76,7 @@ bool ttc_parse_error(ttc_parser *parser, ttc_place place, const char *format, ..
 bool ttc_parse_no_memory(ttc_parser *parser); /* always false */
 
 /* Expressions. */
+bool ttc_parse_divides(ttc_parser *parser, ttc_id divisor); /* notes a divisor of this record; false: memory is out */
 ttc_id ttc_parse_expression(ttc_parser *parser);
 /* The terms of a sum, left on the operand stack from the returned index on; SIZE_MAX after a report. */
 size_t ttc_parse_terms(ttc_parser *parser);
@@ -100,6 +105,7 @@ bool ttc_parse_equation(ttc_parser *parser);
 bool ttc_parse_default(ttc_parser *parser);
 bool ttc_parse_kernel(ttc_parser *parser, const ttc_token *keyword); /* variant, time, eliminate */
 bool ttc_parse_claim(ttc_parser *parser, const ttc_token *keyword);
+bool ttc_parse_region(ttc_parser *parser); /* domain */
 
 /* When every record is read: references, eliminations, completeness, names never used. */
 void ttc_parse_resolve(ttc_parser *parser);

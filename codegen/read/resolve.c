@@ -124,6 +124,7 @@ static void solve_elimination(ttc_parser *parser, ttc_elimination *elimination)
     }
     ttc_id rest = ttc_substitute_through(model->graph, integral->expression, let_definition, at_zero, &c);
     ttc_id level = model->symbols[elimination->level].node;
+    elimination->slope = slope;
     elimination->solution = ttc_divide(model->graph, ttc_subtract(model->graph, level, rest), slope);
     if (elimination->solution == TTC_NONE) ttc_parse_graph_error(parser, elimination->place);
 }
