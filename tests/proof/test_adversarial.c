@@ -120,6 +120,7 @@ static size_t check_table(const table *t, char *file_text)
     ttc_proof_report *report = NULL;
     size_t wrong = 0, seen = 0;
     ttc_model *model = parse(t->text, t->length, t->file, true);
+    if (model == NULL) fprintf(stderr, "%s:%u: the table from this line on cannot be read\n", t->file, t->first_line);
     if (model == NULL) return marks(t);
     if (!ttc_prove(model, resolve_in_file, file_text, TTC_PROVE_ALL, &report)) return marks(t);
     for (size_t i = 0; i < report->proof_count; i++) {
