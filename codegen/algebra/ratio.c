@@ -47,6 +47,33 @@ void ttc_ratio_set_variable(ttc_ring *ring, ttc_ratio *out, slong variable)
     fmpz_mpoly_one(out->denominator, ring->context);
 }
 
+static slong bits_of(const fmpz_mpoly_t a) { return labs(fmpz_mpoly_max_bits(a)); }
+
+/* The product of two polynomials stays within the limits. Asked before it is formed. */
+static bool fits(ttc_ring *ring, const fmpz_mpoly_t a, const fmpz_mpoly_t b)
+{
+    slong limit = TTC_PRODUCT_LIMIT;
+    slong length = fmpz_mpoly_length(b, ring->context);
+    if (ring->status != TTC_RING_OK || length == 0 || fmpz_mpoly_is_zero(a, ring->context)) return ring->status == TTC_RING_OK;
+    if (fmpz_mpoly_length(a, ring->context) > limit / length
+        || fmpz_mpoly_total_degree_si(a, ring->context) + fmpz_mpoly_total_degree_si(b, ring->context) > TTC_DEGREE_LIMIT
+        || bits_of(a) + bits_of(b) > TTC_BITS_LIMIT)
+        ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+    return ring->status == TTC_RING_OK;
+}
+
+/* The same of a power: a polynomial of n terms has at most binomial(n + k - 1, k) in its k-th power. */
+static bool power_fits(ttc_ring *ring, const fmpz_mpoly_t a, ulong exponent)
+{
+    double terms = 1, length = (double)fmpz_mpoly_length(a, ring->context);
+    if (ring->status != TTC_RING_OK || length == 0) return ring->status == TTC_RING_OK;
+    for (double k = 1; k < length && terms <= TTC_PRODUCT_LIMIT; k++) terms *= ((double)exponent + k) / k;
+    if (terms > TTC_PRODUCT_LIMIT || (double)exponent * (double)fmpz_mpoly_total_degree_si(a, ring->context) > TTC_DEGREE_LIMIT
+        || (double)exponent * (double)(bits_of(a) + 4) > TTC_BITS_LIMIT)
+        ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+    return ring->status == TTC_RING_OK;
+}
+
 /* num = sum c_k r^k with r^2 = p/q becomes (even + odd r) / q^half. */
 static void reduce_generator(ttc_ring *ring, fmpz_mpoly_t numerator, fmpz_mpoly_t denominator,
                              const ttc_generator *generator)
@@ -54,6 +81,7 @@ static void reduce_generator(ttc_ring *ring, fmpz_mpoly_t numerator, fmpz_mpoly_
     slong degree = fmpz_mpoly_degree_si(numerator, generator->variable, ring->context);
     if (degree < 2) return;
     ulong half = (ulong)degree / 2;
+    if (!power_fits(ring, generator->square.numerator, half) || !power_fits(ring, generator->square.denominator, half)) return;
     fmpz_mpoly_univar_t parts;
     fmpz_mpoly_t coefficient, power, halves[2];
     fmpz_mpoly_univar_init(parts, ring->context);
@@ -66,16 +94,16 @@ static void reduce_generator(ttc_ring *ring, fmpz_mpoly_t numerator, fmpz_mpoly_
         ulong k = (ulong)fmpz_mpoly_univar_get_term_exp_si(parts, i, ring->context);
         fmpz_mpoly_univar_get_term_coeff(coefficient, parts, i, ring->context);
         fmpz_mpoly_pow_ui(power, generator->square.numerator, k / 2, ring->context);
-        fmpz_mpoly_mul(coefficient, coefficient, power, ring->context);
+        if (fits(ring, coefficient, power)) fmpz_mpoly_mul(coefficient, coefficient, power, ring->context);
         fmpz_mpoly_pow_ui(power, generator->square.denominator, half - k / 2, ring->context);
-        fmpz_mpoly_mul(coefficient, coefficient, power, ring->context);
+        if (fits(ring, coefficient, power)) fmpz_mpoly_mul(coefficient, coefficient, power, ring->context);
         fmpz_mpoly_add(halves[k % 2], halves[k % 2], coefficient, ring->context);
     }
     fmpz_mpoly_gen(power, generator->variable, ring->context);
     fmpz_mpoly_mul(numerator, halves[1], power, ring->context);
     fmpz_mpoly_add(numerator, numerator, halves[0], ring->context);
     fmpz_mpoly_pow_ui(power, generator->square.denominator, half, ring->context);
-    fmpz_mpoly_mul(denominator, denominator, power, ring->context);
+    if (fits(ring, denominator, power)) fmpz_mpoly_mul(denominator, denominator, power, ring->context);
     fmpz_mpoly_clear(halves[1], ring->context);
     fmpz_mpoly_clear(halves[0], ring->context);
     fmpz_mpoly_clear(power, ring->context);
@@ -121,15 +149,6 @@ static void normalize(ttc_ring *ring, ttc_ratio *a)
         fmpz_mpoly_neg(a->denominator, a->denominator, ring->context);
     }
     fmpz_clear(leading);
-}
-
-static bool fits(ttc_ring *ring, const fmpz_mpoly_t a, const fmpz_mpoly_t b)
-{
-    slong limit = TTC_PRODUCT_LIMIT;
-    slong length = fmpz_mpoly_length(b, ring->context);
-    if (ring->status == TTC_RING_OK && length > 0 && fmpz_mpoly_length(a, ring->context) > limit / length)
-        ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
-    return ring->status == TTC_RING_OK;
 }
 
 void ttc_ratio_set_polynomial(ttc_ring *ring, ttc_ratio *out, const fmpz_mpoly_t polynomial)

@@ -107,10 +107,13 @@ void ttc_valuation_destroy(ttc_valuation *v)
 }
 
 ttc_ring *ttc_valuation_ring(ttc_valuation *v) { return v->ring; }
+const ttc_model *ttc_valuation_model(const ttc_valuation *v) { return v->model; }
 void ttc_valuation_bind(ttc_valuation *v, uint32_t symbol, ttc_id expression) { v->bound[symbol] = expression; }
 void ttc_valuation_bind_square(ttc_valuation *v, uint32_t symbol, ttc_id square) { v->square[symbol] = square; }
 void ttc_valuation_free_root(ttc_valuation *v, uint32_t symbol) { v->freed[symbol] = true; }
 slong ttc_valuation_variable(const ttc_valuation *v, uint32_t symbol) { return v->variable[symbol]; }
+
+bool ttc_valuation_has_value(const ttc_valuation *v, uint32_t symbol) { return v->known[symbol] == TTC_VALUE_KNOWN; }
 
 bool ttc_valuation_is_bound(const ttc_valuation *v, uint32_t symbol)
 {

@@ -26,11 +26,13 @@ ttc_valuation *ttc_valuation_map(const ttc_model *model, ttc_valuation *base);
 void ttc_valuation_destroy(ttc_valuation *valuation); /* legal on NULL */
 
 ttc_ring *ttc_valuation_ring(ttc_valuation *valuation);
+const ttc_model *ttc_valuation_model(const ttc_valuation *valuation);
 
 void ttc_valuation_bind(ttc_valuation *valuation, uint32_t symbol, ttc_id expression);
 void ttc_valuation_bind_square(ttc_valuation *valuation, uint32_t symbol, ttc_id square);
 /* A root becomes a variable of its own, as a lifted root is a state; before anything is evaluated. */
 void ttc_valuation_free_root(ttc_valuation *valuation, uint32_t symbol);
+bool ttc_valuation_has_value(const ttc_valuation *valuation, uint32_t symbol); /* evaluated before */
 bool ttc_valuation_is_bound(const ttc_valuation *valuation, uint32_t symbol);
 /* The ring's variable of a symbol, or -1; and back, SIZE_MAX when there is none. */
 slong ttc_valuation_variable(const ttc_valuation *valuation, uint32_t symbol);

@@ -150,12 +150,14 @@ void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol
     if (!v->has_basis) find_basis(v);
     if (!in_basis(v, cosine)) value_at_angle(v, out, &angle, is_sine, cosine);
     if (!in_basis(v, cosine)) goto done;
-    ttc_ratio_set_variable(v->ring, out, v->variable[cosine]);
     if (is_sine) {
+        ttc_valuation_value(v, out, cosine); /* which a zero level may have bound */
         ttc_ratio_multiply(v->ring, out, out, out);
         ttc_ratio_set_integer(v->ring, &one, 1);
         ttc_ratio_subtract(v->ring, &angle, &one, out);
         ttc_ring_root(v->ring, out, &angle, v->variable[symbol], false);
+    } else {
+        ttc_ratio_set_variable(v->ring, out, v->variable[cosine]);
     }
 done:
     ttc_ratio_clear(v->ring, &one);

@@ -20,6 +20,7 @@ typedef struct {
     bool json;
     bool mutate;
     bool kernels;
+    bool verbose;
     const char *out;    /* directory */
     const char *format; /* "text", "latex" or "dot" */
     const char *command_line; /* "ttc COMMAND OPTIONS..." without directories of files, for headers of what is written */

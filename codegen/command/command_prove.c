@@ -16,7 +16,7 @@ static size_t print_kernels(const ttc_proof_report *report, size_t first)
 {
     const char *name = report->proofs[first].name;
     size_t stem = strcspn(name, " "), i = first;
-    printf("%-8s %-11s %.*s:", ttc_proof_status_name(TTC_PROVED), "kernel", (int)stem, name);
+    printf("%-11s %-11s %.*s:", ttc_proof_status_name(TTC_PROVED), "kernel", (int)stem, name);
     while (i < report->proof_count && is_proved_kernel(&report->proofs[i])
            && strncmp(report->proofs[i].name, name, stem + 1) == 0)
         printf(" %s", report->proofs[i++].name + stem + 1);
@@ -24,7 +24,17 @@ static size_t print_kernels(const ttc_proof_report *report, size_t first)
     return i - 1;
 }
 
-static void print_text(const ttc_proof_report *report)
+/* What backs a verdict: all of it with --verbose; without it only what makes a proof less than it seems. */
+static void print_backing(const ttc_proof *proof, bool verbose)
+{
+    bool is_density = strcmp(proof->kind, "measure") == 0;
+    if (proof->note != NULL && (verbose || (is_density && !proof->has_smooth_density))) printf("\n            %s", proof->note);
+    if (proof->point != NULL && (verbose || proof->status == TTC_REFUTED))
+        printf("\n            %s %s", proof->status == TTC_REFUTED ? "false at" : "for one at", proof->point);
+    if (proof->relies_on_solver && verbose) printf("\n            relies on the solver for real arithmetic");
+}
+
+static void print_text(const ttc_proof_report *report, bool verbose)
 {
     for (size_t i = 0; i < report->proof_count; i++) {
         const ttc_proof *proof = &report->proofs[i];
@@ -32,25 +42,27 @@ static void print_text(const ttc_proof_report *report)
             i = print_kernels(report, i);
             continue;
         }
-        printf("%-8s %-11s %s", ttc_proof_status_name(proof->status), proof->kind, proof->name);
-        if (proof->status == TTC_PROVED && proof->remainder != NULL) printf("  (%s)", proof->remainder);
+        printf("%-11s %-11s %s", ttc_proof_status_name(proof->status), proof->kind, proof->name);
         if (proof->status != TTC_PROVED)
-            printf("\n         %s:%u: %s", report->file, (unsigned)proof->place.line,
+            printf("\n            %s:%u: %s", report->file, (unsigned)proof->place.line,
                    proof->remainder != NULL ? proof->remainder : "no reason could be stored");
+        print_backing(proof, verbose);
         printf("\n");
     }
     printf("%s: %zu claims: %zu proved, %zu refuted", report->model, report->proof_count, report->proved, report->refuted);
-    if (report->meaningless > 0) printf(", %zu not settled", report->meaningless);
+    if (report->unsettled > 0) printf(", %zu not settled", report->unsettled);
     printf("\n");
 }
 
 static json_t *proof_json(const ttc_proof *proof)
 {
-    json_t *object = json_pack("{s:s, s:s, s:i, s:s, s:s?}", "name", proof->name, "kind", proof->kind, "line",
+    bool is_proved = proof->status == TTC_PROVED;
+    json_t *object = json_pack("{s:s, s:s, s:i, s:s, s:s?, s:s?, s:s?, s:b}", "name", proof->name, "kind", proof->kind, "line",
                                (int)proof->place.line, "status", ttc_proof_status_name(proof->status), "remainder",
-                               proof->status == TTC_PROVED ? NULL : proof->remainder);
-    if (object != NULL && proof->status == TTC_PROVED && proof->remainder != NULL)
-        json_object_set_new(object, "witness", json_string(proof->remainder));
+                               proof->remainder, is_proved ? "witness" : "point", proof->point, "note", proof->note,
+                               "relies_on_solver", proof->relies_on_solver ? 1 : 0);
+    if (object != NULL && strcmp(proof->kind, "measure") == 0)
+        json_object_set_new(object, "smooth_positive_density", json_boolean(proof->has_smooth_density));
     return object;
 }
 
@@ -60,14 +72,14 @@ static json_t *report_json(const ttc_proof_report *report)
     for (size_t i = 0; i < report->proof_count; i++) json_array_append_new(claims, proof_json(&report->proofs[i]));
     return json_pack("{s:s, s:s, s:s, s:o, s:{s:I, s:I, s:I, s:I}}", "model", report->model, "file", report->file, "hash",
                      report->sha256, "claims", claims, "totals", "claims", (json_int_t)report->proof_count, "proved",
-                     (json_int_t)report->proved, "refuted", (json_int_t)report->refuted, "error",
-                     (json_int_t)report->meaningless);
+                     (json_int_t)report->proved, "refuted", (json_int_t)report->refuted, "not settled",
+                     (json_int_t)report->unsettled);
 }
 
 static void complain(const ttc_proof_report *report)
 {
     for (size_t i = 0; i < report->proof_count; i++)
-        if (report->proofs[i].status == TTC_MEANINGLESS)
+        if (report->proofs[i].status == TTC_UNSETTLED)
             fprintf(stderr, "%s:%u:%u: error: the %s claim '%s' is not settled: %s\n", report->file,
                     (unsigned)report->proofs[i].place.line, (unsigned)report->proofs[i].place.column,
                     report->proofs[i].kind, report->proofs[i].name,
@@ -154,19 +166,19 @@ static ttc_proof_report *make_report(const ttc_model *model, bool kernels)
     return NULL;
 }
 
-static int prove(const ttc_model *model, bool kernels, bool json, json_t *reports)
+static int prove(const ttc_model *model, const ttc_options *options, json_t *reports)
 {
     int status = TTC_EXIT_DONE;
-    ttc_proof_report *report = make_report(model, kernels);
+    ttc_proof_report *report = make_report(model, options->kernels);
     if (report == NULL) {
         fprintf(stderr, "ttc: out of memory while proving %s, or its kernels cannot be made\n", model->file);
         return TTC_EXIT_IO;
     }
-    if (json) json_array_append_new(reports, report_json(report));
-    else print_text(report);
+    if (options->json) json_array_append_new(reports, report_json(report));
+    else print_text(report, options->verbose);
     complain(report);
     if (report->refuted > 0) status = TTC_EXIT_REFUTED;
-    if (report->meaningless > 0) status = TTC_EXIT_BAD_TABLE;
+    if (report->unsettled > 0) status = TTC_EXIT_BAD_TABLE;
     ttc_proof_report_destroy(report);
     return status;
 }
@@ -178,7 +190,7 @@ int ttc_command_prove(const ttc_options *options)
     for (size_t i = 0; i < options->file_count; i++) {
         ttc_model *model = ttc_command_read(options->files[i], &status);
         if (model == NULL) continue;
-        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options->kernels, options->json, reports));
+        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options, reports));
         ttc_model_destroy(model);
     }
     if (options->json) print_json(reports, options->file_count);

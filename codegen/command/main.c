@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k' };
+enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k', OPTION_VERBOSE = 'v' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
 #define END_OF_OPTIONS { NULL, 0, NULL, 0, NULL, 0 }
@@ -14,6 +14,7 @@ static const struct argp_option check_options[] = { JSON_OPTION, END_OF_OPTIONS 
 static const struct argp_option prove_options[] = {
     JSON_OPTION,
     { "kernels", OPTION_KERNELS, NULL, 0, "Prove as well that every kernel computes what the table says", 0 },
+    { "verbose", OPTION_VERBOSE, NULL, 0, "Show with every verdict the point that backs it, and what a proof relies on", 0 },
     { "mutate", OPTION_MUTATE, NULL, 0, "Flip and drop every term in turn, and report whether some claim is then refuted", 0 },
     END_OF_OPTIONS
 };
@@ -68,6 +69,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case OPTION_KERNELS:
         options->kernels = true;
+        return 0;
+    case OPTION_VERBOSE:
+        options->verbose = true;
         return 0;
     case OPTION_MUTATE:
         options->mutate = true;

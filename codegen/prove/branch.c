@@ -26,37 +26,19 @@ static ttc_id polynomial_node(ttc_task *task, const fmpz_mpoly_t polynomial)
     return sum;
 }
 
-static bool is_state_variable(ttc_task *task, slong variable)
+/* Zero: not to be solved for. States before parameters, which the model knows as fixed. */
+static slong price_of(ttc_task *task, slong variable)
 {
     size_t symbol = ttc_valuation_symbol(task->field, variable);
-    if (symbol >= task->model->symbol_count) return symbol != SIZE_MAX;
-    ttc_symbol_kind kind = task->model->symbols[symbol].kind;
-    return kind == TTC_STATE || kind == TTC_ROOT || kind == TTC_COSINE || kind == TTC_SINE;
-}
-
-static bool state_free(ttc_task *task, const fmpz_mpoly_t polynomial)
-{
-    for (size_t v = 0; v < task->ring->variable_count; v++)
-        if (is_state_variable(task, (slong)v) && fmpz_mpoly_degree_si(polynomial, (slong)v, task->ring->context) > 0)
-            return false;
-    return true;
-}
-
-bool ttc_branch_never_zero(ttc_task *task, const fmpz_mpoly_t factor)
-{
-    if (state_free(task, factor)) return true;
-    bool result = false;
-    fmpz_mpoly_t norm, quotient;
-    fmpz_mpoly_init(norm, task->ring->context);
-    fmpz_mpoly_init(quotient, task->ring->context);
-    for (size_t i = 0; !result && i < task->ring->generator_count; i++) {
-        if (!task->ring->generators[i].positive) continue;
-        ttc_ratio_norm(task->ring, norm, &task->ring->generators[i].square);
-        result = fmpz_mpoly_divides(quotient, norm, factor, task->ring->context) != 0;
+    if (symbol == SIZE_MAX) return 0;
+    if (symbol >= task->model->symbol_count) return 1;
+    switch (task->model->symbols[symbol].kind) {
+    case TTC_STATE: return 1;
+    case TTC_PARAM:
+    case TTC_LEVEL: return 1000;
+    case TTC_COSINE: return 100000;
+    default: return 0;
     }
-    fmpz_mpoly_clear(quotient, task->ring->context);
-    fmpz_mpoly_clear(norm, task->ring->context);
-    return result;
 }
 
 static bool in_some_radicand(ttc_task *task, const fmpz_mpoly_t polynomial, slong variable)
@@ -77,7 +59,7 @@ static bool is_generator(const ttc_ring *ring, slong variable)
     return false;
 }
 
-/* The state to solve for: a leading coefficient free of states before any other, linear before quadratic, short before
+/* The symbol to solve for: a leading coefficient that cannot vanish before any other, linear before quadratic, short before
  * long. */
 static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *degree)
 {
@@ -85,12 +67,12 @@ static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *d
     fmpz_mpoly_t leading;
     fmpz_mpoly_init(leading, task->ring->context);
     for (slong v = 0; v < (slong)task->ring->variable_count; v++) {
-        slong d = fmpz_mpoly_degree_si(factor, v, task->ring->context);
-        if (d < 1 || d > 2 || !is_state_variable(task, v) || is_generator(task->ring, v)) continue;
-        if (in_some_radicand(task, factor, v)) continue;
+        slong d = fmpz_mpoly_degree_si(factor, v, task->ring->context), price = price_of(task, v);
+        if (d < 1 || d > 2 || price == 0 || is_generator(task->ring, v) || in_some_radicand(task, factor, v)) continue;
         ulong exponent = (ulong)d;
         fmpz_mpoly_get_coeff_vars_ui(leading, factor, &v, &exponent, 1, task->ring->context);
-        slong cost = state_free(task, leading) ? d - 1 : 2 * fmpz_mpoly_length(leading, task->ring->context) + d - 1;
+        bool safe = !(ttc_conditions_signs(&task->domain, leading) & TTC_SIGN_ZERO);
+        slong cost = price + (safe ? d - 1 : 10 + 2 * fmpz_mpoly_length(leading, task->ring->context) + d - 1);
         if (cost < best_cost) {
             best = v;
             best_cost = cost;
@@ -112,7 +94,7 @@ static ttc_id coefficient_node(ttc_task *task, const fmpz_mpoly_t factor, slong 
 }
 
 /* a x^2 + b x + c = 0 as x = y - b/(2a), y^2 = (b^2 - 4ac)/(4a^2); a x + b = 0 as x = -b/a. */
-bool ttc_branch_solve(ttc_branch *b, ttc_task *task, const fmpz_mpoly_t factor)
+bool ttc_branch_solve(ttc_branch *b, ttc_id *lead_out, ttc_task *task, const fmpz_mpoly_t factor)
 {
     ttc_graph *graph = task->model->graph;
     ulong degree = 0;
@@ -142,7 +124,7 @@ bool ttc_branch_solve(ttc_branch *b, ttc_task *task, const fmpz_mpoly_t factor)
     fmpz_mpoly_t leading;
     fmpz_mpoly_init(leading, task->ring->context);
     fmpz_mpoly_get_coeff_vars_ui(leading, factor, &variable, &degree, 1, task->ring->context);
-    if (!state_free(task, leading)) b->leading[b->leading_count++] = lead;
+    *lead_out = ttc_conditions_signs(&task->domain, leading) & TTC_SIGN_ZERO ? lead : ttc_integer(graph, 1);
     fmpz_mpoly_clear(leading, task->ring->context);
     return true;
 }

@@ -1,5 +1,5 @@
-/** A branch of a zero level: relations solved one after the other, each for a state, so that the field of the branch can be
- *  built with the solutions in it. */
+/** A branch of what a claim's conditions allow: relations solved one after the other, each for a symbol, and those still to
+ *  be met, so that the field of the branch can be built with the solutions in it. */
 #ifndef TTC_BRANCH_H
 #define TTC_BRANCH_H
 
@@ -9,27 +9,28 @@
 
 enum { TTC_BRANCH_RELATIONS_MAX = 16 };
 
-/* A substitution found by solving: a state equal to an expression, or to a square root of one. */
+/* A substitution found by solving: a symbol equal to an expression, or to a square root of one. */
 typedef struct {
     uint32_t symbol;
     ttc_id expression;
     bool square;
 } ttc_solution;
 
-/* Begins zeroed. */
+/* Begins zeroed but for its goals. */
 typedef struct {
     ttc_solution solutions[2 * TTC_BRANCH_RELATIONS_MAX];
     size_t solution_count, spares;
-    size_t relation_count;                      /* solved so far */
-    ttc_id leading[TTC_BRANCH_RELATIONS_MAX];   /* coefficients divided by that may vanish somewhere */
-    size_t leading_count;
+    size_t relation_count;                         /* solved so far */
+    bool own_solved;                               /* some of them for the invariant's own level */
+    ttc_id goals[2 * TTC_BRANCH_RELATIONS_MAX];    /* expressions that are still to be made zero; the last one is next */
+    size_t goal_count;
+    ttc_id met[4 * TTC_BRANCH_RELATIONS_MAX];      /* goals that are zero now, for some signs of roots */
+    size_t met_count;
 } ttc_branch;
 
-/* Whether an irreducible factor cannot vanish: it is free of states, or a factor of the radicand of a positive root. */
-bool ttc_branch_never_zero(ttc_task *task, const fmpz_mpoly_t factor);
-
-/** Add the solution of factor = 0, in the ring of the task's field, for a state in which it is linear or quadratic. False when
- *  there is none, or no room; the branch is then of no use. */
-bool ttc_branch_solve(ttc_branch *branch, ttc_task *task, const fmpz_mpoly_t factor);
+/** Add the solution of factor = 0, in the ring of the task's field, for a state or parameter in which it is linear or quadratic.
+ *  lead: what the solution divides by, as an expression; it is a number where the solution divides by one.
+ *  False when there is none, or no room; the branch is then of no use. */
+bool ttc_branch_solve(ttc_branch *branch, ttc_id *lead, ttc_task *task, const fmpz_mpoly_t factor);
 
 #endif

@@ -1,8 +1,9 @@
 /** Exact proofs of what a model says of itself.
  *
- *  Every claim becomes ratios that must be zero, over Q(params)(states, roots). No floating point, no sampling: `proved`
- *  is a proof, and `refuted` comes with the nonzero remainder. A claim that says nothing is neither (a denominator that
- *  vanishes under its conditions, an empty zero level, a family outside the model's domain): that is an error. */
+ *  A claim is proved when it is true at every point of the table's domain that meets its conditions, and there is such a
+ *  point, which is shown; refuted when it is false at such a point, which is shown; anything else is not settled, with the
+ *  reason. codegen/README.md says what the domain is. Identities are proved over Q(params)(states, roots), in exact arithmetic;
+ *  that a point does not exist may be the word of the solver for real arithmetic, and the verdict then says so. */
 #ifndef TTC_PROVE_H
 #define TTC_PROVE_H
 
@@ -16,16 +17,20 @@ typedef ttc_model *(*ttc_resolver)(void *context, const ttc_model *model, const 
 /* The resolver that reads FILE.tt beside the model's own file; context is ignored. */
 ttc_model *ttc_resolve_beside(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics);
 
-typedef enum { TTC_PROVED, TTC_REFUTED, TTC_MEANINGLESS } ttc_proof_status;
+typedef enum { TTC_PROVED, TTC_REFUTED, TTC_UNSETTLED } ttc_proof_status;
 
-const char *ttc_proof_status_name(ttc_proof_status status); /* "proved", "refuted", "error" */
+const char *ttc_proof_status_name(ttc_proof_status status); /* "proved", "refuted", "not settled" */
 
 typedef struct {
     char *name;
     const char *kind;  /* as written in the table; for derived claims "root", "variant", "time", "eliminate" */
     ttc_place place;
     ttc_proof_status status;
-    char *remainder;   /* refuted: what is not zero, as text; error: the reason; proved: a witness, or NULL */
+    char *remainder;   /* refuted: what is not zero or not positive, as text; not settled: the reason; else NULL */
+    char *point;       /* proved: a point of the domain that meets the claim's conditions; refuted: one at which it is false */
+    char *note;        /* of a measure: where its density is positive and smooth, zero, negative, or has poles; else NULL */
+    bool has_smooth_density; /* a measure, proved, positive and smooth on the whole domain */
+    bool relies_on_solver;   /* that some point does not exist is the word of the solver for real arithmetic */
     double seconds;
 } ttc_proof;
 
@@ -33,7 +38,7 @@ typedef struct {
     char *model, *file, *title;
     char sha256[65];
     ttc_proof *proofs; /* the table's claims in their order, then the derived ones */
-    size_t proof_count, proved, refuted, meaningless;
+    size_t proof_count, proved, refuted, unsettled;
 } ttc_proof_report;
 
 typedef enum { TTC_PROVE_ALL, TTC_PROVE_UNTIL_REFUTED } ttc_prove_extent;

@@ -1,21 +1,24 @@
 #include "prove/prove_derived.h"
 
-/* A root is refuted when no term of its radicand is positive anywhere; where it is real in the domain is not examined. */
+#include "prove/domain.h"
+
+/* The radicand is positive wherever everything else is in the domain. */
 static void prove_root(ttc_task *task)
 {
     const ttc_symbol_entry *root = &task->model->symbols[task->claim->family];
     ttc_ratio radicand;
     ttc_ratio_init(task->ring, &radicand);
     ttc_evaluate(task->field, &radicand, root->definition);
-    if (ttc_task_open(task) && (ttc_ratio_is_zero(task->ring, &radicand) || ttc_ratio_sign(task->ring, &radicand) < 0))
-        ttc_task_refute(task, &radicand, "not positive: the radicand of %s", root->name);
+    ttc_task_require(task, &radicand, TTC_IS_POSITIVE, "not positive everywhere, so that a domain record is missing: the radicand of %s",
+                     root->name);
     ttc_ratio_clear(task->ring, &radicand);
 }
 
-/* The field is defined under the substitution; that its values lie in the domain is checked with every claim. */
+/* The field is defined under the substitution, and the values obey the signs of the parameters that they replace. */
 static void prove_variant(ttc_task *task)
 {
     ttc_ratio value;
+    ttc_domain_require_tested(task, " in the variant");
     ttc_ratio_init(task->ring, &value);
     for (size_t i = 0; i < task->model->state_count; i++) ttc_evaluate(task->field, &value, ttc_model_field(task->model, i));
     ttc_ratio_clear(task->ring, &value);
@@ -31,8 +34,7 @@ static void prove_time(ttc_task *task)
     ttc_ratio_init(task->ring, &left);
     ttc_ratio_init(task->ring, &right);
     ttc_evaluate(task->field, &left, time->factor);
-    if (ttc_task_open(task) && (ttc_ratio_is_zero(task->ring, &left) || ttc_ratio_sign(task->ring, &left) < 0))
-        ttc_task_refute(task, &left, "not positive: dt/dtau");
+    ttc_task_require(task, &left, TTC_IS_POSITIVE, "not positive: dt/dtau");
     for (size_t i = 0; i < time->lifted_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *root = &task->model->symbols[time->lifted[i]];
         ttc_id rate = ttc_multiply(graph, time->factor, ttc_derive_field(task->model, root->node));
@@ -89,13 +91,14 @@ size_t ttc_derived_count(const ttc_model *model)
 
 void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_claim *derived)
 {
-    *derived = (ttc_derived_claim){ .claim = { .kind = TTC_CLAIM_EQUAL } };
+    *derived = (ttc_derived_claim){ .claim = { .kind = TTC_CLAIM_EQUAL }, .role = TTC_DIVIDES_FIELD };
     if (index < root_count(model)) {
         uint32_t symbol = root_at(model, index);
         derived->kind = "root";
         derived->name = model->symbols[symbol].name;
         derived->claim.place = model->symbols[symbol].place;
         derived->claim.family = symbol;
+        derived->tested_root = symbol;
         derived->prove = prove_root;
         return;
     }
@@ -106,11 +109,15 @@ void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_cla
         derived->claim.place = model->variants[index].place;
         derived->claim.when = model->variants[index].bindings;
         derived->prove = prove_variant;
+        derived->role = TTC_DIVIDES_VARIANT;
+        derived->tests_conditions = true;
     } else if ((index -= model->variant_count) < model->time_count) {
         derived->kind = "time";
         derived->name = model->times[index].name;
         derived->claim.place = model->times[index].place;
+        derived->claim.expression = model->times[index].factor;
         derived->prove = prove_time;
+        derived->role = TTC_DIVIDES_TIME;
     } else {
         index -= model->time_count;
         const ttc_elimination *elimination = &model->eliminations[index];
@@ -120,6 +127,7 @@ void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_cla
         derived->substitution = (ttc_binding){ elimination->state, elimination->solution, elimination->place };
         derived->claim.when = (ttc_bindings){ &derived->substitution, 1 };
         derived->prove = prove_elimination;
+        derived->divisor = elimination->slope;
     }
     derived->claim.family = (uint32_t)index;
 }

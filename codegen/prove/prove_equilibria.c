@@ -1,5 +1,7 @@
 /* Claims about families of equilibria: the field of the task lives on the family. */
-#include "prove/prove_task.h"
+#include "prove/domain.h"
+
+#include <stdlib.h>
 
 static bool field_vanishes(ttc_task *task)
 {
@@ -26,7 +28,22 @@ static void trace(ttc_task *task, ttc_ratio *out)
     ttc_ratio_clear(task->ring, &entry);
 }
 
-void ttc_prove_equilibria(ttc_task *task) { field_vanishes(task); }
+/* The values that a family gives to states obey what the records of the states, and of roots of them, say: for all values of
+ * what is left free. */
+void ttc_prove_equilibria(ttc_task *task)
+{
+    for (uint32_t i = 0; i < task->model->symbol_count && ttc_task_open(task); i++) {
+        const ttc_symbol_entry *entry = &task->model->symbols[i];
+        bool bound = false;
+        for (size_t k = 0; k < task->claim->bindings.count; k++) {
+            uint32_t symbol = task->claim->bindings.items[k].symbol;
+            bound |= entry->kind == TTC_STATE ? symbol == i
+                                              : entry->kind == TTC_ROOT && ttc_model_depends(task->model, entry->node, symbol);
+        }
+        if (bound) ttc_domain_require_symbol(task, NULL, task->model, i, " on the family");
+    }
+    if (ttc_task_open(task)) field_vanishes(task);
+}
 
 void ttc_prove_trace(ttc_task *task)
 {
@@ -54,7 +71,7 @@ void ttc_prove_matrix(ttc_task *task)
     size_t n = task->model->state_count;
     ttc_ratio entry, claimed;
     if (task->claim->entry_count != n * n) {
-        ttc_task_reject(task, "the matrix has %zu entries and not %zu", task->claim->entry_count, n * n);
+        ttc_task_unsettle(task, "the matrix has %zu entries and not %zu", task->claim->entry_count, n * n);
         return;
     }
     ttc_ratio_init(task->ring, &entry);
@@ -144,6 +161,7 @@ static void compare_polynomials(ttc_task *task, const ttc_ratio *claimed, const 
         ttc_task_refute(task, claimed, "not of degree %zu in lambda: claimed", n);
     } else {
         coefficient_of(task, &factor, claimed, lambda, n);
+        ttc_task_require(task, &factor, TTC_IS_NONZERO, "the polynomial vanishes with the factor of lambda^%zu", n);
         for (size_t k = 0; k < n && ttc_task_open(task); k++) {
             ttc_ratio_multiply(task->ring, &expected, &factor, &coefficients[n - k]);
             coefficient_of(task, &found, claimed, lambda, k);
@@ -186,7 +204,7 @@ static void check_left_null(ttc_task *task, const ttc_claim *member, const ttc_r
         zero = zero && ttc_ratio_is_zero(task->ring, &gradient[i]);
     }
     if (ttc_task_open(task) && zero)
-        ttc_task_reject(task, "the gradient of %s vanishes on the whole family", member->name);
+        ttc_task_unsettle(task, "the gradient of %s vanishes on the whole family", member->name);
     for (size_t j = 0; gradient != NULL && j < n && ttc_task_open(task); j++) {
         ttc_ratio_set_integer(task->ring, &sum, 0);
         for (size_t i = 0; i < n; i++) ttc_ratio_add_product(task->ring, &sum, &gradient[i], &matrix[i * n + j]);
@@ -205,15 +223,24 @@ void ttc_prove_left_null(ttc_task *task)
     ttc_task_free(task, matrix, n * n);
 }
 
-/* No smooth positive density when the trace is not zero at some equilibrium: shown by one, exactly. */
+/* No smooth positive density when the trace is not zero at some equilibrium of the domain: shown by one. */
 void ttc_prove_obstructs(ttc_task *task)
 {
     ttc_ratio sum;
+    char *point = NULL;
     ttc_ratio_init(task->ring, &sum);
     trace(task, &sum);
     if (field_vanishes(task)) {
-        if (ttc_ratio_is_zero(task->ring, &sum)) ttc_task_refute(task, &sum, "nothing is obstructed: trace on the family");
-        else ttc_task_find_witness(task);
+        ttc_search_result result = ttc_task_search(task, &sum, TTC_IS_NONZERO, &point);
+        if (result == TTC_POINT_FOUND) {
+            task->exhibited = true;
+            free(task->point);
+            task->point = point;
+        } else if (result == TTC_POINT_NOT_DECIDED) {
+            ttc_task_unsettle(task, "no equilibrium of the domain was found at which the trace is not zero");
+        } else {
+            ttc_task_refute(task, &sum, "nothing is obstructed: trace on the family, which vanishes wherever the domain has it");
+        }
     }
     ttc_ratio_clear(task->ring, &sum);
 }

@@ -1,14 +1,14 @@
-/* Claims about the flow: integrals, rates, invariants, measures, reversors. */
+/* Claims about the flow, or about expressions alone: integrals, rates, invariants, equalities, inequalities. */
 #include "prove/prove_task.h"
 
-static bool depends_on_state(ttc_task *task, const ttc_ratio *value)
+/* A condition on states, or one that sets a parameter to what moves, is a set that the flow must keep. */
+static bool restricts_states(const ttc_task *task)
 {
-    for (size_t v = 0; v < task->ring->variable_count; v++) {
-        size_t symbol = ttc_valuation_symbol(task->field, (slong)v);
-        bool quantity = symbol < task->model->symbol_count
-                        && (task->model->symbols[symbol].kind == TTC_PARAM || task->model->symbols[symbol].kind == TTC_LEVEL
-                            || task->model->symbols[symbol].kind == TTC_LAMBDA);
-        if (!quantity && ttc_ratio_uses(task->ring, value, (slong)v)) return true;
+    const ttc_bindings *when = &task->claim->when;
+    for (size_t i = 0; i < when->count; i++) {
+        if (task->model->symbols[when->items[i].symbol].kind == TTC_STATE) return true;
+        for (size_t k = 0; k < task->model->state_count; k++)
+            if (ttc_model_depends(task->model, when->items[i].expression, task->model->states[k])) return true;
     }
     return false;
 }
@@ -17,12 +17,17 @@ void ttc_prove_integral(ttc_task *task)
 {
     const ttc_claim *claim = task->claim;
     ttc_ratio value;
+    if (restricts_states(task)) ttc_task_require_kept(task, "an integral needs a set that is kept: use 'modulo' with an invariant");
     ttc_ratio_init(task->ring, &value);
+    ttc_id rate = ttc_derive_field(task->model, claim->expression);
+    bool is_zero = ttc_task_open(task) && ttc_task_is_zero_for_any_roots(task, rate);
     ttc_evaluate(task->field, &value, claim->expression);
-    if (ttc_task_open(task) && !depends_on_state(task, &value))
-        ttc_task_reject(task, "%s is constant, so that being an integral says nothing", claim->name);
-    ttc_evaluate(task->field, &value, ttc_derive_field(task->model, claim->expression));
-    ttc_task_require_zero(task, &value, "d(%s)/dt", claim->name);
+    if (ttc_task_open(task) && !ttc_task_moves(task, &value))
+        ttc_task_unsettle(task, "%s is constant, whatever the motion: being an integral says nothing", claim->name);
+    if (!is_zero) {
+        ttc_evaluate(task->field, &value, rate);
+        ttc_task_require_zero(task, &value, "d(%s)/dt", claim->name);
+    }
     ttc_ratio_clear(task->ring, &value);
 }
 
@@ -40,136 +45,8 @@ void ttc_prove_rate(ttc_task *task)
     ttc_ratio_clear(task->ring, &rate);
 }
 
-/* NAME = 0 is kept when grad(NAME) . f = cofactor * NAME with a cofactor that has no pole on the zero level: its reduced
- * denominator shares no factor with the norm of NAME. Denominators of the field are allowed in it. */
-void ttc_prove_invariant(ttc_task *task)
-{
-    const ttc_claim *claim = task->claim;
-    ttc_ratio level, rate, cofactor;
-    fmpz_mpoly_t norm, common;
-    ttc_ratio_init(task->ring, &level);
-    ttc_ratio_init(task->ring, &rate);
-    ttc_ratio_init(task->ring, &cofactor);
-    fmpz_mpoly_init(norm, task->ring->context);
-    fmpz_mpoly_init(common, task->ring->context);
-    ttc_evaluate(task->field, &level, claim->expression);
-    ttc_evaluate(task->field, &rate, ttc_derive_field(task->model, claim->expression));
-    if (!ttc_task_open(task)) goto done;
-    if (ttc_ratio_is_zero(task->ring, &level) || !depends_on_state(task, &level)) {
-        ttc_task_reject(task, "%s does not depend on the states, so that its zero level says nothing", claim->name);
-        goto done;
-    }
-    ttc_ratio_divide(task->ring, &cofactor, &rate, &level);
-    ttc_ratio_norm(task->ring, norm, &level);
-    if (task->ring->status != TTC_RING_OK) goto done;
-    if (!fmpz_mpoly_gcd(common, norm, cofactor.denominator, task->ring->context)) {
-        ttc_ring_fail(task->ring, TTC_RING_TOO_LARGE);
-        goto done;
-    }
-    /* A common factor in the parameters alone is no pole. */
-    ttc_ratio_set_polynomial(task->ring, &level, common);
-    if (depends_on_state(task, &level)) ttc_task_refute(task, &rate, "d(%s)/dt", claim->name);
-done:
-    fmpz_mpoly_clear(common, task->ring->context);
-    fmpz_mpoly_clear(norm, task->ring->context);
-    ttc_ratio_clear(task->ring, &cofactor);
-    ttc_ratio_clear(task->ring, &rate);
-    ttc_ratio_clear(task->ring, &level);
-}
-
-static bool binds_states(const ttc_task *task)
-{
-    for (size_t i = 0; i < task->claim->when.count; i++)
-        if (task->model->symbols[task->claim->when.items[i].symbol].kind == TTC_STATE) return true;
-    return task->claim->modulo_count > 0;
-}
-
-/* div(NAME f) = grad(NAME) . f + NAME div f */
-void ttc_prove_measure(ttc_task *task)
-{
-    const ttc_claim *claim = task->claim;
-    ttc_ratio density, rate, entry;
-    if (binds_states(task)) {
-        ttc_task_reject(task, "a density needs an open set of states");
-        return;
-    }
-    ttc_ratio_init(task->ring, &density);
-    ttc_ratio_init(task->ring, &rate);
-    ttc_ratio_init(task->ring, &entry);
-    ttc_evaluate(task->field, &density, claim->expression);
-    if (ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &density))
-        ttc_task_reject(task, "the density %s is zero", claim->name);
-    ttc_evaluate(task->field, &rate, ttc_derive_field(task->model, claim->expression));
-    for (size_t i = 0; i < task->model->state_count && ttc_task_open(task); i++) {
-        ttc_task_jacobian(task, &entry, i, i);
-        ttc_ratio_add_product(task->ring, &rate, &density, &entry);
-    }
-    ttc_task_require_zero(task, &rate, "div(%s f)", claim->name);
-    ttc_ratio_clear(task->ring, &entry);
-    ttc_ratio_clear(task->ring, &rate);
-    ttc_ratio_clear(task->ring, &density);
-}
-
-/* The model at the image of a point: states mapped as claimed, the rest as it is. */
-static ttc_valuation *image(ttc_task *task)
-{
-    const ttc_model *model = task->model;
-    ttc_ratio root;
-    ttc_ratio_init(task->ring, &root);
-    for (size_t i = 0; i < model->symbol_count; i++)
-        if (model->symbols[i].kind == TTC_ROOT) ttc_evaluate(task->field, &root, model->symbols[i].node);
-    ttc_ratio_clear(task->ring, &root);
-    ttc_valuation *map = ttc_valuation_map(model, task->field);
-    if (map == NULL) return NULL;
-    for (uint32_t i = 0; i < model->symbol_count; i++) {
-        ttc_symbol_kind kind = model->symbols[i].kind;
-        if (kind == TTC_PARAM || kind == TTC_STATE || kind == TTC_LEVEL || kind == TTC_LAMBDA)
-            ttc_valuation_bind(map, i, model->symbols[i].node);
-    }
-    for (size_t i = 0; i < task->claim->bindings.count; i++)
-        ttc_valuation_bind(map, task->claim->bindings.items[i].symbol, task->claim->bindings.items[i].expression);
-    return map;
-}
-
-static ttc_id image_of_state(const ttc_task *task, size_t state)
-{
-    uint32_t symbol = task->model->states[state];
-    for (size_t i = 0; i < task->claim->bindings.count; i++)
-        if (task->claim->bindings.items[i].symbol == symbol) return task->claim->bindings.items[i].expression;
-    return task->model->symbols[symbol].node;
-}
-
-/* S is an involution, and DS(x) f(x) = -f(S(x)). */
-void ttc_prove_reversor(ttc_task *task)
-{
-    const ttc_model *model = task->model;
-    ttc_ratio left, right;
-    if (binds_states(task)) {
-        ttc_task_reject(task, "a reversor acts on an open set of states");
-        return;
-    }
-    ttc_valuation *map = image(task);
-    if (map == NULL) {
-        ttc_task_reject(task, "out of memory");
-        return;
-    }
-    ttc_ratio_init(task->ring, &left);
-    ttc_ratio_init(task->ring, &right);
-    for (size_t i = 0; i < model->state_count && ttc_task_open(task); i++) {
-        const char *name = model->symbols[model->states[i]].name;
-        ttc_evaluate(map, &left, image_of_state(task, i));
-        ttc_evaluate(task->field, &right, model->symbols[model->states[i]].node);
-        ttc_ratio_subtract(task->ring, &left, &left, &right);
-        ttc_task_require_zero(task, &left, "S(S(%s)) - %s", name, name);
-        ttc_evaluate(task->field, &left, ttc_derive_field(model, image_of_state(task, i)));
-        ttc_evaluate(map, &right, ttc_model_field(model, i));
-        ttc_ratio_add(task->ring, &left, &left, &right);
-        ttc_task_require_zero(task, &left, "f(Sx) + S f(x) in %s", name);
-    }
-    ttc_ratio_clear(task->ring, &right);
-    ttc_ratio_clear(task->ring, &left);
-    ttc_valuation_destroy(map);
-}
+/* The leaf lies on NAME = 0: a Zariski-dense part of a component of it, which the flow keeps when it is tangent to it there. */
+void ttc_prove_invariant(ttc_task *task) { ttc_task_require_kept(task, NULL); }
 
 void ttc_prove_equal(ttc_task *task)
 {
@@ -182,4 +59,13 @@ void ttc_prove_equal(ttc_task *task)
     ttc_task_require_zero(task, &left, "left - right");
     ttc_ratio_clear(task->ring, &right);
     ttc_ratio_clear(task->ring, &left);
+}
+
+void ttc_prove_positive(ttc_task *task)
+{
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    ttc_evaluate(task->field, &value, task->claim->expression);
+    ttc_task_require(task, &value, TTC_IS_POSITIVE, "not positive: %s", task->claim->name);
+    ttc_ratio_clear(task->ring, &value);
 }

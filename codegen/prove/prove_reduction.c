@@ -1,6 +1,8 @@
-/* A reduction: the images of our states move as the target model says. */
-#include "prove/prove_task.h"
+/* A reduction or embedding: the images of our states move as the other model says and lie in its domain; those of a reduction
+ * have its dimension, those of an embedding ours. */
+#include "prove/domain.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static bool binding_of(const ttc_task *task, const char *name, ttc_id *expression)
@@ -21,8 +23,7 @@ static void check_root(ttc_task *task, ttc_valuation *map, const ttc_symbol_entr
     ttc_ratio_init(task->ring, &radicand);
     ttc_evaluate(map, &root, entry->node);
     ttc_evaluate(map, &radicand, entry->definition);
-    if (ttc_task_open(task) && ttc_ratio_sign(task->ring, &root) <= 0)
-        ttc_task_reject(task, "the image of the root %s is not evidently positive", entry->name);
+    ttc_task_require(task, &root, TTC_IS_POSITIVE, "not positive: the image of the root %s", entry->name);
     ttc_ratio_multiply(task->ring, &root, &root, &root);
     ttc_ratio_subtract(task->ring, &root, &root, &radicand);
     ttc_task_require_zero(task, &root, "%s^2 - its radicand", entry->name);
@@ -48,20 +49,20 @@ static void bind_target(ttc_task *task, const ttc_model *target, ttc_valuation *
         ttc_id expression;
         if (binding_of(task, entry->name, &expression)) {
             if (entry->kind != TTC_STATE && entry->kind != TTC_ROOT && entry->kind != TTC_PARAM)
-                ttc_task_reject(task, "%s is no state, root or parameter of %s", entry->name, target->name);
+                ttc_task_unsettle(task, "%s is no state, root or parameter of %s", entry->name, target->name);
             ttc_valuation_bind(map, i, expression);
         } else if (entry->kind == TTC_STATE) {
-            ttc_task_reject(task, "the state %s of %s is given no image", entry->name, target->name);
+            ttc_task_unsettle(task, "the state %s of %s is given no image", entry->name, target->name);
         } else if (entry->kind == TTC_PARAM) {
             if (ttc_model_find_symbol(task->model, entry->name, &own) && task->model->symbols[own].kind == TTC_PARAM)
                 ttc_valuation_bind(map, i, task->model->symbols[own].node);
-            else ttc_task_reject(task, "the parameter %s of %s is given no value", entry->name, target->name);
+            else ttc_task_unsettle(task, "the parameter %s of %s is given no value", entry->name, target->name);
         }
     }
     for (size_t i = 0; i < task->claim->bindings.count && ttc_task_open(task); i++) {
         uint32_t symbol;
         if (!ttc_model_find_symbol(target, task->claim->target_names[i], &symbol))
-            ttc_task_reject(task, "%s names nothing in %s", task->claim->target_names[i], target->name);
+            ttc_task_unsettle(task, "%s names nothing in %s", task->claim->target_names[i], target->name);
     }
 }
 
@@ -83,14 +84,150 @@ static void chain_rule(ttc_task *task, const ttc_model *target, ttc_valuation *m
     ttc_ratio_clear(task->ring, &left);
 }
 
+/* The rows of a matrix of ratios that are linearly independent, by elimination in the field; the matrix is used up.
+ * minor *= the minor that shows it, up to its sign. */
+static size_t rank_of(ttc_task *task, ttc_ratio *matrix, size_t rows, size_t columns, ttc_ratio *minor)
+{
+    size_t rank = 0;
+    ttc_ratio factor;
+    ttc_ratio_init(task->ring, &factor);
+    for (size_t j = 0; j < columns && rank < rows && ttc_task_open(task); j++) {
+        size_t pivot = rank;
+        while (pivot < rows && ttc_ratio_is_zero(task->ring, &matrix[pivot * columns + j])) pivot++;
+        if (pivot == rows) continue;
+        ttc_ratio_multiply(task->ring, minor, minor, &matrix[pivot * columns + j]);
+        for (size_t k = 0; k < columns && pivot != rank; k++) {
+            ttc_ratio moved = matrix[pivot * columns + k];
+            matrix[pivot * columns + k] = matrix[rank * columns + k];
+            matrix[rank * columns + k] = moved;
+        }
+        for (size_t i = rank + 1; i < rows && ttc_task_open(task); i++) {
+            if (ttc_ratio_is_zero(task->ring, &matrix[i * columns + j])) continue;
+            ttc_ratio_divide(task->ring, &factor, &matrix[i * columns + j], &matrix[rank * columns + j]);
+            ttc_ratio_scale(task->ring, &factor, &factor, task->ring->minus_one);
+            for (size_t k = j; k < columns; k++)
+                ttc_ratio_add_product(task->ring, &matrix[i * columns + k], &factor, &matrix[rank * columns + k]);
+        }
+        rank++;
+    }
+    ttc_ratio_clear(task->ring, &factor);
+    return rank;
+}
+
+/* Appends the gradient of an expression in the states. */
+static void add_gradient(ttc_task *task, ttc_ratio *row, ttc_id expression)
+{
+    for (size_t j = 0; j < task->model->state_count; j++)
+        ttc_evaluate(task->field, &row[j], ttc_derive_state(task->model, expression, j));
+}
+
+/* Sort the terms of a polynomial by what moves in them: the sum of those of the first term's kind goes to `same`, the others
+ * stay. What does not move is left of the terms in `same`. */
+static void take_coefficient(ttc_task *task, fmpz_mpoly_t same, fmpz_mpoly_t polynomial, const bool *moves)
+{
+    const fmpz_mpoly_ctx_struct *context = task->ring->context;
+    slong count = (slong)task->ring->variable_count;
+    fmpz_mpoly_t rest, term, power;
+    fmpz_mpoly_init(rest, context);
+    fmpz_mpoly_init(term, context);
+    fmpz_mpoly_init(power, context);
+    fmpz_mpoly_zero(same, context);
+    for (slong i = 0; i < fmpz_mpoly_length(polynomial, context); i++) {
+        bool alike = true;
+        for (slong v = 0; alike && v < count; v++)
+            alike = !moves[v] || fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context)
+                                     == fmpz_mpoly_get_term_var_exp_ui(polynomial, 0, v, context);
+        fmpz_mpoly_get_term(term, polynomial, i, context);
+        for (slong v = 0; alike && v < count; v++) {
+            ulong exponent = moves[v] ? fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context) : 0;
+            if (exponent == 0) continue;
+            fmpz_mpoly_gen(power, v, context);
+            fmpz_mpoly_pow_ui(power, power, exponent, context);
+            fmpz_mpoly_divides(term, term, power, context);
+        }
+        fmpz_mpoly_struct *sum = alike ? same : rest;
+        fmpz_mpoly_add(sum, sum, term, context);
+    }
+    fmpz_mpoly_swap(polynomial, rest, context);
+    fmpz_mpoly_clear(power, context);
+    fmpz_mpoly_clear(term, context);
+    fmpz_mpoly_clear(rest, context);
+}
+
+/* Whatever the parameters, the minor is not zero at all states: its coefficients do not vanish together. */
+static void require_minor(ttc_task *task, const ttc_ratio *minor)
+{
+    bool *moves = calloc(task->ring->variable_count + 1, sizeof *moves);
+    fmpz_mpoly_t rest, coefficient;
+    ttc_ratio variable;
+    size_t mark = ttc_conditions_mark(&task->domain);
+    bool contradictory = task->domain.contradictory;
+    fmpz_mpoly_init(rest, task->ring->context);
+    fmpz_mpoly_init(coefficient, task->ring->context);
+    ttc_ratio_init(task->ring, &variable);
+    for (slong v = 0; moves != NULL && v < (slong)task->ring->variable_count; v++) {
+        ttc_ratio_set_variable(task->ring, &variable, v);
+        moves[v] = ttc_task_moves(task, &variable);
+    }
+    fmpz_mpoly_set(rest, minor->numerator, task->ring->context);
+    while (moves != NULL && !fmpz_mpoly_is_zero(rest, task->ring->context)) {
+        take_coefficient(task, coefficient, rest, moves);
+        ttc_ratio_set_polynomial(task->ring, &variable, coefficient);
+        ttc_conditions_add(&task->domain, &variable, TTC_IS_ZERO);
+    }
+    ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, NULL);
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    if (moves == NULL || (result != TTC_POINT_IMPOSSIBLE && result != TTC_POINT_EXCLUDED))
+        ttc_task_unsettle(task, "for some parameters the image may be of lower dimension");
+    ttc_ratio_clear(task->ring, &variable);
+    fmpz_mpoly_clear(coefficient, task->ring->context);
+    fmpz_mpoly_clear(rest, task->ring->context);
+    free(moves);
+}
+
+/* Onto: on a level of the parameters that are given by expressions, the images of the states have the target's dimension, so
+ * that the rank of all gradients is that of the parameters' and the number of the target's states. Into: the rank is ours. */
+static void require_dimension(ttc_task *task, const ttc_model *target)
+{
+    size_t n = task->model->state_count, count = 0, parameters = 0;
+    ttc_ratio minor;
+    ttc_ratio_init(task->ring, &minor);
+    ttc_ratio_set_integer(task->ring, &minor, 1);
+    ttc_ratio *matrix = ttc_task_ratios(task, task->claim->bindings.count * n);
+    ttc_ratio *levels = ttc_task_ratios(task, task->claim->bindings.count * n);
+    for (size_t i = 0; matrix != NULL && levels != NULL && i < task->claim->bindings.count; i++) {
+        uint32_t symbol;
+        if (!ttc_model_find_symbol(target, task->claim->target_names[i], &symbol)) continue;
+        if (target->symbols[symbol].kind == TTC_ROOT) continue;
+        add_gradient(task, matrix + count++ * n, task->claim->bindings.items[i].expression);
+        if (target->symbols[symbol].kind == TTC_PARAM) add_gradient(task, levels + parameters++ * n, task->claim->bindings.items[i].expression);
+    }
+    if (matrix != NULL && levels != NULL) {
+        bool onto = task->claim->kind == TTC_CLAIM_REDUCTION;
+        size_t fixed = rank_of(task, levels, parameters, n, &minor);
+        ttc_ratio_set_integer(task->ring, &minor, 1);
+        size_t dimension = rank_of(task, matrix, count, n, &minor) - (onto ? fixed : 0);
+        size_t wanted = onto ? target->state_count : n;
+        if (ttc_task_open(task) && dimension != wanted)
+            ttc_task_refute(task, NULL, "the image has dimension %zu, and %s has %zu states", dimension,
+                            onto ? target->name : task->model->name, wanted);
+        if (ttc_task_open(task) && onto) require_minor(task, &minor);
+    }
+    ttc_ratio_clear(task->ring, &minor);
+    ttc_task_free(task, levels, task->claim->bindings.count * n);
+    ttc_task_free(task, matrix, task->claim->bindings.count * n);
+}
+
 static void prove_onto(ttc_task *task, const ttc_model *target)
 {
     ttc_valuation *map = ttc_valuation_map(target, task->field);
     if (map == NULL) {
-        ttc_task_reject(task, "out of memory");
+        ttc_task_unsettle(task, "out of memory");
         return;
     }
     bind_target(task, target, map);
+    /* First, as the image's roots are then not yet in the ring, where they would be positive. */
+    ttc_domain_require_image(task, map, target, " of the image");
     for (size_t i = 0; i < target->symbol_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *entry = &target->symbols[i];
         ttc_id expression;
@@ -99,6 +236,7 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
         if (entry->kind == TTC_PARAM) check_parameter(task, entry, expression);
     }
     chain_rule(task, target, map);
+    if (ttc_task_open(task)) require_dimension(task, target);
     ttc_valuation_destroy(map);
 }
 
@@ -108,7 +246,7 @@ void ttc_prove_reduction(ttc_task *task)
     ttc_model *target = NULL;
     if (diagnostics != NULL && task->resolver != NULL)
         target = task->resolver(task->resolver_context, task->model, task->claim->target, diagnostics);
-    if (target == NULL) ttc_task_reject(task, "the target %s could not be read", task->claim->target);
+    if (target == NULL) ttc_task_unsettle(task, "the target %s could not be read", task->claim->target);
     else prove_onto(task, target);
     ttc_model_destroy(target);
     ttc_diagnostics_destroy(diagnostics);

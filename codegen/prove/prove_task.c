@@ -18,12 +18,11 @@ static char *format_text(const char *format, va_list arguments)
     return text;
 }
 
-static char *join(char *what, char *value)
+/* "what = value", for free(); takes ownership of what. */
+static char *with_value(ttc_task *task, char *what, const ttc_ratio *ratio)
 {
-    if (what == NULL || value == NULL) {
-        free(value);
-        return what;
-    }
+    char *value = ratio == NULL || what == NULL ? NULL : ttc_ratio_text(task->ring, ratio);
+    if (value == NULL) return what;
     size_t shown = strlen(value) > REMAINDER_LIMIT ? REMAINDER_LIMIT : strlen(value);
     size_t size = strlen(what) + shown + 64;
     char *text = malloc(size);
@@ -34,43 +33,137 @@ static char *join(char *what, char *value)
     return text;
 }
 
-void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
+static void settle(ttc_task *task, ttc_proof_status status, char *remainder, char *point)
 {
-    if (!ttc_task_open(task)) return;
-    va_list arguments;
-    va_start(arguments, format);
-    task->status = TTC_REFUTED;
+    task->status = status;
     free(task->remainder);
-    task->remainder = format_text(format, arguments);
-    va_end(arguments);
-    if (remainder != NULL) task->remainder = join(task->remainder, ttc_ratio_text(task->ring, remainder));
+    free(task->point);
+    task->remainder = remainder;
+    task->point = point;
 }
 
-void ttc_task_reject(ttc_task *task, const char *format, ...)
+void ttc_task_unsettle(ttc_task *task, const char *format, ...)
 {
     if (task->status != TTC_PROVED) return;
     va_list arguments;
     va_start(arguments, format);
-    task->status = TTC_MEANINGLESS;
-    free(task->remainder);
-    task->remainder = format_text(format, arguments);
-    va_end(arguments);
-}
-
-void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
-{
-    if (!ttc_task_open(task) || ttc_ratio_is_zero(task->ring, remainder)) return;
-    va_list arguments;
-    va_start(arguments, format);
-    task->status = TTC_REFUTED;
-    free(task->remainder);
-    task->remainder = join(format_text(format, arguments), ttc_ratio_text(task->ring, remainder));
+    settle(task, TTC_UNSETTLED, format_text(format, arguments), NULL);
     va_end(arguments);
 }
 
 bool ttc_task_open(const ttc_task *task)
 {
     return task->status == TTC_PROVED && task->ring->status == TTC_RING_OK;
+}
+
+/* A root that has come into the ring since the domain was written down is positive, and a square root by which a level was
+ * solved is real. */
+static void add_new_roots(ttc_task *task)
+{
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; i < task->ring->generator_count; i++)
+        if (!task->ring->generators[i].positive)
+            ttc_conditions_add(&task->domain, &task->ring->generators[i].square, TTC_IS_NONNEGATIVE);
+    for (uint32_t i = 0; i < task->model->symbol_count; i++) {
+        const ttc_symbol_entry *entry = &task->model->symbols[i];
+        if (entry->kind != TTC_ROOT || i == task->tested_root || !ttc_valuation_has_value(task->field, i)) continue;
+        ttc_evaluate(task->field, &value, entry->node);
+        ttc_conditions_add(&task->domain, &value, TTC_IS_POSITIVE);
+    }
+    ttc_ratio_clear(task->ring, &value);
+}
+
+static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, bool negative, char **text)
+{
+    ttc_search_result result = TTC_POINT_NOT_DECIDED;
+    ttc_point point;
+    if (text != NULL) *text = NULL;
+    add_new_roots(task);
+    size_t mark = ttc_conditions_mark(&task->domain);
+    bool contradictory = task->domain.contradictory;
+    if (ratio != NULL && negative) ttc_conditions_add_negative(&task->domain, ratio, relation);
+    else if (ratio != NULL) ttc_conditions_add(&task->domain, ratio, relation);
+    if (ttc_point_init(&point, task->field)) {
+        result = ttc_search_point(&point, &task->domain);
+        if (result == TTC_POINT_FOUND && text != NULL) *text = ttc_point_text(&point);
+    }
+    ttc_point_clear(&point);
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    if (result == TTC_POINT_EXCLUDED) task->relies_on_solver = true;
+    return result;
+}
+
+ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text)
+{
+    return search(task, ratio, relation, false, text);
+}
+
+void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
+{
+    char *point = NULL;
+    if (!ttc_task_open(task)) return;
+    if (search(task, NULL, TTC_IS_ZERO, false, &point) != TTC_POINT_FOUND) {
+        ttc_task_unsettle(task, "false on a leaf of which no point of the domain is known");
+        return;
+    }
+    va_list arguments;
+    va_start(arguments, format);
+    settle(task, TTC_REFUTED, with_value(task, format_text(format, arguments), remainder), point);
+    va_end(arguments);
+}
+
+/* No point of the leaf has a nonzero numerator; where the denominator can vanish, that says nothing of the quotient. */
+static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
+{
+    ttc_ratio bottom;
+    ttc_ratio_init(task->ring, &bottom);
+    ttc_ratio_set_polynomial(task->ring, &bottom, ratio->denominator);
+    ttc_search_result result = search(task, &bottom, TTC_IS_ZERO, false, NULL);
+    ttc_ratio_clear(task->ring, &bottom);
+    return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
+}
+
+void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
+{
+    char *point = NULL;
+    if (!ttc_task_open(task) || ttc_ratio_is_zero(task->ring, remainder)) return;
+    ttc_search_result result = search(task, remainder, TTC_IS_NONZERO, false, &point);
+    bool excluded = result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
+    if (excluded && denominator_is_safe(task, remainder)) return;
+    va_list arguments;
+    va_start(arguments, format);
+    char *what = with_value(task, format_text(format, arguments), remainder);
+    va_end(arguments);
+    if (result == TTC_POINT_FOUND) {
+        settle(task, TTC_REFUTED, what, point);
+        return;
+    }
+    ttc_task_unsettle(task, "%s, which is not zero identically; %s", what == NULL ? "" : what,
+                      excluded ? "points at which it has no value were not examined"
+                               : "no point of the domain was found at which it is not zero");
+    free(what);
+}
+
+void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, const char *format, ...)
+{
+    static const ttc_relation opposite[] = { [TTC_IS_POSITIVE] = TTC_IS_NONNEGATIVE, [TTC_IS_NONNEGATIVE] = TTC_IS_POSITIVE,
+                                             [TTC_IS_NONZERO] = TTC_IS_ZERO, [TTC_IS_ZERO] = TTC_IS_NONZERO };
+    char *point = NULL;
+    if (!ttc_task_open(task)) return;
+    bool of_opposite = relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE;
+    ttc_search_result result = search(task, ratio, opposite[relation], of_opposite, &point);
+    if (result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED) return;
+    va_list arguments;
+    va_start(arguments, format);
+    char *what = with_value(task, format_text(format, arguments), ratio);
+    va_end(arguments);
+    if (result == TTC_POINT_FOUND) {
+        settle(task, TTC_REFUTED, what, point);
+        return;
+    }
+    ttc_task_unsettle(task, "%s: neither shown nor refuted at a point", what == NULL ? "" : what);
+    free(what);
 }
 
 const ttc_claim *ttc_task_family(const ttc_task *task)
@@ -86,51 +179,45 @@ const ttc_claim *ttc_task_family(const ttc_task *task)
     }
 }
 
-static bool in_domain(const ttc_task *task, const ttc_symbol_entry *entry, const fmpq_t value)
-{
-    const ttc_graph *graph = task->model->graph;
-    if (entry->kind == TTC_PARAM) {
-        int sign = fmpq_sgn(value);
-        if (entry->sign == TTC_POSITIVE) return sign > 0;
-        if (entry->sign == TTC_NONNEGATIVE) return sign >= 0;
-        return entry->sign != TTC_NONZERO || sign != 0;
-    }
-    if (entry->kind != TTC_STATE) return true;
-    bool above = entry->low == TTC_NONE || ttc_kind_of(graph, entry->low) != TTC_NUMBER
-                 || fmpq_cmp(value, ttc_coefficient(graph, entry->low)) > 0;
-    bool below = entry->high == TTC_NONE || ttc_kind_of(graph, entry->high) != TTC_NUMBER
-                 || fmpq_cmp(value, ttc_coefficient(graph, entry->high)) < 0;
-    return above && below;
-}
-
-void ttc_task_check_domain(ttc_task *task)
-{
-    ttc_ratio value;
-    fmpq_t number;
-    ttc_ratio_init(task->ring, &value);
-    fmpq_init(number);
-    for (uint32_t i = 0; i < task->model->symbol_count; i++) {
-        const ttc_symbol_entry *entry = &task->model->symbols[i];
-        if (!ttc_valuation_is_bound(task->field, i)) continue;
-        ttc_evaluate(task->field, &value, entry->node);
-        if (ttc_task_open(task) && ttc_ratio_get_rational(task->ring, number, &value) && !in_domain(task, entry, number))
-            ttc_task_reject(task, "%s lies outside its domain under the conditions of this claim", entry->name);
-    }
-    fmpq_clear(number);
-    ttc_ratio_clear(task->ring, &value);
-}
-
 void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column)
 {
     ttc_id entry = ttc_derive_state(task->model, ttc_model_field(task->model, row), column);
     ttc_evaluate(task->field, out, entry);
 }
 
+static size_t root_count(const ttc_model *model)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < model->symbol_count; i++) count += model->symbols[i].kind == TTC_ROOT;
+    return count;
+}
+
+/* With one root or none the usual way is as quick. */
+bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id)
+{
+    const ttc_model *model = task->model;
+    ttc_ratio value;
+    if (root_count(model) < 2 || task->claim->modulo_count > 0) return false;
+    ttc_valuation *free_roots = ttc_valuation_create(model, 0);
+    if (free_roots == NULL) return false;
+    ttc_ring *ring = ttc_valuation_ring(free_roots);
+    for (uint32_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_ROOT) ttc_valuation_free_root(free_roots, i);
+    for (size_t i = 0; i < task->claim->when.count; i++)
+        ttc_valuation_bind(free_roots, task->claim->when.items[i].symbol, task->claim->when.items[i].expression);
+    ttc_ratio_init(ring, &value);
+    ttc_evaluate(free_roots, &value, id);
+    bool zero = ring->status == TTC_RING_OK && ring->choice_count == 0 && ttc_ratio_is_zero(ring, &value);
+    ttc_ratio_clear(ring, &value);
+    ttc_valuation_destroy(free_roots);
+    return zero;
+}
+
 ttc_ratio *ttc_task_ratios(ttc_task *task, size_t count)
 {
     ttc_ratio *ratios = malloc((count + 1) * sizeof *ratios);
     if (ratios == NULL) {
-        ttc_task_reject(task, "out of memory");
+        ttc_task_unsettle(task, "out of memory");
         return NULL;
     }
     for (size_t i = 0; i < count; i++) ttc_ratio_init(task->ring, &ratios[i]);

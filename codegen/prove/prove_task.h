@@ -1,59 +1,87 @@
-/** What the provers of the claim kinds share: one claim, in one field, on one branch of the zero level it is restricted to. */
+/** What the provers of the claim kinds share: one claim, in one field, on one branch of what its conditions allow.
+ *
+ *  A claim is about the real points of the table's domain that meet its conditions. They are covered by leaves: on each, some
+ *  symbols follow from the others, which are free. A prover looks at one leaf; what it requires there is either shown for all
+ *  points of the leaf, or refuted at one that is exhibited, or not settled. */
 #ifndef TTC_PROVE_TASK_H
 #define TTC_PROVE_TASK_H
 
 #include "algebra/derive.h"
+#include "algebra/search.h"
 #include "prove/prove.h"
-#include "algebra/valuation.h"
 
-typedef struct {
-    const ttc_model *model;
-    const ttc_claim *claim;
-    ttc_resolver resolver;
-    void *resolver_context;
-    /* of the branch in hand */
-    ttc_valuation *field;
-    ttc_ring *ring;
-    /* the verdict so far */
-    ttc_proof_status status;
-    char *remainder;
-} ttc_task;
-
+typedef struct ttc_task ttc_task;
 typedef void (*ttc_prover)(ttc_task *task);
 
-/* Verdicts. The first one that is not `proved` stays. The format names what; the ratio, when given, is appended. */
+/* Verdicts on the claims of the same table, which a claim may rest on. */
+typedef ttc_proof_status (*ttc_verdict_source)(void *context, uint32_t claim);
+
+struct ttc_task {
+    const ttc_model *model;
+    const ttc_claim *claim;
+    ttc_divisor_role role; /* with owner: whose divisors count, beside those of the field */
+    uint32_t owner;
+    ttc_id divisor;        /* one more, or TTC_NONE */
+    ttc_resolver resolver;
+    void *resolver_context;
+    ttc_verdict_source verdict_of;
+    void *verdict_context;
+    const ttc_bindings *tested; /* symbols whose own conditions are what is to be shown; NULL: none */
+    uint32_t tested_root;       /* the root whose radicand is to be shown positive; 0: none */
+    /* of the leaf in hand */
+    ttc_valuation *field;
+    ttc_ring *ring;
+    ttc_conditions domain;
+    bool has_point; /* a real point of the leaf is known */
+    char why_empty[160]; /* what keeps the last empty leaf from having points; "" where that is not evident */
+    /* the verdict so far */
+    ttc_proof_status status;
+    bool relies_on_solver;
+    bool exhibited;        /* by a claim that something exists */
+    bool has_smooth_density;
+    char *remainder, *point, *note;
+};
+
+/* Against a claim. The format names what is wrong; a ratio, when given, is appended. A refutation stays; the first reason why
+ * a claim is not settled stays as well, unless it is refuted on another leaf. */
 #if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
+#define TTC_PRINTF(at, first) __attribute__((format(printf, at, first)))
+#else
+#define TTC_PRINTF(at, first)
 #endif
-void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-void ttc_task_reject(ttc_task *task, const char *format, ...);
-#if defined(__GNUC__)
-__attribute__((format(printf, 3, 4)))
-#endif
-void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);
+TTC_PRINTF(2, 3) void ttc_task_unsettle(ttc_task *task, const char *format, ...);
+/* False at every point of this leaf. */
+TTC_PRINTF(3, 4) void ttc_task_refute(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);
+/* Zero at every point of this leaf. */
+TTC_PRINTF(3, 4) void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...);
+/* In its relation to zero at every point of this leaf. */
+TTC_PRINTF(4, 5) void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, const char *format, ...);
 bool ttc_task_open(const ttc_task *task); /* nothing against the claim so far, and the ring is sound */
 
-/** Run `prover` in the field of the claim: its `when` and the family's, the family's states, its `modulo` zero levels, on
- *  every branch: each factor of a zero level, each sign of a root whose radicand became a square. All must agree. */
-void ttc_task_run(ttc_task *task, ttc_prover prover);
+/** Look for a point of the leaf at which a ratio stands in a relation to zero. text, when not NULL, receives the point. */
+ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, char **text);
 
-/* Parameters and states bound to numbers must lie in their domains; rejects the claim otherwise. */
-void ttc_task_check_domain(ttc_task *task);
+/** Run `prover` on every leaf: the claim's `when` and the family's, the family's states, the zero levels of its `modulo`, each
+ *  of their factors, each sign of a root whose radicand became a square; then draw the verdict. */
+void ttc_task_run(ttc_task *task, ttc_prover prover);
 
 /* The equilibria claim that a claim is about: itself, or its family; NULL for other kinds. */
 const ttc_claim *ttc_task_family(const ttc_task *task);
 
 /* out = the entry of the Jacobian of the field. */
 void ttc_task_jacobian(ttc_task *task, ttc_ratio *out, size_t row, size_t column);
-/* shape (count,), zeros; for ttc_task_free. NULL and a rejection when memory is out. */
+/* Whether an expression is zero, roots being taken for independent variables: a quick way, by which only `true` says anything. */
+bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id);
+/* The rate of every variable of the ring along the flow, shape (variable_count,), for ttc_task_free. NULL when memory is out. */
+ttc_ratio *ttc_task_slopes(ttc_task *task);
+/* Whether a ratio changes with the states. */
+bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio);
+/* shape (count,), zeros; for ttc_task_free. NULL, and not settled, when memory is out. */
 ttc_ratio *ttc_task_ratios(ttc_task *task, size_t count);
 void ttc_task_free(ttc_task *task, ttc_ratio *ratios, size_t count);
 
-/* Records a rational equilibrium of the family, inside the domain, with nonzero trace; rejects when none is found. */
-void ttc_task_find_witness(ttc_task *task);
+/* The set that the claim's conditions, and the levels solved on this leaf, describe: the flow keeps it. */
+void ttc_task_require_kept(ttc_task *task, const char *hint);
 
 /* The provers, one a kind. */
 void ttc_prove_integral(ttc_task *task);
@@ -68,6 +96,7 @@ void ttc_prove_obstructs(ttc_task *task);
 void ttc_prove_matrix(ttc_task *task);
 void ttc_prove_left_null(ttc_task *task);
 void ttc_prove_equal(ttc_task *task);
+void ttc_prove_positive(ttc_task *task);
 void ttc_prove_reduction(ttc_task *task);
 
 #endif

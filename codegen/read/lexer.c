@@ -41,6 +41,8 @@ static bool is_soft(ttc_keyword keyword)
     case TTC_KEYWORD_RATE:
     case TTC_KEYWORD_POSITIVE:
     case TTC_KEYWORD_DOMAIN:
+    case TTC_KEYWORD_EMBEDDING:
+    case TTC_KEYWORD_INTO:
     case TTC_KEYWORD_MODULO:
     case TTC_KEYWORD_ONTO:
     case TTC_KEYWORD_WITH: return true;

@@ -101,6 +101,7 @@ const char *ttc_claim_kind_name(ttc_claim_kind kind)
     case TTC_CLAIM_RATE: return "rate";
     case TTC_CLAIM_POSITIVE: return "positive";
     case TTC_CLAIM_REDUCTION: return "reduction";
+    case TTC_CLAIM_EMBEDDING: return "embedding";
     }
     return "claim";
 }

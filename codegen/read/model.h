@@ -101,7 +101,8 @@ typedef enum {
     TTC_CLAIM_EQUAL,      /* expression = other */
     TTC_CLAIM_RATE,       /* d(expression)/dt = other */
     TTC_CLAIM_POSITIVE,   /* expression > 0 */
-    TTC_CLAIM_REDUCTION   /* bindings_of_target: target's STATE or ROOT = expression here, see `target` */
+    TTC_CLAIM_REDUCTION,  /* bindings_of_target: target's STATE or ROOT = expression here, see `target` */
+    TTC_CLAIM_EMBEDDING   /* the same; the target is the larger model */
 } ttc_claim_kind;
 
 typedef struct {
@@ -118,8 +119,8 @@ typedef struct {
     size_t entry_count;
     uint32_t *members;
     size_t member_count;
-    char *target;         /* REDUCTION: file name of the reduced model, beside this one */
-    char **target_names;  /* REDUCTION: names in the target, one a binding */
+    char *target;         /* REDUCTION, EMBEDDING: file name of the other model, beside this one */
+    char **target_names;  /* and names in it, one a binding */
 } ttc_claim;
 
 /* `domain NAME : expression > 0`: a part of the domain that no sign of a parameter and no interval of a state can say. */

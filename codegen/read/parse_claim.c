@@ -8,7 +8,7 @@ static bool is_clause_allowed(ttc_claim_kind kind)
 {
     return kind == TTC_CLAIM_INTEGRAL || kind == TTC_CLAIM_INVARIANT || kind == TTC_CLAIM_MEASURE ||
            kind == TTC_CLAIM_REVERSOR || kind == TTC_CLAIM_EQUILIBRIA || kind == TTC_CLAIM_EQUAL || kind == TTC_CLAIM_RATE ||
-           kind == TTC_CLAIM_POSITIVE || kind == TTC_CLAIM_REDUCTION;
+           kind == TTC_CLAIM_POSITIVE || kind == TTC_CLAIM_REDUCTION || kind == TTC_CLAIM_EMBEDDING;
 }
 
 static bool parse_names(ttc_parser *parser, ttc_reference_role role, size_t owner, const char *expected)
@@ -159,7 +159,8 @@ static bool parse_target_bindings(ttc_parser *parser, ttc_claim *claim)
 
 static bool parse_reduction(ttc_parser *parser, ttc_claim *claim)
 {
-    return ttc_parse_expect_keyword(parser, TTC_KEYWORD_ONTO, "':'") && parse_target_file(parser, claim) &&
+    ttc_keyword direction = claim->kind == TTC_CLAIM_REDUCTION ? TTC_KEYWORD_ONTO : TTC_KEYWORD_INTO;
+    return ttc_parse_expect_keyword(parser, direction, "':'") && parse_target_file(parser, claim) &&
            ttc_parse_expect_keyword(parser, TTC_KEYWORD_WITH, "the table") && parse_target_bindings(parser, claim);
 }
 
@@ -178,6 +179,7 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
     case TTC_CLAIM_LEFT_NULL:
         return ttc_parse_expect_mark(parser, ':', "the family") && parse_names(parser, TTC_REFER_MEMBER, index, "an integral");
     case TTC_CLAIM_REDUCTION:
+    case TTC_CLAIM_EMBEDDING:
         return ttc_parse_expect_mark(parser, ':', "the name") && parse_reduction(parser, claim);
     case TTC_CLAIM_MATRIX:
         return ttc_parse_expect_mark(parser, '=', "the family") && parse_matrix(parser, claim);
@@ -216,6 +218,7 @@ static ttc_claim_kind kind_of(ttc_keyword keyword)
     case TTC_KEYWORD_LEFTNULL: return TTC_CLAIM_LEFT_NULL;
     case TTC_KEYWORD_EQUAL: return TTC_CLAIM_EQUAL;
     case TTC_KEYWORD_RATE: return TTC_CLAIM_RATE;
+    case TTC_KEYWORD_EMBEDDING: return TTC_CLAIM_EMBEDDING;
     case TTC_KEYWORD_POSITIVE: return TTC_CLAIM_POSITIVE;
     default: return TTC_CLAIM_REDUCTION;
     }

@@ -12,11 +12,11 @@
     X(MEASURE, "measure") X(REVERSOR, "reversor") X(EQUILIBRIA, "equilibria") X(TRACE, "trace")              \
     X(CHARPOLY, "charpoly") X(OBSTRUCTS, "obstructs") X(EQUAL, "equal") X(MATRIX, "matrix")                  \
     X(LEFTNULL, "leftnull") X(REDUCTION, "reduction") X(RATE, "rate") X(POSITIVE, "positive")                 \
-    X(DOMAIN, "domain")
+    X(DOMAIN, "domain") X(EMBEDDING, "embedding")
 
 /* Keywords inside a record. */
 #define TTC_CLAUSE_LIST(X)                                                                                   \
-    X(IN, "in") X(WHEN, "when") X(MODULO, "modulo") X(BY, "by") X(LIFTING, "lifting") X(ONTO, "onto")        \
+    X(IN, "in") X(WHEN, "when") X(MODULO, "modulo") X(BY, "by") X(LIFTING, "lifting") X(ONTO, "onto") X(INTO, "into")        \
     X(WITH, "with") X(SQRT, "sqrt") X(COS, "cos") X(SIN, "sin")
 
 #define TTC_KEYWORD_ENUM(name, text) TTC_KEYWORD_##name,

@@ -25,7 +25,7 @@ static inline ttc_model *parse_text(const char *text)
     return model;
 }
 
-/* The verdict on the claim of that kind and name in a table. reason: a phrase that the remainder must contain, or NULL. */
+/* The verdict on the claim of that kind and name in a table. reason: a phrase that the remainder, point or note must contain, or NULL. */
 static inline void expect(const char *text, const char *kind, const char *name, ttc_proof_status status, const char *reason)
 {
     ttc_proof_report *report = NULL;
@@ -36,7 +36,9 @@ static inline void expect(const char *text, const char *kind, const char *name, 
         const ttc_proof *proof = &report->proofs[i];
         if (strcmp(proof->kind, kind) != 0 || strcmp(proof->name, name) != 0) continue;
         found = true;
-        bool explained = reason == NULL || (proof->remainder != NULL && strstr(proof->remainder, reason) != NULL);
+        const char *words[] = { proof->remainder, proof->point, proof->note };
+        bool explained = reason == NULL;
+        for (size_t k = 0; k < 3; k++) explained |= words[k] != NULL && reason != NULL && strstr(words[k], reason) != NULL;
         if (proof->status != status || !explained)
             print_error("%s %s: %s (expected %s): %s\n", kind, name, ttc_proof_status_name(proof->status),
                         ttc_proof_status_name(status), proof->remainder != NULL ? proof->remainder : "");

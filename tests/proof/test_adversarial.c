@@ -79,9 +79,9 @@ static bool agrees(const char *verdict, ttc_proof_status status)
     } verdicts[] = {
         { "proved", { [TTC_PROVED] = true } },
         { "refuted", { [TTC_REFUTED] = true } },
-        { "unsettled", { [TTC_MEANINGLESS] = true } },
-        { "not proved", { [TTC_REFUTED] = true, [TTC_MEANINGLESS] = true } },
-        { "not refuted", { [TTC_PROVED] = true, [TTC_MEANINGLESS] = true } },
+        { "unsettled", { [TTC_UNSETTLED] = true } },
+        { "not proved", { [TTC_REFUTED] = true, [TTC_UNSETTLED] = true } },
+        { "not refuted", { [TTC_PROVED] = true, [TTC_UNSETTLED] = true } },
     };
     for (size_t i = 0; i < sizeof verdicts / sizeof *verdicts; i++)
         if (strcmp(verdict, verdicts[i].verdict) == 0) return verdicts[i].allowed[status];

@@ -13,7 +13,7 @@ static bool line_says(const ttc_model *model, uint32_t line, const char *mark)
 static ttc_proof_status expected(const ttc_model *model, const ttc_proof *proof)
 {
     if (line_says(model, proof->place.line, "# refuted")) return TTC_REFUTED;
-    if (line_says(model, proof->place.line, "# error")) return TTC_MEANINGLESS;
+    if (line_says(model, proof->place.line, "# error")) return TTC_UNSETTLED;
     return TTC_PROVED;
 }
 
@@ -34,7 +34,7 @@ static size_t check_table(const char *path)
                     ttc_proof_status_name(proof->status), proof->remainder != NULL ? proof->remainder : "");
     }
     print_message("%s: %zu proved, %zu refuted, %zu not settled\n", report->model, report->proved, report->refuted,
-                  report->meaningless);
+                  report->unsettled);
     size_t count = report->proof_count;
     assert_int_equal(wrong, 0);
     ttc_proof_report_destroy(report);

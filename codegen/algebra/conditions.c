@@ -1,0 +1,181 @@
+#include "algebra/conditions.h"
+
+#include <stdlib.h>
+
+void ttc_conditions_init(ttc_conditions *c, ttc_valuation *valuation)
+{
+    *c = (ttc_conditions){ .valuation = valuation, .ring = ttc_valuation_ring(valuation) };
+}
+
+void ttc_conditions_clear(ttc_conditions *c)
+{
+    for (size_t i = 0; i < c->count; i++) fmpz_mpoly_clear(c->items[i].polynomial, c->ring->context);
+    free(c->items);
+    c->items = NULL;
+    c->count = c->capacity = 0;
+}
+
+static const ttc_generator *generator_of(const ttc_ring *ring, slong variable)
+{
+    for (size_t i = 0; i < ring->generator_count; i++)
+        if (ring->generators[i].variable == variable) return &ring->generators[i];
+    return NULL;
+}
+
+static unsigned signs_above(const ttc_graph *graph, ttc_id low)
+{
+    if (low == TTC_NONE || ttc_kind_of(graph, low) != TTC_NUMBER) return TTC_SIGN_ANY;
+    return fmpq_sgn(ttc_coefficient(graph, low)) >= 0 ? TTC_SIGN_POSITIVE : TTC_SIGN_ANY;
+}
+
+static unsigned signs_below(const ttc_graph *graph, ttc_id high)
+{
+    if (high == TTC_NONE || ttc_kind_of(graph, high) != TTC_NUMBER) return TTC_SIGN_ANY;
+    return fmpq_sgn(ttc_coefficient(graph, high)) <= 0 ? TTC_SIGN_NEGATIVE : TTC_SIGN_ANY;
+}
+
+static unsigned signs_of_variable(const ttc_conditions *c, slong variable)
+{
+    const ttc_generator *generator = generator_of(c->ring, variable);
+    if (generator != NULL) return generator->positive ? TTC_SIGN_POSITIVE : TTC_SIGN_ANY;
+    const ttc_model *model = ttc_valuation_model(c->valuation);
+    size_t symbol = ttc_valuation_symbol(c->valuation, variable);
+    if (symbol >= model->symbol_count) return TTC_SIGN_ANY;
+    const ttc_symbol_entry *entry = &model->symbols[symbol];
+    if (entry->kind == TTC_ROOT) return TTC_SIGN_POSITIVE;
+    if (entry->kind == TTC_STATE) return signs_above(model->graph, entry->low) & signs_below(model->graph, entry->high);
+    if (entry->kind != TTC_PARAM) return TTC_SIGN_ANY;
+    switch (entry->sign) {
+    case TTC_POSITIVE: return TTC_SIGN_POSITIVE;
+    case TTC_NONNEGATIVE: return TTC_SIGN_POSITIVE | TTC_SIGN_ZERO;
+    case TTC_NONZERO: return TTC_SIGN_POSITIVE | TTC_SIGN_NEGATIVE;
+    default: return TTC_SIGN_ANY;
+    }
+}
+
+static unsigned opposite(unsigned signs)
+{
+    return (signs & TTC_SIGN_ZERO) | (signs & TTC_SIGN_POSITIVE ? (unsigned)TTC_SIGN_NEGATIVE : 0u)
+           | (signs & TTC_SIGN_NEGATIVE ? (unsigned)TTC_SIGN_POSITIVE : 0u);
+}
+
+static unsigned product(unsigned a, unsigned b)
+{
+    unsigned signs = (a | b) & TTC_SIGN_ZERO;
+    if (b & TTC_SIGN_POSITIVE) signs |= a & ~(unsigned)TTC_SIGN_ZERO;
+    if (b & TTC_SIGN_NEGATIVE) signs |= opposite(a) & ~(unsigned)TTC_SIGN_ZERO;
+    return signs;
+}
+
+/* A sum of terms none of which is negative is not negative, and positive with any that is. */
+static unsigned sum(unsigned a, unsigned b)
+{
+    if (a == TTC_SIGN_ZERO) return b;
+    if (b == TTC_SIGN_ZERO) return a;
+    unsigned both = a | b;
+    if (!(both & TTC_SIGN_NEGATIVE)) return a == TTC_SIGN_POSITIVE || b == TTC_SIGN_POSITIVE ? (unsigned)TTC_SIGN_POSITIVE : both;
+    if (!(both & TTC_SIGN_POSITIVE)) return a == TTC_SIGN_NEGATIVE || b == TTC_SIGN_NEGATIVE ? (unsigned)TTC_SIGN_NEGATIVE : both;
+    return TTC_SIGN_ANY;
+}
+
+static unsigned power(unsigned signs, ulong exponent)
+{
+    if (exponent % 2 == 1) return signs;
+    return (signs & TTC_SIGN_ZERO) | (signs & ~(unsigned)TTC_SIGN_ZERO ? (unsigned)TTC_SIGN_POSITIVE : 0u);
+}
+
+unsigned ttc_conditions_signs(const ttc_conditions *c, const fmpz_mpoly_t polynomial)
+{
+    unsigned signs = TTC_SIGN_ZERO;
+    fmpz_t coefficient;
+    fmpz_init(coefficient);
+    for (slong i = 0; i < fmpz_mpoly_length(polynomial, c->ring->context) && signs != TTC_SIGN_ANY; i++) {
+        fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, i, c->ring->context);
+        unsigned term = fmpz_sgn(coefficient) > 0 ? TTC_SIGN_POSITIVE : TTC_SIGN_NEGATIVE;
+        for (slong v = 0; v < (slong)c->ring->variable_count; v++) {
+            ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, c->ring->context);
+            if (exponent > 0) term = product(term, power(signs_of_variable(c, v), exponent));
+        }
+        signs = sum(signs, term);
+    }
+    fmpz_clear(coefficient);
+    return signs;
+}
+
+static bool is_known(const ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation)
+{
+    for (size_t i = 0; i < c->count; i++)
+        if (c->items[i].relation == relation && fmpz_mpoly_equal(c->items[i].polynomial, polynomial, c->ring->context)) return true;
+    return false;
+}
+
+static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation)
+{
+    if (is_known(c, polynomial, relation)) return;
+    if (c->count == c->capacity) {
+        size_t capacity = 2 * c->capacity + 16;
+        ttc_condition *items = realloc(c->items, capacity * sizeof *items);
+        if (items == NULL) {
+            c->failed = true;
+            return;
+        }
+        c->items = items;
+        c->capacity = capacity;
+    }
+    ttc_condition *item = &c->items[c->count++];
+    item->relation = relation;
+    fmpz_mpoly_init(item->polynomial, c->ring->context);
+    fmpz_mpoly_set(item->polynomial, polynomial, c->ring->context);
+}
+
+static unsigned allowed(ttc_relation relation)
+{
+    switch (relation) {
+    case TTC_IS_POSITIVE: return TTC_SIGN_POSITIVE;
+    case TTC_IS_NONNEGATIVE: return TTC_SIGN_POSITIVE | TTC_SIGN_ZERO;
+    case TTC_IS_NONZERO: return TTC_SIGN_POSITIVE | TTC_SIGN_NEGATIVE;
+    case TTC_IS_ZERO: break;
+    }
+    return TTC_SIGN_ZERO;
+}
+
+static void require(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation)
+{
+    unsigned possible = ttc_conditions_signs(c, polynomial);
+    if ((possible & allowed(relation)) == 0) c->contradictory = true;
+    if ((possible & ~allowed(relation)) != 0) append(c, polynomial, relation);
+}
+
+static void add(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation relation, bool negative)
+{
+    fmpz_mpoly_t polynomial;
+    if (c->ring->status != TTC_RING_OK) return;
+    fmpz_mpoly_init(polynomial, c->ring->context);
+    fmpz_mpoly_set(polynomial, ratio->numerator, c->ring->context);
+    unsigned below = ttc_conditions_signs(c, ratio->denominator);
+    if (relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE) {
+        /* By the sign of the denominator where that is evident, for the sake of the degree. */
+        if (below == TTC_SIGN_NEGATIVE) negative = !negative;
+        else if (below != TTC_SIGN_POSITIVE)
+            fmpz_mpoly_mul(polynomial, polynomial, ratio->denominator, c->ring->context);
+    }
+    if (negative) fmpz_mpoly_neg(polynomial, polynomial, c->ring->context);
+    require(c, polynomial, relation);
+    if (below & TTC_SIGN_ZERO) require(c, ratio->denominator, TTC_IS_NONZERO);
+    fmpz_mpoly_clear(polynomial, c->ring->context);
+}
+
+void ttc_conditions_add(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation relation) { add(c, ratio, relation, false); }
+
+void ttc_conditions_add_negative(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation relation)
+{
+    add(c, ratio, relation, true);
+}
+
+size_t ttc_conditions_mark(const ttc_conditions *c) { return c->count; }
+
+void ttc_conditions_rewind(ttc_conditions *c, size_t mark, bool contradictory)
+{
+    while (c->count > mark) fmpz_mpoly_clear(c->items[--c->count].polynomial, c->ring->context);
+    c->contradictory = contradictory;
+}

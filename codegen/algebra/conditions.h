@@ -1,0 +1,44 @@
+/** Polynomial conditions on the real points of a ring: what a domain is, and what is asked of it.
+ *
+ *  Beside the conditions that are listed, a point obeys the ring: a root is positive, its square is its radicand, and cosines
+ *  and sines are those of their angle. A condition that follows from the signs of its terms is not kept; one that contradicts
+ *  them makes the whole list contradictory, without any search. */
+#ifndef TTC_CONDITIONS_H
+#define TTC_CONDITIONS_H
+
+#include "algebra/valuation.h"
+
+typedef enum { TTC_IS_POSITIVE, TTC_IS_NONNEGATIVE, TTC_IS_NONZERO, TTC_IS_ZERO } ttc_relation;
+
+typedef struct {
+    fmpz_mpoly_t polynomial;
+    ttc_relation relation;
+} ttc_condition;
+
+typedef struct {
+    ttc_valuation *valuation; /* borrowed */
+    ttc_ring *ring;
+    ttc_condition *items;
+    size_t count, capacity;
+    bool contradictory; /* no point, evidently */
+    bool failed;        /* memory is out; the list is of no use */
+} ttc_conditions;
+
+void ttc_conditions_init(ttc_conditions *conditions, ttc_valuation *valuation);
+void ttc_conditions_clear(ttc_conditions *conditions);
+
+/* Add that a ratio stands in a relation to zero, and that its denominator is not zero. */
+void ttc_conditions_add(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
+
+/* The same for the opposite of a ratio. */
+void ttc_conditions_add_negative(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
+
+/* A mark to come back to, so that a question can be asked and taken back. */
+size_t ttc_conditions_mark(const ttc_conditions *conditions);
+void ttc_conditions_rewind(ttc_conditions *conditions, size_t mark, bool contradictory);
+
+/** The signs that a polynomial may have as far as the signs of its variables tell: bits of ttc_sign_set. */
+typedef enum { TTC_SIGN_NEGATIVE = 1, TTC_SIGN_ZERO = 2, TTC_SIGN_POSITIVE = 4, TTC_SIGN_ANY = 7 } ttc_sign_set;
+unsigned ttc_conditions_signs(const ttc_conditions *conditions, const fmpz_mpoly_t polynomial);
+
+#endif

@@ -1,0 +1,457 @@
+#include "algebra/point.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FIRST_PRECISION = 128, LAST_PRECISION = 2048 };
+
+struct ttc_point_balls {
+    slong precision;
+    size_t count;
+    arb_ptr ball;
+    fmpq *exact;
+    unsigned char *state; /* by variable, see below */
+};
+
+enum { UNKNOWN, BUSY, ENCLOSED, EXACT };
+
+bool ttc_point_init(ttc_point *point, ttc_valuation *valuation)
+{
+    *point = (ttc_point){ .valuation = valuation, .ring = ttc_valuation_ring(valuation) };
+    size_t count = point->ring->variable_count;
+    struct ttc_point_balls *balls = calloc(1, sizeof *balls);
+    point->values = calloc(count + 1, sizeof *point->values);
+    point->balls = balls;
+    if (balls == NULL || point->values == NULL) return false;
+    balls->exact = calloc(count + 1, sizeof *balls->exact);
+    balls->state = calloc(count + 1, 1);
+    if (balls->exact == NULL || balls->state == NULL) return false;
+    for (size_t i = 0; i < count; i++) {
+        fmpq_init(point->values + i);
+        fmpq_init(balls->exact + i);
+    }
+    balls->precision = FIRST_PRECISION;
+    balls->ball = _arb_vec_init((slong)count);
+    balls->count = count;
+    return true;
+}
+
+void ttc_point_clear(ttc_point *point)
+{
+    struct ttc_point_balls *balls = point->balls;
+    if (balls != NULL) {
+        if (balls->count > 0) {
+            _arb_vec_clear(balls->ball, (slong)balls->count);
+            for (size_t i = 0; i < balls->count; i++) {
+                fmpq_clear(balls->exact + i);
+                fmpq_clear(point->values + i);
+            }
+        }
+        free(balls->exact);
+        free(balls->state);
+        free(balls);
+    }
+    free(point->values);
+    *point = (ttc_point){ .valuation = NULL };
+}
+
+void ttc_point_changed(ttc_point *point) { memset(point->balls->state, UNKNOWN, point->balls->count); }
+
+static ttc_symbol_kind kind_of(const ttc_point *point, slong variable)
+{
+    const ttc_model *model = ttc_valuation_model(point->valuation);
+    size_t symbol = ttc_valuation_symbol(point->valuation, variable);
+    return symbol < model->symbol_count ? model->symbols[symbol].kind : TTC_STATE;
+}
+
+static size_t generator_index(const ttc_point *point, slong variable)
+{
+    size_t i = 0;
+    while (i < point->ring->generator_count && point->ring->generators[i].variable != variable) i++;
+    return i;
+}
+
+/* A cosine that a zero level has bound is given, and its angle follows from it. */
+static bool is_bound_angle(const ttc_point *point, uint32_t cosine)
+{
+    return ttc_valuation_is_bound(point->valuation, cosine);
+}
+
+/* The variable is the cosine or sine of an angle that is given. */
+static bool is_function(const ttc_point *point, slong variable)
+{
+    const ttc_model *model = ttc_valuation_model(point->valuation);
+    size_t symbol = ttc_valuation_symbol(point->valuation, variable);
+    if (symbol >= model->symbol_count) return false;
+    if (model->symbols[symbol].kind == TTC_COSINE) return true;
+    return model->symbols[symbol].kind == TTC_SINE && !is_bound_angle(point, model->symbols[symbol].partner);
+}
+
+/* The cosine, bound by a zero level, of which the variable is the angle; 0 when there is none. */
+static uint32_t angle_of(const ttc_point *point, slong variable)
+{
+    const ttc_model *model = ttc_valuation_model(point->valuation);
+    size_t symbol = ttc_valuation_symbol(point->valuation, variable);
+    for (uint32_t i = 1; symbol < model->symbol_count && i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_COSINE && is_bound_angle(point, i) && model->symbols[i].definition == model->symbols[symbol].node)
+            return i;
+    return 0;
+}
+
+/* Bound cosines whose angle is no plain state: nothing can be said of a point then. */
+static bool has_obscure_angle(const ttc_point *point)
+{
+    const ttc_model *model = ttc_valuation_model(point->valuation);
+    for (uint32_t i = 1; i < model->symbol_count; i++) {
+        if (model->symbols[i].kind != TTC_COSINE || !is_bound_angle(point, i)) continue;
+        if (ttc_kind_of(model->graph, model->symbols[i].definition) != TTC_SYMBOL) return true;
+        uint32_t angle = ttc_symbol_of(model->graph, model->symbols[i].definition);
+        if (model->symbols[angle].kind != TTC_STATE || ttc_valuation_is_bound(point->valuation, angle)) return true;
+    }
+    return false;
+}
+
+bool ttc_point_is_free(const ttc_point *point, slong variable)
+{
+    return generator_index(point, variable) == point->ring->generator_count && !is_function(point, variable)
+           && angle_of(point, variable) == 0;
+}
+
+static void enclose_variable(ttc_point *point, slong variable, slong precision);
+
+static void enclose_polynomial(arb_t out, ttc_point *point, const fmpz_mpoly_t polynomial, slong precision)
+{
+    const fmpz_mpoly_ctx_struct *context = point->ring->context;
+    arb_t term, factor;
+    fmpz_t coefficient;
+    arb_init(term);
+    arb_init(factor);
+    fmpz_init(coefficient);
+    arb_zero(out);
+    for (slong i = 0; i < fmpz_mpoly_length(polynomial, context); i++) {
+        fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, i, context);
+        arb_set_fmpz(term, coefficient);
+        for (slong v = 0; v < (slong)point->ring->variable_count; v++) {
+            ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context);
+            if (exponent == 0) continue;
+            enclose_variable(point, v, precision);
+            arb_pow_ui(factor, point->balls->ball + v, exponent, precision);
+            arb_mul(term, term, factor, precision);
+        }
+        arb_add(out, out, term, precision);
+    }
+    fmpz_clear(coefficient);
+    arb_clear(factor);
+    arb_clear(term);
+}
+
+/* False: some variable is irrational. */
+static bool exact_polynomial(fmpq_t out, ttc_point *point, const fmpz_mpoly_t polynomial)
+{
+    const fmpz_mpoly_ctx_struct *context = point->ring->context;
+    bool exact = true;
+    fmpq_t term, factor;
+    fmpq_init(term);
+    fmpq_init(factor);
+    fmpq_zero(out);
+    for (slong i = 0; exact && i < fmpz_mpoly_length(polynomial, context); i++) {
+        fmpq_one(term);
+        fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(term), polynomial, i, context);
+        for (slong v = 0; exact && v < (slong)point->ring->variable_count; v++) {
+            ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context);
+            if (exponent == 0) continue;
+            enclose_variable(point, v, point->balls->precision);
+            exact = point->balls->state[v] == EXACT
+                    && (slong)exponent * (slong)fmpq_height_bits(point->balls->exact + v) < (1 << 20);
+            if (!exact) break;
+            fmpq_pow_si(factor, point->balls->exact + v, (slong)exponent);
+            fmpq_mul(term, term, factor);
+        }
+        fmpq_add(out, out, term);
+    }
+    fmpq_clear(factor);
+    fmpq_clear(term);
+    return exact;
+}
+
+static bool exact_ratio(fmpq_t out, ttc_point *point, const ttc_ratio *ratio)
+{
+    fmpq_t bottom;
+    fmpq_init(bottom);
+    bool exact = exact_polynomial(out, point, ratio->numerator) && exact_polynomial(bottom, point, ratio->denominator)
+                 && !fmpq_is_zero(bottom);
+    if (exact) fmpq_div(out, out, bottom);
+    fmpq_clear(bottom);
+    return exact;
+}
+
+void ttc_point_enclose(arb_t out, ttc_point *point, const ttc_ratio *ratio, slong precision)
+{
+    arb_t bottom;
+    if (point->balls->precision != precision) {
+        ttc_point_changed(point);
+        point->balls->precision = precision;
+    }
+    arb_init(bottom);
+    enclose_polynomial(out, point, ratio->numerator, precision);
+    enclose_polynomial(bottom, point, ratio->denominator, precision);
+    arb_div(out, out, bottom, precision);
+    arb_clear(bottom);
+}
+
+static bool exact_root(fmpq_t root, const fmpq_t square)
+{
+    if (fmpq_sgn(square) < 0 || !fmpz_is_square(fmpq_numref(square)) || !fmpz_is_square(fmpq_denref(square))) return false;
+    fmpz_sqrt(fmpq_numref(root), fmpq_numref(square));
+    fmpz_sqrt(fmpq_denref(root), fmpq_denref(square));
+    return true;
+}
+
+static void enclose_root(ttc_point *point, slong variable, size_t index, slong precision)
+{
+    const ttc_generator *generator = &point->ring->generators[index];
+    struct ttc_point_balls *balls = point->balls;
+    bool negative = !generator->positive && (point->negative >> index & 1);
+    ttc_point_enclose(balls->ball + variable, point, &generator->square, precision);
+    if (exact_ratio(balls->exact + variable, point, &generator->square)
+        && exact_root(balls->exact + variable, balls->exact + variable)) {
+        if (negative) fmpq_neg(balls->exact + variable, balls->exact + variable);
+        arb_set_fmpq(balls->ball + variable, balls->exact + variable, precision);
+        balls->state[variable] = EXACT;
+        return;
+    }
+    arb_sqrt(balls->ball + variable, balls->ball + variable, precision);
+    if (negative) arb_neg(balls->ball + variable, balls->ball + variable);
+    balls->state[variable] = ENCLOSED;
+}
+
+static void enclose_function(ttc_point *point, slong variable, ttc_symbol_kind kind, slong precision)
+{
+    const ttc_model *model = ttc_valuation_model(point->valuation);
+    struct ttc_point_balls *balls = point->balls;
+    ttc_ratio argument;
+    ttc_ratio_init(point->ring, &argument);
+    ttc_evaluate(point->valuation, &argument, model->symbols[ttc_valuation_symbol(point->valuation, variable)].definition);
+    ttc_point_enclose(balls->ball + variable, point, &argument, precision);
+    if (kind == TTC_COSINE) arb_cos(balls->ball + variable, balls->ball + variable, precision);
+    else arb_sin(balls->ball + variable, balls->ball + variable, precision);
+    ttc_ratio_clear(point->ring, &argument);
+    balls->state[variable] = ENCLOSED;
+}
+
+/* The angle between -pi and pi of a cosine and sine that are given. */
+static void enclose_angle(ttc_point *point, slong variable, uint32_t cosine, slong precision)
+{
+    const ttc_model *model = ttc_valuation_model(point->valuation);
+    struct ttc_point_balls *balls = point->balls;
+    ttc_ratio value;
+    arb_t c;
+    ttc_ratio_init(point->ring, &value);
+    arb_init(c);
+    ttc_evaluate(point->valuation, &value, model->symbols[cosine].node);
+    ttc_point_enclose(c, point, &value, precision);
+    ttc_evaluate(point->valuation, &value, model->symbols[model->symbols[cosine].partner].node);
+    ttc_point_enclose(balls->ball + variable, point, &value, precision);
+    arb_atan2(balls->ball + variable, balls->ball + variable, c, precision);
+    balls->state[variable] = ENCLOSED;
+    arb_clear(c);
+    ttc_ratio_clear(point->ring, &value);
+}
+
+static void enclose_variable(ttc_point *point, slong variable, slong precision)
+{
+    struct ttc_point_balls *balls = point->balls;
+    if (balls->state[variable] == BUSY) arb_indeterminate(balls->ball + variable);
+    if (balls->state[variable] != UNKNOWN) return;
+    balls->state[variable] = BUSY;
+    uint32_t cosine = angle_of(point, variable);
+    size_t index = generator_index(point, variable);
+    if (is_function(point, variable)) {
+        enclose_function(point, variable, kind_of(point, variable), precision);
+    } else if (cosine != 0) {
+        enclose_angle(point, variable, cosine, precision);
+    } else if (index < point->ring->generator_count) {
+        enclose_root(point, variable, index, precision);
+    } else {
+        fmpq_set(balls->exact + variable, point->values + variable);
+        arb_set_fmpq(balls->ball + variable, point->values + variable, precision);
+        balls->state[variable] = EXACT;
+    }
+}
+
+static ttc_truth truth_of_sign(int sign, ttc_relation relation)
+{
+    switch (relation) {
+    case TTC_IS_POSITIVE: return sign > 0 ? TTC_HOLDS : TTC_FAILS;
+    case TTC_IS_NONNEGATIVE: return sign >= 0 ? TTC_HOLDS : TTC_FAILS;
+    case TTC_IS_NONZERO: return sign != 0 ? TTC_HOLDS : TTC_FAILS;
+    case TTC_IS_ZERO: break;
+    }
+    return sign == 0 ? TTC_HOLDS : TTC_FAILS;
+}
+
+ttc_truth ttc_point_holds(ttc_point *point, const ttc_condition *condition)
+{
+    ttc_truth truth = TTC_UNCLEAR;
+    arb_t ball;
+    fmpq_t value;
+    arb_init(ball);
+    fmpq_init(value);
+    for (slong precision = FIRST_PRECISION; truth == TTC_UNCLEAR && precision <= LAST_PRECISION; precision *= 4) {
+        if (point->balls->precision != precision) {
+            ttc_point_changed(point);
+            point->balls->precision = precision;
+        }
+        enclose_polynomial(ball, point, condition->polynomial, precision);
+        if (!arb_is_finite(ball)) break; /* a root of what is negative */
+        if (arb_is_positive(ball)) truth = truth_of_sign(1, condition->relation);
+        else if (arb_is_negative(ball)) truth = truth_of_sign(-1, condition->relation);
+        else if (exact_polynomial(value, point, condition->polynomial)) truth = truth_of_sign(fmpq_sgn(value), condition->relation);
+    }
+    fmpq_clear(value);
+    arb_clear(ball);
+    return truth;
+}
+
+/* Roots must be real, whether or not a condition speaks of them. */
+static ttc_truth roots_are_real(ttc_point *point)
+{
+    ttc_truth truth = TTC_HOLDS;
+    ttc_conditions c;
+    ttc_conditions_init(&c, point->valuation);
+    for (size_t i = 0; i < point->ring->generator_count; i++) {
+        const ttc_generator *generator = &point->ring->generators[i];
+        if (is_function(point, generator->variable)) continue;
+        ttc_conditions_add(&c, &generator->square, generator->positive ? TTC_IS_POSITIVE : TTC_IS_NONNEGATIVE);
+    }
+    if (c.contradictory) truth = TTC_FAILS;
+    for (size_t i = 0; truth == TTC_HOLDS && i < c.count; i++) truth = ttc_point_holds(point, &c.items[i]);
+    if (c.failed) truth = TTC_UNCLEAR;
+    ttc_conditions_clear(&c);
+    return truth;
+}
+
+ttc_truth ttc_point_holds_all(ttc_point *point, const ttc_conditions *conditions)
+{
+    if (conditions->contradictory) return TTC_FAILS;
+    if (has_obscure_angle(point)) return TTC_UNCLEAR;
+    ttc_truth truth = roots_are_real(point);
+    for (size_t i = 0; truth != TTC_FAILS && i < conditions->count; i++) {
+        ttc_truth one = ttc_point_holds(point, &conditions->items[i]);
+        if (one != TTC_HOLDS) truth = one;
+    }
+    return truth;
+}
+
+/* The polynomial with the point's rational values put in, what is irrational left as a name. */
+static char *partial_text(ttc_point *point, const fmpz_mpoly_t polynomial, unsigned char *roots)
+{
+    const fmpz_mpoly_ctx_struct *context = point->ring->context;
+    char *text = NULL;
+    size_t size = 0;
+    fmpq_t value, factor;
+    FILE *stream = open_memstream(&text, &size);
+    if (stream == NULL) return NULL;
+    fmpq_init(value);
+    fmpq_init(factor);
+    if (exact_polynomial(value, point, polynomial)) {
+        char *digits = fmpq_get_str(NULL, 10, value);
+        fputs(digits, stream);
+        flint_free(digits);
+    } else {
+        for (slong i = 0; i < fmpz_mpoly_length(polynomial, context); i++) {
+            fmpq_one(value);
+            fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(value), polynomial, i, context);
+            for (slong v = 0; v < (slong)point->ring->variable_count; v++) {
+                ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context);
+                if (exponent == 0 || point->balls->state[v] != EXACT) continue;
+                fmpq_pow_si(factor, point->balls->exact + v, (slong)exponent);
+                fmpq_mul(value, value, factor);
+            }
+            if (fmpq_is_zero(value)) continue;
+            char *digits = fmpq_get_str(NULL, 10, value);
+            fprintf(stream, "%s%s", *digits == '-' || ftell(stream) == 0 ? "" : "+", digits);
+            flint_free(digits);
+            for (slong v = 0; v < (slong)point->ring->variable_count; v++) {
+                ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context);
+                if (exponent == 0 || point->balls->state[v] == EXACT) continue;
+                roots[v] = 1;
+                fprintf(stream, "*%s", point->ring->names[v]);
+                if (exponent > 1) fprintf(stream, "^%lu", exponent);
+            }
+        }
+    }
+    fmpq_clear(factor);
+    fmpq_clear(value);
+    return fclose(stream) == 0 ? text : NULL;
+}
+
+static void write_ratio(FILE *stream, ttc_point *point, const ttc_ratio *ratio, unsigned char *roots)
+{
+    fmpq_t value;
+    arb_t ball;
+    fmpq_init(value);
+    arb_init(ball);
+    ttc_point_enclose(ball, point, ratio, FIRST_PRECISION);
+    if (exact_ratio(value, point, ratio)) {
+        char *digits = fmpq_get_str(NULL, 10, value);
+        fputs(digits, stream);
+        flint_free(digits);
+    } else {
+        char *top = partial_text(point, ratio->numerator, roots), *bottom = partial_text(point, ratio->denominator, roots);
+        if (top != NULL && bottom != NULL && strcmp(bottom, "1") == 0) fputs(top, stream);
+        else if (top != NULL && bottom != NULL) fprintf(stream, "(%s)/(%s)", top, bottom);
+        free(bottom);
+        free(top);
+    }
+    arb_clear(ball);
+    fmpq_clear(value);
+}
+
+static void write_roots(FILE *stream, ttc_point *point, unsigned char *roots)
+{
+    bool again = true;
+    unsigned char *written = calloc(point->ring->variable_count, 1);
+    while (again && written != NULL) {
+        again = false;
+        for (size_t i = 0; i < point->ring->generator_count; i++) {
+            const ttc_generator *generator = &point->ring->generators[i];
+            slong v = generator->variable;
+            if (!roots[v] || written[v] || is_function(point, v)) continue;
+            written[v] = 1;
+            again = true;
+            fprintf(stream, ", %s = %ssqrt(", point->ring->names[v], !generator->positive && (point->negative >> i & 1) ? "-" : "");
+            write_ratio(stream, point, &generator->square, roots);
+            fputc(')', stream);
+        }
+    }
+    free(written);
+}
+
+char *ttc_point_text(ttc_point *point)
+{
+    const ttc_model *model = ttc_valuation_model(point->valuation);
+    char *text = NULL;
+    size_t size = 0;
+    unsigned char *roots = calloc(point->ring->variable_count + 1, 1);
+    FILE *stream = roots == NULL ? NULL : open_memstream(&text, &size);
+    ttc_ratio value;
+    if (stream == NULL) {
+        free(roots);
+        return NULL;
+    }
+    ttc_ratio_init(point->ring, &value);
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        ttc_symbol_kind kind = model->symbols[i].kind;
+        if (kind != TTC_PARAM && kind != TTC_STATE && kind != TTC_LEVEL) continue;
+        ttc_evaluate(point->valuation, &value, model->symbols[i].node);
+        if (point->ring->status != TTC_RING_OK) break;
+        fprintf(stream, "%s%s = ", ftell(stream) > 0 ? ", " : "", model->symbols[i].name);
+        write_ratio(stream, point, &value, roots);
+    }
+    write_roots(stream, point, roots);
+    ttc_ratio_clear(point->ring, &value);
+    free(roots);
+    return fclose(stream) == 0 ? text : NULL;
+}

@@ -1,0 +1,46 @@
+/** A real point of a ring, given by rational values of its free variables, and what is true there.
+ *
+ *  Roots, cosines and sines follow from the free variables. What is said of a point is certain: it is decided exactly, in
+ *  rational numbers, where all that enters is rational, and else by balls that exclude zero. */
+#ifndef TTC_POINT_H
+#define TTC_POINT_H
+
+#include "algebra/conditions.h"
+
+#if __has_include(<flint/arb.h>)
+#include <flint/arb.h>
+#else
+#include <arb.h>
+#endif
+
+typedef struct {
+    ttc_valuation *valuation; /* borrowed */
+    ttc_ring *ring;
+    fmpq *values;      /* by variable; of free variables only */
+    unsigned negative; /* bit i: generator i, which may have either sign, is negative */
+    struct ttc_point_balls *balls; /* values of all variables at the precision in use */
+} ttc_point;
+
+typedef enum { TTC_HOLDS, TTC_FAILS, TTC_UNCLEAR } ttc_truth;
+
+bool ttc_point_init(ttc_point *point, ttc_valuation *valuation); /* false: memory is out; clear it all the same */
+void ttc_point_clear(ttc_point *point);
+
+/* A variable that the point gives a value: no root, no function of others. */
+bool ttc_point_is_free(const ttc_point *point, slong variable);
+
+/* After values or signs were changed. */
+void ttc_point_changed(ttc_point *point);
+
+ttc_truth ttc_point_holds(ttc_point *point, const ttc_condition *condition);
+/* FAILS where one does, HOLDS where all do. */
+ttc_truth ttc_point_holds_all(ttc_point *point, const ttc_conditions *conditions);
+
+/* Enclose a ratio; not finite where its denominator may be zero. */
+void ttc_point_enclose(arb_t out, ttc_point *point, const ttc_ratio *ratio, slong precision);
+
+/** The point as "NAME = VALUE, ..." over parameters, levels and states, for free(): rational numbers as they are, others as
+ *  expressions in roots, which follow as "root1 = sqrt(2)". NULL when memory is out. */
+char *ttc_point_text(ttc_point *point);
+
+#endif

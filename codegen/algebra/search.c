@@ -1,0 +1,109 @@
+/* Trying small rational numbers. */
+#include "algebra/search.h"
+
+#include "algebra/solver.h"
+
+enum { EARLY_ATTEMPTS = 48, LATE_ATTEMPTS = 600 };
+
+static uint64_t mix(uint64_t x)
+{
+    x += UINT64_C(0x9E3779B97F4A7C15);
+    x = (x ^ (x >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
+    x = (x ^ (x >> 27)) * UINT64_C(0x94D049BB133111EB);
+    return x ^ (x >> 31);
+}
+
+/* A positive number: simple ones first, wide ones later. */
+static void magnitude(fmpq_t out, unsigned attempt, uint64_t random)
+{
+    static const unsigned char top[] = { 1, 2, 1, 3, 1, 3, 2, 5, 1, 7, 4, 11, 1, 10, 1, 100 };
+    static const unsigned char bottom[] = { 1, 1, 2, 1, 3, 2, 3, 1, 5, 2, 3, 4, 10, 1, 100, 1 };
+    size_t pool = attempt < 4 ? 1 : attempt < 16 ? 6 : sizeof top;
+    size_t i = (size_t)(random % pool);
+    fmpq_set_si(out, top[i], bottom[i]);
+    if (attempt >= EARLY_ATTEMPTS) { /* any fraction, to get away from the zeros of small polynomials */
+        fmpq_t other;
+        fmpq_init(other);
+        fmpq_set_si(other, (slong)(random >> 8 & 255) + 1, (ulong)(random >> 16 & 63) + 1);
+        fmpq_mul(out, out, other);
+        fmpq_clear(other);
+    }
+}
+
+static const fmpq *end_of(const ttc_graph *graph, ttc_id end)
+{
+    return end != TTC_NONE && ttc_kind_of(graph, end) == TTC_NUMBER ? ttc_coefficient(graph, end) : NULL;
+}
+
+static void choose_state(fmpq_t out, const ttc_graph *graph, const ttc_symbol_entry *entry, unsigned attempt, uint64_t random)
+{
+    const fmpq *low = end_of(graph, entry->low), *high = end_of(graph, entry->high);
+    magnitude(out, attempt, random);
+    if (low != NULL && high != NULL) {
+        fmpq_t width;
+        fmpq_init(width);
+        fmpq_sub(width, high, low);
+        fmpq_set_si(out, attempt == 0 ? 1 : (slong)(random % 15) + 1, attempt == 0 ? 2 : 16);
+        fmpq_mul(out, out, width);
+        fmpq_add(out, out, low);
+        fmpq_clear(width);
+    } else if (low != NULL) {
+        fmpq_add(out, out, low);
+    } else if (high != NULL) {
+        fmpq_sub(out, high, out);
+    } else if (random >> 32 & 1) {
+        if (attempt > 8 && (random >> 33) % 8 == 0) fmpq_zero(out);
+        else fmpq_neg(out, out);
+    }
+}
+
+static void choose_param(fmpq_t out, const ttc_graph *graph, const ttc_symbol_entry *entry, unsigned attempt, uint64_t random)
+{
+    const fmpq *value = end_of(graph, entry->value);
+    magnitude(out, attempt, random);
+    if (value != NULL && (attempt == 0 || attempt % 3 == 1)) fmpq_set(out, value);
+    else if (entry->sign == TTC_ANY_SIGN && random >> 32 & 1 && attempt > 8 && (random >> 33) % 4 == 0) fmpq_zero(out);
+    else if (entry->sign == TTC_NONNEGATIVE && (random >> 32) % 8 == 0) fmpq_zero(out);
+    else if ((entry->sign == TTC_ANY_SIGN || entry->sign == TTC_NONZERO) && random >> 32 & 1) fmpq_neg(out, out);
+}
+
+static void choose(ttc_point *point, unsigned attempt)
+{
+    const ttc_model *model = ttc_valuation_model(point->valuation);
+    for (slong v = 0; v < (slong)point->ring->variable_count; v++) {
+        if (!ttc_point_is_free(point, v)) continue;
+        size_t symbol = ttc_valuation_symbol(point->valuation, v);
+        uint64_t random = mix(((uint64_t)attempt << 20) + (uint64_t)v);
+        const ttc_symbol_entry *entry = symbol < model->symbol_count ? &model->symbols[symbol] : NULL;
+        if (entry != NULL && entry->kind == TTC_STATE) choose_state(point->values + v, model->graph, entry, attempt, random);
+        else if (entry != NULL && entry->kind == TTC_PARAM) choose_param(point->values + v, model->graph, entry, attempt, random);
+        else {
+            magnitude(point->values + v, attempt, random);
+            if (random >> 32 & 1) fmpq_neg(point->values + v, point->values + v);
+        }
+    }
+    point->negative = (unsigned)(mix(attempt) >> 40) & (attempt == 0 ? 0 : ~0u);
+    ttc_point_changed(point);
+}
+
+static bool try_numbers(ttc_point *point, const ttc_conditions *conditions, unsigned from, unsigned to)
+{
+    for (unsigned attempt = from; attempt < to; attempt++) {
+        choose(point, attempt);
+        if (ttc_point_holds_all(point, conditions) == TTC_HOLDS) return true;
+    }
+    return false;
+}
+
+ttc_search_result ttc_search_point(ttc_point *point, const ttc_conditions *conditions)
+{
+    if (conditions->contradictory) return TTC_POINT_IMPOSSIBLE;
+    if (conditions->failed) return TTC_POINT_NOT_DECIDED;
+    if (try_numbers(point, conditions, 0, EARLY_ATTEMPTS)) return TTC_POINT_FOUND;
+    choose(point, 0); /* what the conditions do not speak of keeps a plain value */
+    ttc_solver_answer answer = ttc_solver_ask(point, conditions);
+    if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;
+    if (answer == TTC_SOLVER_POINT && ttc_point_holds_all(point, conditions) == TTC_HOLDS) return TTC_POINT_FOUND;
+    if (try_numbers(point, conditions, EARLY_ATTEMPTS, LATE_ATTEMPTS)) return TTC_POINT_FOUND;
+    return TTC_POINT_NOT_DECIDED;
+}

@@ -1,0 +1,244 @@
+#include "algebra/solver.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <z3.h>
+
+/* Beyond these a question is not put: nonlinear arithmetic is doubly exponential. */
+enum { TERM_LIMIT = 4000, DEGREE_LIMIT = 40, VARIABLE_LIMIT = 40 };
+#define WORK_LIMIT 4000000u /* in the solver's units, some ten seconds at most */
+
+typedef struct {
+    Z3_context z3;
+    Z3_solver solver;
+    Z3_sort real;
+    Z3_ast *variables; /* by ring variable; NULL: not in use */
+    size_t variable_count, terms;
+    ttc_point *point;
+    bool too_large;
+} question;
+
+static void ignore_errors(Z3_context z3, Z3_error_code code)
+{
+    (void)z3;
+    (void)code;
+}
+
+static Z3_ast variable_of(question *q, slong v)
+{
+    if (q->variables[v] == NULL) {
+        q->variables[v] = Z3_mk_const(q->z3, Z3_mk_int_symbol(q->z3, (int)v), q->real);
+        if (++q->variable_count > VARIABLE_LIMIT) q->too_large = true;
+    }
+    return q->variables[v];
+}
+
+static Z3_ast number_of(question *q, const fmpz_t value)
+{
+    char *digits = fmpz_get_str(NULL, 10, value);
+    Z3_ast number = Z3_mk_numeral(q->z3, digits, q->real);
+    flint_free(digits);
+    return number;
+}
+
+static Z3_ast term_of(question *q, const fmpz_mpoly_t polynomial, slong index)
+{
+    Z3_ast factors[DEGREE_LIMIT + 1];
+    unsigned count = 1;
+    fmpz_t coefficient;
+    fmpz_init(coefficient);
+    fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, index, q->point->ring->context);
+    factors[0] = number_of(q, coefficient);
+    for (slong v = 0; v < (slong)q->point->ring->variable_count; v++) {
+        ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, index, v, q->point->ring->context);
+        if (exponent > DEGREE_LIMIT || count + exponent > DEGREE_LIMIT) {
+            q->too_large = true;
+            break;
+        }
+        while (exponent-- > 0) factors[count++] = variable_of(q, v);
+    }
+    fmpz_clear(coefficient);
+    return count == 1 ? factors[0] : Z3_mk_mul(q->z3, count, factors);
+}
+
+static Z3_ast polynomial_of(question *q, const fmpz_mpoly_t polynomial)
+{
+    slong length = fmpz_mpoly_length(polynomial, q->point->ring->context);
+    q->terms += (size_t)length;
+    if (q->terms > TERM_LIMIT) q->too_large = true;
+    Z3_ast *terms = q->too_large || length == 0 ? NULL : malloc((size_t)length * sizeof(Z3_ast));
+    if (terms == NULL) {
+        q->too_large |= length > 0;
+        return Z3_mk_numeral(q->z3, "0", q->real);
+    }
+    for (slong i = 0; i < length; i++) terms[i] = term_of(q, polynomial, i);
+    Z3_ast sum = length == 1 ? terms[0] : Z3_mk_add(q->z3, (unsigned)length, terms);
+    free(terms);
+    return sum;
+}
+
+static void state_condition(question *q, const fmpz_mpoly_t polynomial, ttc_relation relation)
+{
+    Z3_ast left = polynomial_of(q, polynomial), zero = Z3_mk_numeral(q->z3, "0", q->real);
+    Z3_ast statement = Z3_mk_eq(q->z3, left, zero);
+    if (relation == TTC_IS_POSITIVE) statement = Z3_mk_gt(q->z3, left, zero);
+    if (relation == TTC_IS_NONNEGATIVE) statement = Z3_mk_ge(q->z3, left, zero);
+    if (relation == TTC_IS_NONZERO) statement = Z3_mk_not(q->z3, statement);
+    if (!q->too_large) Z3_solver_assert(q->z3, q->solver, statement);
+}
+
+/* g^2 = square, g > 0 for a root; only of generators in use, until no more come into use. */
+static void state_generators(question *q)
+{
+    const ttc_ring *ring = q->point->ring;
+    bool stated[TTC_GENERATOR_LIMIT] = { false }, again = true;
+    while (again && !q->too_large) {
+        again = false;
+        for (size_t i = 0; i < ring->generator_count; i++) {
+            const ttc_generator *generator = &ring->generators[i];
+            if (stated[i] || q->variables[generator->variable] == NULL) continue;
+            stated[i] = again = true;
+            fmpz_mpoly_t relation, variable;
+            fmpz_mpoly_init(relation, ring->context);
+            fmpz_mpoly_init(variable, ring->context);
+            fmpz_mpoly_gen(variable, generator->variable, ring->context);
+            fmpz_mpoly_mul(relation, variable, variable, ring->context);
+            fmpz_mpoly_mul(relation, relation, generator->square.denominator, ring->context);
+            fmpz_mpoly_sub(relation, relation, generator->square.numerator, ring->context);
+            state_condition(q, relation, TTC_IS_ZERO);
+            if (generator->positive) state_condition(q, variable, TTC_IS_POSITIVE);
+            state_condition(q, generator->square.denominator, TTC_IS_NONZERO);
+            fmpz_mpoly_clear(variable, ring->context);
+            fmpz_mpoly_clear(relation, ring->context);
+        }
+    }
+}
+
+/* 1 - c^2 >= 0 */
+static void state_cosine(question *q, const fmpz_mpoly_t cosine)
+{
+    const ttc_ring *ring = q->point->ring;
+    fmpz_mpoly_t rest, one;
+    fmpz_mpoly_init(rest, ring->context);
+    fmpz_mpoly_init(one, ring->context);
+    fmpz_mpoly_one(one, ring->context);
+    fmpz_mpoly_mul(rest, cosine, cosine, ring->context);
+    fmpz_mpoly_sub(rest, one, rest, ring->context);
+    state_condition(q, rest, TTC_IS_NONNEGATIVE);
+    fmpz_mpoly_clear(one, ring->context);
+    fmpz_mpoly_clear(rest, ring->context);
+}
+
+/* What the conditions and the generators use has the signs and numbered ends of its record. */
+static void state_signs(question *q)
+{
+    const ttc_ring *ring = q->point->ring;
+    const ttc_model *model = ttc_valuation_model(q->point->valuation);
+    fmpz_mpoly_t variable;
+    fmpz_mpoly_init(variable, ring->context);
+    for (slong v = 0; v < (slong)ring->variable_count; v++) {
+        size_t symbol = ttc_valuation_symbol(q->point->valuation, v);
+        if (q->variables[v] == NULL || symbol >= model->symbol_count) continue;
+        const ttc_symbol_entry *entry = &model->symbols[symbol];
+        fmpz_mpoly_gen(variable, v, ring->context);
+        if (entry->kind == TTC_COSINE) state_cosine(q, variable);
+        if (entry->kind == TTC_PARAM && entry->sign == TTC_POSITIVE) state_condition(q, variable, TTC_IS_POSITIVE);
+        if (entry->kind == TTC_PARAM && entry->sign == TTC_NONNEGATIVE) state_condition(q, variable, TTC_IS_NONNEGATIVE);
+        if (entry->kind == TTC_PARAM && entry->sign == TTC_NONZERO) state_condition(q, variable, TTC_IS_NONZERO);
+        const ttc_id ends[2] = { entry->low, entry->high };
+        for (int i = 0; i < 2 && entry->kind == TTC_STATE; i++) {
+            if (ends[i] == TTC_NONE || ttc_kind_of(model->graph, ends[i]) != TTC_NUMBER) continue;
+            int sign = fmpq_sgn(ttc_coefficient(model->graph, ends[i]));
+            if (i == 0 ? sign < 0 : sign > 0) continue;
+            if (i == 1) fmpz_mpoly_neg(variable, variable, ring->context);
+            state_condition(q, variable, TTC_IS_POSITIVE);
+        }
+    }
+    fmpz_mpoly_clear(variable, ring->context);
+}
+
+static bool read_rational(Z3_context z3, Z3_ast value, fmpq_t out)
+{
+    return fmpq_set_str(out, Z3_get_numeral_string(z3, value), 10) == 0;
+}
+
+static bool read_value(Z3_context z3, Z3_ast value, fmpq_t out)
+{
+    if (Z3_is_numeral_ast(z3, value)) return read_rational(z3, value, out);
+    if (!Z3_is_algebraic_number(z3, value)) return false;
+    fmpq_t upper;
+    fmpq_init(upper);
+    bool ok = read_rational(z3, Z3_get_algebraic_number_lower(z3, value, 100), out)
+              && read_rational(z3, Z3_get_algebraic_number_upper(z3, value, 100), upper);
+    fmpq_add(out, out, upper);
+    fmpq_div_2exp(out, out, 1);
+    fmpq_clear(upper);
+    return ok;
+}
+
+static void read_sign(question *q, slong v, const fmpq_t value)
+{
+    for (size_t i = 0; i < q->point->ring->generator_count; i++)
+        if (q->point->ring->generators[i].variable == v) {
+            q->point->negative &= ~(1u << i);
+            if (fmpq_sgn(value) < 0) q->point->negative |= 1u << i;
+        }
+}
+
+static bool read_point(question *q)
+{
+    Z3_model model = Z3_solver_get_model(q->z3, q->solver);
+    bool ok = model != NULL;
+    fmpq_t value;
+    fmpq_init(value);
+    if (ok) Z3_model_inc_ref(q->z3, model);
+    for (slong v = 0; ok && v < (slong)q->point->ring->variable_count; v++) {
+        Z3_ast said = NULL;
+        if (q->variables[v] == NULL) continue;
+        ok = Z3_model_eval(q->z3, model, q->variables[v], true, &said) && read_value(q->z3, said, value);
+        if (ok && ttc_point_is_free(q->point, v)) fmpq_set(q->point->values + v, value);
+        if (ok) read_sign(q, v, value);
+    }
+    if (model != NULL) Z3_model_dec_ref(q->z3, model);
+    fmpq_clear(value);
+    ttc_point_changed(q->point);
+    return ok;
+}
+
+static ttc_solver_answer ask(question *q, const ttc_conditions *conditions)
+{
+    for (size_t i = 0; i < conditions->count; i++)
+        state_condition(q, conditions->items[i].polynomial, conditions->items[i].relation);
+    state_generators(q);
+    state_signs(q);
+    if (q->too_large) return TTC_SOLVER_SILENT;
+    switch (Z3_solver_check(q->z3, q->solver)) {
+    case Z3_L_FALSE: return TTC_SOLVER_NO_POINT;
+    case Z3_L_TRUE: return read_point(q) ? TTC_SOLVER_POINT : TTC_SOLVER_SILENT;
+    default: return TTC_SOLVER_SILENT;
+    }
+}
+
+ttc_solver_answer ttc_solver_ask(ttc_point *point, const ttc_conditions *conditions)
+{
+    question q = { .point = point };
+    q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));
+    if (q.variables == NULL) return TTC_SOLVER_SILENT;
+    Z3_config config = Z3_mk_config();
+    q.z3 = Z3_mk_context(config);
+    Z3_del_config(config);
+    Z3_set_error_handler(q.z3, ignore_errors);
+    q.real = Z3_mk_real_sort(q.z3);
+    q.solver = Z3_mk_solver_for_logic(q.z3, Z3_mk_string_symbol(q.z3, "QF_NRA"));
+    Z3_solver_inc_ref(q.z3, q.solver);
+    Z3_params params = Z3_mk_params(q.z3);
+    Z3_params_inc_ref(q.z3, params);
+    Z3_params_set_uint(q.z3, params, Z3_mk_string_symbol(q.z3, "rlimit"), WORK_LIMIT);
+    Z3_solver_set_params(q.z3, q.solver, params);
+    ttc_solver_answer answer = ask(&q, conditions);
+    Z3_params_dec_ref(q.z3, params);
+    Z3_solver_dec_ref(q.z3, q.solver);
+    Z3_del_context(q.z3);
+    free(q.variables);
+    return answer;
+}

@@ -1,0 +1,306 @@
+#include "prove/domain.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Every expression that the claim speaks of. */
+typedef struct {
+    ttc_id *ids;
+    size_t count, capacity;
+    bool failed;
+} id_list;
+
+static void add_id(id_list *list, ttc_id id)
+{
+    if (id == TTC_NONE) return;
+    if (list->count == list->capacity) {
+        size_t capacity = 2 * list->capacity + 64;
+        ttc_id *ids = realloc(list->ids, capacity * sizeof *ids);
+        if (ids == NULL) {
+            list->failed = true;
+            return;
+        }
+        list->ids = ids;
+        list->capacity = capacity;
+    }
+    list->ids[list->count++] = id;
+}
+
+static void add_bindings(id_list *list, const ttc_bindings *bindings)
+{
+    for (size_t i = 0; i < bindings->count; i++) add_id(list, bindings->items[i].expression);
+}
+
+static void add_claim(id_list *list, const ttc_model *model, const ttc_claim *claim)
+{
+    add_id(list, claim->expression);
+    add_id(list, claim->other);
+    add_bindings(list, &claim->bindings);
+    add_bindings(list, &claim->when);
+    for (size_t i = 0; i < claim->entry_count; i++) add_id(list, claim->entries[i]);
+    for (size_t i = 0; i < claim->member_count; i++) add_id(list, model->claims[claim->members[i]].expression);
+    for (size_t i = 0; i < claim->modulo_count; i++) add_id(list, model->claims[claim->modulo[i]].expression);
+}
+
+unsigned char *ttc_domain_support(const ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    const ttc_claim *family = ttc_task_family(task);
+    id_list list = { NULL, 0, 0, false };
+    for (size_t i = 0; i < model->equation_count; i++) add_id(&list, model->equations[i].sum);
+    for (size_t i = 0; i < model->symbol_count; i++) {
+        if (model->symbols[i].kind != TTC_STATE) continue;
+        add_id(&list, model->symbols[i].low);
+        add_id(&list, model->symbols[i].high);
+    }
+    for (size_t i = 0; i < model->region_count; i++) add_id(&list, model->regions[i].expression);
+    for (size_t i = 0; i < model->divisor_count; i++)
+        if (model->divisors[i].role == TTC_DIVIDES_FIELD
+            || (model->divisors[i].role == task->role && model->divisors[i].owner == task->owner))
+            add_id(&list, model->divisors[i].divisor);
+    add_claim(&list, model, task->claim);
+    if (family != NULL && family != task->claim) add_claim(&list, model, family);
+    unsigned char *support = list.failed ? NULL : ttc_model_support(model, list.ids, list.count);
+    free(list.ids);
+    return support;
+}
+
+static bool is_tested(const ttc_task *task, uint32_t symbol)
+{
+    for (size_t i = 0; task->tested != NULL && i < task->tested->count; i++)
+        if (task->tested->items[i].symbol == symbol) return true;
+    return task->tested_root != 0 && task->tested_root == symbol;
+}
+
+static bool depends_on_tested(const ttc_task *task, ttc_id id)
+{
+    if (task->tested == NULL && task->tested_root == 0) return false;
+    unsigned char *support = ttc_model_support(task->model, &id, 1);
+    bool result = support == NULL;
+    for (uint32_t i = 0; !result && i < task->model->symbol_count; i++) result = support[i] && is_tested(task, i);
+    free(support);
+    return result;
+}
+
+static bool owner_counts(const ttc_task *task, const ttc_divisor *d)
+{
+    const ttc_claim *claim = task->claim, *family = ttc_task_family(task);
+    if (d->role == task->role && d->owner == task->owner) return true;
+    if (d->role != TTC_DIVIDES_CLAIM) return false;
+    if (family != NULL && family != claim && d->owner == claim->family) return true;
+    for (size_t i = 0; i < claim->member_count; i++)
+        if (claim->members[i] == d->owner) return true;
+    for (size_t i = 0; i < claim->modulo_count; i++)
+        if (claim->modulo[i] == d->owner) return true;
+    return false;
+}
+
+static bool depends_on_states(const ttc_model *model, ttc_id id)
+{
+    unsigned char *support = ttc_model_support(model, &id, 1);
+    bool result = support == NULL;
+    for (size_t i = 0; !result && i < model->state_count; i++) result = support[model->states[i]] != 0;
+    free(support);
+    return result;
+}
+
+void ttc_domain_require_tested(ttc_task *task, const char *where)
+{
+    const ttc_model *model = task->model;
+    ttc_ratio value;
+    for (size_t i = 0; i < task->tested->count && ttc_task_open(task); i++)
+        ttc_domain_require_symbol(task, NULL, model, task->tested->items[i].symbol, where);
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
+        ttc_id region = model->regions[i].expression;
+        if (!depends_on_tested(task, region) || depends_on_states(model, region)) continue;
+        ttc_evaluate(task->field, &value, region);
+        ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken%s", model->regions[i].name, where);
+    }
+    ttc_ratio_clear(task->ring, &value);
+}
+
+/* Divisors in the definitions of cosines are kept with the first name of the pair. */
+static bool symbol_counts(const ttc_model *model, const unsigned char *support, uint32_t symbol)
+{
+    return support[symbol] || (model->symbols[symbol].kind == TTC_COSINE && support[model->symbols[symbol].partner]);
+}
+
+static bool divisor_counts(const ttc_task *task, const ttc_divisor *d, const unsigned char *support, ttc_domain_extent extent)
+{
+    switch (d->role) {
+    case TTC_DIVIDES_FIELD: return true;
+    case TTC_DIVIDES_SYMBOL: return symbol_counts(task->model, support, d->owner);
+    default: return extent == TTC_DOMAIN_WHOLE && owner_counts(task, d);
+    }
+}
+
+/* A root is positive, so a division by one excludes nothing more; but it does exclude a radicand of zero from the question
+ * whether the radicand is positive. */
+static bool is_root(const ttc_model *model, ttc_id id, uint32_t *root)
+{
+    if (ttc_kind_of(model->graph, id) != TTC_SYMBOL) return false;
+    *root = ttc_symbol_of(model->graph, id);
+    return model->symbols[*root].kind == TTC_ROOT;
+}
+
+/* Adds a condition, and notes its words when they alone leave no point. */
+TTC_PRINTF(5, 6)
+static void add(ttc_task *task, ttc_conditions *c, const ttc_ratio *value, ttc_relation relation, const char *format, ...)
+{
+    bool before = c->contradictory;
+    ttc_conditions_add(c, value, relation);
+    if (before || !c->contradictory) return;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(task->why_empty, sizeof task->why_empty, format, arguments);
+    va_end(arguments);
+}
+
+static void add_divisor(ttc_task *task, ttc_conditions *c, ttc_id id, ttc_ratio *value)
+{
+    uint32_t root;
+    if (is_root(task->model, id, &root)) {
+        if (root != task->tested_root) return;
+        id = task->model->symbols[root].definition;
+    } else if (ttc_kind_of(task->model->graph, id) == TTC_PRODUCT) {
+        /* Factor by factor: each is simpler, and most are roots. */
+        for (size_t i = 0; i < ttc_part_count(task->model->graph, id); i++)
+            add_divisor(task, c, ttc_part_at(task->model->graph, id, i).id, value);
+        return;
+    } else if (depends_on_tested(task, id) && task->tested_root != 0) {
+        return;
+    }
+    ttc_evaluate(task->field, value, id);
+    add(task, c, value, TTC_IS_NONZERO, "a denominator vanishes under the conditions of this claim");
+}
+
+static void add_state(ttc_task *task, ttc_conditions *c, const ttc_symbol_entry *entry, ttc_ratio *value, ttc_ratio *end)
+{
+    if (entry->low != TTC_NONE) {
+        ttc_evaluate(task->field, value, entry->node);
+        ttc_evaluate(task->field, end, entry->low);
+        ttc_ratio_subtract(task->ring, value, value, end);
+        add(task, c, value, TTC_IS_POSITIVE, "%s lies outside its domain under the conditions of this claim", entry->name);
+    }
+    if (entry->high != TTC_NONE) {
+        ttc_evaluate(task->field, value, entry->node);
+        ttc_evaluate(task->field, end, entry->high);
+        ttc_ratio_subtract(task->ring, value, end, value);
+        add(task, c, value, TTC_IS_POSITIVE, "%s lies outside its domain under the conditions of this claim", entry->name);
+    }
+}
+
+static ttc_relation relation_of(ttc_sign sign)
+{
+    switch (sign) {
+    case TTC_POSITIVE: return TTC_IS_POSITIVE;
+    case TTC_NONZERO: return TTC_IS_NONZERO;
+    default: return TTC_IS_NONNEGATIVE;
+    }
+}
+
+/* A root that is a name of its own in the ring, or has become rational, is positive; one that nothing has used need not come
+ * into the ring: its radicand says the same. */
+static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_ratio *value)
+{
+    const ttc_symbol_entry *entry = &task->model->symbols[symbol];
+    if (depends_on_tested(task, entry->node)) return;
+    ttc_evaluate(task->field, value, entry->definition);
+    add(task, c, value, TTC_IS_POSITIVE, "the root %s vanishes, or its radicand is negative, under the conditions of this claim", entry->name);
+    if (!ttc_valuation_has_value(task->field, symbol)) return;
+    ttc_evaluate(task->field, value, entry->node);
+    ttc_conditions_add(c, value, TTC_IS_POSITIVE);
+}
+
+void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
+{
+    const ttc_model *model = task->model;
+    unsigned char *support = ttc_domain_support(task);
+    ttc_ratio value, end;
+    if (support == NULL) {
+        ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
+        return;
+    }
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &end);
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        const ttc_symbol_entry *entry = &model->symbols[i];
+        if (is_tested(task, i)) continue;
+        if (entry->kind == TTC_STATE) add_state(task, c, entry, &value, &end);
+        if (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN && ttc_valuation_is_bound(task->field, i)) {
+            ttc_evaluate(task->field, &value, entry->node);
+            add(task, c, &value, relation_of(entry->sign), "%s lies outside its domain under the conditions of this claim", entry->name);
+        }
+        if (entry->kind == TTC_ROOT) add_root(task, c, i, &value);
+        /* A cosine that a level has bound has a sine only between -1 and 1. */
+        if (entry->kind == TTC_COSINE && ttc_valuation_is_bound(task->field, i))
+            ttc_evaluate(task->field, &value, model->symbols[entry->partner].node);
+    }
+    for (size_t i = 0; i < model->region_count; i++) {
+        if (depends_on_tested(task, model->regions[i].expression)
+            && (task->tested_root != 0 || !depends_on_states(model, model->regions[i].expression)))
+            continue;
+        ttc_evaluate(task->field, &value, model->regions[i].expression);
+        add(task, c, &value, TTC_IS_POSITIVE, "the domain record %s excludes what the conditions of this claim say", model->regions[i].name);
+    }
+    for (size_t i = 0; i < model->divisor_count; i++)
+        if (divisor_counts(task, &model->divisors[i], support, extent)) add_divisor(task, c, model->divisors[i].divisor, &value);
+    if (task->divisor != TTC_NONE && extent == TTC_DOMAIN_WHOLE) add_divisor(task, c, task->divisor, &value);
+    ttc_ratio_clear(task->ring, &end);
+    ttc_ratio_clear(task->ring, &value);
+    free(support);
+}
+
+/* end: TTC_NONE, or an end of the interval; direction 1: the state lies above it. */
+static void require_end(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry, ttc_id end, int direction, const char *where)
+{
+    ttc_ratio value, limit;
+    if (end == TTC_NONE || !ttc_task_open(task)) return;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &limit);
+    ttc_evaluate(map, &value, entry->node);
+    ttc_evaluate(map, &limit, end);
+    if (direction > 0) ttc_ratio_subtract(task->ring, &value, &value, &limit);
+    else ttc_ratio_subtract(task->ring, &value, &limit, &value);
+    ttc_task_require(task, &value, TTC_IS_POSITIVE, "%s leaves its interval%s: %s", entry->name, where,
+                     direction > 0 ? "above the lower end by" : "below the upper end by");
+    ttc_ratio_clear(task->ring, &limit);
+    ttc_ratio_clear(task->ring, &value);
+}
+
+void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_model *model, uint32_t symbol, const char *where)
+{
+    const ttc_symbol_entry *entry = &model->symbols[symbol];
+    ttc_ratio value;
+    if (map == NULL) map = task->field;
+    if (entry->kind == TTC_STATE) {
+        require_end(task, map, entry, entry->low, 1, where);
+        require_end(task, map, entry, entry->high, -1, where);
+    } else if (entry->kind == TTC_ROOT || (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN)) {
+        ttc_ratio_init(task->ring, &value);
+        ttc_evaluate(map, &value, entry->kind == TTC_ROOT ? entry->definition : entry->node);
+        ttc_task_require(task, &value, entry->kind == TTC_ROOT ? TTC_IS_POSITIVE : relation_of(entry->sign), "%s%s%s",
+                         entry->kind == TTC_ROOT ? "the radicand is not positive, of " : "the sign is broken, of ", entry->name, where);
+        ttc_ratio_clear(task->ring, &value);
+    }
+}
+
+void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_model *model, const char *where)
+{
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (uint32_t i = 0; i < model->symbol_count && ttc_task_open(task); i++) ttc_domain_require_symbol(task, map, model, i, where);
+    for (size_t i = 0; i < model->region_count && ttc_task_open(task); i++) {
+        ttc_evaluate(map, &value, model->regions[i].expression);
+        ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken%s", model->regions[i].name, where);
+    }
+    for (size_t i = 0; i < model->divisor_count && ttc_task_open(task); i++) {
+        uint32_t root;
+        if (model->divisors[i].role != TTC_DIVIDES_FIELD || is_root(model, model->divisors[i].divisor, &root)) continue;
+        ttc_evaluate(map, &value, model->divisors[i].divisor);
+        ttc_task_require(task, &value, TTC_IS_NONZERO, "a denominator vanishes%s", where);
+    }
+    ttc_ratio_clear(task->ring, &value);
+}

@@ -1,0 +1,29 @@
+/** The domain of a table as conditions on the points of a leaf: parameters within their signs, states within their intervals,
+ *  radicands of roots positive, domain records, and nothing that is divided by zero. */
+#ifndef TTC_DOMAIN_H
+#define TTC_DOMAIN_H
+
+#include "prove/prove_task.h"
+
+typedef enum {
+    TTC_DOMAIN_WHOLE,      /* with the divisors of the claim */
+    TTC_DOMAIN_OF_THE_FIELD /* without them */
+} ttc_domain_extent;
+
+/* Adds the conditions of the domain to task->domain. Symbols under test (task->tested, task->tested_root) and the roots that
+ * depend on them are left out: theirs is what the claim has to show. */
+void ttc_domain_add(ttc_task *task, ttc_conditions *conditions, ttc_domain_extent extent);
+
+/* Requires of the value of a symbol what its record says of it; map: NULL, or the valuation in which `model` is seen. */
+void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_model *model, uint32_t symbol, const char *where);
+
+/* Requires everything that the domain of `model`, seen through `map`, demands: of an image under a map. */
+void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_model *model, const char *where);
+
+/* Requires of the symbols under test what their records say, and the domain records that speak of parameters alone. */
+void ttc_domain_require_tested(ttc_task *task, const char *where);
+
+/* What the claim, and the domain, make use of. */
+unsigned char *ttc_domain_support(const ttc_task *task); /* by symbol, for free(); NULL when memory is out */
+
+#endif

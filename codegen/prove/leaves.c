@@ -1,0 +1,304 @@
+/* The leaves of a claim: what its conditions allow, cut into pieces on which some symbols follow from free ones.
+ *
+ * A zero level h = 0 is factored. On a factor A s^d + ... of degree d <= 2 in a symbol s, s follows from the other symbols where
+ * A is not zero; where A = 0 as well, that is one more level, and is cut in its turn. So the leaves cover every real point, and
+ * what is shown at a generic point of a leaf holds on all of it, by continuity. */
+#include "prove/branch.h"
+#include "prove/domain.h"
+
+#include <flint/fmpz_mpoly_factor.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LEAF_LIMIT = 512 };
+
+typedef struct {
+    ttc_task *task;
+    ttc_prover prover;
+    size_t leaves, with_point, undecided;
+    const char *why_empty; /* of the last leaf without points */
+} cover;
+
+static void bind_all(ttc_valuation *field, const ttc_bindings *bindings)
+{
+    for (size_t i = 0; i < bindings->count; i++)
+        ttc_valuation_bind(field, bindings->items[i].symbol, bindings->items[i].expression);
+}
+
+static bool open_field(ttc_task *task, const ttc_branch *b, unsigned choices)
+{
+    const ttc_claim *family = ttc_task_family(task);
+    task->field = ttc_valuation_create(task->model, choices);
+    if (task->field == NULL) return false;
+    task->ring = ttc_valuation_ring(task->field);
+    bind_all(task->field, &task->claim->when);
+    if (family != NULL && family != task->claim) bind_all(task->field, &family->when);
+    if (family != NULL) bind_all(task->field, &family->bindings);
+    for (size_t i = 0; i < b->solution_count; i++)
+        if (b->solutions[i].square)
+            ttc_valuation_bind_square(task->field, b->solutions[i].symbol, b->solutions[i].expression);
+        else ttc_valuation_bind(task->field, b->solutions[i].symbol, b->solutions[i].expression);
+    ttc_conditions_init(&task->domain, task->field);
+    return true;
+}
+
+static void close_field(ttc_task *task)
+{
+    ttc_conditions_clear(&task->domain);
+    ttc_valuation_destroy(task->field);
+    task->field = NULL;
+    task->ring = NULL;
+}
+
+/* A failure that says that no point of the domain is here, rather than that something could not be computed. */
+static bool says_empty(ttc_ring_status status)
+{
+    return status == TTC_RING_DIVISION_BY_ZERO || status == TTC_RING_ROOT_OF_ZERO || status == TTC_RING_ROOT_OF_NEGATIVE;
+}
+
+/* Goals were met for the signs of roots that were in hand then; those that are not zero for the signs in hand now were left to
+ * the signs for which they are. */
+static bool is_on_branch(ttc_task *task, const ttc_branch *b)
+{
+    bool zero = true;
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    for (size_t i = 0; zero && i < b->met_count; i++) {
+        ttc_evaluate(task->field, &value, b->met[i]);
+        zero = task->ring->status != TTC_RING_OK || ttc_ratio_is_zero(task->ring, &value);
+    }
+    ttc_ratio_clear(task->ring, &value);
+    return zero;
+}
+
+/* What a claim rests on through `modulo` must be proved, under conditions that hold here. */
+static void check_foundations(ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    ttc_ratio value, bound;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &bound);
+    for (size_t i = 0; i < task->claim->modulo_count && ttc_task_open(task); i++) {
+        const ttc_claim *level = &model->claims[task->claim->modulo[i]];
+        if (task->verdict_of == NULL || task->verdict_of(task->verdict_context, task->claim->modulo[i]) != TTC_PROVED)
+            ttc_task_unsettle(task, "it rests on %s, which is not proved", level->name);
+        for (size_t k = 0; k < level->when.count && ttc_task_open(task); k++) {
+            ttc_evaluate(task->field, &value, model->symbols[level->when.items[k].symbol].node);
+            ttc_evaluate(task->field, &bound, level->when.items[k].expression);
+            ttc_ratio_subtract(task->ring, &value, &value, &bound);
+            if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &value))
+                ttc_task_unsettle(task, "it rests on %s, which holds under a condition on %s that this claim does not make", level->name,
+                                  model->symbols[level->when.items[k].symbol].name);
+        }
+        for (size_t k = 0; k < level->modulo_count && ttc_task_open(task); k++) {
+            ttc_evaluate(task->field, &value, model->claims[level->modulo[k]].expression);
+            if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &value))
+                ttc_task_unsettle(task, "it rests on %s, which holds on a zero level of %s that this claim does not take", level->name,
+                                  model->claims[level->modulo[k]].name);
+        }
+    }
+    ttc_ratio_clear(task->ring, &bound);
+    ttc_ratio_clear(task->ring, &value);
+}
+
+/* False: the leaf has no points. */
+static bool look_for_point(cover *c)
+{
+    ttc_task *task = c->task;
+    char *text = NULL;
+    ttc_domain_add(task, &task->domain, TTC_DOMAIN_WHOLE);
+    if (says_empty(task->ring->status)) {
+        c->why_empty = ttc_ring_status_text(task->ring->status);
+        return false;
+    }
+    if (task->ring->status != TTC_RING_OK) return true;
+    ttc_search_result result = ttc_task_search(task, NULL, TTC_IS_ZERO, &text);
+    task->has_point = result == TTC_POINT_FOUND;
+    if (result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED) {
+        c->why_empty = *task->why_empty != '\0' ? task->why_empty : "no point of the domain meets its conditions";
+        return false;
+    }
+    if (!task->has_point) c->undecided++;
+    else if (c->with_point++ == 0 && task->status == TTC_PROVED && task->point == NULL) {
+        task->point = text;
+        text = NULL;
+    }
+    free(text);
+    return true;
+}
+
+/* The claim on one leaf; every sign of roots that became rational is a leaf of its own. A verdict that is not final does not
+ * keep other leaves from refuting the claim. */
+static void visit(cover *c, const ttc_branch *b)
+{
+    ttc_task *task = c->task;
+    bool again = true;
+    for (unsigned choices = 0; again && task->status != TTC_REFUTED; choices++) {
+        ttc_proof_status before = task->status;
+        char *reason = task->remainder;
+        if (++c->leaves > LEAF_LIMIT) {
+            ttc_task_unsettle(task, "its conditions fall into more than %d cases", (int)LEAF_LIMIT);
+            return;
+        }
+        if (!open_field(task, b, choices)) {
+            ttc_task_unsettle(task, "out of memory");
+            return;
+        }
+        if (before == TTC_UNSETTLED) {
+            task->status = TTC_PROVED;
+            task->remainder = NULL;
+        }
+        if (is_on_branch(task, b) && look_for_point(c)) {
+            check_foundations(task);
+            if (ttc_task_open(task)) c->prover(task);
+            if (says_empty(task->ring->status))
+                ttc_task_unsettle(task, "%s", ttc_ring_status_text(task->ring->status));
+            else if (task->ring->status != TTC_RING_OK || task->domain.failed)
+                ttc_task_unsettle(task, "%s", task->domain.failed ? "out of memory" : ttc_ring_status_text(task->ring->status));
+        }
+        if (before == TTC_UNSETTLED && task->status != TTC_REFUTED) {
+            free(task->remainder);
+            task->status = before;
+            task->remainder = reason;
+        } else if (before == TTC_UNSETTLED) {
+            free(reason);
+        }
+        again = choices + 1 < 1u << task->ring->choice_count;
+        close_field(task);
+    }
+}
+
+static void descend(cover *c, const ttc_branch *b);
+
+/* A solution changes the field, which is therefore built anew further down; ours is kept. */
+static void descend_apart(cover *c, const ttc_branch *b)
+{
+    ttc_task *task = c->task;
+    ttc_valuation *field = task->field;
+    ttc_conditions domain = task->domain;
+    ttc_ring *ring = task->ring;
+    task->field = NULL;
+    task->ring = NULL;
+    descend(c, b);
+    task->field = field;
+    task->domain = domain;
+    task->ring = ring;
+}
+
+/* factor = 0 solved; and, where what the solution divides by can vanish, that it vanishes as well. The goal stays: its norm
+ * vanished, which says that some conjugate did. */
+static void follow(cover *c, const ttc_branch *b, const fmpz_mpoly_t factor)
+{
+    ttc_branch solved = *b, degenerate = *b;
+    ttc_id lead;
+    if (!ttc_branch_solve(&solved, &lead, c->task, factor)) {
+        ttc_task_unsettle(c->task, "the zero level cannot be solved for a state or parameter, linearly or by a square root");
+        return;
+    }
+    solved.own_solved |= b->goal_count == 1 && c->task->claim->kind == TTC_CLAIM_INVARIANT;
+    descend_apart(c, &solved);
+    if (lead == TTC_NONE || ttc_kind_of(c->task->model->graph, lead) == TTC_NUMBER || c->task->status == TTC_REFUTED) return;
+    if (degenerate.goal_count == sizeof degenerate.goals / sizeof *degenerate.goals) {
+        ttc_task_unsettle(c->task, "the zero level falls into too many cases");
+        return;
+    }
+    degenerate.goals[degenerate.goal_count++] = lead;
+    descend_apart(c, &degenerate);
+}
+
+static void follow_factors(cover *c, const ttc_branch *b, const fmpz_mpoly_t norm)
+{
+    ttc_task *task = c->task;
+    fmpz_mpoly_factor_t factors;
+    fmpz_mpoly_factor_init(factors, task->ring->context);
+    if (!fmpz_mpoly_factor(factors, norm, task->ring->context)) ttc_task_unsettle(task, "the zero level could not be factored");
+    for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++)
+        if (ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_SIGN_ZERO) follow(c, b, factors->poly + i);
+    fmpz_mpoly_factor_clear(factors, task->ring->context);
+}
+
+/* The next relation of the branch, in the field that the earlier ones have made. */
+static void meet(cover *c, const ttc_branch *b)
+{
+    ttc_task *task = c->task;
+    ttc_ratio value;
+    fmpz_mpoly_t norm;
+    ttc_ratio_init(task->ring, &value);
+    fmpz_mpoly_init(norm, task->ring->context);
+    ttc_evaluate(task->field, &value, b->goals[b->goal_count - 1]);
+    if (task->ring->status == TTC_RING_OK) ttc_ratio_norm(task->ring, norm, &value);
+    ttc_ring_status status = task->ring->status;
+    if (says_empty(status)) {
+        c->why_empty = ttc_ring_status_text(status);
+    } else if (status != TTC_RING_OK) {
+        ttc_task_unsettle(task, "on the zero level, %s", ttc_ring_status_text(status));
+    } else if (ttc_ratio_is_zero(task->ring, &value) && task->claim->kind == TTC_CLAIM_INVARIANT && b->goal_count == 1
+               && !b->own_solved) {
+        ttc_task_unsettle(task, "%s is zero wherever its conditions hold: its zero level says nothing", task->claim->name);
+    } else if (ttc_ratio_is_zero(task->ring, &value)) {
+        ttc_branch next = *b;
+        ttc_id goal = next.goals[--next.goal_count];
+        if (next.met_count < sizeof next.met / sizeof *next.met) next.met[next.met_count++] = goal;
+        else ttc_task_unsettle(task, "the zero level falls into too many cases");
+        descend_apart(c, &next);
+    } else {
+        follow_factors(c, b, norm);
+    }
+    fmpz_mpoly_clear(norm, task->ring->context);
+    ttc_ratio_clear(task->ring, &value);
+}
+
+static void descend(cover *c, const ttc_branch *b)
+{
+    ttc_task *task = c->task;
+    bool again = true;
+    if (b->goal_count == 0) {
+        visit(c, b);
+        return;
+    }
+    for (unsigned choices = 0; again && task->status != TTC_REFUTED; choices++) {
+        if (++c->leaves > LEAF_LIMIT || !open_field(task, b, choices)) {
+            ttc_task_unsettle(task, "its conditions fall into more than %d cases, or memory is out", (int)LEAF_LIMIT);
+            return;
+        }
+        if (is_on_branch(task, b)) meet(c, b);
+        again = choices + 1 < 1u << task->ring->choice_count;
+        close_field(task);
+    }
+}
+
+static void draw_verdict(cover *c)
+{
+    ttc_task *task = c->task;
+    if (task->exhibited) {
+        task->status = TTC_PROVED;
+        free(task->remainder);
+        task->remainder = NULL;
+    } else if (task->status == TTC_PROVED && c->with_point == 0 && c->undecided > 0) {
+        ttc_task_unsettle(task, "no point of the domain was found that meets its conditions, nor was it shown that there is none");
+    } else if (task->status == TTC_PROVED && c->with_point == 0) {
+        ttc_task_unsettle(task, "it says nothing: %s",
+                          c->why_empty != NULL ? c->why_empty : "the zero level it is restricted to is empty");
+    }
+    if (task->status == TTC_UNSETTLED) {
+        free(task->point);
+        task->point = NULL;
+    }
+}
+
+void ttc_task_run(ttc_task *task, ttc_prover prover)
+{
+    const ttc_claim *claim = task->claim;
+    cover c = { .task = task, .prover = prover };
+    ttc_branch start = { .solution_count = 0 };
+    if (claim->modulo_count + 1 > TTC_BRANCH_RELATIONS_MAX) {
+        ttc_task_unsettle(task, "more than %d zero levels", TTC_BRANCH_RELATIONS_MAX - 1);
+        return;
+    }
+    /* Last in, first met: the invariant's own level after those that it is restricted to. */
+    if (claim->kind == TTC_CLAIM_INVARIANT) start.goals[start.goal_count++] = claim->expression;
+    for (size_t i = claim->modulo_count; i-- > 0;)
+        start.goals[start.goal_count++] = task->model->claims[claim->modulo[i]].expression;
+    descend(&c, &start);
+    draw_verdict(&c);
+}

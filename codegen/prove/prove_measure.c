@@ -1,0 +1,105 @@
+/* Invariant densities: div(rho f) = 0, and where rho is positive and smooth. */
+#include "prove/domain.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static bool binds_states(const ttc_task *task)
+{
+    for (size_t i = 0; i < task->claim->when.count; i++)
+        if (task->model->symbols[task->claim->when.items[i].symbol].kind == TTC_STATE) return true;
+    return task->claim->modulo_count > 0;
+}
+
+typedef struct {
+    FILE *stream;
+    bool only_positive; /* nothing was found that keeps it from being positive and smooth */
+} description;
+
+/* Adds to the description whether the density, or what it divides by, can stand in a relation to zero. */
+static void describe(ttc_task *task, description *d, const ttc_ratio *value, ttc_relation relation, bool negative, const char *what)
+{
+    char *point = NULL;
+    ttc_ratio opposite;
+    ttc_ratio_init(task->ring, &opposite);
+    if (negative) ttc_ratio_scale(task->ring, &opposite, value, task->ring->minus_one);
+    else ttc_ratio_set(task->ring, &opposite, value);
+    ttc_search_result result = ttc_task_search(task, &opposite, relation, &point);
+    if (result == TTC_POINT_FOUND || result == TTC_POINT_NOT_DECIDED) {
+        if (!d->only_positive) fputs("; ", d->stream);
+        d->only_positive = false;
+        fprintf(d->stream, "%s%s", result == TTC_POINT_FOUND ? "" : "not excluded: ", what);
+        if (point != NULL) fprintf(d->stream, " at %s", point);
+    }
+    free(point);
+    ttc_ratio_clear(task->ring, &opposite);
+}
+
+/* Poles are looked for on the domain of the field, which does not leave out where the density divides by zero. */
+static void describe_poles(ttc_task *task, description *d)
+{
+    const ttc_model *model = task->model;
+    ttc_conditions whole = task->domain;
+    ttc_ratio value;
+    ttc_ratio_init(task->ring, &value);
+    ttc_conditions_init(&task->domain, task->field);
+    ttc_domain_add(task, &task->domain, TTC_DOMAIN_OF_THE_FIELD);
+    for (size_t i = 0; i < model->divisor_count; i++) {
+        const ttc_divisor *divisor = &model->divisors[i];
+        if (divisor->role != TTC_DIVIDES_CLAIM || divisor->owner != task->owner) continue;
+        ttc_evaluate(task->field, &value, divisor->divisor);
+        if (ttc_task_open(task)) describe(task, d, &value, TTC_IS_ZERO, false, "a pole");
+    }
+    ttc_conditions_clear(&task->domain);
+    task->domain = whole;
+    ttc_ratio_clear(task->ring, &value);
+}
+
+static void describe_density(ttc_task *task, const ttc_ratio *density)
+{
+    size_t size = 0;
+    char *text = NULL;
+    description d = { open_memstream(&text, &size), true };
+    if (d.stream == NULL) {
+        ttc_task_unsettle(task, "out of memory");
+        return;
+    }
+    describe_poles(task, &d);
+    describe(task, &d, density, TTC_IS_POSITIVE, true, "negative");
+    describe(task, &d, density, TTC_IS_ZERO, false, "zero");
+    if (d.only_positive) fputs("positive and smooth on the domain", d.stream);
+    if (fclose(d.stream) != 0 || task->note != NULL) {
+        free(text);
+        task->has_smooth_density &= d.only_positive; /* on every leaf */
+        return;
+    }
+    task->note = text;
+    task->has_smooth_density = d.only_positive;
+}
+
+/* div(NAME f) = grad(NAME) . f + NAME div f */
+void ttc_prove_measure(ttc_task *task)
+{
+    const ttc_claim *claim = task->claim;
+    ttc_ratio density, rate, entry;
+    if (binds_states(task)) {
+        ttc_task_unsettle(task, "a density needs an open set of states");
+        return;
+    }
+    ttc_ratio_init(task->ring, &density);
+    ttc_ratio_init(task->ring, &rate);
+    ttc_ratio_init(task->ring, &entry);
+    ttc_evaluate(task->field, &density, claim->expression);
+    if (ttc_task_open(task) && ttc_ratio_is_zero(task->ring, &density))
+        ttc_task_unsettle(task, "the density %s is zero", claim->name);
+    ttc_evaluate(task->field, &rate, ttc_derive_field(task->model, claim->expression));
+    for (size_t i = 0; i < task->model->state_count && ttc_task_open(task); i++) {
+        ttc_task_jacobian(task, &entry, i, i);
+        ttc_ratio_add_product(task->ring, &rate, &density, &entry);
+    }
+    ttc_task_require_zero(task, &rate, "div(%s f)", claim->name);
+    if (ttc_task_open(task)) describe_density(task, &density);
+    ttc_ratio_clear(task->ring, &entry);
+    ttc_ratio_clear(task->ring, &rate);
+    ttc_ratio_clear(task->ring, &density);
+}
