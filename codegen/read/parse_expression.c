@@ -87,6 +87,7 @@ static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
         if (has_value && strlen(claim->name) == name->length && memcmp(claim->name, name->text, name->length) == 0)
             return claim->expression;
     }
+    if (ttc_parse_pi(parser, name, &symbol)) return parser->model->symbols[symbol].node;
     ttc_parse_unknown(parser, name);
     return TTC_NONE;
 }

@@ -159,6 +159,8 @@ static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
     case TTC_KEYWORD_STATE:
     case TTC_KEYWORD_ROOT:
     case TTC_KEYWORD_ANGLE:
+    case TTC_KEYWORD_EXP:
+    case TTC_KEYWORD_LOG:
     case TTC_KEYWORD_LET:
         return ttc_parse_quantity(parser, keyword);
     case TTC_KEYWORD_EQ:

@@ -11,7 +11,8 @@
     X(ELIMINATE, "eliminate") X(DEFAULT, "default") X(INTEGRAL, "integral") X(INVARIANT, "invariant")        \
     X(MEASURE, "measure") X(REVERSOR, "reversor") X(EQUILIBRIA, "equilibria") X(TRACE, "trace")              \
     X(CHARPOLY, "charpoly") X(OBSTRUCTS, "obstructs") X(EQUAL, "equal") X(MATRIX, "matrix")                  \
-    X(LEFTNULL, "leftnull") X(REDUCTION, "reduction") X(RATE, "rate")
+    X(LEFTNULL, "leftnull") X(REDUCTION, "reduction") X(RATE, "rate") X(SYMMETRY, "symmetry") X(EXP, "exp")         \
+    X(LOG, "log")
 
 /* Keywords inside a record. */
 #define TTC_CLAUSE_LIST(X)                                                                                   \
