@@ -179,6 +179,21 @@ void ttc_valuation_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
     ttc_ratio_set(v->ring, out, &v->values[symbol]);
 }
 
+bool ttc_valuation_meet(ttc_valuation *v)
+{
+    if (v->met || v->ring->status != TTC_RING_OK) return false;
+    ttc_ratio value;
+    v->met = true;
+    ttc_ratio_init(v->ring, &value);
+    for (uint32_t i = 0; i < v->model->symbol_count; i++) {
+        ttc_symbol_kind kind = v->model->symbols[i].kind;
+        bool joins = kind == TTC_COSINE || kind == TTC_EXP || kind == TTC_LOG;
+        if (joins && v->known[i] != TTC_VALUE_BUSY) ttc_valuation_value(v, &value, i);
+    }
+    ttc_ratio_clear(v->ring, &value);
+    return v->ring->status == TTC_RING_OK;
+}
+
 static bool reserve_memo(ttc_valuation *v)
 {
     size_t size = ttc_graph_size(v->model->graph) + 1;

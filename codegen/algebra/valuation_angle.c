@@ -170,8 +170,9 @@ static void value_at_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *an
     }
     if (relation == TTC_ANGLE_WHOLE) sum_of_angles(v, out, multiples, count, is_sine);
     else if (relation == TTC_ANGLE_FRACTION) ttc_ring_fail(v->ring, TTC_RING_ANGLE_FRACTION);
-    else if (cosine == NO_SYMBOL) ttc_ring_fail(v->ring, TTC_RING_ANGLE);
-    else join(v, cosine, angle);
+    else if (cosine != NO_SYMBOL) join(v, cosine, angle);
+    else if (ttc_valuation_meet(v)) value_at_angle(v, out, angle, is_sine, cosine);
+    else ttc_ring_fail(v->ring, TTC_RING_ANGLE);
     free(multiples);
 }
 

@@ -153,6 +153,7 @@ static void product(ttc_valuation *v, ttc_ratio *out, const uint32_t *symbols, c
 static void value_at_exponent(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *exponent, uint32_t symbol)
 {
     size_t count;
+    bool again = false;
     if (!v->has_exponentials) find_exponentials(v);
     if (in_list(v->exponentials, v->exponential_count, symbol) || v->ring->status != TTC_RING_OK) return;
     if (ttc_ratio_is_zero(v->ring, exponent)) {
@@ -168,12 +169,14 @@ static void value_at_exponent(ttc_valuation *v, ttc_ratio *out, const ttc_ratio 
         if (v->ring->status != TTC_RING_OK) relation = TTC_ANGLE_FREE;
         else if (relation == TTC_ANGLE_WHOLE) product(v, out, symbols, multiples, count);
         else if (relation == TTC_ANGLE_FRACTION) ttc_ring_fail(v->ring, TTC_RING_EXPONENT_FRACTION);
-        else if (symbol == NO_SYMBOL) ttc_ring_fail(v->ring, TTC_RING_EXPONENT);
-        else join(v, symbol, exponent);
+        else if (symbol != NO_SYMBOL) join(v, symbol, exponent);
+        else again = ttc_valuation_meet(v);
+        if (relation == TTC_ANGLE_FREE && symbol == NO_SYMBOL && !again) ttc_ring_fail(v->ring, TTC_RING_EXPONENT);
     }
     free_columns(v, columns, count);
     free(multiples);
     free(symbols);
+    if (again) value_at_exponent(v, out, exponent, NO_SYMBOL);
 }
 
 void ttc_valuation_exp(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *exponent)

@@ -263,15 +263,18 @@ static void opaque_value(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *argu
     ttc_ratio_clear(v->ring, &other);
     if (found || v->ring->status != TTC_RING_OK) return;
     if (symbol == NO_SYMBOL) {
-        ttc_ring_fail(v->ring, TTC_RING_LOGARITHM);
+        if (ttc_valuation_meet(v)) ttc_valuation_log(v, out, argument);
+        else ttc_ring_fail(v->ring, TTC_RING_LOGARITHM);
         return;
     }
     v->ring->trust[v->variable[symbol]] = TTC_TRUST_NONE;
     v->logarithms[v->logarithm_count++] = symbol;
 }
 
-static void value_of_product(comparison *c, ttc_ratio *out, uint32_t symbol)
+/* True when another attempt is worth while. */
+static bool value_of_product(comparison *c, ttc_ratio *out, uint32_t symbol)
 {
+    bool again = false;
     ttc_ring *ring = c->v->ring;
     bool *taken = malloc((c->count + 1) * sizeof *taken);
     if (taken == NULL) ttc_ring_fail(ring, TTC_RING_NO_MEMORY);
@@ -282,11 +285,13 @@ static void value_of_product(comparison *c, ttc_ratio *out, uint32_t symbol)
         if (signs_agree(c)) sum(c, out);
         else ttc_ring_fail(ring, TTC_RING_LOG_OF_NEGATIVE);
     } else if (symbol == NO_SYMBOL) {
-        ttc_ring_fail(ring, TTC_RING_LOGARITHM);
+        again = ttc_valuation_meet(c->v);
+        if (!again) ttc_ring_fail(ring, TTC_RING_LOGARITHM);
     } else {
         join(c, symbol, taken);
     }
     free(taken);
+    return again;
 }
 
 /* In a plain valuation; symbol: the one that may join the basis, or NO_SYMBOL. */
@@ -297,9 +302,11 @@ static void value_at_argument(ttc_valuation *v, ttc_ratio *out, const ttc_ratio 
     else if (ttc_ratio_sign(v->ring, argument) < 0) ttc_ring_fail(v->ring, TTC_RING_LOG_OF_NEGATIVE);
     if (v->ring->status != TTC_RING_OK) return;
     comparison c;
-    if (open_comparison(&c, v, argument)) value_of_product(&c, out, symbol);
+    bool again = false;
+    if (open_comparison(&c, v, argument)) again = value_of_product(&c, out, symbol);
     else opaque_value(v, out, argument, symbol);
     close_comparison(&c);
+    if (again) value_at_argument(v, out, argument, symbol);
 }
 
 void ttc_valuation_log(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *argument)

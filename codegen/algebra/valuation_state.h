@@ -27,6 +27,7 @@ struct ttc_valuation {
     bool has_exponentials;
     uint32_t *logarithms; /* independent ones, of which all others are sums; plain valuations only */
     size_t logarithm_count;
+    bool met; /* every function of the table has a value */
     ttc_ratio *memo; /* by node */
     bool *seen;
     size_t memo_size;
@@ -42,6 +43,10 @@ void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol
 void ttc_valuation_exp_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
 void ttc_valuation_log_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
 void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out);
+
+/* Functions join a basis when they are met. Where a value follows from no basis, all of the table are met first: true when that has
+ * been done now, so that another attempt is worth while. */
+bool ttc_valuation_meet(ttc_valuation *v);
 
 /* What is known of the functions of an angle or exponent, see ttc_ring_trust. basis, shape (count,): symbols whose definitions,
  * and logarithms whose values, it is compared with; those that are not free are left out. */

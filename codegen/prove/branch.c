@@ -31,7 +31,7 @@ static bool is_state_variable(ttc_task *task, slong variable)
     size_t symbol = ttc_valuation_symbol(task->field, variable);
     if (symbol >= task->model->symbol_count) return symbol != SIZE_MAX;
     ttc_symbol_kind kind = task->model->symbols[symbol].kind;
-    return kind == TTC_STATE || kind == TTC_ROOT || kind == TTC_COSINE || kind == TTC_SINE;
+    return kind == TTC_STATE || ttc_symbol_is_function(kind);
 }
 
 static bool state_free(ttc_task *task, const fmpz_mpoly_t polynomial)
@@ -42,10 +42,20 @@ static bool state_free(ttc_task *task, const fmpz_mpoly_t polynomial)
     return true;
 }
 
+/* Whether an irreducible factor is an exponential itself. */
+static bool is_exponential(ttc_task *task, const fmpz_mpoly_t factor)
+{
+    slong variable;
+    if (!fmpz_mpoly_is_gen(factor, -1, task->ring->context)) return false;
+    for (variable = 0; fmpz_mpoly_degree_si(factor, variable, task->ring->context) < 1;) variable++;
+    size_t symbol = ttc_valuation_symbol(task->field, variable);
+    return symbol < task->model->symbol_count && task->model->symbols[symbol].kind == TTC_EXP;
+}
+
 bool ttc_branch_never_zero(ttc_task *task, const fmpz_mpoly_t factor)
 {
     if (state_free(task, factor)) return true;
-    bool result = false;
+    bool result = is_exponential(task, factor);
     fmpz_mpoly_t norm, quotient;
     fmpz_mpoly_init(norm, task->ring->context);
     fmpz_mpoly_init(quotient, task->ring->context);
@@ -77,6 +87,20 @@ static bool is_generator(const ttc_ring *ring, slong variable)
     return false;
 }
 
+/* An exponential or logarithm is no state to solve for, nor is what one of the factor's depends on. */
+static bool in_some_transcendental(ttc_task *task, const fmpz_mpoly_t factor, slong variable)
+{
+    const ttc_model *model = task->model;
+    size_t symbol = ttc_valuation_symbol(task->field, variable);
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        if (model->symbols[i].kind != TTC_EXP && model->symbols[i].kind != TTC_LOG) continue;
+        if (fmpz_mpoly_degree_si(factor, ttc_valuation_variable(task->field, i), task->ring->context) < 1) continue;
+        if (symbol == i || (symbol < model->symbol_count && ttc_model_depends(model, model->symbols[i].node, (uint32_t)symbol)))
+            return true;
+    }
+    return false;
+}
+
 /* The state to solve for: a leading coefficient free of states before any other, linear before quadratic, short before
  * long. */
 static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *degree)
@@ -87,7 +111,7 @@ static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *d
     for (slong v = 0; v < (slong)task->ring->variable_count; v++) {
         slong d = fmpz_mpoly_degree_si(factor, v, task->ring->context);
         if (d < 1 || d > 2 || !is_state_variable(task, v) || is_generator(task->ring, v)) continue;
-        if (in_some_radicand(task, factor, v)) continue;
+        if (in_some_radicand(task, factor, v) || in_some_transcendental(task, factor, v)) continue;
         ulong exponent = (ulong)d;
         fmpz_mpoly_get_coeff_vars_ui(leading, factor, &v, &exponent, 1, task->ring->context);
         slong cost = state_free(task, leading) ? d - 1 : 2 * fmpz_mpoly_length(leading, task->ring->context) + d - 1;

@@ -111,6 +111,7 @@ const char *ttc_claim_kind_name(ttc_claim_kind kind)
     case TTC_CLAIM_EQUAL: return "equal";
     case TTC_CLAIM_RATE: return "rate";
     case TTC_CLAIM_REDUCTION: return "reduction";
+    case TTC_CLAIM_SYMMETRY: return "symmetry";
     }
     return "claim";
 }

@@ -93,7 +93,7 @@ typedef enum {
     TTC_CLAIM_INTEGRAL,
     TTC_CLAIM_INVARIANT,
     TTC_CLAIM_MEASURE,
-    TTC_CLAIM_REVERSOR,   /* bindings: STATE = -STATE */
+    TTC_CLAIM_REVERSOR,   /* bindings: STATE = its image, affine in the states */
     TTC_CLAIM_EQUILIBRIA, /* bindings: STATE = expression */
     TTC_CLAIM_TRACE,      /* these five: family = index of their equilibria claim */
     TTC_CLAIM_CHARPOLY,
@@ -102,7 +102,8 @@ typedef enum {
     TTC_CLAIM_LEFT_NULL,  /* members: integrals whose gradients on the family are left null vectors */
     TTC_CLAIM_EQUAL,      /* expression = other */
     TTC_CLAIM_RATE,       /* d(expression)/dt = other */
-    TTC_CLAIM_REDUCTION   /* bindings_of_target: target's STATE or ROOT = expression here, see `target` */
+    TTC_CLAIM_REDUCTION,  /* bindings_of_target: target's STATE or ROOT = expression here, see `target` */
+    TTC_CLAIM_SYMMETRY    /* as REVERSOR; named by its keyword where it has no name */
 } ttc_claim_kind;
 
 typedef struct {

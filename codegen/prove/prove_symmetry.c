@@ -1,0 +1,261 @@
+/* Maps of the states that take motions to motions: reversors, backwards in time, and symmetries. A map S is affine in the states;
+ * with f the field, f(S x) = -DS f(x) or f(S x) = DS f(x). */
+#include "prove/prove_task.h"
+
+#include <flint/fmpz_mpoly_factor.h>
+
+static bool binds_states(const ttc_task *task)
+{
+    for (size_t i = 0; i < task->claim->when.count; i++)
+        if (task->model->symbols[task->claim->when.items[i].symbol].kind == TTC_STATE) return true;
+    return false;
+}
+
+/* The model at the image of a point: states mapped as claimed, the rest as it is. Roots have their values in the field first, so
+ * that those at the image are expressed through them. */
+static ttc_valuation *image(ttc_task *task)
+{
+    const ttc_model *model = task->model;
+    ttc_ratio root;
+    ttc_ratio_init(task->ring, &root);
+    for (size_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_ROOT) ttc_evaluate(task->field, &root, model->symbols[i].node);
+    ttc_ratio_clear(task->ring, &root);
+    ttc_valuation *map = ttc_valuation_map(model, task->field);
+    if (map == NULL) return NULL;
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        ttc_symbol_kind kind = model->symbols[i].kind;
+        if (kind == TTC_PARAM || kind == TTC_STATE || kind == TTC_LEVEL || kind == TTC_LAMBDA)
+            ttc_valuation_bind(map, i, model->symbols[i].node);
+    }
+    for (size_t i = 0; i < task->claim->bindings.count; i++)
+        ttc_valuation_bind(map, task->claim->bindings.items[i].symbol, task->claim->bindings.items[i].expression);
+    return map;
+}
+
+static ttc_id image_of_state(const ttc_task *task, size_t state)
+{
+    uint32_t symbol = task->model->states[state];
+    for (size_t i = 0; i < task->claim->bindings.count; i++)
+        if (task->claim->bindings.items[i].symbol == symbol) return task->claim->bindings.items[i].expression;
+    return task->model->symbols[symbol].node;
+}
+
+/* Free of states, directly and in the squares of roots. */
+static bool is_fixed(ttc_task *task, const ttc_ratio *value)
+{
+    for (size_t v = 0; v < task->ring->variable_count; v++) {
+        size_t symbol = ttc_valuation_symbol(task->field, (slong)v);
+        if (symbol >= task->model->symbol_count || !ttc_ratio_uses(task->ring, value, (slong)v)) continue;
+        const ttc_symbol_entry *entry = &task->model->symbols[symbol];
+        for (size_t i = 0; i < task->model->state_count; i++)
+            if (ttc_model_depends(task->model, entry->node, task->model->states[i])) return false;
+    }
+    return true;
+}
+
+/* DS, shape (states, states) row by row; rejects a map that is not affine. */
+static void set_matrix(ttc_task *task, ttc_ratio *matrix)
+{
+    const size_t n = task->model->state_count;
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n && ttc_task_open(task); j++) {
+            ttc_evaluate(task->field, &matrix[i * n + j], ttc_derive_state(task->model, image_of_state(task, i), j));
+            if (ttc_task_open(task) && !is_fixed(task, &matrix[i * n + j]))
+                ttc_task_reject(task, "the image of %s is not affine in the states", task->model->symbols[task->model->states[i]].name);
+        }
+}
+
+static void swap_rows(ttc_ratio *matrix, size_t n, size_t a, size_t b)
+{
+    for (size_t j = 0; j < n; j++) {
+        ttc_ratio kept = matrix[a * n + j];
+        matrix[a * n + j] = matrix[b * n + j];
+        matrix[b * n + j] = kept;
+    }
+}
+
+/* By elimination, which leaves the matrix in another form; up to its sign. */
+static void set_determinant(ttc_task *task, ttc_ratio *determinant, ttc_ratio *matrix)
+{
+    ttc_ring *ring = task->ring;
+    const size_t n = task->model->state_count;
+    ttc_ratio factor, term;
+    ttc_ratio_init(ring, &factor);
+    ttc_ratio_init(ring, &term);
+    ttc_ratio_set_integer(ring, determinant, 1);
+    for (size_t k = 0; k < n && ttc_task_open(task); k++) {
+        size_t pivot = k;
+        while (pivot < n && ttc_ratio_is_zero(ring, &matrix[pivot * n + k])) pivot++;
+        if (pivot == n) {
+            ttc_ratio_set_integer(ring, determinant, 0);
+            break;
+        }
+        if (pivot != k) swap_rows(matrix, n, pivot, k);
+        ttc_ratio_multiply(ring, determinant, determinant, &matrix[k * n + k]);
+        for (size_t i = k + 1; i < n; i++) {
+            if (ttc_ratio_is_zero(ring, &matrix[i * n + k])) continue;
+            ttc_ratio_divide(ring, &factor, &matrix[i * n + k], &matrix[k * n + k]);
+            for (size_t j = k; j < n; j++) {
+                ttc_ratio_multiply(ring, &term, &factor, &matrix[k * n + j]);
+                ttc_ratio_subtract(ring, &matrix[i * n + j], &matrix[i * n + j], &term);
+            }
+        }
+    }
+    ttc_ratio_clear(ring, &term);
+    ttc_ratio_clear(ring, &factor);
+}
+
+/* Not zero by its declaration, or by what it is. */
+static bool is_nonzero_variable(ttc_task *task, slong variable)
+{
+    size_t symbol = ttc_valuation_symbol(task->field, variable);
+    if (symbol >= task->model->symbol_count) return false;
+    const ttc_symbol_entry *entry = &task->model->symbols[symbol];
+    switch (entry->kind) {
+    case TTC_PARAM: return entry->sign == TTC_POSITIVE || entry->sign == TTC_NONZERO;
+    case TTC_ROOT:
+    case TTC_EXP:
+    case TTC_PI: return true;
+    default: return false;
+    }
+}
+
+/* Whether one term of a polynomial is a product of such variables. */
+static bool has_nonzero_term(ttc_task *task, const fmpz_mpoly_t polynomial)
+{
+    bool nonzero = false;
+    for (slong i = 0; i < fmpz_mpoly_length(polynomial, task->ring->context) && !nonzero; i++) {
+        nonzero = true;
+        for (slong v = 0; v < (slong)task->ring->variable_count && nonzero; v++)
+            nonzero = fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, task->ring->context) == 0 || is_nonzero_variable(task, v);
+    }
+    return nonzero;
+}
+
+/* Whether no value of the parameters makes it zero, as far as the signs of its factors' terms tell: they agree, and one is not
+ * zero; or there is one alone. */
+static bool never_vanishes(ttc_task *task, const ttc_ratio *value)
+{
+    ttc_ratio factor;
+    fmpz_mpoly_factor_t factors;
+    bool evident = false;
+    ttc_ratio_init(task->ring, &factor);
+    fmpz_mpoly_factor_init(factors, task->ring->context);
+    if (fmpz_mpoly_factor(factors, value->numerator, task->ring->context)) {
+        evident = true;
+        for (slong i = 0; i < factors->num && evident; i++) {
+            ttc_ratio_set_polynomial(task->ring, &factor, factors->poly + i);
+            bool alone = fmpz_mpoly_length(factors->poly + i, task->ring->context) == 1;
+            evident = has_nonzero_term(task, factors->poly + i) && (alone || ttc_ratio_sign(task->ring, &factor) != 0);
+        }
+    }
+    fmpz_mpoly_factor_clear(factors, task->ring->context);
+    ttc_ratio_clear(task->ring, &factor);
+    return evident;
+}
+
+static bool is_identity(const ttc_task *task)
+{
+    for (size_t i = 0; i < task->model->state_count; i++)
+        if (image_of_state(task, i) != task->model->symbols[task->model->states[i]].node) return false;
+    return true;
+}
+
+/* A state that becomes another one, or its opposite, has the interval of that one, or its opposite. */
+static bool fits(ttc_task *task, const ttc_symbol_entry *state, ttc_id image)
+{
+    ttc_graph *graph = task->model->graph;
+    for (size_t j = 0; j < task->model->state_count; j++) {
+        const ttc_symbol_entry *other = &task->model->symbols[task->model->states[j]];
+        ttc_id minus = ttc_integer(graph, -1);
+        if (image == other->node) return state->low == other->low && state->high == other->high;
+        if (image != ttc_multiply(graph, minus, other->node)) continue;
+        ttc_id low = other->high == TTC_NONE ? TTC_NONE : ttc_multiply(graph, minus, other->high);
+        ttc_id high = other->low == TTC_NONE ? TTC_NONE : ttc_multiply(graph, minus, other->low);
+        return state->low == low && state->high == high;
+    }
+    return true;
+}
+
+static void check_domain(ttc_task *task)
+{
+    for (size_t i = 0; i < task->model->state_count && ttc_task_open(task); i++) {
+        const ttc_symbol_entry *state = &task->model->symbols[task->model->states[i]];
+        if (!fits(task, state, image_of_state(task, i))) ttc_task_reject(task, "the map takes %s out of its interval", state->name);
+    }
+}
+
+/* A symmetry has an inverse, a reversor is its own. */
+static void check_inverse(ttc_task *task, ttc_valuation *map, ttc_ratio *matrix)
+{
+    const ttc_model *model = task->model;
+    ttc_ratio value, state;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &state);
+    if (task->claim->kind == TTC_CLAIM_SYMMETRY) {
+        set_determinant(task, &value, matrix);
+        if (ttc_task_open(task) && fmpz_mpoly_is_zero(value.numerator, task->ring->context))
+            ttc_task_refute(task, NULL, "the determinant of the map is zero");
+        else if (ttc_task_open(task) && !never_vanishes(task, &value))
+            ttc_task_reject(task, "the determinant of the map may vanish, by the signs that parameters are declared with");
+    } else {
+        for (size_t i = 0; i < model->state_count && ttc_task_open(task); i++) {
+            const char *name = model->symbols[model->states[i]].name;
+            ttc_evaluate(map, &value, image_of_state(task, i));
+            ttc_evaluate(task->field, &state, model->symbols[model->states[i]].node);
+            ttc_ratio_subtract(task->ring, &value, &value, &state);
+            ttc_task_require_zero(task, &value, "S(S(%s)) - %s", name, name);
+        }
+    }
+    ttc_ratio_clear(task->ring, &state);
+    ttc_ratio_clear(task->ring, &value);
+}
+
+static void check_field(ttc_task *task, ttc_valuation *map)
+{
+    const ttc_model *model = task->model;
+    const bool reverses = task->claim->kind == TTC_CLAIM_REVERSOR;
+    ttc_ratio left, right;
+    ttc_ratio_init(task->ring, &left);
+    ttc_ratio_init(task->ring, &right);
+    for (size_t i = 0; i < model->state_count && ttc_task_open(task); i++) {
+        const char *name = model->symbols[model->states[i]].name;
+        ttc_evaluate(map, &left, ttc_model_field(model, i));
+        ttc_evaluate(task->field, &right, ttc_derive_field(model, image_of_state(task, i)));
+        if (reverses) ttc_ratio_add(task->ring, &left, &left, &right);
+        else ttc_ratio_subtract(task->ring, &left, &left, &right);
+        ttc_task_require_zero(task, &left, reverses ? "f(Sx) + S f(x) in %s" : "f(Sx) - S f(x) in %s", name);
+    }
+    ttc_ratio_clear(task->ring, &right);
+    ttc_ratio_clear(task->ring, &left);
+}
+
+static void prove_map(ttc_task *task)
+{
+    const size_t entries = task->model->state_count * task->model->state_count;
+    ttc_valuation *map = image(task);
+    ttc_ratio *matrix = map == NULL ? NULL : ttc_task_ratios(task, entries);
+    if (map == NULL) ttc_task_reject(task, "out of memory");
+    if (matrix != NULL) {
+        set_matrix(task, matrix);
+        check_domain(task);
+        check_inverse(task, map, matrix);
+        check_field(task, map);
+    }
+    ttc_task_free(task, matrix, entries);
+    ttc_valuation_destroy(map);
+}
+
+void ttc_prove_reversor(ttc_task *task)
+{
+    if (binds_states(task)) ttc_task_reject(task, "a reversor acts on an open set of states");
+    else prove_map(task);
+}
+
+void ttc_prove_symmetry(ttc_task *task)
+{
+    if (binds_states(task)) ttc_task_reject(task, "a symmetry acts on an open set of states");
+    else if (is_identity(task)) ttc_task_reject(task, "every state stays as it is, which says nothing");
+    else prove_map(task);
+}
