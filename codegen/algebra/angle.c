@@ -40,24 +40,16 @@ static void fill_equations(ttc_ring *ring, fmpq_mat_t equations, fmpz_mpoly_t *c
 }
 
 /* The solution of equations whose columns but the last are independent. */
-static ttc_angle_relation solve(ttc_ring *ring, long *multiples, fmpq_mat_t equations, size_t count)
+static bool solve(fmpq *weights, fmpq_mat_t equations, size_t count)
 {
-    if (fmpq_mat_rref(equations, equations) > (slong)count) return TTC_ANGLE_FREE;
-    for (size_t i = 0; i < count; i++)
-        if (!fmpz_is_one(fmpq_mat_entry_den(equations, (slong)i, (slong)count))) return TTC_ANGLE_FRACTION;
-    for (size_t i = 0; i < count; i++) {
-        const fmpz *multiple = fmpq_mat_entry_num(equations, (slong)i, (slong)count);
-        if (fmpz_cmp_si(multiple, TTC_ANGLE_MULTIPLE_LIMIT) > 0 || fmpz_cmp_si(multiple, -TTC_ANGLE_MULTIPLE_LIMIT) < 0)
-            ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
-        else multiples[i] = fmpz_get_si(multiple);
-    }
-    return TTC_ANGLE_WHOLE;
+    if (fmpq_mat_rref(equations, equations) > (slong)count) return false;
+    for (size_t i = 0; i < count; i++) fmpq_set(weights + i, fmpq_mat_entry(equations, (slong)i, (slong)count));
+    return true;
 }
 
-ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_ratio *angle, const ttc_ratio *basis,
-                                    size_t count)
+bool ttc_angle_weigh(ttc_ring *ring, fmpq *weights, const ttc_ratio *angle, const ttc_ratio *basis, size_t count)
 {
-    ttc_angle_relation relation = TTC_ANGLE_FREE;
+    bool related = false;
     fmpz_mpoly_t denominator, factor;
     fmpz_mpoly_t *columns = calloc(count + 1, sizeof *columns);
     ulong *exponents = calloc(ring->variable_count + 1, sizeof *exponents);
@@ -67,7 +59,7 @@ ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_r
         free(columns);
         free(exponents);
         ttc_ring_fail(ring, TTC_RING_NO_MEMORY);
-        return relation;
+        return false;
     }
     fmpz_mpoly_init(denominator, ring->context);
     fmpz_mpoly_init(factor, ring->context);
@@ -84,7 +76,7 @@ ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_r
         fmpq_mat_t equations;
         fmpq_mat_init(equations, terms, (slong)count + 1);
         fill_equations(ring, equations, columns, count + 1, exponents);
-        relation = solve(ring, multiples, equations, count);
+        related = solve(weights, equations, count);
         fmpq_mat_clear(equations);
     }
     for (size_t j = 0; j <= count; j++) fmpz_mpoly_clear(columns[j], ring->context);
@@ -92,6 +84,23 @@ ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_r
     fmpz_mpoly_clear(denominator, ring->context);
     free(exponents);
     free(columns);
+    return related;
+}
+
+ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_ratio *angle, const ttc_ratio *basis,
+                                    size_t count)
+{
+    fmpq *weights = _fmpq_vec_init((slong)count + 1);
+    ttc_angle_relation relation = ttc_angle_weigh(ring, weights, angle, basis, count) ? TTC_ANGLE_WHOLE : TTC_ANGLE_FREE;
+    for (size_t i = 0; i < count && relation == TTC_ANGLE_WHOLE; i++)
+        if (!fmpz_is_one(fmpq_denref(weights + i))) relation = TTC_ANGLE_FRACTION;
+    for (size_t i = 0; i < count && relation == TTC_ANGLE_WHOLE; i++) {
+        const fmpz *multiple = fmpq_numref(weights + i);
+        if (fmpz_cmp_si(multiple, TTC_ANGLE_MULTIPLE_LIMIT) > 0 || fmpz_cmp_si(multiple, -TTC_ANGLE_MULTIPLE_LIMIT) < 0)
+            ttc_ring_fail(ring, TTC_RING_TOO_LARGE);
+        else multiples[i] = fmpz_get_si(multiple);
+    }
+    _fmpq_vec_clear(weights, (slong)count + 1);
     return relation;
 }
 

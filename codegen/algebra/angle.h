@@ -1,4 +1,4 @@
-/** Angles that are sums of others: exact coefficients, and the addition theorems. */
+/** Angles, or exponents, that are sums of others: exact coefficients, and the addition theorems. */
 #ifndef TTC_ANGLE_H
 #define TTC_ANGLE_H
 
@@ -16,6 +16,9 @@ typedef enum {
  *  Out: multiples, shape (count,), when WHOLE. Multiples over TTC_ANGLE_MULTIPLE_LIMIT are the ring's failure TOO_LARGE. */
 ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_ratio *angle, const ttc_ratio *basis,
                                     size_t count);
+
+/** The same with rational weights, shape (count,); false when there are none. */
+bool ttc_angle_weigh(ttc_ring *ring, fmpq *weights, const ttc_ratio *angle, const ttc_ratio *basis, size_t count);
 
 /** As few of the angles as all others are sums of whole multiples of, tried in their order, and again with one first that is a
  *  fraction of others; where there are no such, fractions are left. The first `fixed` ones, which are independent, are always chosen.

@@ -42,7 +42,7 @@ static unsigned signs_of_variable(const ttc_conditions *c, slong variable)
     size_t symbol = ttc_valuation_symbol(c->valuation, variable);
     if (symbol >= model->symbol_count) return TTC_SIGN_ANY;
     const ttc_symbol_entry *entry = &model->symbols[symbol];
-    if (entry->kind == TTC_ROOT) return TTC_SIGN_POSITIVE;
+    if (entry->kind == TTC_ROOT || entry->kind == TTC_EXP || entry->kind == TTC_PI) return TTC_SIGN_POSITIVE;
     if (entry->kind == TTC_STATE) return signs_above(model->graph, entry->low) & signs_below(model->graph, entry->high);
     if (entry->kind != TTC_PARAM) return TTC_SIGN_ANY;
     switch (entry->sign) {

@@ -23,6 +23,8 @@ static ttc_id slope_of_definition(direction_slopes *d, uint32_t symbol)
     }
     ttc_id rate = ttc_derivative(graph, entry->definition, slope, d);
     if (entry->kind == TTC_LET) return rate;
+    if (entry->kind == TTC_EXP) return ttc_multiply(graph, rate, entry->node);
+    if (entry->kind == TTC_LOG) return ttc_divide(graph, rate, entry->definition);
     return ttc_divide(graph, rate, ttc_multiply(graph, ttc_integer(graph, 2), entry->node)); /* r' = (r^2)' / (2 r) */
 }
 
@@ -34,10 +36,13 @@ static ttc_id slope(void *context, uint32_t symbol)
     case TTC_PARAM:
     case TTC_LEVEL:
     case TTC_LAMBDA:
+    case TTC_PI:
         return d->slopes[symbol];
     case TTC_ROOT:
     case TTC_COSINE:
     case TTC_SINE:
+    case TTC_EXP:
+    case TTC_LOG:
     case TTC_LET:
         break;
     }

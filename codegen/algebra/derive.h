@@ -4,7 +4,7 @@
 
 #include "read/model.h"
 
-/** Derivative of `id` along a direction, through lets, roots and angles by the chain rule.
+/** Derivative of `id` along a direction, through definitions by the chain rule.
  *  direction: shape (state_count,), the rate of each state; TTC_NONE stands for zero.
  *  Returns TTC_NONE on failure; ttc_graph_error() then says why. */
 ttc_id ttc_derive_along(const ttc_model *model, ttc_id id, const ttc_id *direction);

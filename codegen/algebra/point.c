@@ -78,14 +78,20 @@ static bool is_bound_angle(const ttc_point *point, uint32_t cosine)
     return ttc_valuation_is_bound(point->valuation, cosine);
 }
 
-/* The variable is the cosine or sine of an angle that is given. */
+/* The variable is a function of what is given: of an angle, an exponent, an argument; or pi. */
 static bool is_function(const ttc_point *point, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
     size_t symbol = ttc_valuation_symbol(point->valuation, variable);
     if (symbol >= model->symbol_count) return false;
-    if (model->symbols[symbol].kind == TTC_COSINE) return true;
-    return model->symbols[symbol].kind == TTC_SINE && !is_bound_angle(point, model->symbols[symbol].partner);
+    switch (model->symbols[symbol].kind) {
+    case TTC_COSINE:
+    case TTC_EXP:
+    case TTC_LOG:
+    case TTC_PI: return true;
+    case TTC_SINE: return !is_bound_angle(point, model->symbols[symbol].partner);
+    default: return false;
+    }
 }
 
 /* The cosine, bound by a zero level, of which the variable is the angle; 0 when there is none. */
@@ -231,10 +237,17 @@ static void enclose_function(ttc_point *point, slong variable, ttc_symbol_kind k
     const ttc_model *model = ttc_valuation_model(point->valuation);
     struct ttc_point_balls *balls = point->balls;
     ttc_ratio argument;
+    if (kind == TTC_PI) {
+        arb_const_pi(balls->ball + variable, precision);
+        balls->state[variable] = ENCLOSED;
+        return;
+    }
     ttc_ratio_init(point->ring, &argument);
     ttc_evaluate(point->valuation, &argument, model->symbols[ttc_valuation_symbol(point->valuation, variable)].definition);
     ttc_point_enclose(balls->ball + variable, point, &argument, precision);
     if (kind == TTC_COSINE) arb_cos(balls->ball + variable, balls->ball + variable, precision);
+    else if (kind == TTC_EXP) arb_exp(balls->ball + variable, balls->ball + variable, precision);
+    else if (kind == TTC_LOG) arb_log(balls->ball + variable, balls->ball + variable, precision);
     else arb_sin(balls->ball + variable, balls->ball + variable, precision);
     ttc_ratio_clear(point->ring, &argument);
     balls->state[variable] = ENCLOSED;

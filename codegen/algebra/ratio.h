@@ -5,6 +5,8 @@
  *  independent (no product of some of them is rational), this form is unique, and a ratio is zero exactly when its
  *  numerator is. Nothing is ever rounded or sampled.
  *
+ *  Variables that stand for exponentials, logarithms and pi may be related where nobody knows, see algebra/independence.h.
+ *
  *  Errors are sticky: the first failure stays in `status`, later results mean nothing, and whoever draws a conclusion
  *  asks for it first. FLINT ends the program when memory is out. */
 #ifndef TTC_RATIO_H
@@ -24,6 +26,13 @@ typedef enum {
     TTC_RING_CIRCULAR,
     TTC_RING_ANGLE,
     TTC_RING_ANGLE_FRACTION,
+    TTC_RING_EXPONENT,
+    TTC_RING_EXPONENT_FRACTION,
+    TTC_RING_LOGARITHM,
+    TTC_RING_LOG_OF_ZERO,
+    TTC_RING_LOG_OF_NEGATIVE,
+    TTC_RING_PI,
+    TTC_RING_NOT_SETTLED,
     TTC_RING_TOO_LARGE,
     TTC_RING_NO_MEMORY
 } ttc_ring_status;
@@ -52,6 +61,7 @@ typedef struct {
     const bool *positive;              /* by variable; borrowed */
     ttc_generator generators[TTC_GENERATOR_LIMIT];
     size_t generator_count;
+    unsigned char *trust;              /* by variable: why it is independent of the others, a ttc_trust */
     /* A root whose radicand turns out to be a square q^2 is q or -q. Where the sign cannot be told, bit number
      * choice_count of `choices` decides, and the count goes up: whoever proves, proves every choice. */
     unsigned choices, choice_count;
@@ -82,7 +92,9 @@ void ttc_ratio_power(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, long ex
 void ttc_ratio_scale(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, const fmpq_t factor);
 void ttc_ratio_add_product(ttc_ring *ring, ttc_ratio *sum, const ttc_ratio *a, const ttc_ratio *b); /* sum += a*b */
 
-bool ttc_ratio_is_zero(const ttc_ring *ring, const ttc_ratio *a);
+/* True for zero, and where it is not settled whether a is zero: the ring has then failed. */
+bool ttc_ratio_is_zero(ttc_ring *ring, const ttc_ratio *a);
+bool ttc_ratio_equal(const ttc_ring *ring, const ttc_ratio *a, const ttc_ratio *b); /* in form */
 bool ttc_ratio_get_rational(const ttc_ring *ring, fmpq_t value, const ttc_ratio *a); /* false: not a number */
 bool ttc_ratio_uses(const ttc_ring *ring, const ttc_ratio *a, slong variable);
 int ttc_ratio_sign(const ttc_ring *ring, const ttc_ratio *a); /* 1, -1 where evident from the terms; else 0 */

@@ -3,7 +3,7 @@
 /* sum += d(polynomial)/d(variable) * slope */
 static void add_term(ttc_ring *ring, ttc_ratio *sum, const fmpz_mpoly_t polynomial, slong variable, const ttc_ratio *slope)
 {
-    if (ttc_ratio_is_zero(ring, slope) || fmpz_mpoly_degree_si(polynomial, variable, ring->context) < 1) return;
+    if (fmpz_mpoly_is_zero(slope->numerator, ring->context) || fmpz_mpoly_degree_si(polynomial, variable, ring->context) < 1) return;
     fmpz_mpoly_t derivative;
     ttc_ratio partial;
     fmpz_mpoly_init(derivative, ring->context);
@@ -56,7 +56,7 @@ void ttc_ratio_derive(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *a, const 
     for (size_t i = 0; i < count; i++) {
         ttc_ratio_init(ring, &generator_slopes[i]);
         derive(ring, &generator_slopes[i], &ring->generators[i].square, slopes, generator_slopes, i);
-        if (ttc_ratio_is_zero(ring, &generator_slopes[i])) continue;
+        if (fmpz_mpoly_is_zero(generator_slopes[i].numerator, ring->context)) continue;
         ttc_ratio_set_variable(ring, &twice, ring->generators[i].variable);
         ttc_ratio_divide(ring, &generator_slopes[i], &generator_slopes[i], &twice);
         ttc_ratio_scale(ring, &generator_slopes[i], &generator_slopes[i], half);

@@ -7,6 +7,11 @@ ttc_ring *ttc_ring_create(size_t variable_count, size_t first_spare, const char 
 {
     ttc_ring *ring = calloc(1, sizeof *ring);
     if (ring == NULL) return NULL;
+    ring->trust = calloc(variable_count + 1, sizeof *ring->trust);
+    if (ring->trust == NULL) {
+        free(ring);
+        return NULL;
+    }
     fmpz_mpoly_ctx_init(ring->context, (slong)variable_count, ORD_DEGLEX);
     ring->variable_count = variable_count;
     ring->next_spare = first_spare;
@@ -23,6 +28,7 @@ void ttc_ring_destroy(ttc_ring *ring)
     for (size_t i = 0; i < ring->generator_count; i++) ttc_ratio_clear(ring, &ring->generators[i].square);
     fmpq_clear(ring->minus_one);
     fmpz_mpoly_ctx_clear(ring->context);
+    free(ring->trust);
     free(ring);
 }
 
@@ -42,6 +48,15 @@ const char *ttc_ring_status_text(ttc_ring_status status)
     case TTC_RING_ANGLE: return "an angle is mapped to one that is no sum of angles that the model names";
     case TTC_RING_ANGLE_FRACTION:
         return "an angle is a fraction of others (expected an angle record for their common part, of which all are multiples)";
+    case TTC_RING_EXPONENT: return "an exponential is mapped to one that is no product of those that the model names";
+    case TTC_RING_EXPONENT_FRACTION:
+        return "an exponent is a fraction of others (expected an exp record for their common part, of which all are multiples)";
+    case TTC_RING_LOGARITHM: return "a logarithm is mapped to one that is no sum of those that the model names";
+    case TTC_RING_LOG_OF_ZERO: return "the argument of a logarithm vanishes under the conditions of this claim";
+    case TTC_RING_LOG_OF_NEGATIVE: return "the argument of a logarithm is not positive under the conditions of this claim";
+    case TTC_RING_PI: return "the target uses pi, which stands nowhere in this table";
+    case TTC_RING_NOT_SETTLED:
+        return "it rests on the independence of exponentials, logarithms or pi, which is not known";
     case TTC_RING_TOO_LARGE: return "an expression grows beyond what is allowed";
     case TTC_RING_NO_MEMORY: return "out of memory";
     }

@@ -129,6 +129,13 @@ static void state_cosine(question *q, const fmpz_mpoly_t cosine)
     fmpz_mpoly_clear(rest, ring->context);
 }
 
+/* 333/106 < pi < 355/113 */
+static void state_pi(question *q, Z3_ast pi)
+{
+    Z3_solver_assert(q->z3, q->solver, Z3_mk_gt(q->z3, pi, Z3_mk_numeral(q->z3, "333/106", q->real)));
+    Z3_solver_assert(q->z3, q->solver, Z3_mk_lt(q->z3, pi, Z3_mk_numeral(q->z3, "355/113", q->real)));
+}
+
 /* What the conditions and the generators use has the signs and numbered ends of its record. */
 static void state_signs(question *q)
 {
@@ -142,6 +149,8 @@ static void state_signs(question *q)
         const ttc_symbol_entry *entry = &model->symbols[symbol];
         fmpz_mpoly_gen(variable, v, ring->context);
         if (entry->kind == TTC_COSINE) state_cosine(q, variable);
+        if (entry->kind == TTC_EXP || entry->kind == TTC_ROOT) state_condition(q, variable, TTC_IS_POSITIVE);
+        if (entry->kind == TTC_PI) state_pi(q, q->variables[v]);
         if (entry->kind == TTC_PARAM && entry->sign == TTC_POSITIVE) state_condition(q, variable, TTC_IS_POSITIVE);
         if (entry->kind == TTC_PARAM && entry->sign == TTC_NONNEGATIVE) state_condition(q, variable, TTC_IS_NONNEGATIVE);
         if (entry->kind == TTC_PARAM && entry->sign == TTC_NONZERO) state_condition(q, variable, TTC_IS_NONZERO);

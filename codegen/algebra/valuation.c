@@ -20,8 +20,10 @@ static ttc_valuation *allocate(const ttc_model *model)
     v->names = calloc(v->symbol_count + TTC_SPARE_VARIABLES, sizeof *v->names);
     v->positive = calloc(v->symbol_count + TTC_SPARE_VARIABLES, sizeof *v->positive);
     v->basis = calloc(v->symbol_count, sizeof *v->basis);
+    v->exponentials = calloc(v->symbol_count, sizeof *v->exponentials);
+    v->logarithms = calloc(v->symbol_count, sizeof *v->logarithms);
     if (v->values == NULL || v->known == NULL || v->bound == NULL || v->square == NULL || v->variable == NULL || v->freed == NULL
-        || v->names == NULL || v->positive == NULL || v->basis == NULL) {
+        || v->names == NULL || v->positive == NULL || v->basis == NULL || v->exponentials == NULL || v->logarithms == NULL) {
         v->symbol_count = 0;
         ttc_valuation_destroy(v);
         return NULL;
@@ -33,7 +35,9 @@ static ttc_valuation *allocate(const ttc_model *model)
 static bool is_positive(const ttc_model *model, const ttc_symbol_entry *entry)
 {
     switch (entry->kind) {
-    case TTC_ROOT: return true;
+    case TTC_ROOT:
+    case TTC_EXP:
+    case TTC_PI: return true;
     case TTC_PARAM: return entry->sign == TTC_POSITIVE || entry->sign == TTC_NONNEGATIVE;
     case TTC_STATE:
         return entry->low != TTC_NONE && ttc_kind_of(model->graph, entry->low) == TTC_NUMBER
@@ -71,6 +75,8 @@ ttc_valuation *ttc_valuation_create(const ttc_model *model, unsigned choices)
         return NULL;
     }
     v->ring->choices = choices;
+    for (size_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_PI) v->ring->trust[v->variable[i]] = TTC_TRUST_SINGLE | TTC_TRUST_CONSTANT;
     for (size_t i = 0; i < v->symbol_count; i++) ttc_ratio_init(v->ring, &v->values[i]);
     return v;
 }
@@ -94,6 +100,8 @@ void ttc_valuation_destroy(ttc_valuation *v)
     if (v->base == NULL) ttc_ring_destroy(v->ring);
     free(v->seen);
     free(v->memo);
+    free(v->logarithms);
+    free(v->exponentials);
     free(v->basis);
     free(v->positive);
     free(v->names);
@@ -145,6 +153,12 @@ static void defined_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
         ttc_ring_root(v->ring, out, out, v->variable[symbol], true);
     } else if (!spare && (entry->kind == TTC_COSINE || entry->kind == TTC_SINE)) {
         ttc_valuation_angle_value(v, out, symbol);
+    } else if (!spare && entry->kind == TTC_EXP) {
+        ttc_valuation_exp_value(v, out, symbol);
+    } else if (!spare && entry->kind == TTC_LOG) {
+        ttc_valuation_log_value(v, out, symbol);
+    } else if (!spare && entry->kind == TTC_PI) {
+        ttc_valuation_pi_value(v, out);
     } else if (v->variable[symbol] >= 0) {
         ttc_ratio_set_variable(v->ring, out, v->variable[symbol]);
     } else {
@@ -166,6 +180,21 @@ void ttc_valuation_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol)
         ttc_ratio_clear(v->ring, &value);
     }
     ttc_ratio_set(v->ring, out, &v->values[symbol]);
+}
+
+bool ttc_valuation_meet(ttc_valuation *v)
+{
+    if (v->met || v->ring->status != TTC_RING_OK) return false;
+    ttc_ratio value;
+    v->met = true;
+    ttc_ratio_init(v->ring, &value);
+    for (uint32_t i = 0; i < v->model->symbol_count; i++) {
+        ttc_symbol_kind kind = v->model->symbols[i].kind;
+        bool joins = kind == TTC_COSINE || kind == TTC_EXP || kind == TTC_LOG;
+        if (joins && v->known[i] != TTC_VALUE_BUSY) ttc_valuation_value(v, &value, i);
+    }
+    ttc_ratio_clear(v->ring, &value);
+    return v->ring->status == TTC_RING_OK;
 }
 
 static bool reserve_memo(ttc_valuation *v)

@@ -1,8 +1,9 @@
 /** Expressions of a model as exact ratios, under substitutions.
  *
- *  A symbol is free (a variable of the ring), bound to an expression, or, for a state, bound to a square root. Roots and
- *  angles follow from what they are defined by: cosines and sines of angles that are linearly independent over the
- *  rationals are variables with c^2 + s^2 = 1, those of sums of their multiples follow by the addition theorems.
+ *  A symbol is free (a variable of the ring), bound to an expression, or, for a state, bound to a square root. Functions follow
+ *  from what they are defined by: cosines and sines of angles that are linearly independent over the rationals are variables with
+ *  c^2 + s^2 = 1, those of sums of their multiples follow by the addition theorems; exponentials likewise, and logarithms of
+ *  arguments that are multiplicatively independent.
  *
  *  A plain valuation reads bound expressions in itself, so `when a = b, b = 1` means a = b = 1, and a circle is an error. A map
  *  (base != NULL) reads them in its base: the model at an image point, or another model seen from the base. */
@@ -44,5 +45,12 @@ void ttc_evaluate(ttc_valuation *valuation, ttc_ratio *out, ttc_id id);
 /** cos or sin of an angle in a plain valuation, where it is a sum of whole multiples of angles that the table names; else the
  *  ring fails with ANGLE or ANGLE_FRACTION. */
 void ttc_valuation_angle(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *angle, bool is_sine);
+
+/** The same of exponentials and logarithms: the value for an exponent, or an argument, that follows from those that the table names;
+ *  else the ring fails. */
+void ttc_valuation_exp(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *exponent);
+void ttc_valuation_log(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *argument);
+
+void ttc_valuation_pi(ttc_valuation *valuation, ttc_ratio *out); /* fails where the table has no pi */
 
 #endif

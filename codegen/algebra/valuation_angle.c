@@ -1,5 +1,5 @@
 /* Angles of a valuation: a basis of those that are linearly independent over the rationals, and the others as sums of whole
- * multiples of it. */
+ * multiples of it. Where the table uses pi, the quarter turn is one more angle, whose cosine is 0 and sine 1. */
 #include "algebra/angle.h"
 #include "algebra/valuation_state.h"
 
@@ -14,11 +14,28 @@ static bool in_basis(const ttc_valuation *v, uint32_t cosine)
     return false;
 }
 
-/* How an angle follows from the basis. */
+static bool has_pi(const ttc_valuation *v)
+{
+    for (size_t i = 0; i < v->model->symbol_count; i++)
+        if (v->model->symbols[i].kind == TTC_PI) return true;
+    return false;
+}
+
+static void set_quarter_turn(ttc_valuation *v, ttc_ratio *out)
+{
+    fmpq_t half;
+    fmpq_init(half);
+    fmpq_set_si(half, 1, 2);
+    ttc_valuation_pi(v, out);
+    ttc_ratio_scale(v->ring, out, out, half);
+    fmpq_clear(half);
+}
+
+/* How an angle follows from the basis, and from the quarter turn: the last multiple. */
 static ttc_angle_relation relate(ttc_valuation *v, long *multiples, const ttc_ratio *angle)
 {
     ttc_angle_relation relation = TTC_ANGLE_FREE;
-    const size_t count = v->basis_count;
+    const size_t count = v->basis_count, turns = has_pi(v);
     ttc_ratio *angles = calloc(count + 1, sizeof *angles);
     if (angles == NULL) {
         ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
@@ -28,10 +45,20 @@ static ttc_angle_relation relate(ttc_valuation *v, long *multiples, const ttc_ra
         ttc_ratio_init(v->ring, angles + i);
         ttc_evaluate(v, angles + i, v->model->symbols[v->basis[i]].definition);
     }
-    if (v->ring->status == TTC_RING_OK) relation = ttc_angle_relate(v->ring, multiples, angle, angles, count);
-    for (size_t i = 0; i < count; i++) ttc_ratio_clear(v->ring, angles + i);
+    ttc_ratio_init(v->ring, angles + count);
+    if (turns > 0) set_quarter_turn(v, angles + count);
+    multiples[count] = 0;
+    if (v->ring->status == TTC_RING_OK) relation = ttc_angle_relate(v->ring, multiples, angle, angles, count + turns);
+    for (size_t i = 0; i <= count; i++) ttc_ratio_clear(v->ring, angles + i);
     free(angles);
     return relation;
+}
+
+/* The cosine joins the basis; what is known of it is known of the sine. */
+static void join(ttc_valuation *v, uint32_t cosine, const ttc_ratio *angle)
+{
+    v->ring->trust[v->variable[cosine]] = (unsigned char)ttc_valuation_trust(v, angle, v->basis, v->basis_count);
+    v->basis[v->basis_count++] = cosine;
 }
 
 static bool is_angle(ttc_symbol_kind kind) { return kind == TTC_COSINE || kind == TTC_SINE; }
@@ -57,11 +84,27 @@ static size_t plain_angles(ttc_valuation *v, uint32_t *cosines)
     return count;
 }
 
+/* As ttc_angle_choose, beside the quarter turn where there is one, which is tried after the fixed angles. */
+static size_t choose(ttc_valuation *v, size_t *chosen, const ttc_ratio *angles, size_t count, size_t fixed)
+{
+    ttc_ratio all[TTC_ANGLE_LIMIT], turn; /* the others are borrowed */
+    size_t found = 0;
+    if (!has_pi(v)) return ttc_angle_choose(v->ring, chosen, angles, count, fixed);
+    ttc_ratio_init(v->ring, &turn);
+    set_quarter_turn(v, &turn);
+    for (size_t i = 0; i <= count; i++) all[i] = i < fixed ? angles[i] : i == fixed ? turn : angles[i - 1];
+    size_t total = ttc_angle_choose(v->ring, chosen, all, count + 1, fixed + 1);
+    for (size_t i = 0; i < total; i++)
+        if (chosen[i] != fixed) chosen[found++] = chosen[i] > fixed ? chosen[i] - 1 : chosen[i];
+    ttc_ratio_clear(v->ring, &turn);
+    return found;
+}
+
 static void find_basis(ttc_valuation *v)
 {
     uint32_t *cosines = calloc(v->model->symbol_count + 1, sizeof *cosines);
     ttc_ratio angles[TTC_ANGLE_LIMIT];
-    size_t chosen[TTC_ANGLE_LIMIT], count = 0, fixed = 0;
+    size_t chosen[TTC_ANGLE_LIMIT], count = 0, fixed = 0, found = 0;
 
     v->has_basis = true;
     if (cosines == NULL) ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
@@ -81,8 +124,10 @@ static void find_basis(ttc_valuation *v)
         angles[i] = angle;
     }
     if (fixed < v->basis_count) ttc_ring_fail(v->ring, TTC_RING_ANGLE);
-    if (v->ring->status == TTC_RING_OK) v->basis_count = ttc_angle_choose(v->ring, chosen, angles, count, fixed);
-    for (size_t i = 0; i < v->basis_count; i++) v->basis[i] = cosines[chosen[i]];
+    if (has_pi(v) && count == TTC_ANGLE_LIMIT) ttc_ring_fail(v->ring, TTC_RING_TOO_LARGE);
+    if (v->ring->status == TTC_RING_OK) found = choose(v, chosen, angles, count, fixed);
+    for (size_t i = 0; i < found; i++)
+        if (!in_basis(v, cosines[chosen[i]])) join(v, cosines[chosen[i]], &angles[chosen[i]]);
     for (size_t i = 0; i < count; i++) ttc_ratio_clear(v->ring, angles + i);
     free(cosines);
 }
@@ -96,10 +141,12 @@ static void sum_of_angles(ttc_valuation *v, ttc_ratio *out, const long *multiple
     ttc_ratio_init(v->ring, &c);
     ttc_ratio_init(v->ring, &s);
     ttc_ratio_set_integer(v->ring, &cosine, 1);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i <= count; i++) {
         if (multiples[i] == 0) continue;
-        ttc_valuation_value(v, &c, v->basis[i]);
-        ttc_valuation_value(v, &s, v->model->symbols[v->basis[i]].partner);
+        ttc_ratio_set_integer(v->ring, &c, 0);
+        ttc_ratio_set_integer(v->ring, &s, 1);
+        if (i < count) ttc_valuation_value(v, &c, v->basis[i]);
+        if (i < count) ttc_valuation_value(v, &s, v->model->symbols[v->basis[i]].partner);
         ttc_angle_turn(v->ring, &cosine, &sine, &c, &s, multiples[i]);
     }
     ttc_ratio_set(v->ring, out, is_sine ? &sine : &cosine);
@@ -114,7 +161,7 @@ static void value_at_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *an
 {
     if (!v->has_basis) find_basis(v);
     const size_t count = v->basis_count;
-    long *multiples = calloc(count + 1, sizeof *multiples);
+    long *multiples = calloc(count + 2, sizeof *multiples);
     if (multiples == NULL) ttc_ring_fail(v->ring, TTC_RING_NO_MEMORY);
     ttc_angle_relation relation = v->ring->status == TTC_RING_OK ? relate(v, multiples, angle) : TTC_ANGLE_FREE;
     if (v->ring->status != TTC_RING_OK) {
@@ -123,8 +170,9 @@ static void value_at_angle(ttc_valuation *v, ttc_ratio *out, const ttc_ratio *an
     }
     if (relation == TTC_ANGLE_WHOLE) sum_of_angles(v, out, multiples, count, is_sine);
     else if (relation == TTC_ANGLE_FRACTION) ttc_ring_fail(v->ring, TTC_RING_ANGLE_FRACTION);
-    else if (cosine == NO_SYMBOL) ttc_ring_fail(v->ring, TTC_RING_ANGLE);
-    else v->basis[v->basis_count++] = cosine;
+    else if (cosine != NO_SYMBOL) join(v, cosine, angle);
+    else if (ttc_valuation_meet(v)) value_at_angle(v, out, angle, is_sine, cosine);
+    else ttc_ring_fail(v->ring, TTC_RING_ANGLE);
     free(multiples);
 }
 

@@ -1,7 +1,8 @@
-/** Inside of a valuation, shared by its two files: symbols in general, and angles. */
+/** Inside of a valuation, shared by its files: symbols in general, angles, exponentials, logarithms. */
 #ifndef TTC_VALUATION_STATE_H
 #define TTC_VALUATION_STATE_H
 
+#include "algebra/independence.h"
 #include "algebra/valuation.h"
 
 typedef enum { TTC_VALUE_UNKNOWN, TTC_VALUE_BUSY, TTC_VALUE_KNOWN } ttc_value_state;
@@ -21,6 +22,12 @@ struct ttc_valuation {
     uint32_t *basis; /* cosines of independent angles, of which all others are sums; plain valuations only */
     size_t basis_count;
     bool has_basis;
+    uint32_t *exponentials; /* independent ones, of which all others are products; plain valuations only */
+    size_t exponential_count;
+    bool has_exponentials;
+    uint32_t *logarithms; /* independent ones, of which all others are sums; plain valuations only */
+    size_t logarithm_count;
+    bool met; /* every function of the table has a value */
     ttc_ratio *memo; /* by node */
     bool *seen;
     size_t memo_size;
@@ -31,5 +38,18 @@ void ttc_valuation_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
 
 /* The value of a cosine or sine that is not bound. */
 void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
+
+/* The values of an exponential, or a logarithm, that is not bound, and of pi. */
+void ttc_valuation_exp_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
+void ttc_valuation_log_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
+void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out);
+
+/* Functions join a basis when they are met. Where a value follows from no basis, all of the table are met first: true when that has
+ * been done now, so that another attempt is worth while. */
+bool ttc_valuation_meet(ttc_valuation *v);
+
+/* What is known of the functions of an angle or exponent, see ttc_ring_trust. basis, shape (count,): symbols whose definitions,
+ * and logarithms whose values, it is compared with; those that are not free are left out. */
+ttc_trust ttc_valuation_trust(ttc_valuation *v, const ttc_ratio *angle, const uint32_t *basis, size_t count);
 
 #endif

@@ -153,6 +153,10 @@ static bool evaluate_symbol(arb_t out, ttc_ball *ball, evaluation mode, uint32_t
         arb_set(out, ball->balls[mode].balls + ball->symbols.bound[symbol]);
         return true;
     }
+    if (entry->kind == TTC_PI) {
+        arb_const_pi(out, precision);
+        return true;
+    }
     if (entry->definition == TTC_NONE || !evaluate(ball, inner, entry->definition)) return false;
     of = ball->balls[inner].balls + entry->definition;
     switch (entry->kind) {
@@ -162,6 +166,8 @@ static bool evaluate_symbol(arb_t out, ttc_ball *ball, evaluation mode, uint32_t
         return true;
     case TTC_COSINE: arb_cos(out, of, precision); return true;
     case TTC_SINE: arb_sin(out, of, precision); return true;
+    case TTC_EXP: arb_exp(out, of, precision); return true;
+    case TTC_LOG: arb_log(out, of, precision); return true;
     case TTC_LET: arb_set(out, of); return true;
     default: return false;
     }

@@ -12,12 +12,18 @@
  *  carries its formula. */
 typedef struct {
     const char *type, *input, *input_end, *broadcast, *broadcast_end;
-    const char *root, *cosine, *sine;
+    const char *root, *cosine, *sine, *exp, *log;
     const char *output, *output_middle, *output_end;
     bool formulas;
 } ttc_dialect;
 
 extern const ttc_dialect ttc_dialect_scalar;
+
+/* The nearest double to pi. */
+#define TTC_PI_DOUBLE "0x1.921fb54442d18p+1"
+
+/* The name of a function of one operand in C and in Arb, "sqrt", "cos", ...; "" for other operations. */
+const char *ttc_emit_function_name(ttc_op op);
 
 /* True when the program has such an instruction. */
 bool ttc_emit_uses(const ttc_program *program, ttc_op op);

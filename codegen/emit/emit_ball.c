@@ -27,12 +27,17 @@ static void add_instruction(ttc_text *text, const ttc_program *program, ttc_valu
 {
     static const char *const names[] = { [TTC_OP_NEGATE] = "neg",    [TTC_OP_ADD] = "add",     [TTC_OP_SUBTRACT] = "sub",
                                          [TTC_OP_MULTIPLY] = "mul",  [TTC_OP_DIVIDE] = "div",  [TTC_OP_ROOT] = "sqrt",
-                                         [TTC_OP_COSINE] = "cos",    [TTC_OP_SINE] = "sin" };
+                                         [TTC_OP_COSINE] = "cos",    [TTC_OP_SINE] = "sin",    [TTC_OP_EXP] = "exp",
+                                         [TTC_OP_LOG] = "log" };
     const ttc_instruction *i = ttc_program_at(program, value);
     const ttc_value operands[] = { i->a, i->b };
     if (i->op == TTC_OP_INPUT || i->op == TTC_OP_PARAMETER) return;
     if (i->op == TTC_OP_CONSTANT) {
         add_constant(text, value, i->constant);
+        return;
+    }
+    if (i->op == TTC_OP_PI) {
+        ttc_text_format(text, "    arb_const_pi(t + %u, prec);\n", value);
         return;
     }
     ttc_text_format(text, "    arb_%s(t + %u", names[i->op], value);

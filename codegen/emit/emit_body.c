@@ -11,7 +11,7 @@ enum { FORMULA_LIMIT = 60 }; /* longer operands appear in formulas by the name o
 
 const ttc_dialect ttc_dialect_scalar = {
     .type = "double", .input = "x[", .input_end = "]", .broadcast = "", .broadcast_end = "",
-    .root = "sqrt(", .cosine = "cos(", .sine = "sin(",
+    .root = "sqrt(", .cosine = "cos(", .sine = "sin(", .exp = "exp(", .log = "log(",
     .output = "out[", .output_middle = "] = ", .output_end = "", .formulas = true,
 };
 
@@ -39,6 +39,8 @@ static void add_operand(body *b, ttc_value value)
         ttc_text_add(b->text, open);
         ttc_emit_constant(b->text, i->constant);
         ttc_text_add(b->text, close);
+    } else if (i->op == TTC_OP_PI) {
+        ttc_text_format(b->text, "%s%s%s", open, TTC_PI_DOUBLE, close);
     } else {
         ttc_text_format(b->text, "t%zu", b->numbers[value]);
     }
@@ -50,6 +52,8 @@ static void add_operation(body *b, const ttc_instruction *i)
         [TTC_OP_ROOT] = { b->dialect->root, ")", "", "" },
         [TTC_OP_COSINE] = { b->dialect->cosine, ")", "", "" },
         [TTC_OP_SINE] = { b->dialect->sine, ")", "", "" },
+        [TTC_OP_EXP] = { b->dialect->exp, ")", "", "" },
+        [TTC_OP_LOG] = { b->dialect->log, ")", "", "" },
     };
     static const char *const shapes[][4] = {
         [TTC_OP_NEGATE] = { "-", "", "", "" },
@@ -92,6 +96,10 @@ static binding leaf_formula(body *b, ttc_text *formula, const ttc_instruction *i
 {
     if (i->op == TTC_OP_INPUT) {
         ttc_text_add(formula, b->field->symbols[b->field->states[i->index]].name);
+        return BINDS_ATOM;
+    }
+    if (i->op == TTC_OP_PI) {
+        ttc_text_add(formula, "pi");
         return BINDS_ATOM;
     }
     if (i->op == TTC_OP_CONSTANT) {
@@ -146,7 +154,8 @@ static binding operation_formula(body *b, ttc_text *formula, const ttc_instructi
         add_formula(b, formula, i->b, BINDS_PRODUCT);
         return BINDS_SUM;
     default:
-        ttc_text_add(formula, i->op == TTC_OP_ROOT ? "sqrt(" : i->op == TTC_OP_COSINE ? "cos(" : "sin(");
+        ttc_text_add(formula, ttc_emit_function_name(i->op));
+        ttc_text_add(formula, "(");
         add_formula(b, formula, i->a, BINDS_SUM);
         ttc_text_add(formula, ")");
         return BINDS_ATOM;
@@ -214,6 +223,18 @@ done:
     free(b.numbers);
     free(b.formulas);
     free(b.bindings);
+}
+
+const char *ttc_emit_function_name(ttc_op op)
+{
+    switch (op) {
+    case TTC_OP_ROOT: return "sqrt";
+    case TTC_OP_COSINE: return "cos";
+    case TTC_OP_SINE: return "sin";
+    case TTC_OP_EXP: return "exp";
+    case TTC_OP_LOG: return "log";
+    default: return "";
+    }
 }
 
 bool ttc_emit_uses(const ttc_program *program, ttc_op op)

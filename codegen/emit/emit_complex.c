@@ -58,8 +58,16 @@ static void declare(emitter *e, uint32_t symbol)
                         is_state ? "x" : "params", s->position);
         return;
     }
-    const char *function = entry->kind == TTC_ROOT ? "csqrt" : entry->kind == TTC_COSINE ? "ccos"
-                           : entry->kind == TTC_SINE ? "csin" : "";
+    if (s->role == TTC_ROLE_PI) {
+        ttc_text_format(e->text, "    const double v_%s = " TTC_PI_DOUBLE ";\n", entry->name);
+        return;
+    }
+    const char *function = entry->kind == TTC_ROOT     ? "csqrt"
+                           : entry->kind == TTC_COSINE ? "ccos"
+                           : entry->kind == TTC_SINE   ? "csin"
+                           : entry->kind == TTC_EXP    ? "cexp"
+                           : entry->kind == TTC_LOG    ? "clog"
+                                                       : "";
     define(e, symbol, "double complex", function, entry->definition);
 }
 

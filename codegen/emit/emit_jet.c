@@ -18,6 +18,7 @@ static void add_name(jet *j, ttc_value value)
     if (i->op == TTC_OP_INPUT) ttc_text_format(j->text, "x%u", i->index);
     else if (i->op == TTC_OP_PARAMETER) ttc_text_format(j->text, "p[%u]", i->index);
     else if (i->op == TTC_OP_CONSTANT) ttc_emit_constant(j->text, i->constant);
+    else if (i->op == TTC_OP_PI) ttc_text_add(j->text, TTC_PI_DOUBLE);
     else ttc_text_format(j->text, "t%u", value);
 }
 
@@ -122,6 +123,16 @@ static void add_recurrence(jet *j, ttc_value value, const ttc_instruction *i)
         add_coefficient(j, i->a);
         ttc_text_format(j->text, ", t%u, k)", value);
         break;
+    case TTC_OP_EXP:
+        ttc_text_add(j->text, "jlt_jet_exp(");
+        add_name(j, i->a);
+        ttc_text_format(j->text, ", t%u, k)", value);
+        break;
+    case TTC_OP_LOG:
+        ttc_text_add(j->text, "jlt_jet_log(");
+        add_name(j, i->a);
+        ttc_text_format(j->text, ", t%u, k)", value);
+        break;
     default:
         ttc_text_format(j->text, "jlt_jet_%s(", i->op == TTC_OP_COSINE ? "cosine" : "sine");
         add_name(j, i->a);
@@ -151,10 +162,9 @@ static void add_number(jet *j, ttc_value value, const ttc_instruction *i)
     case TTC_OP_ROOT:
     case TTC_OP_COSINE:
     case TTC_OP_SINE:
-        ttc_text_add(j->text, i->op == TTC_OP_NEGATE   ? "-("
-                              : i->op == TTC_OP_ROOT   ? "sqrt("
-                              : i->op == TTC_OP_COSINE ? "cos("
-                                                       : "sin(");
+    case TTC_OP_EXP:
+    case TTC_OP_LOG:
+        ttc_text_format(j->text, "%s(", i->op == TTC_OP_NEGATE ? "-" : ttc_emit_function_name(i->op));
         add_name(j, i->a);
         ttc_text_add(j->text, ")");
         break;
@@ -274,7 +284,7 @@ void ttc_emit_jet_lanes(ttc_text *text, const ttc_kernels *kernels)
 void ttc_emit_jet_header(ttc_text *text)
 {
     ttc_text_add(text,
-                 "/** Coefficients of order k of products, quotients, roots, cosines and sines of power series whose operands are known to\n"
+                 "/** Coefficients of order k of products, quotients, roots and elementary functions of power series whose operands are known to\n"
                  " *  order k, and whose result is known below k. Cost: k + 1 products. Written by ttc; do not edit.\n"
                  " *\n"
                  " *  A coefficient is a double, or, where JLT_LANES is defined, a vector: every lane does what a double does. */\n"
@@ -289,11 +299,15 @@ void ttc_emit_jet_header(ttc_text *text)
                  "#define JLT_JET_ROOT jlt_lanes_root\n"
                  "#define JLT_JET_COSINE jlt_lanes_cosine\n"
                  "#define JLT_JET_SINE jlt_lanes_sine\n"
+                 "#define JLT_JET_EXP jlt_lanes_exp\n"
+                 "#define JLT_JET_LOG jlt_lanes_log\n"
                  "#else\n"
                  "typedef double jlt_coefficient;\n"
                  "#define JLT_JET_ROOT sqrt\n"
                  "#define JLT_JET_COSINE cos\n"
                  "#define JLT_JET_SINE sin\n"
+                 "#define JLT_JET_EXP exp\n"
+                 "#define JLT_JET_LOG log\n"
                  "#endif\n"
                  "\n");
     ttc_text_add(text,
@@ -340,6 +354,22 @@ void ttc_emit_jet_header(ttc_text *text)
                  "{\n"
                  "    c[k] = k == 0 ? JLT_JET_COSINE(a[0]) : -jlt_jet_slope(a, s, k);\n"
                  "    return k == 0 ? JLT_JET_SINE(a[0]) : jlt_jet_slope(a, c, k);\n"
+                 "}\n"
+                 "\n");
+    ttc_text_add(text,
+                 "/* e = exp(a): e' = a' e. */\n"
+                 "static inline jlt_coefficient jlt_jet_exp(const jlt_coefficient *a, const jlt_coefficient *e, unsigned k)\n"
+                 "{\n"
+                 "    return k == 0 ? JLT_JET_EXP(a[0]) : jlt_jet_slope(a, e, k);\n"
+                 "}\n"
+                 "\n"
+                 "/* l = log(a): a l' = a'. */\n"
+                 "static inline jlt_coefficient jlt_jet_log(const jlt_coefficient *a, const jlt_coefficient *l, unsigned k)\n"
+                 "{\n"
+                 "    jlt_coefficient sum = { 0 };\n"
+                 "    if (k == 0) return JLT_JET_LOG(a[0]);\n"
+                 "    for (unsigned j = 1; j < k; j++) sum += (double)j * l[j] * a[k - j];\n"
+                 "    return (a[k] - sum / (double)k) / a[0];\n"
                  "}\n"
                  "\n"
                  "#endif\n");

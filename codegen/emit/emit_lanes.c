@@ -9,6 +9,7 @@ static const unsigned isa_lanes[TTC_ISA_COUNT] = { 2, 4, 8 };
 static const ttc_dialect dialect = {
     .type = "jlt_lanes", .input = "x", .input_end = "", .broadcast = "jlt_lanes_of(", .broadcast_end = ")",
     .root = "jlt_lanes_root(", .cosine = "jlt_lanes_cosine(", .sine = "jlt_lanes_sine(",
+    .exp = "jlt_lanes_exp(", .log = "jlt_lanes_log(",
     .output = "jlt_lanes_store(out + ", .output_middle = "*stride, ", .output_end = ")", .formulas = false,
 };
 

@@ -18,6 +18,7 @@ static sign sign_of(const ttc_field *field, ttc_id id)
         const ttc_field_symbol *s = field->symbols + ttc_symbol_of(graph, id);
         if (s->role == TTC_ROLE_PARAM) return s->sign == TTC_POSITIVE ? POSITIVE : s->sign == TTC_NONNEGATIVE ? NONNEGATIVE : UNKNOWN;
         if (s->role == TTC_ROLE_UNIT) return sign_of(field, s->definition);
+        if (s->role == TTC_ROLE_EXP || s->role == TTC_ROLE_PI) return POSITIVE;
         return s->role == TTC_ROLE_ROOT ? NONNEGATIVE : UNKNOWN;
     }
     case TTC_PRODUCT:

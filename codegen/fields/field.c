@@ -45,6 +45,18 @@ static void name_expression(ttc_field *field, ttc_field_symbol *symbol, ttc_id e
     }
 }
 
+static ttc_role role_of(ttc_symbol_kind function)
+{
+    switch (function) {
+    case TTC_ROOT: return TTC_ROLE_ROOT;
+    case TTC_COSINE: return TTC_ROLE_COSINE;
+    case TTC_SINE: return TTC_ROLE_SINE;
+    case TTC_EXP: return TTC_ROLE_EXP;
+    case TTC_LOG: return TTC_ROLE_LOG;
+    default: return TTC_ROLE_ABSENT;
+    }
+}
+
 /* What a model's symbol is written as in this field; decided on first use. */
 static ttc_id resolve(ttc_field *field, uint32_t symbol)
 {
@@ -77,13 +89,20 @@ static ttc_id resolve(ttc_field *field, uint32_t symbol)
     case TTC_ROOT:
     case TTC_COSINE:
     case TTC_SINE:
+    case TTC_EXP:
+    case TTC_LOG:
         definition = ttc_field_specialise(field, entry->definition);
         if (definition == TTC_NONE) return TTC_NONE;
         s->definition = definition;
         s->partner = entry->partner;
         s->node = entry->node;
-        s->role = entry->kind == TTC_ROOT ? TTC_ROLE_ROOT : entry->kind == TTC_COSINE ? TTC_ROLE_COSINE : TTC_ROLE_SINE;
+        s->role = role_of(entry->kind);
         s->is_constant = ttc_field_is_constant(field, definition);
+        return s->node;
+    case TTC_PI:
+        s->role = TTC_ROLE_PI;
+        s->is_constant = true;
+        s->node = entry->node;
         return s->node;
     default:
         s->node = entry->node;
@@ -212,6 +231,14 @@ static ttc_id slope(void *context, uint32_t symbol)
         outer = ttc_integer(graph, s->role == TTC_ROLE_COSINE ? -1 : 1);
         outer = ttc_multiply(graph, outer, resolve(field, s->partner)); /* which may occur in derivatives alone */
         inner = ttc_field_distribute(field, inner, outer);
+        break;
+    case TTC_ROLE_EXP:
+        inner = ttc_derivative(graph, s->definition, slope, d);
+        inner = ttc_field_distribute(field, inner, field->symbols[symbol].node);
+        break;
+    case TTC_ROLE_LOG:
+        inner = ttc_derivative(graph, s->definition, slope, d);
+        if (inner != TTC_NONE) inner = ttc_divide(graph, inner, field->symbols[symbol].definition);
         break;
     default:
         return TTC_NONE;

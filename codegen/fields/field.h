@@ -12,11 +12,14 @@
 typedef enum {
     TTC_ROLE_ABSENT, /* written out, bound by the variant, or of no use in kernels */
     TTC_ROLE_PARAM,
+    TTC_ROLE_PI,
     TTC_ROLE_STATE,
     TTC_ROLE_UNIT, /* definition = what it stands for */
     TTC_ROLE_ROOT, /* definition = radicand */
     TTC_ROLE_COSINE,
-    TTC_ROLE_SINE
+    TTC_ROLE_SINE,
+    TTC_ROLE_EXP,  /* definition = exponent */
+    TTC_ROLE_LOG   /* definition = argument */
 } ttc_role;
 
 typedef struct {
@@ -64,8 +67,8 @@ void ttc_field_destroy(ttc_field *field); /* legal on NULL */
 /* An expression of the model in the field's symbols. TTC_NONE, with the graph's error set, where it divides by zero. */
 ttc_id ttc_field_specialise(ttc_field *field, ttc_id expression);
 
-/** Partial derivative of an expression in the field's symbols with respect to the state at `position`, through units,
- *  roots and angles by the chain rule. Derivatives of units are units where they are sums. */
+/** Partial derivative of an expression in the field's symbols with respect to the state at `position`, through units
+ *  and functions by the chain rule. Derivatives of units are units where they are sums. */
 ttc_id ttc_field_partial(ttc_field *field, ttc_id expression, size_t position);
 
 /* A new symbol that stands for the expression; TTC_NONE when memory is out. */

@@ -77,6 +77,8 @@ static ttc_value lower_difference_of_squares(lowering *l, ttc_id id)
 
 static ttc_value lower_symbol(lowering *l, uint32_t symbol)
 {
+    static const ttc_op functions[] = { [TTC_ROLE_COSINE] = TTC_OP_COSINE, [TTC_ROLE_SINE] = TTC_OP_SINE,
+                                        [TTC_ROLE_EXP] = TTC_OP_EXP, [TTC_ROLE_LOG] = TTC_OP_LOG };
     if (l->symbols[symbol] != TTC_NO_VALUE) return l->symbols[symbol];
     const ttc_field_symbol *s = l->field->symbols + symbol;
     const ttc_binding *binding = find_binding(l->options.bindings, symbol);
@@ -100,12 +102,16 @@ static ttc_value lower_symbol(lowering *l, uint32_t symbol)
             if (value == TTC_NO_VALUE) value = lower(l, s->definition);
             if (value != TTC_NO_VALUE) value = ttc_program_root(l->program, value);
             break;
+        case TTC_ROLE_PI:
+            value = ttc_program_pi(l->program);
+            break;
         case TTC_ROLE_COSINE:
         case TTC_ROLE_SINE:
+        case TTC_ROLE_EXP:
+        case TTC_ROLE_LOG:
             value = lower(l, s->definition);
             if (value != TTC_NO_VALUE)
-                value = ttc_program_apply(l->program, s->role == TTC_ROLE_COSINE ? TTC_OP_COSINE : TTC_OP_SINE, value,
-                                          TTC_NO_VALUE, TTC_NO_VALUE);
+                value = ttc_program_apply(l->program, functions[s->role], value, TTC_NO_VALUE, TTC_NO_VALUE);
             break;
         case TTC_ROLE_ABSENT:
             break;

@@ -42,11 +42,14 @@ unsigned ttc_op_arity(ttc_op op)
     case TTC_OP_INPUT:
     case TTC_OP_PARAMETER:
     case TTC_OP_CONSTANT:
+    case TTC_OP_PI:
         return 0;
     case TTC_OP_NEGATE:
     case TTC_OP_ROOT:
     case TTC_OP_COSINE:
     case TTC_OP_SINE:
+    case TTC_OP_EXP:
+    case TTC_OP_LOG:
         return 1;
     case TTC_OP_ADD:
     case TTC_OP_SUBTRACT:
@@ -130,6 +133,7 @@ static ttc_value leaf(ttc_program *program, ttc_op op, uint32_t index)
 
 ttc_value ttc_program_input(ttc_program *program, uint32_t index) { return leaf(program, TTC_OP_INPUT, index); }
 ttc_value ttc_program_parameter(ttc_program *program, uint32_t index) { return leaf(program, TTC_OP_PARAMETER, index); }
+ttc_value ttc_program_pi(ttc_program *program) { return leaf(program, TTC_OP_PI, 0); }
 
 ttc_value ttc_program_constant(ttc_program *program, const fmpq_t value)
 {

@@ -2,7 +2,7 @@
  *
  *  A program is a list of instructions, each of which uses values made before it (static single assignment), and a list
  *  of outputs. It is the one source of everything emitted, and can be read again: its values are rational functions of
- *  inputs, parameters, and of roots, cosines and sines of such. Equal instructions are one value, constants are folded,
+ *  inputs, parameters, pi, and of roots, cosines, sines, exponentials and logarithms of such. Equal instructions are one value, constants are folded,
  *  and x + 0, x * 1, x * 0, (x/y) * y, -(-x) and the like vanish while it is built.
  *
  *  Errors: memory or a division by a zero constant makes the program failed for good; every later call then returns
@@ -30,7 +30,10 @@ typedef enum {
     TTC_OP_FNMA,      /* c - a * b */
     TTC_OP_ROOT,      /* sqrt(a) */
     TTC_OP_COSINE,
-    TTC_OP_SINE
+    TTC_OP_SINE,
+    TTC_OP_EXP,
+    TTC_OP_LOG,
+    TTC_OP_PI         /* the number, rounded to what the arithmetic can hold */
 } ttc_op;
 
 typedef uint32_t ttc_value;
@@ -59,6 +62,7 @@ void ttc_program_keep_duplicates(ttc_program *program);
 
 ttc_value ttc_program_input(ttc_program *program, uint32_t index);
 ttc_value ttc_program_parameter(ttc_program *program, uint32_t index);
+ttc_value ttc_program_pi(ttc_program *program);
 ttc_value ttc_program_constant(ttc_program *program, const fmpq_t value);
 ttc_value ttc_program_integer(ttc_program *program, long value);
 ttc_value ttc_program_apply(ttc_program *program, ttc_op op, ttc_value a, ttc_value b, ttc_value c);

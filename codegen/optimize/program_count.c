@@ -28,6 +28,8 @@ static void tally(ttc_count *count, ttc_op op)
         break;
     case TTC_OP_COSINE:
     case TTC_OP_SINE:
+    case TTC_OP_EXP:
+    case TTC_OP_LOG:
         count->elementary++;
         break;
     default:
@@ -85,6 +87,7 @@ unsigned ttc_op_latency(ttc_op op)
     case TTC_OP_INPUT:
     case TTC_OP_PARAMETER:
     case TTC_OP_CONSTANT:
+    case TTC_OP_PI:
         return 0;
     case TTC_OP_DIVIDE:
         return 4;
@@ -92,6 +95,8 @@ unsigned ttc_op_latency(ttc_op op)
         return 5;
     case TTC_OP_COSINE:
     case TTC_OP_SINE:
+    case TTC_OP_EXP:
+    case TTC_OP_LOG:
         return 15;
     default:
         return 1;

@@ -49,6 +49,7 @@ static ttc_value copied(const fusing *f, const ttc_instruction *i)
     if (i->op == TTC_OP_INPUT) return ttc_program_input(f->out, i->index);
     if (i->op == TTC_OP_PARAMETER) return ttc_program_parameter(f->out, i->index);
     if (i->op == TTC_OP_CONSTANT) return ttc_program_constant(f->out, i->constant);
+    if (i->op == TTC_OP_PI) return ttc_program_pi(f->out);
     return ttc_program_copy(f->out, i->op, f->renamed[i->a], arity > 1 ? f->renamed[i->b] : TTC_NO_VALUE,
                             arity > 2 ? f->renamed[i->c] : TTC_NO_VALUE);
 }

@@ -25,7 +25,7 @@ typedef struct {
 } ttc_polynomial;
 
 typedef enum { TTC_VARIABLE_INPUT, TTC_VARIABLE_UNIT, TTC_VARIABLE_RECIPROCAL, TTC_VARIABLE_ROOT, TTC_VARIABLE_COSINE,
-               TTC_VARIABLE_SINE } ttc_variable_kind;
+               TTC_VARIABLE_SINE, TTC_VARIABLE_EXP, TTC_VARIABLE_LOG } ttc_variable_kind;
 
 typedef struct {
     ttc_variable_kind kind;

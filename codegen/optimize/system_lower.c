@@ -191,6 +191,12 @@ static ttc_value lower_variable(lowering *l, uint32_t variable)
     case TTC_VARIABLE_SINE:
         value = apply(l, TTC_OP_SINE, operand, TTC_NO_VALUE);
         break;
+    case TTC_VARIABLE_EXP:
+        value = apply(l, TTC_OP_EXP, operand, TTC_NO_VALUE);
+        break;
+    case TTC_VARIABLE_LOG:
+        value = apply(l, TTC_OP_LOG, operand, TTC_NO_VALUE);
+        break;
     }
     if (!l->failed) label(l, variable, value);
     l->values[variable] = value;

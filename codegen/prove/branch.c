@@ -59,6 +59,19 @@ static bool is_generator(const ttc_ring *ring, slong variable)
     return false;
 }
 
+/* What an exponential or logarithm of the factor depends on cannot be solved for. */
+static bool in_some_transcendental(ttc_task *task, const fmpz_mpoly_t factor, slong variable)
+{
+    const ttc_model *model = task->model;
+    size_t symbol = ttc_valuation_symbol(task->field, variable);
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        if (model->symbols[i].kind != TTC_EXP && model->symbols[i].kind != TTC_LOG) continue;
+        if (fmpz_mpoly_degree_si(factor, ttc_valuation_variable(task->field, i), task->ring->context) < 1) continue;
+        if (symbol < model->symbol_count && ttc_model_depends(model, model->symbols[i].node, (uint32_t)symbol)) return true;
+    }
+    return false;
+}
+
 /* The symbol to solve for: a leading coefficient that cannot vanish before any other, linear before quadratic, short before
  * long. */
 static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *degree)
@@ -68,7 +81,8 @@ static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *d
     fmpz_mpoly_init(leading, task->ring->context);
     for (slong v = 0; v < (slong)task->ring->variable_count; v++) {
         slong d = fmpz_mpoly_degree_si(factor, v, task->ring->context), price = price_of(task, v);
-        if (d < 1 || d > 2 || price == 0 || is_generator(task->ring, v) || in_some_radicand(task, factor, v)) continue;
+        if (d < 1 || d > 2 || price == 0 || is_generator(task->ring, v)) continue;
+        if (in_some_radicand(task, factor, v) || in_some_transcendental(task, factor, v)) continue;
         ulong exponent = (ulong)d;
         fmpz_mpoly_get_coeff_vars_ui(leading, factor, &v, &exponent, 1, task->ring->context);
         bool safe = !(ttc_conditions_signs(&task->domain, leading) & TTC_SIGN_ZERO);

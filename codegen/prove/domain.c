@@ -121,10 +121,11 @@ void ttc_domain_require_tested(ttc_task *task, const char *where)
     ttc_ratio_clear(task->ring, &value);
 }
 
-/* Divisors in the definitions of cosines are kept with the first name of the pair. */
+/* Divisors in the definition of an angle are kept with one name of the pair. */
 static bool symbol_counts(const ttc_model *model, const unsigned char *support, uint32_t symbol)
 {
-    return support[symbol] || (model->symbols[symbol].kind == TTC_COSINE && support[model->symbols[symbol].partner]);
+    ttc_symbol_kind kind = model->symbols[symbol].kind;
+    return support[symbol] || ((kind == TTC_COSINE || kind == TTC_SINE) && support[model->symbols[symbol].partner]);
 }
 
 static bool divisor_counts(const ttc_task *task, const ttc_divisor *d, const unsigned char *support, ttc_domain_extent extent)
@@ -201,15 +202,16 @@ static ttc_relation relation_of(ttc_sign sign)
     }
 }
 
-/* A root that is a name of its own in the ring, or has become rational, is positive; one that nothing has used need not come
- * into the ring: its radicand says the same. */
+/* The argument of a logarithm is positive, and the radicand of a root. A root that is a name of its own in the ring, or has become
+ * rational, is positive as well; one that nothing has used need not come into the ring. */
 static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_ratio *value)
 {
     const ttc_symbol_entry *entry = &task->model->symbols[symbol];
     if (depends_on_tested(task, entry->node)) return;
     ttc_evaluate(task->field, value, entry->definition);
-    add(task, c, value, TTC_IS_POSITIVE, "the root %s vanishes, or its radicand is negative, under the conditions of this claim", entry->name);
-    if (!ttc_valuation_has_value(task->field, symbol)) return;
+    add(task, c, value, TTC_IS_POSITIVE, "what %s is the %s of is zero or negative under the conditions of this claim", entry->name,
+        entry->kind == TTC_LOG ? "logarithm" : "root");
+    if (entry->kind == TTC_LOG || !ttc_valuation_has_value(task->field, symbol)) return;
     ttc_evaluate(task->field, value, entry->node);
     ttc_conditions_add(c, value, TTC_IS_POSITIVE);
 }
@@ -233,7 +235,7 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
             ttc_evaluate(task->field, &value, entry->node);
             add(task, c, &value, relation_of(entry->sign), "%s lies outside its domain under the conditions of this claim", entry->name);
         }
-        if (entry->kind == TTC_ROOT) add_root(task, c, i, &value);
+        if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) add_root(task, c, i, &value);
         /* A cosine that a level has bound has a sine only between -1 and 1. */
         if (entry->kind == TTC_COSINE && ttc_valuation_is_bound(task->field, i))
             ttc_evaluate(task->field, &value, model->symbols[entry->partner].node);
@@ -278,11 +280,13 @@ void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_mod
     if (entry->kind == TTC_STATE) {
         require_end(task, map, entry, entry->low, 1, where);
         require_end(task, map, entry, entry->high, -1, where);
-    } else if (entry->kind == TTC_ROOT || (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN)) {
+    } else if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG || (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN)) {
         ttc_ratio_init(task->ring, &value);
-        ttc_evaluate(map, &value, entry->kind == TTC_ROOT ? entry->definition : entry->node);
-        ttc_task_require(task, &value, entry->kind == TTC_ROOT ? TTC_IS_POSITIVE : relation_of(entry->sign), "%s%s%s",
-                         entry->kind == TTC_ROOT ? "the radicand is not positive, of " : "the sign is broken, of ", entry->name, where);
+        bool of_definition = entry->kind != TTC_PARAM;
+        ttc_evaluate(map, &value, of_definition ? entry->definition : entry->node);
+        ttc_task_require(task, &value, of_definition ? TTC_IS_POSITIVE : relation_of(entry->sign), "%s%s%s",
+                         of_definition ? "not positive: what the root or logarithm is taken of, " : "the sign is broken, of ", entry->name,
+                         where);
         ttc_ratio_clear(task->ring, &value);
     }
 }

@@ -53,7 +53,8 @@ static void close_field(ttc_task *task)
 /* A failure that says that no point of the domain is here, rather than that something could not be computed. */
 static bool says_empty(ttc_ring_status status)
 {
-    return status == TTC_RING_DIVISION_BY_ZERO || status == TTC_RING_ROOT_OF_ZERO || status == TTC_RING_ROOT_OF_NEGATIVE;
+    return status == TTC_RING_DIVISION_BY_ZERO || status == TTC_RING_ROOT_OF_ZERO || status == TTC_RING_ROOT_OF_NEGATIVE
+           || status == TTC_RING_LOG_OF_ZERO || status == TTC_RING_LOG_OF_NEGATIVE;
 }
 
 /* Goals were met for the signs of roots that were in hand then; those that are not zero for the signs in hand now were left to

@@ -2,15 +2,15 @@
 
 #include "prove/domain.h"
 
-/* The radicand is positive wherever everything else is in the domain. */
+/* A radicand, or the argument of a logarithm, is positive wherever everything else is in the domain. */
 static void prove_root(ttc_task *task)
 {
     const ttc_symbol_entry *root = &task->model->symbols[task->claim->family];
     ttc_ratio radicand;
     ttc_ratio_init(task->ring, &radicand);
     ttc_evaluate(task->field, &radicand, root->definition);
-    ttc_task_require(task, &radicand, TTC_IS_POSITIVE, "not positive everywhere, so that a domain record is missing: the radicand of %s",
-                     root->name);
+    ttc_task_require(task, &radicand, TTC_IS_POSITIVE, "not positive everywhere, so that a domain record is missing: the %s of %s",
+                     root->kind == TTC_LOG ? "argument" : "radicand", root->name);
     ttc_ratio_clear(task->ring, &radicand);
 }
 
@@ -70,17 +70,20 @@ static void prove_elimination(ttc_task *task)
     ttc_ratio_clear(task->ring, &left);
 }
 
+/* Roots and logarithms. */
+static bool is_of_positive(const ttc_symbol_entry *entry) { return entry->kind == TTC_ROOT || entry->kind == TTC_LOG; }
+
 static size_t root_count(const ttc_model *model)
 {
     size_t count = 0;
-    for (size_t i = 0; i < model->symbol_count; i++) count += model->symbols[i].kind == TTC_ROOT;
+    for (size_t i = 0; i < model->symbol_count; i++) count += is_of_positive(&model->symbols[i]);
     return count;
 }
 
 static uint32_t root_at(const ttc_model *model, size_t index)
 {
     uint32_t symbol = 0;
-    while (model->symbols[symbol].kind != TTC_ROOT || index-- > 0) symbol++;
+    while (!is_of_positive(&model->symbols[symbol]) || index-- > 0) symbol++;
     return symbol;
 }
 
@@ -94,7 +97,7 @@ void ttc_derived_claim_get(const ttc_model *model, size_t index, ttc_derived_cla
     *derived = (ttc_derived_claim){ .claim = { .kind = TTC_CLAIM_EQUAL }, .role = TTC_DIVIDES_FIELD };
     if (index < root_count(model)) {
         uint32_t symbol = root_at(model, index);
-        derived->kind = "root";
+        derived->kind = model->symbols[symbol].kind == TTC_LOG ? "log" : "root";
         derived->name = model->symbols[symbol].name;
         derived->claim.place = model->symbols[symbol].place;
         derived->claim.family = symbol;

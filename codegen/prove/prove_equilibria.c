@@ -38,7 +38,7 @@ void ttc_prove_equilibria(ttc_task *task)
         for (size_t k = 0; k < task->claim->bindings.count; k++) {
             uint32_t symbol = task->claim->bindings.items[k].symbol;
             bound |= entry->kind == TTC_STATE ? symbol == i
-                                              : entry->kind == TTC_ROOT && ttc_model_depends(task->model, entry->node, symbol);
+                                              : (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) && ttc_model_depends(task->model, entry->node, symbol);
         }
         if (bound) ttc_domain_require_symbol(task, NULL, task->model, i, " on the family");
     }

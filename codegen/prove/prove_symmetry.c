@@ -1,14 +1,16 @@
-/* Reversors: maps of the states that turn the flow round. */
+/* Maps of the states that take motions to motions: reversors, backwards in time, and symmetries. A map S is affine in the states;
+ * with f the field, f(S x) = -DS f(x) or f(S x) = DS f(x). */
 #include "prove/domain.h"
 
 static bool binds_states(const ttc_task *task)
 {
     for (size_t i = 0; i < task->claim->when.count; i++)
         if (task->model->symbols[task->claim->when.items[i].symbol].kind == TTC_STATE) return true;
-    return task->claim->modulo_count > 0;
+    return false;
 }
 
-/* The model at the image of a point: states mapped as claimed, the rest as it is. */
+/* The model at the image of a point: states mapped as claimed, the rest as it is. Roots have their values in the field first, so
+ * that those at the image are expressed through them. */
 static ttc_valuation *image(ttc_task *task)
 {
     const ttc_model *model = task->model;
@@ -21,7 +23,7 @@ static ttc_valuation *image(ttc_task *task)
     if (map == NULL) return NULL;
     for (uint32_t i = 0; i < model->symbol_count; i++) {
         ttc_symbol_kind kind = model->symbols[i].kind;
-        if (kind == TTC_PARAM || kind == TTC_STATE || kind == TTC_LEVEL || kind == TTC_LAMBDA)
+        if (kind == TTC_PARAM || kind == TTC_STATE || kind == TTC_LEVEL || kind == TTC_LAMBDA || kind == TTC_PI)
             ttc_valuation_bind(map, i, model->symbols[i].node);
     }
     for (size_t i = 0; i < task->claim->bindings.count; i++)
@@ -37,37 +39,146 @@ static ttc_id image_of_state(const ttc_task *task, size_t state)
     return task->model->symbols[symbol].node;
 }
 
-/* S is an involution, and DS(x) f(x) = -f(S(x)). */
-void ttc_prove_reversor(ttc_task *task)
+/* Free of states, directly and in the squares of roots. */
+static bool is_fixed(ttc_task *task, const ttc_ratio *value)
+{
+    for (size_t v = 0; v < task->ring->variable_count; v++) {
+        size_t symbol = ttc_valuation_symbol(task->field, (slong)v);
+        if (symbol >= task->model->symbol_count || !ttc_ratio_uses(task->ring, value, (slong)v)) continue;
+        const ttc_symbol_entry *entry = &task->model->symbols[symbol];
+        for (size_t i = 0; i < task->model->state_count; i++)
+            if (ttc_model_depends(task->model, entry->node, task->model->states[i])) return false;
+    }
+    return true;
+}
+
+/* DS, shape (states, states) row by row; rejects a map that is not affine. */
+static void set_matrix(ttc_task *task, ttc_ratio *matrix)
+{
+    const size_t n = task->model->state_count;
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n && ttc_task_open(task); j++) {
+            ttc_evaluate(task->field, &matrix[i * n + j], ttc_derive_state(task->model, image_of_state(task, i), j));
+            if (ttc_task_open(task) && !is_fixed(task, &matrix[i * n + j]))
+                ttc_task_unsettle(task, "the image of %s is not affine in the states", task->model->symbols[task->model->states[i]].name);
+        }
+}
+
+static void swap_rows(ttc_ratio *matrix, size_t n, size_t a, size_t b)
+{
+    for (size_t j = 0; j < n; j++) {
+        ttc_ratio kept = matrix[a * n + j];
+        matrix[a * n + j] = matrix[b * n + j];
+        matrix[b * n + j] = kept;
+    }
+}
+
+/* By elimination, which leaves the matrix in another form; up to its sign. */
+static void set_determinant(ttc_task *task, ttc_ratio *determinant, ttc_ratio *matrix)
+{
+    ttc_ring *ring = task->ring;
+    const size_t n = task->model->state_count;
+    ttc_ratio factor, term;
+    ttc_ratio_init(ring, &factor);
+    ttc_ratio_init(ring, &term);
+    ttc_ratio_set_integer(ring, determinant, 1);
+    for (size_t k = 0; k < n && ttc_task_open(task); k++) {
+        size_t pivot = k;
+        while (pivot < n && ttc_ratio_is_zero(ring, &matrix[pivot * n + k])) pivot++;
+        if (pivot == n) {
+            ttc_ratio_set_integer(ring, determinant, 0);
+            break;
+        }
+        if (pivot != k) swap_rows(matrix, n, pivot, k);
+        ttc_ratio_multiply(ring, determinant, determinant, &matrix[k * n + k]);
+        for (size_t i = k + 1; i < n; i++) {
+            if (ttc_ratio_is_zero(ring, &matrix[i * n + k])) continue;
+            ttc_ratio_divide(ring, &factor, &matrix[i * n + k], &matrix[k * n + k]);
+            for (size_t j = k; j < n; j++) {
+                ttc_ratio_multiply(ring, &term, &factor, &matrix[k * n + j]);
+                ttc_ratio_subtract(ring, &matrix[i * n + j], &matrix[i * n + j], &term);
+            }
+        }
+    }
+    ttc_ratio_clear(ring, &term);
+    ttc_ratio_clear(ring, &factor);
+}
+
+static bool is_identity(const ttc_task *task)
+{
+    for (size_t i = 0; i < task->model->state_count; i++)
+        if (image_of_state(task, i) != task->model->symbols[task->model->states[i]].node) return false;
+    return true;
+}
+
+/* A symmetry has an inverse, a reversor is its own. */
+static void check_inverse(ttc_task *task, ttc_valuation *map, ttc_ratio *matrix)
 {
     const ttc_model *model = task->model;
+    ttc_ratio value, state;
+    ttc_ratio_init(task->ring, &value);
+    ttc_ratio_init(task->ring, &state);
+    if (task->claim->kind == TTC_CLAIM_SYMMETRY) {
+        set_determinant(task, &value, matrix);
+        ttc_task_require(task, &value, TTC_IS_NONZERO, "the map has no inverse: its determinant");
+    } else {
+        for (size_t i = 0; i < model->state_count && ttc_task_open(task); i++) {
+            const char *name = model->symbols[model->states[i]].name;
+            ttc_evaluate(map, &value, image_of_state(task, i));
+            ttc_evaluate(task->field, &state, model->symbols[model->states[i]].node);
+            ttc_ratio_subtract(task->ring, &value, &value, &state);
+            ttc_task_require_zero(task, &value, "S(S(%s)) - %s", name, name);
+        }
+    }
+    ttc_ratio_clear(task->ring, &state);
+    ttc_ratio_clear(task->ring, &value);
+}
+
+static void check_field(ttc_task *task, ttc_valuation *map)
+{
+    const ttc_model *model = task->model;
+    const bool reverses = task->claim->kind == TTC_CLAIM_REVERSOR;
     ttc_ratio left, right;
-    if (binds_states(task)) {
-        ttc_task_unsettle(task, "a reversor acts on an open set of states");
-        return;
-    }
-    ttc_valuation *map = image(task);
-    if (map == NULL) {
-        ttc_task_unsettle(task, "out of memory");
-        return;
-    }
-    /* First, as the image's roots are then not yet in the ring, where they would be positive. */
-    ttc_domain_require_image(task, map, model, " at the image of the reversor");
     ttc_ratio_init(task->ring, &left);
     ttc_ratio_init(task->ring, &right);
     for (size_t i = 0; i < model->state_count && ttc_task_open(task); i++) {
         const char *name = model->symbols[model->states[i]].name;
-        ttc_evaluate(map, &left, image_of_state(task, i));
-        ttc_evaluate(task->field, &right, model->symbols[model->states[i]].node);
-        ttc_ratio_subtract(task->ring, &left, &left, &right);
-        ttc_task_require_zero(task, &left, "S(S(%s)) - %s", name, name);
-        ttc_evaluate(task->field, &left, ttc_derive_field(model, image_of_state(task, i)));
-        ttc_evaluate(map, &right, ttc_model_field(model, i));
-        ttc_ratio_add(task->ring, &left, &left, &right);
-        ttc_task_require_zero(task, &left, "f(Sx) + S f(x) in %s", name);
+        ttc_evaluate(map, &left, ttc_model_field(model, i));
+        ttc_evaluate(task->field, &right, ttc_derive_field(model, image_of_state(task, i)));
+        if (reverses) ttc_ratio_add(task->ring, &left, &left, &right);
+        else ttc_ratio_subtract(task->ring, &left, &left, &right);
+        ttc_task_require_zero(task, &left, reverses ? "f(Sx) + S f(x) in %s" : "f(Sx) - S f(x) in %s", name);
     }
     ttc_ratio_clear(task->ring, &right);
     ttc_ratio_clear(task->ring, &left);
+}
+
+static void prove_map(ttc_task *task)
+{
+    const size_t entries = task->model->state_count * task->model->state_count;
+    ttc_valuation *map = image(task);
+    /* First, as the image's roots are then not yet in the ring, where they would be positive. */
+    if (map != NULL) ttc_domain_require_image(task, map, task->model, " at the image");
+    ttc_ratio *matrix = map == NULL ? NULL : ttc_task_ratios(task, entries);
+    if (map == NULL) ttc_task_unsettle(task, "out of memory");
+    if (matrix != NULL) {
+        set_matrix(task, matrix);
+        check_inverse(task, map, matrix);
+        check_field(task, map);
+    }
+    ttc_task_free(task, matrix, entries);
     ttc_valuation_destroy(map);
 }
 
+void ttc_prove_reversor(ttc_task *task)
+{
+    if (binds_states(task)) ttc_task_unsettle(task, "a reversor acts on an open set of states");
+    else prove_map(task);
+}
+
+void ttc_prove_symmetry(ttc_task *task)
+{
+    if (binds_states(task)) ttc_task_unsettle(task, "a symmetry acts on an open set of states");
+    else if (is_identity(task)) ttc_task_unsettle(task, "every state stays as it is, which says nothing");
+    else prove_map(task);
+}

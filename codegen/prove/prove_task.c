@@ -127,7 +127,8 @@ static bool denominator_is_safe(ttc_task *task, const ttc_ratio *ratio)
 void ttc_task_require_zero(ttc_task *task, const ttc_ratio *remainder, const char *format, ...)
 {
     char *point = NULL;
-    if (!ttc_task_open(task) || ttc_ratio_is_zero(task->ring, remainder)) return;
+    /* By its form: that it is not zero is shown at a point, whatever is known of exponentials and logarithms. */
+    if (!ttc_task_open(task) || fmpz_mpoly_is_zero(remainder->numerator, task->ring->context)) return;
     ttc_search_result result = search(task, remainder, TTC_IS_NONZERO, false, &point);
     bool excluded = result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED;
     if (excluded && denominator_is_safe(task, remainder)) return;

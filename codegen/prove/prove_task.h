@@ -89,6 +89,8 @@ void ttc_prove_rate(ttc_task *task);
 void ttc_prove_invariant(ttc_task *task);
 void ttc_prove_measure(ttc_task *task);
 void ttc_prove_reversor(ttc_task *task);
+void ttc_prove_symmetry(ttc_task *task);
+void ttc_prove_symmetry(ttc_task *task);
 void ttc_prove_equilibria(ttc_task *task);
 void ttc_prove_trace(ttc_task *task);
 void ttc_prove_charpoly(ttc_task *task);

@@ -43,6 +43,9 @@ static bool is_soft(ttc_keyword keyword)
     case TTC_KEYWORD_DOMAIN:
     case TTC_KEYWORD_EMBEDDING:
     case TTC_KEYWORD_INTO:
+    case TTC_KEYWORD_SYMMETRY:
+    case TTC_KEYWORD_EXP:
+    case TTC_KEYWORD_LOG:
     case TTC_KEYWORD_MODULO:
     case TTC_KEYWORD_ONTO:
     case TTC_KEYWORD_WITH: return true;

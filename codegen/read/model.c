@@ -66,6 +66,20 @@ bool ttc_model_find_symbol(const ttc_model *model, const char *name, uint32_t *s
     return false;
 }
 
+const char *ttc_symbol_function(ttc_symbol_kind kind)
+{
+    switch (kind) {
+    case TTC_ROOT: return "sqrt";
+    case TTC_COSINE: return "cos";
+    case TTC_SINE: return "sin";
+    case TTC_EXP: return "exp";
+    case TTC_LOG: return "log";
+    default: return "";
+    }
+}
+
+bool ttc_symbol_is_function(ttc_symbol_kind kind) { return *ttc_symbol_function(kind) != '\0'; }
+
 bool ttc_claim_speaks_of_family(ttc_claim_kind kind)
 {
     return kind == TTC_CLAIM_TRACE || kind == TTC_CLAIM_CHARPOLY || kind == TTC_CLAIM_OBSTRUCTS || kind == TTC_CLAIM_MATRIX ||
@@ -102,6 +116,7 @@ const char *ttc_claim_kind_name(ttc_claim_kind kind)
     case TTC_CLAIM_POSITIVE: return "positive";
     case TTC_CLAIM_REDUCTION: return "reduction";
     case TTC_CLAIM_EMBEDDING: return "embedding";
+    case TTC_CLAIM_SYMMETRY: return "symmetry";
     }
     return "claim";
 }

@@ -20,7 +20,10 @@ typedef enum {
     TTC_SINE,
     TTC_LET,    /* definition = what it stands for */
     TTC_LEVEL,  /* the value of an integral, named by `eliminate`; a parameter of the eliminated kernels */
-    TTC_LAMBDA  /* the indeterminate of characteristic polynomials; always present, named lambda */
+    TTC_LAMBDA, /* the indeterminate of characteristic polynomials; always present, named lambda */
+    TTC_EXP,    /* definition = exponent; symbol > 0 */
+    TTC_LOG,    /* definition = argument, which is positive */
+    TTC_PI      /* the number, named pi; present where a table uses it */
 } ttc_symbol_kind;
 
 typedef enum { TTC_ANY_SIGN, TTC_POSITIVE, TTC_NONNEGATIVE, TTC_NONZERO } ttc_sign; /* of a parameter */
@@ -91,7 +94,7 @@ typedef enum {
     TTC_CLAIM_INTEGRAL,
     TTC_CLAIM_INVARIANT,
     TTC_CLAIM_MEASURE,
-    TTC_CLAIM_REVERSOR,   /* bindings: STATE = -STATE */
+    TTC_CLAIM_REVERSOR,   /* bindings: STATE = its image, affine in the states */
     TTC_CLAIM_EQUILIBRIA, /* bindings: STATE = expression */
     TTC_CLAIM_TRACE,      /* these five: family = index of their equilibria claim */
     TTC_CLAIM_CHARPOLY,
@@ -102,7 +105,8 @@ typedef enum {
     TTC_CLAIM_RATE,       /* d(expression)/dt = other */
     TTC_CLAIM_POSITIVE,   /* expression > 0 */
     TTC_CLAIM_REDUCTION,  /* bindings_of_target: target's STATE or ROOT = expression here, see `target` */
-    TTC_CLAIM_EMBEDDING   /* the same; the target is the larger model */
+    TTC_CLAIM_EMBEDDING,  /* the same; the target is the larger model */
+    TTC_CLAIM_SYMMETRY    /* as REVERSOR; named by its keyword where it has no name */
 } ttc_claim_kind;
 
 typedef struct {
@@ -187,17 +191,23 @@ void ttc_claim_clear(ttc_claim *claim); /* frees what it holds */
 bool ttc_model_find_symbol(const ttc_model *model, const char *name, uint32_t *symbol);
 bool ttc_model_find_claim(const ttc_model *model, const char *name, uint32_t *claim);
 
-/* Replace every `let` by its definition, all the way down. Roots and angles stay symbols. */
+/* A function of its definition: a root, cosine, sine, exponential or logarithm. */
+bool ttc_symbol_is_function(ttc_symbol_kind kind);
+
+/* What such a function is called, "sqrt", "cos", ...; "" for other kinds. */
+const char *ttc_symbol_function(ttc_symbol_kind kind);
+
+/* Replace every `let` by its definition, all the way down. Functions stay symbols. */
 ttc_id ttc_model_expand(const ttc_model *model, ttc_id id);
 
-/* True when `id` depends on `symbol`, through lets, roots and angles. */
+/* True when `id` depends on `symbol`, through definitions. */
 bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol);
 
 /* All symbols that any of the `count` expressions depends on, through definitions: shape (symbol_count,), 1 or 0, for the
  * caller to free; NULL when memory is out. */
 unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size_t count);
 
-/** Partial derivative with respect to a state (or parameter), through lets, roots and angles by the chain rule; lets
+/** Partial derivative with respect to a state (or parameter), through definitions by the chain rule; lets
  *  themselves stay as they are in the factors. */
 ttc_id ttc_model_partial(const ttc_model *model, ttc_id id, uint32_t symbol);
 

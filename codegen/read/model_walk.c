@@ -1,4 +1,4 @@
-/* Walks through definitions: what lets, roots and angles stand for. */
+/* Walks through definitions: what lets and functions stand for. */
 #include "read/model.h"
 
 #include <stdlib.h>
@@ -30,7 +30,7 @@ ttc_id ttc_model_expand(const ttc_model *model, ttc_id id)
     return ttc_substitute_through(model->graph, id, let_definition, expanded_value, &f);
 }
 
-/* r^2 = q gives r' = q'/(2 r); (cos a)' = -(sin a) a', (sin a)' = (cos a) a'. */
+/* r^2 = q gives r' = q'/(2 r); (cos a)' = -(sin a) a', (sin a)' = (cos a) a'; (exp a)' = (exp a) a'; (log a)' = a'/a. */
 static ttc_id slope(void *context, uint32_t symbol, ttc_id definition_slope)
 {
     const frame *f = context;
@@ -47,6 +47,10 @@ static ttc_id slope(void *context, uint32_t symbol, ttc_id definition_slope)
         return ttc_multiply(graph, factor, definition_slope);
     case TTC_SINE:
         return ttc_multiply(graph, f->model->symbols[entry->partner].node, definition_slope);
+    case TTC_EXP:
+        return ttc_multiply(graph, entry->node, definition_slope);
+    case TTC_LOG:
+        return ttc_divide(graph, definition_slope, entry->definition);
     default:
         return definition_slope;
     }

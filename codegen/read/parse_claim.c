@@ -8,8 +8,11 @@ static bool is_clause_allowed(ttc_claim_kind kind)
 {
     return kind == TTC_CLAIM_INTEGRAL || kind == TTC_CLAIM_INVARIANT || kind == TTC_CLAIM_MEASURE ||
            kind == TTC_CLAIM_REVERSOR || kind == TTC_CLAIM_EQUILIBRIA || kind == TTC_CLAIM_EQUAL || kind == TTC_CLAIM_RATE ||
-           kind == TTC_CLAIM_POSITIVE || kind == TTC_CLAIM_REDUCTION || kind == TTC_CLAIM_EMBEDDING;
+           kind == TTC_CLAIM_POSITIVE || kind == TTC_CLAIM_REDUCTION || kind == TTC_CLAIM_EMBEDDING ||
+           kind == TTC_CLAIM_SYMMETRY;
 }
+
+static bool is_map(ttc_claim_kind kind) { return kind == TTC_CLAIM_REVERSOR || kind == TTC_CLAIM_SYMMETRY; }
 
 static bool parse_names(ttc_parser *parser, ttc_reference_role role, size_t owner, const char *expected)
 {
@@ -33,7 +36,7 @@ static bool parse_clauses(ttc_parser *parser, ttc_claim *claim)
             if (!ttc_parse_bindings(parser, &claim->when, 1u << TTC_PARAM | 1u << TTC_STATE, "a parameter or a state"))
                 return false;
             ttc_parse_check_constants(parser, &claim->when);
-        } else if (ttc_parse_at_keyword(parser, TTC_KEYWORD_MODULO) && claim->kind != TTC_CLAIM_REVERSOR &&
+        } else if (ttc_parse_at_keyword(parser, TTC_KEYWORD_MODULO) && !is_map(claim->kind) &&
                    claim->kind != TTC_CLAIM_EQUILIBRIA) {
             if (has_modulo) return ttc_parse_error(parser, place, "a second 'modulo' (expected one list)");
             has_modulo = true;
@@ -45,7 +48,8 @@ static bool parse_clauses(ttc_parser *parser, ttc_claim *claim)
     }
 }
 
-static bool parse_reversor(ttc_parser *parser, ttc_claim *claim)
+/* STATE -> expression, ...: all states are mapped at once, those that are not named stay. */
+static bool parse_map(ttc_parser *parser, ttc_claim *claim)
 {
     do {
         uint32_t symbol;
@@ -60,21 +64,16 @@ static bool parse_reversor(ttc_parser *parser, ttc_claim *claim)
         if (entry->kind != TTC_STATE) return ttc_parse_error(parser, place, "'%s' is not a state (expected one)", entry->name);
         for (size_t i = 0; i < claim->bindings.count; i++)
             if (claim->bindings.items[i].symbol == symbol)
-                return ttc_parse_error(parser, place, "'%s' is reversed twice", entry->name);
+                return ttc_parse_error(parser, place, "'%s' is %s twice", entry->name,
+                                       claim->kind == TTC_CLAIM_REVERSOR ? "reversed" : "mapped");
         if (ttc_parse_peek(parser)->kind != TTC_TOKEN_ARROW) return ttc_parse_unexpected(parser, "'->' after the state");
         parser->at++;
-        if (!ttc_parse_expect_mark(parser, '-', "'->'")) return false;
-        const ttc_token *image = ttc_parse_name(parser, "the same state");
-        if (image == NULL) return false;
-        if (image->length != name->length || memcmp(image->text, name->text, name->length) != 0)
-            return ttc_parse_error(parser, ttc_token_place(image), "a reversor turns a state into another (expected '%s -> -%s')",
-                                   entry->name, entry->name);
-        ttc_id minus = ttc_multiply(parser->model->graph, ttc_integer(parser->model->graph, -1), entry->node);
-        if (minus == TTC_NONE) return ttc_parse_graph_error(parser, place) != TTC_NONE;
+        ttc_id image = ttc_parse_expression(parser);
+        if (image == TTC_NONE) return false;
         ttc_binding *items = ttc_parse_extend(claim->bindings.items, claim->bindings.count, sizeof *items);
         if (items == NULL) return ttc_parse_no_memory(parser);
         claim->bindings.items = items;
-        items[claim->bindings.count++] = (ttc_binding){ symbol, minus, place };
+        items[claim->bindings.count++] = (ttc_binding){ symbol, image, place };
     } while (ttc_parse_accept_mark(parser, ','));
     return true;
 }
@@ -172,7 +171,8 @@ static bool parse_body(ttc_parser *parser, ttc_claim *claim)
     case TTC_CLAIM_OBSTRUCTS:
         return true;
     case TTC_CLAIM_REVERSOR:
-        return parse_reversor(parser, claim);
+    case TTC_CLAIM_SYMMETRY:
+        return parse_map(parser, claim);
     case TTC_CLAIM_EQUILIBRIA:
         return ttc_parse_expect_mark(parser, ':', "the name") &&
                ttc_parse_bindings(parser, &claim->bindings, 1u << TTC_STATE, "a state");
@@ -220,6 +220,7 @@ static ttc_claim_kind kind_of(ttc_keyword keyword)
     case TTC_KEYWORD_RATE: return TTC_CLAIM_RATE;
     case TTC_KEYWORD_EMBEDDING: return TTC_CLAIM_EMBEDDING;
     case TTC_KEYWORD_POSITIVE: return TTC_CLAIM_POSITIVE;
+    case TTC_KEYWORD_SYMMETRY: return TTC_CLAIM_SYMMETRY;
     default: return TTC_CLAIM_REDUCTION;
     }
 }
@@ -239,6 +240,12 @@ static bool check_set_once(ttc_parser *parser, const ttc_claim *claim)
     return ok;
 }
 
+/* A map without a name of its own is called by its keyword. */
+static bool is_unnamed(const ttc_claim *claim)
+{
+    return is_map(claim->kind) && strcmp(claim->name, ttc_claim_kind_name(claim->kind)) == 0;
+}
+
 /* A claim's own name is new; the records that speak of a family stand once for each. */
 static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_token *name)
 {
@@ -248,7 +255,7 @@ static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_tok
     for (size_t i = 0; i < model->claim_count; i++) {
         const ttc_claim *other = model->claims + i;
         bool rivals = ttc_claim_speaks_of_family(claim->kind) ? other->kind == claim->kind
-                                                    : !ttc_claim_speaks_of_family(other->kind) && other->kind != TTC_CLAIM_REVERSOR;
+                                                    : !ttc_claim_speaks_of_family(other->kind) && !is_unnamed(other);
         if (rivals && strlen(other->name) == name->length && memcmp(other->name, name->text, name->length) == 0)
             return ttc_parse_error(parser, ttc_token_place(name), "'%s' is claimed twice (first in line %u)", other->name,
                                    (unsigned)other->place.line);
@@ -256,15 +263,23 @@ static bool check_name(ttc_parser *parser, const ttc_claim *claim, const ttc_tok
     return true;
 }
 
+/* A symmetry has a name where a colon follows one; a reversor has none. */
+static bool has_name(const ttc_parser *parser, ttc_claim_kind kind)
+{
+    if (!is_map(kind)) return true;
+    const ttc_token *token = ttc_parse_peek(parser);
+    return kind == TTC_CLAIM_SYMMETRY && token[0].kind == TTC_TOKEN_NAME && token[1].kind == TTC_TOKEN_MARK && token[1].text[0] == ':';
+}
+
 static bool parse_parts(ttc_parser *parser, const ttc_token *keyword, ttc_claim *claim)
 {
-    static const ttc_token reversor = { .kind = TTC_TOKEN_NAME, .length = 8, .text = "reversor" };
-    const ttc_token *name = claim->kind == TTC_CLAIM_REVERSOR ? &reversor : ttc_parse_name(parser, "the claim's name");
+    const ttc_token *name = has_name(parser, claim->kind) ? ttc_parse_name(parser, "the claim's name") : keyword;
     if (name == NULL) return false;
-    claim->place = ttc_token_place(name == &reversor ? keyword : name);
+    claim->place = ttc_token_place(name);
     claim->name = ttc_parse_copy(parser, name->text, name->length);
     if (claim->name == NULL) return false;
-    if (name != &reversor && !check_name(parser, claim, name)) return false;
+    if (name != keyword && !check_name(parser, claim, name)) return false;
+    if (name != keyword && is_map(claim->kind)) parser->at++; /* the colon */
     if (ttc_claim_speaks_of_family(claim->kind) && !ttc_parse_refer(parser, TTC_REFER_FAMILY, parser->model->claim_count, name))
         return false;
     if (!parse_body(parser, claim)) return false;

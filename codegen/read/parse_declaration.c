@@ -1,4 +1,4 @@
-/* Records that say what the model is: title, source, param, state, root, angle, let, eq, default. */
+/* Records that say what the model is: title, source, param, state, root, angle, exp, log, let, eq, default. */
 #include "read/parser.h"
 
 #include <stdlib.h>
@@ -103,8 +103,8 @@ static bool check_interval(ttc_parser *parser, const ttc_id ends[2], ttc_place p
         if (support == NULL) return ttc_parse_no_memory(parser);
         bool moves = false;
         for (size_t s = 0; s < parser->model->symbol_count; s++)
-            moves |= support[s] && (parser->model->symbols[s].kind == TTC_STATE || parser->model->symbols[s].kind == TTC_ROOT ||
-                                    parser->model->symbols[s].kind == TTC_COSINE || parser->model->symbols[s].kind == TTC_SINE);
+            moves |= support[s] && (parser->model->symbols[s].kind == TTC_STATE ||
+                                    ttc_symbol_is_function(parser->model->symbols[s].kind));
         free(support);
         if (moves) return ttc_parse_error(parser, place, "the interval depends on a state (expected numbers and parameters)");
     }
@@ -193,6 +193,37 @@ static bool parse_angle(ttc_parser *parser)
     return true;
 }
 
+/* One exponential, or logarithm, has one name, and is none of a number that has a rational one. */
+static bool check_argument(ttc_parser *parser, ttc_symbol_kind kind, ttc_id argument, ttc_place place)
+{
+    const ttc_model *model = parser->model;
+    for (size_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == kind && model->symbols[i].definition == argument)
+            return ttc_parse_error(parser, place, "the same %s as '%s' (expected one name for it)",
+                                   kind == TTC_EXP ? "exponential" : "logarithm", model->symbols[i].name);
+    if (ttc_kind_of(model->graph, argument) != TTC_NUMBER) return true;
+    const fmpq *value = ttc_coefficient(model->graph, argument);
+    if (kind == TTC_EXP && fmpq_is_zero(value))
+        return ttc_parse_error(parser, place, "the exponential of zero (expected the number 1)");
+    if (kind == TTC_LOG && fmpq_is_one(value))
+        return ttc_parse_error(parser, place, "the logarithm of one (expected the number 0)");
+    if (kind == TTC_LOG && fmpq_sgn(value) <= 0)
+        return ttc_parse_error(parser, place, "the logarithm of a number that is not positive");
+    return true;
+}
+
+static bool parse_transcendental(ttc_parser *parser, ttc_symbol_kind kind)
+{
+    uint32_t symbol;
+    const bool is_exp = kind == TTC_EXP;
+    const ttc_token *name = ttc_parse_name(parser, is_exp ? "the exponential's name" : "the logarithm's name");
+    if (name == NULL || !ttc_parse_expect_mark(parser, '=', "the name")) return false;
+    ttc_place place = ttc_token_place(ttc_parse_peek(parser));
+    ttc_id argument = parse_function(parser, is_exp ? TTC_KEYWORD_EXP : TTC_KEYWORD_LOG, "'='");
+    if (argument != TTC_NONE && !check_argument(parser, kind, argument, place)) argument = TTC_NONE;
+    return ttc_parse_define(parser, name, kind, argument, &symbol) && argument != TTC_NONE;
+}
+
 static bool parse_let(ttc_parser *parser)
 {
     uint32_t symbol;
@@ -209,6 +240,8 @@ bool ttc_parse_quantity(ttc_parser *parser, const ttc_token *keyword)
     case TTC_KEYWORD_STATE: return parse_state(parser);
     case TTC_KEYWORD_ROOT: return parse_root(parser);
     case TTC_KEYWORD_ANGLE: return parse_angle(parser);
+    case TTC_KEYWORD_EXP: return parse_transcendental(parser, TTC_EXP);
+    case TTC_KEYWORD_LOG: return parse_transcendental(parser, TTC_LOG);
     default: return parse_let(parser);
     }
 }
@@ -284,6 +317,13 @@ static bool sign_allows(ttc_sign sign, const fmpq *value)
     }
 }
 
+static bool uses_pi(const ttc_model *model, ttc_id id)
+{
+    for (uint32_t i = 0; i < model->symbol_count; i++)
+        if (model->symbols[i].kind == TTC_PI) return ttc_model_depends(model, id, i);
+    return false;
+}
+
 bool ttc_parse_default(ttc_parser *parser)
 {
     do {
@@ -303,7 +343,9 @@ bool ttc_parse_default(ttc_parser *parser)
         ttc_id value = ttc_parse_expression(parser);
         if (value == TTC_NONE) return false;
         if (ttc_kind_of(parser->model->graph, value) != TTC_NUMBER)
-            return ttc_parse_error(parser, place, "a default that is not a number (expected one, such as 2/5)");
+            return ttc_parse_error(parser, place, "%s (expected one, such as 2/5)",
+                                   uses_pi(parser->model, value) ? "a default in 'pi', which is no rational number"
+                                                                 : "a default that is not a number");
         if (!sign_allows(entry->sign, ttc_coefficient(parser->model->graph, value)))
             return ttc_parse_error(parser, place, "the default of '%s' lies outside its own condition", entry->name);
         entry->value = value;

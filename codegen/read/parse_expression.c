@@ -101,6 +101,7 @@ static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
         }
         return claim->expression;
     }
+    if (ttc_parse_pi(parser, name, &symbol)) return parser->model->symbols[symbol].node;
     ttc_parse_unknown(parser, name);
     return TTC_NONE;
 }

@@ -56,7 +56,8 @@ bool ttc_parse_define(ttc_parser *parser, const ttc_token *name, ttc_symbol_kind
         return ttc_parse_error(parser, ttc_token_place(name), "too many names (expected at most %d)", TTC_SYMBOL_LIMIT);
     ttc_symbol_entry entry = { .kind = kind, .place = ttc_token_place(name), .definition = definition };
     *symbol = (uint32_t)model->symbol_count;
-    if (definition == TTC_NONE && (kind == TTC_LET || kind == TTC_ROOT)) entry.kind = TTC_PARAM;
+    if (definition == TTC_NONE && (kind == TTC_LET || kind == TTC_ROOT || kind == TTC_EXP || kind == TTC_LOG))
+        entry.kind = TTC_PARAM;
     entry.node = ttc_symbol(model->graph, *symbol);
     if (entry.node == TTC_NONE) {
         ttc_parse_graph_error(parser, entry.place);
@@ -69,13 +70,25 @@ bool ttc_parse_define(ttc_parser *parser, const ttc_token *name, ttc_symbol_kind
     return false;
 }
 
+static bool defines_quantity(ttc_keyword keyword)
+{
+    switch (keyword) {
+    case TTC_KEYWORD_PARAM:
+    case TTC_KEYWORD_STATE:
+    case TTC_KEYWORD_ROOT:
+    case TTC_KEYWORD_ANGLE:
+    case TTC_KEYWORD_EXP:
+    case TTC_KEYWORD_LOG:
+    case TTC_KEYWORD_LET: return true;
+    default: return false;
+    }
+}
+
 /* Where a record of the table defines the name, NULL when none does. */
 static const ttc_token *find_definition(const ttc_parser *parser, const ttc_token *name)
 {
     for (const ttc_token *t = parser->tokens; t->kind != TTC_TOKEN_END; t++) {
-        bool defines = t->kind == TTC_TOKEN_RECORD &&
-                       (t->keyword == TTC_KEYWORD_PARAM || t->keyword == TTC_KEYWORD_STATE || t->keyword == TTC_KEYWORD_ROOT ||
-                        t->keyword == TTC_KEYWORD_ANGLE || t->keyword == TTC_KEYWORD_LET);
+        bool defines = t->kind == TTC_TOKEN_RECORD && defines_quantity(t->keyword);
         for (int i = 1; defines && i <= (t->keyword == TTC_KEYWORD_ANGLE ? 2 : 1); i++) {
             if (t[i].kind != TTC_TOKEN_NAME) break;
             if (t[i].length == name->length && memcmp(t[i].text, name->text, name->length) == 0) return t + i;
@@ -124,6 +137,12 @@ void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name)
         ttc_parse_error(parser, place, "unknown name '%.*s' (expected a name defined above%s%s%s)", length, text,
                         near == NULL ? "" : "; did you mean '", near == NULL ? "" : near, near == NULL ? "" : "'?");
     }
+}
+
+bool ttc_parse_pi(ttc_parser *parser, const ttc_token *name, uint32_t *symbol)
+{
+    if (!is_named(name, "pi") || find_definition(parser, name) != NULL) return false;
+    return ttc_parse_define(parser, name, TTC_PI, TTC_NONE, symbol);
 }
 
 bool ttc_parse_refer(ttc_parser *parser, ttc_reference_role role, size_t owner, const ttc_token *name)

@@ -159,6 +159,8 @@ static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
     case TTC_KEYWORD_STATE:
     case TTC_KEYWORD_ROOT:
     case TTC_KEYWORD_ANGLE:
+    case TTC_KEYWORD_EXP:
+    case TTC_KEYWORD_LOG:
     case TTC_KEYWORD_LET:
         return ttc_parse_quantity(parser, keyword);
     case TTC_KEYWORD_EQ:
@@ -187,6 +189,12 @@ static record_counts counts_of(const ttc_model *model)
     return (record_counts){ model->symbol_count, model->claim_count, model->variant_count, model->time_count };
 }
 
+static bool defines_by_expression(ttc_keyword keyword)
+{
+    return keyword == TTC_KEYWORD_LET || keyword == TTC_KEYWORD_ROOT || keyword == TTC_KEYWORD_ANGLE || keyword == TTC_KEYWORD_EXP
+           || keyword == TTC_KEYWORD_LOG;
+}
+
 /* What the record divides by belongs to what the record has made. */
 static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts before)
 {
@@ -196,8 +204,8 @@ static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts
     if (now.claims > before.claims) d = (ttc_divisor){ .role = TTC_DIVIDES_CLAIM, .owner = (uint32_t)before.claims };
     else if (now.variants > before.variants) d = (ttc_divisor){ .role = TTC_DIVIDES_VARIANT, .owner = (uint32_t)before.variants };
     else if (now.times > before.times) d = (ttc_divisor){ .role = TTC_DIVIDES_TIME, .owner = (uint32_t)before.times };
-    else if (now.symbols > before.symbols && keyword != TTC_KEYWORD_STATE)
-        d = (ttc_divisor){ .role = TTC_DIVIDES_SYMBOL, .owner = (uint32_t)before.symbols };
+    else if (now.symbols > before.symbols && defines_by_expression(keyword))
+        d = (ttc_divisor){ .role = TTC_DIVIDES_SYMBOL, .owner = (uint32_t)now.symbols - 1 };
     for (size_t i = 0; i < parser->divisor_count; i++) {
         ttc_divisor *divisors = ttc_parse_extend(model->divisors, model->divisor_count, sizeof *divisors);
         if (divisors == NULL) {

@@ -87,6 +87,8 @@ bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place); /* expan
 /* Names. */
 bool ttc_parse_find(const ttc_parser *parser, const ttc_token *name, uint32_t *symbol); /* lambda excluded */
 bool ttc_parse_define(ttc_parser *parser, const ttc_token *name, ttc_symbol_kind kind, ttc_id definition, uint32_t *symbol);
+/* The number pi, where no record of the table defines that name. */
+bool ttc_parse_pi(ttc_parser *parser, const ttc_token *name, uint32_t *symbol);
 void ttc_parse_unknown(ttc_parser *parser, const ttc_token *name);
 bool ttc_parse_refer(ttc_parser *parser, ttc_reference_role role, size_t owner, const ttc_token *name);
 char *ttc_parse_copy(ttc_parser *parser, const char *text, size_t length); /* NULL when memory is out */
@@ -100,7 +102,7 @@ bool ttc_parse_check_circle(ttc_parser *parser, const ttc_bindings *bound, const
 
 /* Records: the token at hand is the one after the keyword. */
 bool ttc_parse_title(ttc_parser *parser, const ttc_token *keyword);
-bool ttc_parse_quantity(ttc_parser *parser, const ttc_token *keyword); /* param, state, root, angle, let */
+bool ttc_parse_quantity(ttc_parser *parser, const ttc_token *keyword); /* param, state, root, angle, exp, log, let */
 bool ttc_parse_equation(ttc_parser *parser);
 bool ttc_parse_default(ttc_parser *parser);
 bool ttc_parse_kernel(ttc_parser *parser, const ttc_token *keyword); /* variant, time, eliminate */

@@ -177,6 +177,8 @@ static void warn_unused(ttc_parser *parser)
         const char *kind = entry->kind == TTC_PARAM  ? "parameter"
                            : entry->kind == TTC_LET  ? "let"
                            : entry->kind == TTC_ROOT ? "root"
+                           : entry->kind == TTC_EXP  ? "exponential"
+                           : entry->kind == TTC_LOG  ? "logarithm"
                            : entry->kind == TTC_COSINE && !parser->used[entry->partner] ? "angle"
                                                                                         : NULL;
         if (kind != NULL && !parser->used[i])

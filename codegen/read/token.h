@@ -12,7 +12,8 @@
     X(MEASURE, "measure") X(REVERSOR, "reversor") X(EQUILIBRIA, "equilibria") X(TRACE, "trace")              \
     X(CHARPOLY, "charpoly") X(OBSTRUCTS, "obstructs") X(EQUAL, "equal") X(MATRIX, "matrix")                  \
     X(LEFTNULL, "leftnull") X(REDUCTION, "reduction") X(RATE, "rate") X(POSITIVE, "positive")                 \
-    X(DOMAIN, "domain") X(EMBEDDING, "embedding")
+    X(DOMAIN, "domain") X(EMBEDDING, "embedding")                                               \
+    X(SYMMETRY, "symmetry") X(EXP, "exp") X(LOG, "log")
 
 /* Keywords inside a record. */
 #define TTC_CLAUSE_LIST(X)                                                                                   \

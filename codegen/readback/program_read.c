@@ -46,6 +46,9 @@ static void read_instruction(reader *r, ttc_ratio *out, const ttc_instruction *i
     case TTC_OP_ROOT: ttc_ring_root(ring, out, a, -1, true); break;
     case TTC_OP_COSINE: ttc_valuation_angle(r->valuation, out, a, false); break;
     case TTC_OP_SINE: ttc_valuation_angle(r->valuation, out, a, true); break;
+    case TTC_OP_EXP: ttc_valuation_exp(r->valuation, out, a); break;
+    case TTC_OP_LOG: ttc_valuation_log(r->valuation, out, a); break;
+    case TTC_OP_PI: ttc_valuation_pi(r->valuation, out); break;
     }
 }
 

@@ -6,7 +6,7 @@
 #include "algebra/valuation.h"
 
 /** outputs: shape (output_count,), initialized by the caller. inputs and parameters: what x[i] and p[i] stand for.
- *  Roots are positive square roots in the valuation's ring; cosines and sines must be those of the model's angles. Errors:
+ *  Roots are positive square roots in the valuation's ring; other functions must follow from those of the model. Errors:
  *  the ring's sticky status; an index beyond input_count or parameter_count is a failure too (ttc_ring status CIRCULAR).
  *  Returns false when memory is out. */
 bool ttc_program_read(const ttc_program *program, ttc_valuation *valuation, const ttc_ratio *inputs, size_t input_count,

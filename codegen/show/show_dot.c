@@ -36,10 +36,7 @@ static void show_edges(FILE *stream, const ttc_model *model, ttc_id id)
     const ttc_graph *graph = model->graph;
     if (ttc_kind_of(graph, id) == TTC_SYMBOL) {
         const ttc_symbol_entry *entry = model->symbols + ttc_symbol_of(graph, id);
-        const char *label = entry->kind == TTC_ROOT     ? "sqrt"
-                            : entry->kind == TTC_COSINE ? "cos"
-                            : entry->kind == TTC_SINE   ? "sin"
-                                                        : "let";
+        const char *label = ttc_symbol_is_function(entry->kind) ? ttc_symbol_function(entry->kind) : "let";
         if (entry->definition != TTC_NONE)
             fprintf(stream, "  n%u -> n%u [label=\"%s\", style=dashed];\n", (unsigned)id, (unsigned)entry->definition, label);
         return;

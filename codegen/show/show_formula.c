@@ -9,14 +9,12 @@ static bool show_definitions(FILE *stream, const ttc_model *model, ttc_notation 
     bool latex = notation == TTC_NOTATION_LATEX;
     for (size_t i = 0; i < model->symbol_count; i++) {
         const ttc_symbol_entry *entry = model->symbols + i;
-        const char *open = entry->kind == TTC_ROOT     ? (latex ? "\\sqrt{" : "sqrt(")
-                           : entry->kind == TTC_COSINE ? (latex ? "\\cos\\left(" : "cos(")
-                           : entry->kind == TTC_SINE   ? (latex ? "\\sin\\left(" : "sin(")
-                                                       : "";
-        const char *close = *open == '\0' ? "" : !latex ? ")" : entry->kind == TTC_ROOT ? "}" : "\\right)";
+        const bool function = ttc_symbol_is_function(entry->kind);
+        const char *open = !function ? "" : !latex ? "(" : entry->kind == TTC_ROOT ? "{" : "\\left(";
+        const char *close = !function ? "" : !latex ? ")" : entry->kind == TTC_ROOT ? "}" : "\\right)";
         if (entry->definition == TTC_NONE) continue;
         ttc_print_symbol(stream, model, (uint32_t)i, notation);
-        fprintf(stream, latex ? " &= %s" : " = %s", open);
+        fprintf(stream, "%s%s%s%s", latex ? " &= " : " = ", latex && function ? "\\" : "", ttc_symbol_function(entry->kind), open);
         if (!ttc_print(stream, model, entry->definition, notation)) return false;
         fprintf(stream, latex ? "%s \\\\\n" : "%s\n", close);
     }

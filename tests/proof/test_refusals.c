@@ -116,7 +116,7 @@ static void a_root_that_vanishes_or_is_imaginary_is_an_error(void **state)
                         "equal zero : r*y = 0 when a = 0\nequal negative : r^2 = -1 when a = -1\n"
                         "equilibria pole : x = 1, y = 0\nequilibria beyond : x = 2, y = 0\n";
     expect(table, "equal", "zero", TTC_UNSETTLED, "root");
-    expect(table, "equal", "negative", TTC_UNSETTLED, "radicand is negative");
+    expect(table, "equal", "negative", TTC_UNSETTLED, "zero or negative");
     expect(table, "equilibria", "pole", TTC_REFUTED, "interval");
     expect(table, "equilibria", "beyond", TTC_REFUTED, "interval");
     expect("model never\nstate x\nroot r = sqrt(-1 - x^2)\neq x = r\n", "root", "r", TTC_REFUTED, "-x^2-1");

@@ -1,0 +1,179 @@
+#include "algebra/independence.h"
+
+#include "algebra/angle.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+/* What decides: how many variables of each trust a polynomial uses, squares of generators included. */
+typedef struct {
+    size_t count[TTC_TRUST_MASK + 1];
+    bool doubtful; /* one of them is no number */
+    bool nested;   /* one of them stands in the square of a generator */
+    bool generators;
+} usage;
+
+static size_t generator_of(const ttc_ring *ring, slong variable)
+{
+    for (size_t i = 0; i < ring->generator_count; i++)
+        if (ring->generators[i].variable == variable) return i;
+    return SIZE_MAX;
+}
+
+static void mark(const ttc_ring *ring, unsigned char *used, const fmpz_mpoly_t polynomial)
+{
+    for (slong v = 0; v < (slong)ring->variable_count; v++)
+        if (fmpz_mpoly_degree_si(polynomial, v, ring->context) > 0) used[v] = 1;
+}
+
+/* The square of a generator holds earlier ones, so the last one goes first. */
+static bool survey(usage *u, const ttc_ring *ring, const fmpz_mpoly_t polynomial)
+{
+    unsigned char *used = calloc(ring->variable_count + 1, 1), *direct = calloc(ring->variable_count + 1, 1);
+    bool ok = used != NULL && direct != NULL;
+    *u = (usage){ .doubtful = false };
+    if (ok) mark(ring, used, polynomial);
+    if (ok) mark(ring, direct, polynomial);
+    for (size_t i = ring->generator_count; ok && i-- > 0;) {
+        const ttc_generator *generator = &ring->generators[i];
+        if (!used[generator->variable]) continue;
+        u->generators = true;
+        mark(ring, used, generator->square.numerator);
+        mark(ring, used, generator->square.denominator);
+    }
+    for (slong v = 0; ok && v < (slong)ring->variable_count; v++) {
+        const unsigned trust = ring->trust[v];
+        if (!used[v] || generator_of(ring, v) != SIZE_MAX) continue;
+        u->count[trust & TTC_TRUST_MASK]++;
+        if ((trust & TTC_TRUST_MASK) == TTC_TRUST_FREE) continue;
+        u->doubtful |= (trust & TTC_TRUST_CONSTANT) == 0;
+        u->nested |= !direct[v];
+    }
+    free(direct);
+    free(used);
+    return ok;
+}
+
+static bool decides(const usage *u)
+{
+    if (u->count[TTC_TRUST_NONE] > 0) return false;
+    return u->count[TTC_TRUST_SINGLE] == 0 || (u->count[TTC_TRUST_SINGLE] == 1 && u->count[TTC_TRUST_ALGEBRAIC] == 0);
+}
+
+/* The coefficient, in numbers, of the term's monomial in free variables. */
+static void coefficient_of(const ttc_ring *ring, fmpz_mpoly_t coefficient, const fmpz_mpoly_t polynomial, slong term, slong *variables,
+                           ulong *exponents)
+{
+    slong count = 0;
+    for (slong v = 0; v < (slong)ring->variable_count; v++) {
+        if (ring->trust[v] != TTC_TRUST_FREE) continue;
+        variables[count] = v;
+        exponents[count++] = fmpz_mpoly_get_term_var_exp_ui(polynomial, term, v, ring->context);
+    }
+    fmpz_mpoly_get_coeff_vars_ui(coefficient, polynomial, variables, exponents, count, ring->context);
+}
+
+/* Free variables are independent over the numbers, so that one coefficient that is not zero is enough; a product of numbers
+ * none of which is zero is not zero. */
+static bool has_settled_coefficient(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
+{
+    slong *variables = calloc(ring->variable_count + 1, sizeof *variables);
+    ulong *exponents = calloc(ring->variable_count + 1, sizeof *exponents);
+    bool settled = false;
+    fmpz_mpoly_t coefficient;
+    fmpz_mpoly_init(coefficient, ring->context);
+    for (slong i = 0; variables != NULL && exponents != NULL && !settled && i < fmpz_mpoly_length(polynomial, ring->context); i++) {
+        usage u;
+        coefficient_of(ring, coefficient, polynomial, i, variables, exponents);
+        settled = survey(&u, ring, coefficient)
+                  && (decides(&u) || (fmpz_mpoly_length(coefficient, ring->context) == 1 && u.count[TTC_TRUST_NONE] == 0));
+    }
+    fmpz_mpoly_clear(coefficient, ring->context);
+    free(exponents);
+    free(variables);
+    return settled;
+}
+
+bool ttc_ring_settles(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
+{
+    usage u;
+    bool plain = true;
+    for (size_t v = 0; plain && v < ring->variable_count; v++) plain = ring->trust[v] == TTC_TRUST_FREE;
+    if (plain) return true;
+    if (!survey(&u, ring, polynomial)) return false;
+    if (decides(&u)) return true;
+    return !u.doubtful && !u.nested && !u.generators && has_settled_coefficient(ring, polynomial);
+}
+
+bool ttc_ring_uses_doubtful(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
+{
+    usage u;
+    return !survey(&u, ring, polynomial) || u.doubtful;
+}
+
+bool ttc_ring_is_constant(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
+{
+    usage u;
+    return survey(&u, ring, polynomial) && u.count[TTC_TRUST_FREE] == 0 && !u.doubtful;
+}
+
+/* slopes, shape (variable_count,): a power of the parameter of its own for each variable that is no number, so that a derivative
+ * along them is zero only where all partial derivatives are. */
+static void set_slopes(ttc_ring *ring, ttc_ratio *slopes, slong parameter)
+{
+    for (slong v = 0; v < (slong)ring->variable_count; v++) {
+        ttc_ratio_init(ring, &slopes[v]);
+        if (v == parameter || ring->trust[v] != TTC_TRUST_FREE) continue;
+        ttc_ratio_set_variable(ring, &slopes[v], parameter);
+        ttc_ratio_power(ring, &slopes[v], &slopes[v], v + 1);
+    }
+}
+
+static ttc_trust trust_along(ttc_ring *ring, const ttc_ratio *slopes, ttc_ratio *rates, fmpq *weights, const ttc_ratio *angle,
+                             const ttc_ratio *basis, size_t count)
+{
+    ttc_trust trust = TTC_TRUST_FREE;
+    ttc_ratio rest, term;
+    ttc_ratio_init(ring, &rest);
+    ttc_ratio_init(ring, &term);
+    for (size_t i = 0; i <= count; i++) {
+        ttc_ratio_init(ring, &rates[i]);
+        ttc_ratio_derive(ring, &rates[i], i < count ? basis + i : angle, slopes);
+    }
+    if (ttc_angle_weigh(ring, weights, &rates[count], rates, count)) {
+        ttc_ratio_set(ring, &rest, angle);
+        for (size_t i = 0; i < count; i++) {
+            ttc_ratio_scale(ring, &term, basis + i, weights + i);
+            ttc_ratio_subtract(ring, &rest, &rest, &term);
+        }
+        usage above, below;
+        const bool known = survey(&above, ring, rest.numerator) && survey(&below, ring, rest.denominator);
+        const size_t numbers = above.count[TTC_TRUST_ALGEBRAIC] + above.count[TTC_TRUST_SINGLE] + above.count[TTC_TRUST_NONE]
+                               + below.count[TTC_TRUST_ALGEBRAIC] + below.count[TTC_TRUST_SINGLE] + below.count[TTC_TRUST_NONE];
+        trust = known && numbers == 0 ? TTC_TRUST_ALGEBRAIC : TTC_TRUST_NONE;
+        if (fmpz_mpoly_is_zero(rates[count].numerator, ring->context)) trust |= TTC_TRUST_CONSTANT;
+    }
+    for (size_t i = 0; i <= count; i++) ttc_ratio_clear(ring, &rates[i]);
+    ttc_ratio_clear(ring, &term);
+    ttc_ratio_clear(ring, &rest);
+    return trust;
+}
+
+ttc_trust ttc_ring_trust(ttc_ring *ring, const ttc_ratio *angle, const ttc_ratio *basis, size_t count, slong parameter)
+{
+    ttc_trust trust = TTC_TRUST_NONE;
+    if (ttc_ring_uses_doubtful(ring, angle->numerator) || ttc_ring_uses_doubtful(ring, angle->denominator)) return trust;
+    ttc_ratio *slopes = malloc((ring->variable_count + 1) * sizeof *slopes), *rates = malloc((count + 1) * sizeof *rates);
+    fmpq *weights = _fmpq_vec_init((slong)count + 1);
+    if (slopes == NULL || rates == NULL) {
+        ttc_ring_fail(ring, TTC_RING_NO_MEMORY);
+    } else {
+        set_slopes(ring, slopes, parameter);
+        trust = trust_along(ring, slopes, rates, weights, angle, basis, count);
+        for (size_t v = 0; v < ring->variable_count; v++) ttc_ratio_clear(ring, &slopes[v]);
+    }
+    _fmpq_vec_clear(weights, (slong)count + 1);
+    free(rates);
+    free(slopes);
+    return trust;
+}
