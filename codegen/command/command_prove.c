@@ -1,5 +1,6 @@
 /* ttc prove: every claim of the tables, proved or refuted exactly. */
 #include "command/command.h"
+#include "command/command_guard.h"
 #include "prove/mutate.h"
 #include "readback/prove_kernels.h"
 
@@ -157,8 +158,8 @@ static int mutate(const ttc_model *model, bool json, json_t *reports)
 static ttc_proof_report *make_report(const ttc_model *model, bool kernels)
 {
     ttc_plan plan = { 0 };
-    ttc_proof_report *report = NULL;
-    if (!ttc_prove(model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report)) return NULL;
+    ttc_proof_report *report = ttc_prove_guarded(model);
+    if (report == NULL) return NULL;
     bool ok = !kernels || (ttc_plan_create(&plan, model) && ttc_prove_kernels(&plan, report));
     ttc_plan_clear(&plan);
     if (ok) return report;

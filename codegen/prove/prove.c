@@ -51,71 +51,132 @@ static char *copy(const char *text)
     return result;
 }
 
-/* Claims are proved when they are first asked for: by their turn, or by one that rests on them. */
-typedef struct {
+struct ttc_proof_run {
     const ttc_model *model;
     ttc_resolver resolver;
     void *resolver_context;
     ttc_proof *proofs; /* by claim, derived ones last */
     bool *begun;
-    bool out_of_memory;
-} proof_run;
+    size_t count;
+};
 
-static ttc_proof_status verdict_of(void *context, uint32_t claim);
-
-static void keep(ttc_proof *proof, const ttc_task *task)
+static void clear_proof(ttc_proof *proof)
 {
+    free(proof->remainder);
+    free(proof->point);
+    free(proof->note);
+    free(proof->name);
+    *proof = (ttc_proof){ .name = NULL };
+}
+
+/* Runs what `use` does with the task of a claim, derived or of the table. */
+static void with_task(ttc_proof_run *run, size_t index, void (*use)(ttc_proof_run *, size_t, ttc_task *, const char *, const char *, ttc_prover))
+{
+    const ttc_model *model = run->model;
+    ttc_task task = { .model = model, .resolver = run->resolver, .resolver_context = run->resolver_context };
+    if (index < model->claim_count) {
+        const ttc_claim *claim = &model->claims[index];
+        task.claim = claim;
+        task.role = TTC_DIVIDES_CLAIM;
+        task.owner = (uint32_t)index;
+        if (claim->kind == TTC_CLAIM_EQUILIBRIA) task.tested = &claim->bindings;
+        use(run, index, &task, claim->name, ttc_claim_kind_name(claim->kind), prover_of(claim->kind));
+        return;
+    }
+    ttc_derived_claim derived;
+    ttc_derived_claim_get(model, index - model->claim_count, &derived);
+    task.claim = &derived.claim;
+    task.role = derived.role;
+    task.owner = derived.claim.family;
+    task.divisor = derived.divisor;
+    task.tested_root = derived.tested_root;
+    if (derived.tests_conditions) task.tested = &derived.claim.when;
+    use(run, index, &task, derived.name, derived.kind, derived.prove);
+}
+
+static void name_proof(ttc_proof_run *run, size_t index, ttc_task *task, const char *name, const char *kind, ttc_prover prove)
+{
+    (void)prove;
+    run->proofs[index] = (ttc_proof){ .name = copy(name), .kind = kind, .place = task->claim->place, .status = TTC_UNSETTLED };
+}
+
+ttc_proof_run *ttc_proof_run_create(const ttc_model *model, ttc_resolver resolver, void *context)
+{
+    ttc_proof_run *run = calloc(1, sizeof *run);
+    if (run == NULL) return NULL;
+    *run = (ttc_proof_run){ .model = model, .resolver = resolver, .resolver_context = context };
+    size_t count = model->claim_count + ttc_derived_count(model);
+    run->proofs = calloc(count + 1, sizeof *run->proofs);
+    run->begun = calloc(count + 1, sizeof *run->begun);
+    bool ok = run->proofs != NULL && run->begun != NULL;
+    for (; ok && run->count < count; run->count++) {
+        with_task(run, run->count, name_proof);
+        ok = run->proofs[run->count].name != NULL;
+    }
+    if (ok) return run;
+    ttc_proof_run_destroy(run);
+    return NULL;
+}
+
+void ttc_proof_run_destroy(ttc_proof_run *run)
+{
+    if (run == NULL) return;
+    for (size_t i = 0; i < run->count; i++) clear_proof(&run->proofs[i]);
+    free(run->begun);
+    free(run->proofs);
+    free(run);
+}
+
+size_t ttc_proof_run_count(const ttc_proof_run *run) { return run->count; }
+const ttc_proof *ttc_proof_run_proof(const ttc_proof_run *run, size_t index) { return &run->proofs[index]; }
+
+static ttc_proof_status verdict_of(void *context, uint32_t claim)
+{
+    ttc_proof_run *run = context;
+    ttc_proof_run_prove(run, claim);
+    return run->proofs[claim].status;
+}
+
+static void prove_task(ttc_proof_run *run, size_t index, ttc_task *task, const char *name, const char *kind, ttc_prover prove)
+{
+    ttc_proof *proof = &run->proofs[index];
+    double start = seconds();
+    (void)name;
+    (void)kind;
+    task->verdict_of = verdict_of;
+    task->verdict_context = run;
+    ttc_graph_clear_error(run->model->graph);
+    ttc_task_run(task, prove);
     proof->status = task->status;
     proof->remainder = task->remainder;
     proof->point = task->point;
     proof->note = task->note;
     proof->has_smooth_density = task->status == TTC_PROVED && task->has_smooth_density;
     proof->relies_on_solver = task->relies_on_solver;
+    proof->seconds = seconds() - start;
 }
 
-static void prove_task(proof_run *run, size_t index, ttc_task task, const char *name, const char *kind, ttc_prover prove)
+void ttc_proof_run_prove(ttc_proof_run *run, size_t index)
+{
+    if (run->begun[index]) return;
+    run->begun[index] = true;
+    with_task(run, index, prove_task);
+}
+
+void ttc_proof_run_accept(ttc_proof_run *run, size_t index, const ttc_proof *verdict)
 {
     ttc_proof *proof = &run->proofs[index];
-    double start = seconds();
     run->begun[index] = true;
-    task.model = run->model;
-    task.resolver = run->resolver;
-    task.resolver_context = run->resolver_context;
-    task.verdict_of = verdict_of;
-    task.verdict_context = run;
-    ttc_graph_clear_error(run->model->graph);
-    ttc_task_run(&task, prove);
-    proof->name = copy(name);
-    proof->kind = kind;
-    proof->place = task.claim->place;
-    keep(proof, &task);
-    proof->seconds = seconds() - start;
-    run->out_of_memory |= proof->name == NULL;
-}
-
-static void prove_index(proof_run *run, size_t index)
-{
-    const ttc_model *model = run->model;
-    ttc_derived_claim derived;
-    if (run->begun[index]) return;
-    if (index < model->claim_count) {
-        const ttc_claim *claim = &model->claims[index];
-        ttc_task task = { .claim = claim, .role = TTC_DIVIDES_CLAIM, .owner = (uint32_t)index,
-                          .tested = claim->kind == TTC_CLAIM_EQUILIBRIA ? &claim->bindings : NULL };
-        prove_task(run, index, task, claim->name, ttc_claim_kind_name(claim->kind), prover_of(claim->kind));
-    } else {
-        ttc_derived_claim_get(model, index - model->claim_count, &derived);
-        ttc_task task = { .claim = &derived.claim, .role = derived.role, .owner = derived.claim.family, .divisor = derived.divisor,
-                          .tested = derived.tests_conditions ? &derived.claim.when : NULL, .tested_root = derived.tested_root };
-        prove_task(run, index, task, derived.name, derived.kind, derived.prove);
-    }
-}
-
-static ttc_proof_status verdict_of(void *context, uint32_t claim)
-{
-    proof_run *run = context;
-    prove_index(run, claim);
-    return run->proofs[claim].name == NULL ? TTC_UNSETTLED : run->proofs[claim].status;
+    free(proof->remainder);
+    free(proof->point);
+    free(proof->note);
+    proof->status = verdict->status;
+    proof->remainder = verdict->remainder;
+    proof->point = verdict->point;
+    proof->note = verdict->note;
+    proof->has_smooth_density = verdict->has_smooth_density;
+    proof->relies_on_solver = verdict->relies_on_solver;
+    proof->seconds = verdict->seconds;
 }
 
 static void count(ttc_proof_report *report, ttc_proof_status status)
@@ -125,53 +186,42 @@ static void count(ttc_proof_report *report, ttc_proof_status status)
     report->unsettled += status == TTC_UNSETTLED;
 }
 
-static void clear_proof(ttc_proof *proof)
+ttc_proof_report *ttc_proof_run_report(ttc_proof_run *run, size_t proof_count)
 {
-    free(proof->remainder);
-    free(proof->point);
-    free(proof->note);
-    free(proof->name);
-}
-
-static bool prove_all(const ttc_model *model, ttc_resolver resolver, void *context, ttc_prove_extent extent,
-                      ttc_proof_report *report)
-{
-    size_t total = model->claim_count + ttc_derived_count(model);
-    proof_run run = { .model = model, .resolver = resolver, .resolver_context = context };
-    run.proofs = calloc(total + 1, sizeof *run.proofs);
-    run.begun = calloc(total + 1, sizeof *run.begun);
-    run.out_of_memory = run.proofs == NULL || run.begun == NULL;
-    for (size_t i = 0; i < total && !run.out_of_memory; i++) {
-        prove_index(&run, i);
-        report->proofs[report->proof_count++] = run.proofs[i];
-        count(report, run.proofs[i].status);
-        if (extent == TTC_PROVE_UNTIL_REFUTED && run.proofs[i].status == TTC_REFUTED) break;
+    const ttc_model *model = run->model;
+    ttc_proof_report *made = calloc(1, sizeof *made);
+    if (made == NULL) return NULL;
+    made->model = copy(model->name);
+    made->file = copy(model->file);
+    made->title = copy(model->title != NULL ? model->title : "");
+    memcpy(made->sha256, model->sha256, sizeof made->sha256);
+    made->proofs = calloc(proof_count + 1, sizeof *made->proofs);
+    if (made->model == NULL || made->file == NULL || made->title == NULL || made->proofs == NULL) {
+        ttc_proof_report_destroy(made);
+        return NULL;
     }
-    /* What was proved on the way and is not in the report. */
-    for (size_t i = report->proof_count; run.proofs != NULL && i < total; i++) clear_proof(&run.proofs[i]);
-    free(run.begun);
-    free(run.proofs);
-    return !run.out_of_memory;
+    for (; made->proof_count < proof_count; made->proof_count++) {
+        ttc_proof *proof = &run->proofs[made->proof_count];
+        count(made, proof->status);
+        made->proofs[made->proof_count] = *proof;
+        *proof = (ttc_proof){ .name = NULL };
+    }
+    return made;
 }
 
 bool ttc_prove(const ttc_model *model, ttc_resolver resolver, void *context, ttc_prove_extent extent,
                ttc_proof_report **report)
 {
     *report = NULL;
-    ttc_proof_report *made = calloc(1, sizeof *made);
-    if (made == NULL) return false;
-    made->model = copy(model->name);
-    made->file = copy(model->file);
-    made->title = copy(model->title != NULL ? model->title : "");
-    memcpy(made->sha256, model->sha256, sizeof made->sha256);
-    made->proofs = calloc(model->claim_count + ttc_derived_count(model) + 1, sizeof *made->proofs);
-    if (made->model == NULL || made->file == NULL || made->title == NULL || made->proofs == NULL
-        || !prove_all(model, resolver, context, extent, made)) {
-        ttc_proof_report_destroy(made);
-        return false;
+    ttc_proof_run *run = ttc_proof_run_create(model, resolver, context);
+    size_t done = 0;
+    for (bool stop = run == NULL; !stop && done < run->count; done++) {
+        ttc_proof_run_prove(run, done);
+        stop = extent == TTC_PROVE_UNTIL_REFUTED && run->proofs[done].status == TTC_REFUTED;
     }
-    *report = made;
-    return true;
+    if (run != NULL) *report = ttc_proof_run_report(run, done);
+    ttc_proof_run_destroy(run);
+    return *report != NULL;
 }
 
 void ttc_proof_report_destroy(ttc_proof_report *report)

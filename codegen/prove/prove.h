@@ -52,4 +52,20 @@ bool ttc_prove(const ttc_model *model, ttc_resolver resolver, void *context, ttc
                ttc_proof_report **report);
 void ttc_proof_report_destroy(ttc_proof_report *report); /* legal on NULL */
 
+/** The claims of a model one by one, so that a caller can bound what each may take. Claims that others rest on are proved when
+ *  they are asked for, and once. */
+typedef struct ttc_proof_run ttc_proof_run;
+
+ttc_proof_run *ttc_proof_run_create(const ttc_model *model, ttc_resolver resolver, void *context); /* NULL: memory is out */
+void ttc_proof_run_destroy(ttc_proof_run *run); /* legal on NULL */
+size_t ttc_proof_run_count(const ttc_proof_run *run); /* the table's claims in their order, then the derived ones */
+/* Name, kind and place of a claim are there before it is proved. */
+const ttc_proof *ttc_proof_run_proof(const ttc_proof_run *run, size_t index);
+/* Settles a claim, if it is not settled yet. */
+void ttc_proof_run_prove(ttc_proof_run *run, size_t index);
+/* Takes a verdict that was reached elsewhere: status, texts and flags of `verdict`, whose texts then belong to the run. */
+void ttc_proof_run_accept(ttc_proof_run *run, size_t index, const ttc_proof *verdict);
+/* All verdicts up to `count` as a report, which takes them out of the run. NULL: memory is out. */
+ttc_proof_report *ttc_proof_run_report(ttc_proof_run *run, size_t count);
+
 #endif

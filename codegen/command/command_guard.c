@@ -1,0 +1,194 @@
+/* Proofs within bounds: a worker process settles one claim after the other and sends each verdict through a pipe. Algebra can
+ * outgrow any machine, and the libraries beneath end their process when memory is out: then the worker dies, the claim that it
+ * was at is not settled, by name, and another worker goes on with the next. */
+#include "command/command_guard.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { SECONDS_A_CLAIM = 20, SECONDS_A_TABLE = 50, MEMORY_MIB = 1536 };
+
+#if defined(__SANITIZE_ADDRESS__)
+#define ADDRESS_SPACE_IS_BOUNDED 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define ADDRESS_SPACE_IS_BOUNDED 0
+#endif
+#endif
+#ifndef ADDRESS_SPACE_IS_BOUNDED
+#define ADDRESS_SPACE_IS_BOUNDED 1
+#endif
+
+/* A verdict as it goes through the pipe; the texts follow, without their final zeros. SIZE_MAX stands for no text. */
+typedef struct {
+    size_t index;
+    ttc_proof_status status;
+    bool has_smooth_density, relies_on_solver;
+    double seconds;
+    size_t lengths[3];
+} message;
+
+static double now(void)
+{
+    struct timespec time;
+    return clock_gettime(CLOCK_MONOTONIC, &time) == 0 ? (double)time.tv_sec + 1e-9 * (double)time.tv_nsec : 0;
+}
+
+static bool write_all(int descriptor, const void *data, size_t size)
+{
+    const char *at = data;
+    while (size > 0) {
+        ssize_t written = write(descriptor, at, size);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        at += written;
+        size -= (size_t)written;
+    }
+    return true;
+}
+
+static bool send_proof(int descriptor, size_t index, const ttc_proof *proof)
+{
+    const char *texts[3] = { proof->remainder, proof->point, proof->note };
+    message m;
+    memset(&m, 0, sizeof m);
+    m.index = index;
+    m.status = proof->status;
+    m.has_smooth_density = proof->has_smooth_density;
+    m.relies_on_solver = proof->relies_on_solver;
+    m.seconds = proof->seconds;
+    for (int i = 0; i < 3; i++) m.lengths[i] = texts[i] == NULL ? SIZE_MAX : strlen(texts[i]);
+    bool ok = write_all(descriptor, &m, sizeof m);
+    for (int i = 0; i < 3 && ok; i++)
+        if (texts[i] != NULL) ok = write_all(descriptor, texts[i], m.lengths[i]);
+    return ok;
+}
+
+/* In the worker; what its libraries say when they die is said by us. */
+static void work(ttc_proof_run *run, const bool *settled, int descriptor)
+{
+    int nowhere = open("/dev/null", O_WRONLY);
+    struct rlimit memory = { (rlim_t)MEMORY_MIB << 20, (rlim_t)MEMORY_MIB << 20 }, core = { 0, 0 };
+    if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+    if (ADDRESS_SPACE_IS_BOUNDED) setrlimit(RLIMIT_AS, &memory);
+    setrlimit(RLIMIT_CORE, &core);
+    for (size_t i = 0; i < ttc_proof_run_count(run); i++) {
+        if (settled[i]) continue;
+        ttc_proof_run_prove(run, i);
+        if (!send_proof(descriptor, i, ttc_proof_run_proof(run, i))) break;
+    }
+}
+
+typedef enum { READ_DONE, READ_END, READ_LATE } read_result;
+
+static read_result read_all(int descriptor, void *data, size_t size, double deadline)
+{
+    char *at = data;
+    while (size > 0) {
+        struct pollfd poll_of = { .fd = descriptor, .events = POLLIN };
+        double left = deadline - now();
+        if (left <= 0) return READ_LATE;
+        int ready = poll(&poll_of, 1, (int)(1000 * left) + 1);
+        if (ready < 0 && errno != EINTR) return READ_END;
+        if (ready <= 0) continue;
+        ssize_t got = read(descriptor, at, size);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return READ_END;
+        at += got;
+        size -= (size_t)got;
+    }
+    return READ_DONE;
+}
+
+static read_result receive_proof(int descriptor, ttc_proof_run *run, bool *settled, double deadline)
+{
+    message m;
+    char *texts[3] = { NULL, NULL, NULL };
+    read_result result = read_all(descriptor, &m, sizeof m, deadline);
+    if (result == READ_DONE && m.index >= ttc_proof_run_count(run)) result = READ_END;
+    for (int i = 0; i < 3 && result == READ_DONE; i++) {
+        if (m.lengths[i] == SIZE_MAX) continue;
+        texts[i] = calloc(m.lengths[i] + 1, 1);
+        result = texts[i] == NULL ? READ_END : read_all(descriptor, texts[i], m.lengths[i], deadline);
+    }
+    if (result != READ_DONE) {
+        for (int i = 0; i < 3; i++) free(texts[i]);
+        return result;
+    }
+    ttc_proof verdict = { .status = m.status, .remainder = texts[0], .point = texts[1], .note = texts[2],
+                          .has_smooth_density = m.has_smooth_density, .relies_on_solver = m.relies_on_solver, .seconds = m.seconds };
+    ttc_proof_run_accept(run, m.index, &verdict);
+    settled[m.index] = true;
+    return READ_DONE;
+}
+
+static size_t first_open(const bool *settled, size_t count)
+{
+    size_t i = 0;
+    while (i < count && settled[i]) i++;
+    return i;
+}
+
+static void give_up(ttc_proof_run *run, bool *settled, size_t index, read_result result)
+{
+    char text[120];
+    if (result == READ_LATE)
+        snprintf(text, sizeof text, "its proof passes the limit of %d s a claim, or of %d s a table", SECONDS_A_CLAIM, SECONDS_A_TABLE);
+    else snprintf(text, sizeof text, "its proof passes the limit of %d MiB", MEMORY_MIB);
+    ttc_proof verdict = { .status = TTC_UNSETTLED, .remainder = strdup(text) };
+    ttc_proof_run_accept(run, index, &verdict);
+    settled[index] = true;
+}
+
+/* One worker, until it is done, dead or late; the claim that it was at is then given up. False: no worker can be made. */
+static bool employ(ttc_proof_run *run, bool *settled, double deadline)
+{
+    int ends[2];
+    const size_t count = ttc_proof_run_count(run);
+    read_result result = READ_DONE;
+    if (pipe(ends) != 0) return false;
+    fflush(NULL);
+    pid_t worker = fork();
+    if (worker == 0) {
+        close(ends[0]);
+        work(run, settled, ends[1]);
+        _exit(0);
+    }
+    close(ends[1]);
+    while (worker > 0 && result == READ_DONE && first_open(settled, count) < count) {
+        double claim_deadline = now() + SECONDS_A_CLAIM;
+        result = receive_proof(ends[0], run, settled, claim_deadline < deadline ? claim_deadline : deadline);
+    }
+    close(ends[0]);
+    if (worker < 0) return false;
+    kill(worker, SIGKILL);
+    while (waitpid(worker, NULL, 0) < 0 && errno == EINTR) continue;
+    if (result != READ_DONE) give_up(run, settled, first_open(settled, count), result);
+    return true;
+}
+
+ttc_proof_report *ttc_prove_guarded(const ttc_model *model)
+{
+    ttc_proof_run *run = ttc_proof_run_create(model, ttc_resolve_beside, NULL);
+    ttc_proof_report *report = NULL;
+    size_t count = run == NULL ? 0 : ttc_proof_run_count(run);
+    bool *settled = calloc(count + 1, sizeof *settled), ok = run != NULL && settled != NULL;
+    double deadline = now() + SECONDS_A_TABLE;
+    while (ok && first_open(settled, count) < count) {
+        if (now() >= deadline) give_up(run, settled, first_open(settled, count), READ_LATE);
+        else ok = employ(run, settled, deadline);
+    }
+    if (ok) report = ttc_proof_run_report(run, count);
+    free(settled);
+    ttc_proof_run_destroy(run);
+    return report;
+}
