@@ -78,7 +78,7 @@ static void work(ttc_proof_run *run, const bool *settled, int descriptor)
 {
     int nowhere = open("/dev/null", O_WRONLY);
     struct rlimit memory = { (rlim_t)MEMORY_MIB << 20, (rlim_t)MEMORY_MIB << 20 }, core = { 0, 0 };
-    if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0 && dup2(nowhere, STDERR_FILENO) >= 0) dup2(nowhere, STDOUT_FILENO);
     if (ADDRESS_SPACE_IS_BOUNDED) setrlimit(RLIMIT_AS, &memory);
     setrlimit(RLIMIT_CORE, &core);
     for (size_t i = 0; i < ttc_proof_run_count(run); i++) {

@@ -24,7 +24,7 @@ void ttc_prove_integral(ttc_task *task)
     ttc_evaluate(task->field, &value, claim->expression);
     if (ttc_task_open(task) && !ttc_task_moves(task, &value))
         ttc_task_unsettle(task, "%s is constant, whatever the motion: being an integral says nothing", claim->name);
-    if (!is_zero) {
+    if (!is_zero && !ttc_task_refute_at_point(task, rate, "the rate")) {
         ttc_evaluate(task->field, &value, rate);
         ttc_task_require_zero(task, &value, "d(%s)/dt", claim->name);
     }
@@ -35,6 +35,8 @@ void ttc_prove_rate(ttc_task *task)
 {
     const ttc_claim *claim = task->claim;
     ttc_ratio rate, claimed;
+    ttc_id difference = ttc_subtract(task->model->graph, ttc_derive_field(task->model, claim->expression), claim->other);
+    if (ttc_task_is_zero_for_any_roots(task, difference) || ttc_task_refute_at_point(task, difference, "rate - right side")) return;
     ttc_ratio_init(task->ring, &rate);
     ttc_ratio_init(task->ring, &claimed);
     ttc_evaluate(task->field, &rate, ttc_derive_field(task->model, claim->expression));
@@ -51,6 +53,8 @@ void ttc_prove_invariant(ttc_task *task) { ttc_task_require_kept(task, NULL); }
 void ttc_prove_equal(ttc_task *task)
 {
     ttc_ratio left, right;
+    ttc_id difference = ttc_subtract(task->model->graph, task->claim->expression, task->claim->other);
+    if (ttc_task_is_zero_for_any_roots(task, difference) || ttc_task_refute_at_point(task, difference, "left - right")) return;
     ttc_ratio_init(task->ring, &left);
     ttc_ratio_init(task->ring, &right);
     ttc_evaluate(task->field, &left, task->claim->expression);

@@ -1,5 +1,7 @@
 #include "prove/prove_task.h"
 
+#include "ball/ball.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -212,6 +214,44 @@ bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id)
     ttc_ratio_clear(ring, &value);
     ttc_valuation_destroy(free_roots);
     return zero;
+}
+
+/* The point's coordinates; a symbol that is bound stands for its expression. */
+static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_point *point)
+{
+    bool ok = true;
+    for (uint32_t i = 0; i < task->model->symbol_count && ok; i++) {
+        slong variable = ttc_valuation_variable(task->field, i);
+        ttc_symbol_kind kind = task->model->symbols[i].kind;
+        if ((kind != TTC_PARAM && kind != TTC_STATE && kind != TTC_LEVEL) || ttc_valuation_is_bound(task->field, i)) continue;
+        char *value = fmpq_get_str(NULL, 10, point->values + variable);
+        ok = ttc_ball_set_fraction(ball, i, value);
+        flint_free(value);
+    }
+    for (size_t i = 0; i < task->claim->when.count; i++)
+        ttc_ball_bind(ball, task->claim->when.items[i].symbol, task->claim->when.items[i].expression);
+    return ok;
+}
+
+bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name)
+{
+    enum { MANY_ROOTS = 5, DIGITS = 12 };
+    bool refuted = false, excludes_zero = false;
+    if (!ttc_task_open(task) || root_count(task->model) < MANY_ROOTS || task->claim->modulo_count > 0 || id == TTC_NONE) return false;
+    ttc_ball *ball = ttc_ball_create(task->model);
+    ttc_point point;
+    if (ttc_point_init(&point, task->field) && ball != NULL && ttc_search_point(&point, &task->domain) == TTC_POINT_FOUND
+        && set_ball(ball, task, &point)) {
+        char *value = ttc_ball_text(ball, id, DIGITS, &excludes_zero), *text = NULL;
+        refuted = value != NULL && excludes_zero;
+        if (refuted) text = malloc(strlen(name) + strlen(value) + 8);
+        if (text != NULL) sprintf(text, "%s = %s", name, value);
+        if (refuted) settle(task, TTC_REFUTED, text, ttc_point_text(&point));
+        free(value);
+    }
+    ttc_point_clear(&point);
+    ttc_ball_destroy(ball);
+    return refuted;
 }
 
 ttc_ratio *ttc_task_ratios(ttc_task *task, size_t count)
