@@ -1,5 +1,6 @@
 /* ttc prove: every claim of the tables, proved or refuted exactly. */
 #include "command/command.h"
+#include "command/command_challenge.h"
 #include "prove/mutate.h"
 #include "readback/prove_kernels.h"
 
@@ -154,19 +155,21 @@ static ttc_proof_report *make_report(const ttc_model *model, bool kernels)
     return NULL;
 }
 
-static int prove(const ttc_model *model, bool kernels, bool json, json_t *reports)
+static int prove(const ttc_model *model, const ttc_options *options, json_t *reports)
 {
     int status = TTC_EXIT_DONE;
-    ttc_proof_report *report = make_report(model, kernels);
+    ttc_proof_report *report = make_report(model, options->kernels);
     if (report == NULL) {
         fprintf(stderr, "ttc: out of memory while proving %s, or its kernels cannot be made\n", model->file);
         return TTC_EXIT_IO;
     }
-    if (json) json_array_append_new(reports, report_json(report));
-    else print_text(report);
+    json_t *shown = options->json ? report_json(report) : NULL;
+    if (!options->json) print_text(report);
     complain(report);
-    if (report->refuted > 0) status = TTC_EXIT_REFUTED;
-    if (report->meaningless > 0) status = TTC_EXIT_BAD_TABLE;
+    if (options->challenge > 0) status = ttc_command_challenge(model, report, options, shown);
+    if (options->json) json_array_append_new(reports, shown);
+    if (report->refuted > 0) raise_status(&status, TTC_EXIT_REFUTED);
+    if (report->meaningless > 0) raise_status(&status, TTC_EXIT_BAD_TABLE);
     ttc_proof_report_destroy(report);
     return status;
 }
@@ -178,7 +181,7 @@ int ttc_command_prove(const ttc_options *options)
     for (size_t i = 0; i < options->file_count; i++) {
         ttc_model *model = ttc_command_read(options->files[i], &status);
         if (model == NULL) continue;
-        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options->kernels, options->json, reports));
+        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options, reports));
         ttc_model_destroy(model);
     }
     if (options->json) print_json(reports, options->file_count);
