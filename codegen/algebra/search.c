@@ -67,11 +67,11 @@ static void choose_param(fmpq_t out, const ttc_graph *graph, const ttc_symbol_en
     else if ((entry->sign == TTC_ANY_SIGN || entry->sign == TTC_NONZERO) && random >> 32 & 1) fmpq_neg(out, out);
 }
 
-static void choose(ttc_point *point, unsigned attempt)
+static void choose(ttc_witness *point, unsigned attempt)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
     for (slong v = 0; v < (slong)point->ring->variable_count; v++) {
-        if (!ttc_point_is_free(point, v)) continue;
+        if (!ttc_witness_is_free(point, v)) continue;
         size_t symbol = ttc_valuation_symbol(point->valuation, v);
         uint64_t random = mix(((uint64_t)attempt << 20) + (uint64_t)v);
         const ttc_symbol_entry *entry = symbol < model->symbol_count ? &model->symbols[symbol] : NULL;
@@ -83,19 +83,19 @@ static void choose(ttc_point *point, unsigned attempt)
         }
     }
     point->negative = (unsigned)(mix(attempt) >> 40) & (attempt == 0 ? 0 : ~0u);
-    ttc_point_changed(point);
+    ttc_witness_changed(point);
 }
 
-static bool try_numbers(ttc_point *point, const ttc_conditions *conditions, unsigned from, unsigned to)
+static bool try_numbers(ttc_witness *point, const ttc_conditions *conditions, unsigned from, unsigned to)
 {
     for (unsigned attempt = from; attempt < to; attempt++) {
         choose(point, attempt);
-        if (ttc_point_holds_all(point, conditions) == TTC_HOLDS) return true;
+        if (ttc_witness_meets_all(point, conditions) == TTC_HOLDS) return true;
     }
     return false;
 }
 
-ttc_search_result ttc_search_point(ttc_point *point, const ttc_conditions *conditions)
+ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *conditions)
 {
     if (conditions->contradictory) return TTC_POINT_IMPOSSIBLE;
     if (conditions->failed) return TTC_POINT_NOT_DECIDED;
@@ -103,7 +103,7 @@ ttc_search_result ttc_search_point(ttc_point *point, const ttc_conditions *condi
     choose(point, 0); /* what the conditions do not speak of keeps a plain value */
     ttc_solver_answer answer = ttc_solver_ask(point, conditions);
     if (answer == TTC_SOLVER_NO_POINT) return TTC_POINT_EXCLUDED;
-    if (answer == TTC_SOLVER_POINT && ttc_point_holds_all(point, conditions) == TTC_HOLDS) return TTC_POINT_FOUND;
+    if (answer == TTC_SOLVER_POINT && ttc_witness_meets_all(point, conditions) == TTC_HOLDS) return TTC_POINT_FOUND;
     if (try_numbers(point, conditions, EARLY_ATTEMPTS, LATE_ATTEMPTS)) return TTC_POINT_FOUND;
     return TTC_POINT_NOT_DECIDED;
 }

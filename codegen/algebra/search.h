@@ -2,7 +2,7 @@
 #ifndef TTC_SEARCH_H
 #define TTC_SEARCH_H
 
-#include "algebra/point.h"
+#include "algebra/witness.h"
 
 typedef enum {
     TTC_POINT_FOUND,       /* and checked, exactly or in balls */
@@ -15,6 +15,6 @@ typedef enum {
  *  same on every machine. point: initialized for the valuation of the conditions; meaningful when FOUND.
  *  Cosines and sines are to the solver any two numbers with c^2 + s^2 = 1: it may fail to exclude a point, and never excludes
  *  one that is there. */
-ttc_search_result ttc_search_point(ttc_point *point, const ttc_conditions *conditions);
+ttc_search_result ttc_search_point(ttc_witness *point, const ttc_conditions *conditions);
 
 #endif

@@ -14,7 +14,7 @@ typedef struct {
     Z3_sort real;
     Z3_ast *variables; /* by ring variable; NULL: not in use */
     size_t variable_count, terms;
-    ttc_point *point;
+    ttc_witness *point;
     bool too_large;
 } question;
 
@@ -205,12 +205,12 @@ static bool read_point(question *q)
         Z3_ast said = NULL;
         if (q->variables[v] == NULL) continue;
         ok = Z3_model_eval(q->z3, model, q->variables[v], true, &said) && read_value(q->z3, said, value);
-        if (ok && ttc_point_is_free(q->point, v)) fmpq_set(q->point->values + v, value);
+        if (ok && ttc_witness_is_free(q->point, v)) fmpq_set(q->point->values + v, value);
         if (ok) read_sign(q, v, value);
     }
     if (model != NULL) Z3_model_dec_ref(q->z3, model);
     fmpq_clear(value);
-    ttc_point_changed(q->point);
+    ttc_witness_changed(q->point);
     return ok;
 }
 
@@ -228,7 +228,7 @@ static ttc_solver_answer ask(question *q, const ttc_conditions *conditions)
     }
 }
 
-ttc_solver_answer ttc_solver_ask(ttc_point *point, const ttc_conditions *conditions)
+ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *conditions)
 {
     question q = { .point = point };
     q.variables = calloc(point->ring->variable_count + 1, sizeof(Z3_ast));

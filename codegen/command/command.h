@@ -10,7 +10,8 @@ typedef enum {
     TTC_EXIT_REFUTED = 1,   /* a claim is false */
     TTC_EXIT_USAGE = 2,
     TTC_EXIT_BAD_TABLE = 3,
-    TTC_EXIT_IO = 5
+    TTC_EXIT_IO = 5,
+    TTC_EXIT_INTERNAL = 70 /* a point contradicts a verdict */
 } ttc_exit_status;
 
 /* What the command line says. Options that a command does not list in the table are refused before it runs. */
@@ -21,6 +22,8 @@ typedef struct {
     bool mutate;
     bool kernels;
     bool verbose;
+    size_t challenge; /* points a claim; 0: none */
+    uint64_t seed;
     const char *out;    /* directory */
     const char *format; /* "text", "latex" or "dot" */
     const char *command_line; /* "ttc COMMAND OPTIONS..." without directories of files, for headers of what is written */

@@ -1,5 +1,6 @@
 /* ttc prove: every claim of the tables, proved or refuted exactly. */
 #include "command/command.h"
+#include "command/command_challenge.h"
 #include "command/command_guard.h"
 #include "prove/mutate.h"
 #include "readback/prove_kernels.h"
@@ -175,11 +176,13 @@ static int prove(const ttc_model *model, const ttc_options *options, json_t *rep
         fprintf(stderr, "ttc: out of memory while proving %s, or its kernels cannot be made\n", model->file);
         return TTC_EXIT_IO;
     }
-    if (options->json) json_array_append_new(reports, report_json(report));
-    else print_text(report, options->verbose);
+    json_t *shown = options->json ? report_json(report) : NULL;
+    if (!options->json) print_text(report, options->verbose);
     complain(report);
-    if (report->refuted > 0) status = TTC_EXIT_REFUTED;
-    if (report->unsettled > 0) status = TTC_EXIT_BAD_TABLE;
+    if (options->challenge > 0) status = ttc_command_challenge(model, report, options, shown);
+    if (options->json) json_array_append_new(reports, shown);
+    if (report->refuted > 0) raise_status(&status, TTC_EXIT_REFUTED);
+    if (report->unsettled > 0) raise_status(&status, TTC_EXIT_BAD_TABLE);
     ttc_proof_report_destroy(report);
     return status;
 }

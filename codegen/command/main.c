@@ -1,11 +1,14 @@
 /* ttc, the term-table compiler: command line and dispatch. */
+#include "challenge/challenge.h"
 #include "command/command.h"
 
 #include <argp.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k', OPTION_VERBOSE = 'v' };
+enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k',
+       OPTION_CHALLENGE = 'c', OPTION_SEED = 's', OPTION_VERBOSE = 'v' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
 #define END_OF_OPTIONS { NULL, 0, NULL, 0, NULL, 0 }
@@ -15,6 +18,8 @@ static const struct argp_option prove_options[] = {
     JSON_OPTION,
     { "kernels", OPTION_KERNELS, NULL, 0, "Prove as well that every kernel computes what the table says", 0 },
     { "verbose", OPTION_VERBOSE, NULL, 0, "Show with every verdict the point that backs it, and what a proof relies on", 0 },
+    { "challenge", OPTION_CHALLENGE, "N", 0, "Hold every verdict against N random points of the domain, in ball arithmetic", 0 },
+    { "seed", OPTION_SEED, "K", 0, "Other points for --challenge; 0 is the default", 0 },
     { "mutate", OPTION_MUTATE, NULL, 0, "Flip and drop every term in turn, and report whether some claim is then refuted", 0 },
     END_OF_OPTIONS
 };
@@ -58,7 +63,19 @@ enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 static const char exit_text[] =
     "\vExit status: 0 done; 1 a claim is refuted; 2 the command line is wrong; 3 a table is wrong; 5 a file cannot be "
-    "read or written.";
+    "read or written; 70 a point contradicts a verdict, which is an error of this program.";
+
+/* A whole number of the command line, in decimal. */
+static uint64_t parse_number(const char *text, uint64_t least, uint64_t most, struct argp_state *state)
+{
+    char *end = NULL;
+    errno = 0;
+    unsigned long long value = strtoull(text, &end, 10);
+    if (*text < '0' || *text > '9' || *end != '\0' || errno != 0 || value < least || value > most)
+        argp_error(state, "'%s' is no number (expected a whole one from %llu to %llu)", text, (unsigned long long)least,
+                   (unsigned long long)most);
+    return value;
+}
 
 static error_t parse_option(int key, char *argument, struct argp_state *state)
 {
@@ -75,6 +92,12 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case OPTION_MUTATE:
         options->mutate = true;
+        return 0;
+    case OPTION_CHALLENGE:
+        options->challenge = parse_number(argument, 1, TTC_CHALLENGE_POINT_LIMIT, state);
+        return 0;
+    case OPTION_SEED:
+        options->seed = parse_number(argument, 0, UINT64_MAX, state);
         return 0;
     case OPTION_OUT:
         options->out = argument;

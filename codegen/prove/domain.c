@@ -130,6 +130,7 @@ static bool symbol_counts(const ttc_model *model, const unsigned char *support, 
 
 static bool divisor_counts(const ttc_task *task, const ttc_divisor *d, const unsigned char *support, ttc_domain_extent extent)
 {
+    if (task->role == TTC_DIVIDES_VARIANT) return owner_counts(task, d);
     switch (d->role) {
     case TTC_DIVIDES_FIELD: return true;
     case TTC_DIVIDES_SYMBOL: return symbol_counts(task->model, support, d->owner);
@@ -219,6 +220,8 @@ static void add_root(ttc_task *task, ttc_conditions *c, uint32_t symbol, ttc_rat
 void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
 {
     const ttc_model *model = task->model;
+    /* A variant is a matter of parameters: whatever they are, those that it sets keep their signs. */
+    const bool parameters_alone = task->role == TTC_DIVIDES_VARIANT;
     unsigned char *support = ttc_domain_support(task);
     ttc_ratio value, end;
     if (support == NULL) {
@@ -229,7 +232,7 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
     ttc_ratio_init(task->ring, &end);
     for (uint32_t i = 0; i < model->symbol_count; i++) {
         const ttc_symbol_entry *entry = &model->symbols[i];
-        if (is_tested(task, i)) continue;
+        if (is_tested(task, i) || (parameters_alone && entry->kind != TTC_PARAM)) continue;
         if (entry->kind == TTC_STATE) add_state(task, c, entry, &value, &end);
         if (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN && ttc_valuation_is_bound(task->field, i)) {
             ttc_evaluate(task->field, &value, entry->node);
@@ -241,6 +244,7 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
             ttc_evaluate(task->field, &value, model->symbols[entry->partner].node);
     }
     for (size_t i = 0; i < model->region_count; i++) {
+        if (parameters_alone && depends_on_states(model, model->regions[i].expression)) continue;
         if (depends_on_tested(task, model->regions[i].expression)
             && (task->tested_root != 0 || !depends_on_states(model, model->regions[i].expression)))
             continue;

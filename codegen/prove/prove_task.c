@@ -79,18 +79,18 @@ static void add_new_roots(ttc_task *task)
 static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, bool negative, char **text)
 {
     ttc_search_result result = TTC_POINT_NOT_DECIDED;
-    ttc_point point;
+    ttc_witness point;
     if (text != NULL) *text = NULL;
     add_new_roots(task);
     size_t mark = ttc_conditions_mark(&task->domain);
     bool contradictory = task->domain.contradictory;
     if (ratio != NULL && negative) ttc_conditions_add_negative(&task->domain, ratio, relation);
     else if (ratio != NULL) ttc_conditions_add(&task->domain, ratio, relation);
-    if (ttc_point_init(&point, task->field)) {
+    if (ttc_witness_init(&point, task->field)) {
         result = ttc_search_point(&point, &task->domain);
-        if (result == TTC_POINT_FOUND && text != NULL) *text = ttc_point_text(&point);
+        if (result == TTC_POINT_FOUND && text != NULL) *text = ttc_witness_text(&point);
     }
-    ttc_point_clear(&point);
+    ttc_witness_clear(&point);
     ttc_conditions_rewind(&task->domain, mark, contradictory);
     if (result == TTC_POINT_EXCLUDED) task->relies_on_solver = true;
     return result;
@@ -217,7 +217,7 @@ bool ttc_task_is_zero_for_any_roots(ttc_task *task, ttc_id id)
 }
 
 /* The point's coordinates; a symbol that is bound stands for its expression. */
-static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_point *point)
+static bool set_ball(ttc_ball *ball, ttc_task *task, const ttc_witness *point)
 {
     bool ok = true;
     for (uint32_t i = 0; i < task->model->symbol_count && ok; i++) {
@@ -239,17 +239,17 @@ bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name)
     bool refuted = false, excludes_zero = false;
     if (!ttc_task_open(task) || root_count(task->model) < MANY_ROOTS || task->claim->modulo_count > 0 || id == TTC_NONE) return false;
     ttc_ball *ball = ttc_ball_create(task->model);
-    ttc_point point;
-    if (ttc_point_init(&point, task->field) && ball != NULL && ttc_search_point(&point, &task->domain) == TTC_POINT_FOUND
+    ttc_witness point;
+    if (ttc_witness_init(&point, task->field) && ball != NULL && ttc_search_point(&point, &task->domain) == TTC_POINT_FOUND
         && set_ball(ball, task, &point)) {
         char *value = ttc_ball_text(ball, id, DIGITS, &excludes_zero), *text = NULL;
         refuted = value != NULL && excludes_zero;
         if (refuted) text = malloc(strlen(name) + strlen(value) + 8);
         if (text != NULL) sprintf(text, "%s = %s", name, value);
-        if (refuted) settle(task, TTC_REFUTED, text, ttc_point_text(&point));
+        if (refuted) settle(task, TTC_REFUTED, text, ttc_witness_text(&point));
         free(value);
     }
-    ttc_point_clear(&point);
+    ttc_witness_clear(&point);
     ttc_ball_destroy(ball);
     return refuted;
 }

@@ -23,9 +23,11 @@ static void write_proofs(FILE *stream, const ttc_proof_report *r)
     fprintf(stream, "(a) Exact proofs over Q(parameters)(states, roots)\n\n");
     for (size_t i = 0; i < r->proof_count; i++) {
         const ttc_proof *p = &r->proofs[i];
-        fprintf(stream, "  %-8s %-11s %s\n", ttc_proof_status_name(p->status), p->kind, p->name);
+        fprintf(stream, "  %-11s %-11s %s\n", ttc_proof_status_name(p->status), p->kind, p->name);
         if (p->remainder != NULL)
-            fprintf(stream, "           %s:%u: %s\n", r->file, (unsigned)p->place.line, p->remainder);
+            fprintf(stream, "              %s:%u: %s\n", r->file, (unsigned)p->place.line, p->remainder);
+        if (p->status == TTC_REFUTED && p->point != NULL) fprintf(stream, "              false at %s\n", p->point);
+        if (p->note != NULL && !p->has_smooth_density) fprintf(stream, "              no smooth positive density: %s\n", p->note);
     }
     fprintf(stream, "\n  %zu of %zu proved\n", r->proved, r->proof_count);
 }
@@ -129,10 +131,11 @@ static json_t *proofs_json(const ttc_proof_report *r)
 
     for (size_t i = 0; i < r->proof_count; i++) {
         const ttc_proof *p = &r->proofs[i];
-        json_array_append_new(array, json_pack("{s:s,s:s,s:i,s:s,s:o}", "name", p->name, "kind", p->kind, "line",
-                                               (int)p->place.line, "status", ttc_proof_status_name(p->status),
-                                               p->status == TTC_PROVED ? "witness" : "remainder",
-                                               text_or_null(p->remainder)));
+        json_array_append_new(array, json_pack("{s:s,s:s,s:i,s:s,s:o,s:o,s:o,s:b}", "name", p->name, "kind", p->kind, "line",
+                                               (int)p->place.line, "status", ttc_proof_status_name(p->status), "remainder",
+                                               text_or_null(p->remainder), p->status == TTC_PROVED ? "witness" : "point",
+                                               text_or_null(p->point), "note", text_or_null(p->note), "relies_on_solver",
+                                               p->relies_on_solver ? 1 : 0));
     }
     return array;
 }

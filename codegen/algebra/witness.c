@@ -1,4 +1,4 @@
-#include "algebra/point.h"
+#include "algebra/witness.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 
 enum { FIRST_PRECISION = 128, LAST_PRECISION = 2048 };
 
-struct ttc_point_balls {
+struct ttc_witness_balls {
     slong precision;
     size_t count;
     arb_ptr ball;
@@ -16,11 +16,11 @@ struct ttc_point_balls {
 
 enum { UNKNOWN, BUSY, ENCLOSED, EXACT };
 
-bool ttc_point_init(ttc_point *point, ttc_valuation *valuation)
+bool ttc_witness_init(ttc_witness *point, ttc_valuation *valuation)
 {
-    *point = (ttc_point){ .valuation = valuation, .ring = ttc_valuation_ring(valuation) };
+    *point = (ttc_witness){ .valuation = valuation, .ring = ttc_valuation_ring(valuation) };
     size_t count = point->ring->variable_count;
-    struct ttc_point_balls *balls = calloc(1, sizeof *balls);
+    struct ttc_witness_balls *balls = calloc(1, sizeof *balls);
     point->values = calloc(count + 1, sizeof *point->values);
     point->balls = balls;
     if (balls == NULL || point->values == NULL) return false;
@@ -37,9 +37,9 @@ bool ttc_point_init(ttc_point *point, ttc_valuation *valuation)
     return true;
 }
 
-void ttc_point_clear(ttc_point *point)
+void ttc_witness_clear(ttc_witness *point)
 {
-    struct ttc_point_balls *balls = point->balls;
+    struct ttc_witness_balls *balls = point->balls;
     if (balls != NULL) {
         if (balls->count > 0) {
             _arb_vec_clear(balls->ball, (slong)balls->count);
@@ -53,19 +53,19 @@ void ttc_point_clear(ttc_point *point)
         free(balls);
     }
     free(point->values);
-    *point = (ttc_point){ .valuation = NULL };
+    *point = (ttc_witness){ .valuation = NULL };
 }
 
-void ttc_point_changed(ttc_point *point) { memset(point->balls->state, UNKNOWN, point->balls->count); }
+void ttc_witness_changed(ttc_witness *point) { memset(point->balls->state, UNKNOWN, point->balls->count); }
 
-static ttc_symbol_kind kind_of(const ttc_point *point, slong variable)
+static ttc_symbol_kind kind_of(const ttc_witness *point, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
     size_t symbol = ttc_valuation_symbol(point->valuation, variable);
     return symbol < model->symbol_count ? model->symbols[symbol].kind : TTC_STATE;
 }
 
-static size_t generator_index(const ttc_point *point, slong variable)
+static size_t generator_index(const ttc_witness *point, slong variable)
 {
     size_t i = 0;
     while (i < point->ring->generator_count && point->ring->generators[i].variable != variable) i++;
@@ -73,13 +73,13 @@ static size_t generator_index(const ttc_point *point, slong variable)
 }
 
 /* A cosine that a zero level has bound is given, and its angle follows from it. */
-static bool is_bound_angle(const ttc_point *point, uint32_t cosine)
+static bool is_bound_angle(const ttc_witness *point, uint32_t cosine)
 {
     return ttc_valuation_is_bound(point->valuation, cosine);
 }
 
 /* The variable is a function of what is given: of an angle, an exponent, an argument; or pi. */
-static bool is_function(const ttc_point *point, slong variable)
+static bool is_function(const ttc_witness *point, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
     size_t symbol = ttc_valuation_symbol(point->valuation, variable);
@@ -95,7 +95,7 @@ static bool is_function(const ttc_point *point, slong variable)
 }
 
 /* The cosine, bound by a zero level, of which the variable is the angle; 0 when there is none. */
-static uint32_t angle_of(const ttc_point *point, slong variable)
+static uint32_t angle_of(const ttc_witness *point, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
     size_t symbol = ttc_valuation_symbol(point->valuation, variable);
@@ -106,7 +106,7 @@ static uint32_t angle_of(const ttc_point *point, slong variable)
 }
 
 /* Bound cosines whose angle is no plain state: nothing can be said of a point then. */
-static bool has_obscure_angle(const ttc_point *point)
+static bool has_obscure_angle(const ttc_witness *point)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
     for (uint32_t i = 1; i < model->symbol_count; i++) {
@@ -118,15 +118,15 @@ static bool has_obscure_angle(const ttc_point *point)
     return false;
 }
 
-bool ttc_point_is_free(const ttc_point *point, slong variable)
+bool ttc_witness_is_free(const ttc_witness *point, slong variable)
 {
     return generator_index(point, variable) == point->ring->generator_count && !is_function(point, variable)
            && angle_of(point, variable) == 0;
 }
 
-static void enclose_variable(ttc_point *point, slong variable, slong precision);
+static void enclose_variable(ttc_witness *point, slong variable, slong precision);
 
-static void enclose_polynomial(arb_t out, ttc_point *point, const fmpz_mpoly_t polynomial, slong precision)
+static void enclose_polynomial(arb_t out, ttc_witness *point, const fmpz_mpoly_t polynomial, slong precision)
 {
     const fmpz_mpoly_ctx_struct *context = point->ring->context;
     arb_t term, factor;
@@ -153,7 +153,7 @@ static void enclose_polynomial(arb_t out, ttc_point *point, const fmpz_mpoly_t p
 }
 
 /* False: some variable is irrational. */
-static bool exact_polynomial(fmpq_t out, ttc_point *point, const fmpz_mpoly_t polynomial)
+static bool exact_polynomial(fmpq_t out, ttc_witness *point, const fmpz_mpoly_t polynomial)
 {
     const fmpz_mpoly_ctx_struct *context = point->ring->context;
     bool exact = true;
@@ -181,7 +181,7 @@ static bool exact_polynomial(fmpq_t out, ttc_point *point, const fmpz_mpoly_t po
     return exact;
 }
 
-static bool exact_ratio(fmpq_t out, ttc_point *point, const ttc_ratio *ratio)
+static bool exact_ratio(fmpq_t out, ttc_witness *point, const ttc_ratio *ratio)
 {
     fmpq_t bottom;
     fmpq_init(bottom);
@@ -192,11 +192,11 @@ static bool exact_ratio(fmpq_t out, ttc_point *point, const ttc_ratio *ratio)
     return exact;
 }
 
-void ttc_point_enclose(arb_t out, ttc_point *point, const ttc_ratio *ratio, slong precision)
+void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, slong precision)
 {
     arb_t bottom;
     if (point->balls->precision != precision) {
-        ttc_point_changed(point);
+        ttc_witness_changed(point);
         point->balls->precision = precision;
     }
     arb_init(bottom);
@@ -214,12 +214,12 @@ static bool exact_root(fmpq_t root, const fmpq_t square)
     return true;
 }
 
-static void enclose_root(ttc_point *point, slong variable, size_t index, slong precision)
+static void enclose_root(ttc_witness *point, slong variable, size_t index, slong precision)
 {
     const ttc_generator *generator = &point->ring->generators[index];
-    struct ttc_point_balls *balls = point->balls;
+    struct ttc_witness_balls *balls = point->balls;
     bool negative = !generator->positive && (point->negative >> index & 1);
-    ttc_point_enclose(balls->ball + variable, point, &generator->square, precision);
+    ttc_witness_enclose(balls->ball + variable, point, &generator->square, precision);
     if (exact_ratio(balls->exact + variable, point, &generator->square)
         && exact_root(balls->exact + variable, balls->exact + variable)) {
         if (negative) fmpq_neg(balls->exact + variable, balls->exact + variable);
@@ -232,10 +232,10 @@ static void enclose_root(ttc_point *point, slong variable, size_t index, slong p
     balls->state[variable] = ENCLOSED;
 }
 
-static void enclose_function(ttc_point *point, slong variable, ttc_symbol_kind kind, slong precision)
+static void enclose_function(ttc_witness *point, slong variable, ttc_symbol_kind kind, slong precision)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
-    struct ttc_point_balls *balls = point->balls;
+    struct ttc_witness_balls *balls = point->balls;
     ttc_ratio argument;
     if (kind == TTC_PI) {
         arb_const_pi(balls->ball + variable, precision);
@@ -244,7 +244,7 @@ static void enclose_function(ttc_point *point, slong variable, ttc_symbol_kind k
     }
     ttc_ratio_init(point->ring, &argument);
     ttc_evaluate(point->valuation, &argument, model->symbols[ttc_valuation_symbol(point->valuation, variable)].definition);
-    ttc_point_enclose(balls->ball + variable, point, &argument, precision);
+    ttc_witness_enclose(balls->ball + variable, point, &argument, precision);
     if (kind == TTC_COSINE) arb_cos(balls->ball + variable, balls->ball + variable, precision);
     else if (kind == TTC_EXP) arb_exp(balls->ball + variable, balls->ball + variable, precision);
     else if (kind == TTC_LOG) arb_log(balls->ball + variable, balls->ball + variable, precision);
@@ -254,27 +254,27 @@ static void enclose_function(ttc_point *point, slong variable, ttc_symbol_kind k
 }
 
 /* The angle between -pi and pi of a cosine and sine that are given. */
-static void enclose_angle(ttc_point *point, slong variable, uint32_t cosine, slong precision)
+static void enclose_angle(ttc_witness *point, slong variable, uint32_t cosine, slong precision)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
-    struct ttc_point_balls *balls = point->balls;
+    struct ttc_witness_balls *balls = point->balls;
     ttc_ratio value;
     arb_t c;
     ttc_ratio_init(point->ring, &value);
     arb_init(c);
     ttc_evaluate(point->valuation, &value, model->symbols[cosine].node);
-    ttc_point_enclose(c, point, &value, precision);
+    ttc_witness_enclose(c, point, &value, precision);
     ttc_evaluate(point->valuation, &value, model->symbols[model->symbols[cosine].partner].node);
-    ttc_point_enclose(balls->ball + variable, point, &value, precision);
+    ttc_witness_enclose(balls->ball + variable, point, &value, precision);
     arb_atan2(balls->ball + variable, balls->ball + variable, c, precision);
     balls->state[variable] = ENCLOSED;
     arb_clear(c);
     ttc_ratio_clear(point->ring, &value);
 }
 
-static void enclose_variable(ttc_point *point, slong variable, slong precision)
+static void enclose_variable(ttc_witness *point, slong variable, slong precision)
 {
-    struct ttc_point_balls *balls = point->balls;
+    struct ttc_witness_balls *balls = point->balls;
     if (balls->state[variable] == BUSY) arb_indeterminate(balls->ball + variable);
     if (balls->state[variable] != UNKNOWN) return;
     balls->state[variable] = BUSY;
@@ -304,7 +304,7 @@ static ttc_truth truth_of_sign(int sign, ttc_relation relation)
     return sign == 0 ? TTC_HOLDS : TTC_FAILS;
 }
 
-ttc_truth ttc_point_holds(ttc_point *point, const ttc_condition *condition)
+ttc_truth ttc_witness_meets(ttc_witness *point, const ttc_condition *condition)
 {
     ttc_truth truth = TTC_UNCLEAR;
     arb_t ball;
@@ -313,7 +313,7 @@ ttc_truth ttc_point_holds(ttc_point *point, const ttc_condition *condition)
     fmpq_init(value);
     for (slong precision = FIRST_PRECISION; truth == TTC_UNCLEAR && precision <= LAST_PRECISION; precision *= 4) {
         if (point->balls->precision != precision) {
-            ttc_point_changed(point);
+            ttc_witness_changed(point);
             point->balls->precision = precision;
         }
         enclose_polynomial(ball, point, condition->polynomial, precision);
@@ -328,7 +328,7 @@ ttc_truth ttc_point_holds(ttc_point *point, const ttc_condition *condition)
 }
 
 /* Roots must be real, whether or not a condition speaks of them. */
-static ttc_truth roots_are_real(ttc_point *point)
+static ttc_truth roots_are_real(ttc_witness *point)
 {
     ttc_truth truth = TTC_HOLDS;
     ttc_conditions c;
@@ -339,26 +339,26 @@ static ttc_truth roots_are_real(ttc_point *point)
         ttc_conditions_add(&c, &generator->square, generator->positive ? TTC_IS_POSITIVE : TTC_IS_NONNEGATIVE);
     }
     if (c.contradictory) truth = TTC_FAILS;
-    for (size_t i = 0; truth == TTC_HOLDS && i < c.count; i++) truth = ttc_point_holds(point, &c.items[i]);
+    for (size_t i = 0; truth == TTC_HOLDS && i < c.count; i++) truth = ttc_witness_meets(point, &c.items[i]);
     if (c.failed) truth = TTC_UNCLEAR;
     ttc_conditions_clear(&c);
     return truth;
 }
 
-ttc_truth ttc_point_holds_all(ttc_point *point, const ttc_conditions *conditions)
+ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions)
 {
     if (conditions->contradictory) return TTC_FAILS;
     if (has_obscure_angle(point)) return TTC_UNCLEAR;
     ttc_truth truth = roots_are_real(point);
     for (size_t i = 0; truth != TTC_FAILS && i < conditions->count; i++) {
-        ttc_truth one = ttc_point_holds(point, &conditions->items[i]);
+        ttc_truth one = ttc_witness_meets(point, &conditions->items[i]);
         if (one != TTC_HOLDS) truth = one;
     }
     return truth;
 }
 
 /* The polynomial with the point's rational values put in, what is irrational left as a name. */
-static char *partial_text(ttc_point *point, const fmpz_mpoly_t polynomial, unsigned char *roots)
+static char *partial_text(ttc_witness *point, const fmpz_mpoly_t polynomial, unsigned char *roots)
 {
     const fmpz_mpoly_ctx_struct *context = point->ring->context;
     char *text = NULL;
@@ -400,13 +400,13 @@ static char *partial_text(ttc_point *point, const fmpz_mpoly_t polynomial, unsig
     return fclose(stream) == 0 ? text : NULL;
 }
 
-static void write_ratio(FILE *stream, ttc_point *point, const ttc_ratio *ratio, unsigned char *roots)
+static void write_ratio(FILE *stream, ttc_witness *point, const ttc_ratio *ratio, unsigned char *roots)
 {
     fmpq_t value;
     arb_t ball;
     fmpq_init(value);
     arb_init(ball);
-    ttc_point_enclose(ball, point, ratio, FIRST_PRECISION);
+    ttc_witness_enclose(ball, point, ratio, FIRST_PRECISION);
     if (exact_ratio(value, point, ratio)) {
         char *digits = fmpq_get_str(NULL, 10, value);
         fputs(digits, stream);
@@ -422,7 +422,7 @@ static void write_ratio(FILE *stream, ttc_point *point, const ttc_ratio *ratio, 
     fmpq_clear(value);
 }
 
-static void write_roots(FILE *stream, ttc_point *point, unsigned char *roots)
+static void write_roots(FILE *stream, ttc_witness *point, unsigned char *roots)
 {
     bool again = true;
     unsigned char *written = calloc(point->ring->variable_count, 1);
@@ -442,7 +442,7 @@ static void write_roots(FILE *stream, ttc_point *point, unsigned char *roots)
     free(written);
 }
 
-char *ttc_point_text(ttc_point *point)
+char *ttc_witness_text(ttc_witness *point)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
     char *text = NULL;

@@ -2,8 +2,8 @@
  *
  *  Roots, cosines and sines follow from the free variables. What is said of a point is certain: it is decided exactly, in
  *  rational numbers, where all that enters is rational, and else by balls that exclude zero. */
-#ifndef TTC_POINT_H
-#define TTC_POINT_H
+#ifndef TTC_WITNESS_H
+#define TTC_WITNESS_H
 
 #include "algebra/conditions.h"
 
@@ -18,29 +18,29 @@ typedef struct {
     ttc_ring *ring;
     fmpq *values;      /* by variable; of free variables only */
     unsigned negative; /* bit i: generator i, which may have either sign, is negative */
-    struct ttc_point_balls *balls; /* values of all variables at the precision in use */
-} ttc_point;
+    struct ttc_witness_balls *balls; /* values of all variables at the precision in use */
+} ttc_witness;
 
 typedef enum { TTC_HOLDS, TTC_FAILS, TTC_UNCLEAR } ttc_truth;
 
-bool ttc_point_init(ttc_point *point, ttc_valuation *valuation); /* false: memory is out; clear it all the same */
-void ttc_point_clear(ttc_point *point);
+bool ttc_witness_init(ttc_witness *point, ttc_valuation *valuation); /* false: memory is out; clear it all the same */
+void ttc_witness_clear(ttc_witness *point);
 
 /* A variable that the point gives a value: no root, no function of others. */
-bool ttc_point_is_free(const ttc_point *point, slong variable);
+bool ttc_witness_is_free(const ttc_witness *point, slong variable);
 
 /* After values or signs were changed. */
-void ttc_point_changed(ttc_point *point);
+void ttc_witness_changed(ttc_witness *point);
 
-ttc_truth ttc_point_holds(ttc_point *point, const ttc_condition *condition);
+ttc_truth ttc_witness_meets(ttc_witness *point, const ttc_condition *condition);
 /* FAILS where one does, HOLDS where all do. */
-ttc_truth ttc_point_holds_all(ttc_point *point, const ttc_conditions *conditions);
+ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *conditions);
 
 /* Enclose a ratio; not finite where its denominator may be zero. */
-void ttc_point_enclose(arb_t out, ttc_point *point, const ttc_ratio *ratio, slong precision);
+void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, slong precision);
 
 /** The point as "NAME = VALUE, ..." over parameters, levels and states, for free(): rational numbers as they are, others as
  *  expressions in roots, which follow as "root1 = sqrt(2)". NULL when memory is out. */
-char *ttc_point_text(ttc_point *point);
+char *ttc_witness_text(ttc_witness *point);
 
 #endif

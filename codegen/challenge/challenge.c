@@ -1,0 +1,184 @@
+#include "challenge/challenge.h"
+
+#include "challenge/subject.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DRAWS_A_POINT = 12, WIDE_DRAWS = 6, DRAWS_BEFORE_GIVING_UP = 120, POINTS_THAT_TELL = 16, DIGITS = 18 };
+
+static const long precisions[] = { 192, 768, 3072 };
+
+/* What was seen of one claim. */
+typedef struct {
+    ttc_subject subject;
+    ttc_point point;
+    ttc_check check;
+    size_t held, violated;
+    bool wants_witness, has_witness;
+} trial;
+
+/* Every parameter and state of the probe, as "NAME = VALUE, ..." */
+static char *point_text(const trial *t, const char *what)
+{
+    const ttc_model *model = t->check.model;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    if (stream == NULL) return NULL;
+    fprintf(stream, "%s at", what);
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        ttc_symbol_kind kind = model->symbols[i].kind;
+        if ((kind != TTC_PARAM && kind != TTC_STATE) || !ttc_probe_is_set(t->check.probe, i)) continue;
+        char *value = arb_get_str(ttc_probe_value(t->check.probe, i), DIGITS, 0);
+        fprintf(stream, " %s = %s", model->symbols[i].name, value);
+        flint_free(value);
+    }
+    if (fclose(stream) == 0) return text;
+    free(text);
+    return NULL;
+}
+
+/* One drawn point, with more and more bits until it tells. UNDEFINED: it is no point of the domain, or has no value. */
+static ttc_check_outcome try_point(trial *t)
+{
+    char fault[256];
+    for (size_t i = 0; i < sizeof precisions / sizeof *precisions; i++) {
+        ttc_place_in_domain place = ttc_point_place(t->check.probe, &t->point, &t->subject.situation, precisions[i], fault, sizeof fault);
+        t->check.outcome = TTC_HOLDS;
+        t->check.what[0] = '\0';
+        if (fault[0] != '\0') ttc_check_violate(&t->check, "the family leaves the domain:", fault);
+        else if (place == TTC_OUTSIDE) return TTC_UNDEFINED;
+        else if (place == TTC_UNCLEAR) continue;
+        else t->subject.checker(&t->check);
+        if (t->check.outcome == TTC_HOLDS || t->check.outcome == TTC_VIOLATED) return t->check.outcome;
+    }
+    return TTC_UNDEFINED;
+}
+
+/* Points until `count` have told something, or too many draws have not. */
+static void run(trial *t, size_t count, ttc_challenge_result *result)
+{
+    size_t barren = 0;
+    while (result->tried + result->skipped < count) {
+        ttc_check_outcome outcome = TTC_UNDEFINED;
+        for (int draw = 0; draw < DRAWS_A_POINT && outcome == TTC_UNDEFINED && barren < DRAWS_BEFORE_GIVING_UP; draw++) {
+            ttc_sample_range range = draw < WIDE_DRAWS ? TTC_SAMPLE_WIDE : TTC_SAMPLE_MODERATE;
+            if (!ttc_point_draw(&t->point, &t->subject.situation, &t->check.random, range)) {
+                barren = DRAWS_BEFORE_GIVING_UP;
+                break;
+            }
+            outcome = try_point(t);
+            barren = outcome == TTC_UNDEFINED ? barren + 1 : 0;
+        }
+        if (outcome == TTC_UNDEFINED) {
+            result->skipped++;
+            if (barren < DRAWS_BEFORE_GIVING_UP) continue;
+            result->skipped = count - result->tried;
+            break;
+        }
+        result->tried++;
+        t->held += outcome == TTC_HOLDS;
+        t->violated += outcome == TTC_VIOLATED;
+        t->wants_witness = t->wants_witness || t->check.wants_witness;
+        if (outcome == TTC_HOLDS) t->has_witness = t->has_witness || t->check.has_witness;
+        if (outcome == TTC_VIOLATED && result->status == TTC_PROVED) break;
+    }
+}
+
+static void contradict(trial *t, ttc_challenge_result *result, const char *what)
+{
+    result->contradicted = true;
+    result->text = point_text(t, what);
+}
+
+static void judge(trial *t, ttc_challenge_result *result)
+{
+    const bool many = result->tried >= POINTS_THAT_TELL;
+    if (result->status == TTC_PROVED) {
+        if (t->violated > 0) contradict(t, result, t->check.what);
+        else if (many && t->wants_witness && !t->has_witness) contradict(t, result, "proved, though it says nothing: all is zero, as");
+    } else if (result->status == TTC_REFUTED && t->violated == 0) {
+        if (t->subject.refuted_by_witness) {
+            if (t->has_witness) contradict(t, result, "refuted, though the trace is not zero, as");
+        } else if (many && t->subject.fails_on_open_set) {
+            contradict(t, result, "refuted, though it holds at every point that was tried, as");
+        } else {
+            result->doubtful = many;
+        }
+    }
+}
+
+/* False when memory is out. */
+static bool challenge_one(const ttc_model *model, ttc_resolver resolver, void *context, size_t points, uint64_t seed,
+                          ttc_challenge_result *result)
+{
+    trial t = { .check = { .model = model } };
+    ttc_diagnostics *diagnostics = NULL;
+    ttc_model *target = NULL;
+    bool ok = false;
+    if (!ttc_subject_find(&t.subject, model, result->kind, result->name, result->place)) return true;
+    t.check.claim = t.subject.claim;
+    t.check.index = t.subject.index;
+    t.check.random.state = seed;
+    t.check.probe = ttc_probe_create(model);
+    if (t.check.probe == NULL || !ttc_point_init(&t.point, &t.subject.situation)) goto done;
+    if (t.subject.claim != NULL && t.subject.claim->kind == TTC_CLAIM_REDUCTION && resolver != NULL) {
+        diagnostics = ttc_diagnostics_create();
+        if (diagnostics == NULL) goto done;
+        target = resolver(context, model, t.subject.claim->target, diagnostics);
+        t.check.target = target;
+        t.check.target_probe = target != NULL ? ttc_probe_create(target) : NULL;
+        if (target != NULL && t.check.target_probe == NULL) goto done;
+    }
+    run(&t, points, result);
+    judge(&t, result);
+    ok = true;
+done:
+    ttc_probe_destroy(t.check.target_probe);
+    ttc_model_destroy(target);
+    ttc_diagnostics_destroy(diagnostics);
+    ttc_point_clear(&t.point);
+    ttc_probe_destroy(t.check.probe);
+    return ok;
+}
+
+bool ttc_challenge(const ttc_model *model, const ttc_proof_report *proofs, ttc_resolver resolver, void *context, size_t points,
+                   uint64_t seed, ttc_challenge_report **report)
+{
+    *report = NULL;
+    ttc_challenge_report *made = calloc(1, sizeof *made);
+    if (made == NULL) return false;
+    made->results = calloc(proofs->proof_count + 1, sizeof *made->results);
+    for (size_t i = 0; made->results != NULL && i < proofs->proof_count; i++) {
+        const ttc_proof *proof = &proofs->proofs[i];
+        ttc_challenge_result *result = &made->results[made->count];
+        *result = (ttc_challenge_result){ .kind = proof->kind, .name = proof->name, .place = proof->place, .status = proof->status };
+        if (proof->status != TTC_PROVED && proof->status != TTC_REFUTED) continue;
+        if (!challenge_one(model, resolver, context, points, seed + UINT64_C(0x100000001b3) * (i + 1), result)) {
+            ttc_challenge_report_destroy(made);
+            return false;
+        }
+        if (result->tried + result->skipped == 0) continue;
+        made->count++;
+        made->tried += result->tried;
+        made->skipped += result->skipped;
+        made->contradictions += result->contradicted;
+        made->doubts += result->doubtful;
+    }
+    if (made->results == NULL) {
+        free(made);
+        return false;
+    }
+    *report = made;
+    return true;
+}
+
+void ttc_challenge_report_destroy(ttc_challenge_report *report)
+{
+    if (report == NULL) return;
+    for (size_t i = 0; i < report->count; i++) free(report->results[i].text);
+    free(report->results);
+    free(report);
+}

@@ -1,0 +1,66 @@
+/** What a claim says at one point, as balls: those that must hold zero, those that must be positive, and those of which one
+ *  must differ from zero at some point. */
+#ifndef TTC_CHECK_H
+#define TTC_CHECK_H
+
+#include "challenge/point.h"
+#include "prove/prove.h"
+
+typedef enum {
+    TTC_HOLDS,     /* each ball is zero to within 2^-64 of its terms, or positive */
+    TTC_VIOLATED,  /* a ball excludes what it must be */
+    TTC_NOT_TOLD,  /* more bits may tell */
+    TTC_UNDEFINED  /* something has no value here */
+} ttc_check_outcome;
+
+typedef struct {
+    const ttc_model *model, *target; /* target: of a reduction */
+    const ttc_claim *claim;          /* NULL for derived ones */
+    uint32_t index;                  /* of what a derived one is about */
+    ttc_probe *probe, *target_probe;
+    ttc_random random;               /* for lambda */
+    ttc_check_outcome outcome;
+    bool wants_witness, has_witness;
+    char what[512];                  /* the first violation */
+} ttc_check;
+
+typedef void (*ttc_checker)(ttc_check *check);
+
+void ttc_check_zero(ttc_check *check, const arb_t value, const char *what, const char *name);
+void ttc_check_positive(ttc_check *check, const arb_t value, const char *what, const char *name);
+
+/* One ball, at some point, must exclude zero. */
+void ttc_check_witness(ttc_check *check, const arb_t value);
+
+void ttc_check_undefined(ttc_check *check);
+void ttc_check_violate(ttc_check *check, const char *what, const char *name);
+
+/* The value and derivatives of an expression, NULL after ttc_check_undefined. */
+arb_srcptr ttc_check_at(ttc_check *check, ttc_id id);
+
+/* d(expression)/dt = gradient . f; false after ttc_check_undefined. */
+bool ttc_check_rate(ttc_check *check, arb_t out, ttc_id id);
+
+/* The Jacobian of the field, shape (n, n); false after ttc_check_undefined. */
+bool ttc_check_jacobian(ttc_check *check, arb_ptr out);
+
+void ttc_check_integral(ttc_check *check);
+void ttc_check_invariant(ttc_check *check);
+void ttc_check_rate_claim(ttc_check *check);
+void ttc_check_measure(ttc_check *check);
+void ttc_check_reversor(ttc_check *check);
+void ttc_check_equal(ttc_check *check);
+void ttc_check_positive_claim(ttc_check *check);
+void ttc_check_equilibria(ttc_check *check);
+void ttc_check_trace(ttc_check *check);
+void ttc_check_charpoly(ttc_check *check);
+void ttc_check_matrix(ttc_check *check);
+void ttc_check_left_null(ttc_check *check);
+void ttc_check_obstructs(ttc_check *check);
+void ttc_check_reduction(ttc_check *check);
+void ttc_check_root(ttc_check *check);
+void ttc_check_variant(ttc_check *check);
+void ttc_check_time(ttc_check *check);
+void ttc_check_elimination(ttc_check *check);
+
+#endif

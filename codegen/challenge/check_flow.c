@@ -1,0 +1,139 @@
+/* Claims about the flow, at one point. */
+#include "challenge/check.h"
+
+static void require_rate_zero(ttc_check *check, ttc_id id)
+{
+    arb_t rate;
+    arb_init(rate);
+    if (ttc_check_rate(check, rate, id)) ttc_check_zero(check, rate, "d/dt of", check->claim->name);
+    arb_clear(rate);
+}
+
+/* The set that conditions on states make is kept: each set state moves as what it is set to. */
+static void require_set_kept(ttc_check *check)
+{
+    const ttc_bindings *when = &check->claim->when;
+    arb_t left, right;
+    arb_init(left);
+    arb_init(right);
+    for (size_t i = 0; i < when->count; i++) {
+        const ttc_symbol_entry *entry = &check->model->symbols[when->items[i].symbol];
+        if (entry->kind != TTC_STATE) continue;
+        if (!ttc_check_rate(check, left, entry->node) || !ttc_check_rate(check, right, when->items[i].expression)) break;
+        arb_sub(left, left, right, ttc_probe_precision(check->probe));
+        ttc_check_zero(check, left, "the condition is not kept by the flow:", entry->name);
+    }
+    arb_clear(right);
+    arb_clear(left);
+}
+
+static bool has_conditions_on_states(const ttc_check *check)
+{
+    const ttc_claim *claim = check->claim;
+    for (size_t i = 0; i < claim->when.count; i++)
+        if (check->model->symbols[claim->when.items[i].symbol].kind == TTC_STATE) return true;
+    return claim->modulo_count > 0;
+}
+
+/* An integral varies with the states; on a smaller set of states this is not looked at. */
+void ttc_check_integral(ttc_check *check)
+{
+    require_rate_zero(check, check->claim->expression);
+    require_set_kept(check);
+    if (has_conditions_on_states(check)) return;
+    arb_srcptr jet = ttc_check_at(check, check->claim->expression);
+    for (size_t k = 0; jet != NULL && k < check->model->state_count; k++) ttc_check_witness(check, jet + 1 + k);
+}
+
+/* At points of its own zero level, which the point was solved for. */
+void ttc_check_invariant(ttc_check *check) { require_rate_zero(check, check->claim->expression); }
+
+void ttc_check_rate_claim(ttc_check *check)
+{
+    arb_t rate;
+    arb_init(rate);
+    arb_srcptr claimed = ttc_check_at(check, check->claim->other);
+    if (claimed != NULL && ttc_check_rate(check, rate, check->claim->expression)) {
+        arb_sub(rate, rate, claimed, ttc_probe_precision(check->probe));
+        ttc_check_zero(check, rate, "rate - right side of", check->claim->name);
+    }
+    arb_clear(rate);
+}
+
+/* div(rho f) = grad(rho) . f + rho tr(Df) */
+void ttc_check_measure(ttc_check *check)
+{
+    arb_t divergence;
+    arb_init(divergence);
+    arb_srcptr density = ttc_check_at(check, check->claim->expression);
+    if (density != NULL && ttc_check_rate(check, divergence, check->claim->expression)) {
+        for (size_t k = 0; k < check->model->state_count; k++) {
+            arb_srcptr speed = ttc_check_at(check, ttc_model_field(check->model, k));
+            if (speed != NULL) arb_addmul(divergence, density, speed + 1 + k, ttc_probe_precision(check->probe));
+        }
+        ttc_check_zero(check, divergence, "div(rho f) of", check->claim->name);
+        ttc_check_witness(check, density);
+    }
+    arb_clear(divergence);
+}
+
+void ttc_check_equal(ttc_check *check)
+{
+    arb_t difference;
+    arb_init(difference);
+    arb_srcptr left = ttc_check_at(check, check->claim->expression), right = ttc_check_at(check, check->claim->other);
+    if (left != NULL && right != NULL) {
+        arb_sub(difference, left, right, ttc_probe_precision(check->probe));
+        ttc_check_zero(check, difference, "left - right of", check->claim->name);
+    }
+    arb_clear(difference);
+}
+
+void ttc_check_positive_claim(ttc_check *check)
+{
+    arb_srcptr value = ttc_check_at(check, check->claim->expression);
+    if (value != NULL) ttc_check_positive(check, value, "not positive:", check->claim->name);
+}
+
+/* Move the probe to the image of its point: states as the claim maps them, the rest as it is. */
+static bool move_to_image(ttc_check *check)
+{
+    const ttc_bindings *map = &check->claim->bindings;
+    arb_ptr images = _arb_vec_init((long)map->count);
+    bool good = true;
+    for (size_t i = 0; good && i < map->count; i++) {
+        arb_srcptr image = ttc_check_at(check, map->items[i].expression);
+        good = image != NULL;
+        if (good) arb_set(images + i, image);
+    }
+    for (size_t i = 0; good && i < map->count; i++) ttc_probe_set(check->probe, map->items[i].symbol, images + i);
+    _arb_vec_clear(images, (long)map->count);
+    return good;
+}
+
+/* The image lies in the domain, and f(S x) + S f(x) = 0, S being linear. */
+void ttc_check_reversor(ttc_check *check)
+{
+    const ttc_model *model = check->model;
+    const size_t n = model->state_count;
+    char fault[256];
+    arb_ptr mapped = _arb_vec_init((long)n);
+    bool good = true;
+    for (size_t i = 0; good && i < n; i++) {
+        ttc_id image = model->symbols[model->states[i]].node;
+        for (size_t k = 0; k < check->claim->bindings.count; k++)
+            if (check->claim->bindings.items[k].symbol == model->states[i]) image = check->claim->bindings.items[k].expression;
+        good = ttc_check_rate(check, mapped + i, image);
+    }
+    good = good && move_to_image(check);
+    if (good && ttc_domain_locate(check->probe, model, NULL, UINT32_MAX, fault, sizeof fault) == TTC_OUTSIDE)
+        ttc_check_violate(check, "the image of the point leaves the domain:", fault);
+    for (size_t i = 0; good && check->outcome != TTC_VIOLATED && i < n; i++) {
+        arb_srcptr speed = ttc_check_at(check, ttc_model_field(model, i));
+        good = speed != NULL;
+        if (!good) break;
+        arb_add(mapped + i, mapped + i, speed, ttc_probe_precision(check->probe));
+        ttc_check_zero(check, mapped + i, "f(Sx) + S f(x) in", model->symbols[model->states[i]].name);
+    }
+    _arb_vec_clear(mapped, (long)n);
+}

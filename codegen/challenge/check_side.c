@@ -1,0 +1,97 @@
+/* What is derived from records that are no claims, at one point: roots, variants, times, eliminations. */
+#include "challenge/check.h"
+
+#include <stdlib.h>
+
+void ttc_check_root(ttc_check *check)
+{
+    const ttc_symbol_entry *root = &check->model->symbols[check->index];
+    arb_srcptr radicand = ttc_check_at(check, root->definition);
+    if (radicand != NULL) ttc_check_positive(check, radicand, "the radicand of", root->name);
+}
+
+static bool depends_on_parameters_alone(const ttc_model *model, ttc_id id)
+{
+    unsigned char *support = ttc_model_support(model, &id, 1);
+    bool alone = support != NULL;
+    for (size_t i = 0; alone && i < model->state_count; i++) alone = !support[model->states[i]];
+    free(support);
+    return alone;
+}
+
+/* Records `domain` and radicands that speak of parameters alone; what speaks of states narrows the variant's domain. */
+static void check_conditions_on_parameters(ttc_check *check)
+{
+    const ttc_model *model = check->model;
+    for (size_t i = 0; i < model->region_count; i++) {
+        if (!depends_on_parameters_alone(model, model->regions[i].expression)) continue;
+        arb_srcptr value = ttc_check_at(check, model->regions[i].expression);
+        if (value != NULL) ttc_check_positive(check, value, "not positive in the variant:", model->regions[i].name);
+    }
+    for (size_t i = 0; i < model->symbol_count; i++) {
+        const ttc_symbol_entry *entry = &model->symbols[i];
+        if (entry->kind != TTC_ROOT || !depends_on_parameters_alone(model, entry->definition)) continue;
+        arb_srcptr value = ttc_check_at(check, entry->definition);
+        if (value != NULL) ttc_check_positive(check, value, "not positive in the variant: the radicand of", entry->name);
+    }
+}
+
+/* The variant's parameters, with the others as they are, have their signs. */
+void ttc_check_variant(ttc_check *check)
+{
+    const ttc_bindings *map = &check->model->variants[check->index].bindings;
+    arb_ptr images = _arb_vec_init((long)map->count);
+    bool good = true;
+    for (size_t i = 0; good && i < map->count; i++) {
+        arb_srcptr image = ttc_check_at(check, map->items[i].expression);
+        good = image != NULL;
+        if (good) arb_set(images + i, image);
+    }
+    for (size_t i = 0; good && i < map->count; i++) {
+        const ttc_symbol_entry *entry = &check->model->symbols[map->items[i].symbol];
+        if (entry->sign == TTC_POSITIVE) ttc_check_positive(check, images + i, "not positive in the variant:", entry->name);
+        if (entry->sign == TTC_NONNEGATIVE && arb_is_negative(images + i))
+            ttc_check_violate(check, "negative in the variant:", entry->name);
+        if (entry->sign == TTC_NONZERO && arb_is_zero(images + i))
+            ttc_check_violate(check, "zero in the variant:", entry->name);
+        ttc_probe_set(check->probe, map->items[i].symbol, images + i);
+    }
+    if (good) check_conditions_on_parameters(check);
+    _arb_vec_clear(images, (long)map->count);
+}
+
+void ttc_check_time(ttc_check *check)
+{
+    const ttc_time *time = &check->model->times[check->index];
+    arb_srcptr factor = ttc_check_at(check, time->factor);
+    if (factor != NULL) ttc_check_positive(check, factor, "dt/dtau of", time->name);
+}
+
+/* With the level at the integral's value, the solution is the state, and moves as the state does. */
+void ttc_check_elimination(ttc_check *check)
+{
+    const ttc_elimination *elimination = &check->model->eliminations[check->index];
+    const ttc_symbol_entry *state = &check->model->symbols[elimination->state];
+    const long precision = ttc_probe_precision(check->probe);
+    arb_t level, rate, speed;
+    arb_init(level);
+    arb_init(rate);
+    arb_init(speed);
+    arb_srcptr integral = ttc_check_at(check, check->model->claims[elimination->integral].expression);
+    if (integral != NULL) {
+        arb_set(level, integral);
+        ttc_probe_set(check->probe, elimination->level, level);
+        arb_srcptr solution = ttc_check_at(check, elimination->solution);
+        if (solution != NULL) {
+            arb_sub(level, solution, ttc_probe_value(check->probe, elimination->state), precision);
+            ttc_check_zero(check, level, "solution - state", state->name);
+        }
+        if (ttc_check_rate(check, rate, elimination->solution) && ttc_check_rate(check, speed, state->node)) {
+            arb_sub(rate, rate, speed, precision);
+            ttc_check_zero(check, rate, "rate of the solution - rate of", state->name);
+        }
+    }
+    arb_clear(speed);
+    arb_clear(rate);
+    arb_clear(level);
+}

@@ -1,0 +1,100 @@
+/* Where a point lies in the domain of a model: every quantity that must be positive there, one after another. */
+#include "challenge/point.h"
+
+#include <stdio.h>
+
+typedef struct {
+    ttc_probe *probe;
+    const ttc_model *model;
+    const ttc_bindings *family;
+    bool outside, unclear, innocent_outside;
+    char *fault;
+    size_t fault_size;
+} search;
+
+/* +1, -1 (not positive), 0 (not known) */
+static int sign_of(const arb_t value)
+{
+    if (arb_is_positive(value)) return 1;
+    return arb_is_nonpositive(value) ? -1 : 0;
+}
+
+static bool is_blamed(const search *s, ttc_id id, uint32_t symbol)
+{
+    if (s->family == NULL) return true;
+    for (size_t i = 0; i < s->family->count; i++)
+        if (s->family->items[i].symbol == symbol || (id != TTC_NONE && ttc_model_depends(s->model, id, s->family->items[i].symbol)))
+            return true;
+    return false;
+}
+
+/* symbol: the state or parameter that the quantity speaks of, or UINT32_MAX; id: an expression that it is, or TTC_NONE */
+static void take(search *s, int sign, ttc_id id, uint32_t symbol, const char *what, const char *name)
+{
+    if (sign > 0) return;
+    if (sign == 0) {
+        s->unclear = true;
+        return;
+    }
+    s->outside = true;
+    if (!is_blamed(s, id, symbol)) s->innocent_outside = true;
+    else if (s->fault[0] == '\0') snprintf(s->fault, s->fault_size, "%s %s", what, name);
+}
+
+static int sign_of_expression(search *s, ttc_id id)
+{
+    arb_srcptr value = ttc_probe_at(s->probe, id);
+    return value == NULL ? 0 : sign_of(value);
+}
+
+static void check_parameter(search *s, uint32_t symbol)
+{
+    const ttc_symbol_entry *entry = &s->model->symbols[symbol];
+    arb_srcptr value = ttc_probe_value(s->probe, symbol);
+    int sign = 1;
+    if (!ttc_probe_is_set(s->probe, symbol)) sign = entry->sign == TTC_ANY_SIGN ? 1 : 0;
+    else if (entry->sign == TTC_POSITIVE) sign = sign_of(value);
+    else if (entry->sign == TTC_NONNEGATIVE) sign = arb_is_nonnegative(value) ? 1 : arb_is_negative(value) ? -1 : 0;
+    else if (entry->sign == TTC_NONZERO) sign = !arb_contains_zero(value) ? 1 : arb_is_zero(value) ? -1 : 0;
+    take(s, sign, TTC_NONE, symbol, "the sign of", entry->name);
+}
+
+static void check_end(search *s, uint32_t symbol, ttc_id end, bool low)
+{
+    arb_t distance;
+    if (end == TTC_NONE) return;
+    arb_srcptr at = ttc_probe_at(s->probe, end);
+    int sign = 0;
+    arb_init(distance);
+    if (at != NULL && ttc_probe_is_set(s->probe, symbol)) {
+        arb_sub(distance, ttc_probe_value(s->probe, symbol), at, ttc_probe_precision(s->probe));
+        if (!low) arb_neg(distance, distance);
+        sign = sign_of(distance);
+    }
+    arb_clear(distance);
+    take(s, sign, end, symbol, "the interval of", s->model->symbols[symbol].name);
+}
+
+ttc_place_in_domain ttc_domain_locate(ttc_probe *probe, const ttc_model *model, const ttc_bindings *family, uint32_t except,
+                                      char *fault, size_t fault_size)
+{
+    search s = { .probe = probe, .model = model, .family = family, .fault = fault, .fault_size = fault_size };
+    fault[0] = '\0';
+    for (size_t i = 0; i < model->param_count; i++) check_parameter(&s, model->params[i]);
+    for (size_t i = 0; i < model->state_count; i++) {
+        const ttc_symbol_entry *entry = &model->symbols[model->states[i]];
+        check_end(&s, model->states[i], entry->low, true);
+        check_end(&s, model->states[i], entry->high, false);
+    }
+    for (size_t i = 0; i < model->region_count; i++)
+        take(&s, sign_of_expression(&s, model->regions[i].expression), model->regions[i].expression, UINT32_MAX,
+             "the domain record", model->regions[i].name);
+    for (uint32_t i = 0; i < model->symbol_count && i < except; i++)
+        if (model->symbols[i].kind == TTC_ROOT)
+            take(&s, sign_of_expression(&s, model->symbols[i].definition), model->symbols[i].definition, UINT32_MAX,
+                 "the radicand of", model->symbols[i].name);
+    if (s.unclear || s.innocent_outside) fault[0] = '\0';
+    if (s.innocent_outside) return TTC_OUTSIDE;
+    if (s.unclear) return TTC_UNCLEAR;
+    return s.outside ? TTC_OUTSIDE : TTC_INSIDE;
+}

@@ -1,0 +1,156 @@
+/* Points on zero levels: Newton's method for as many symbols as there are levels, then Krawczyk's test that the balls around
+ * what it found hold a solution. */
+#include "challenge/point.h"
+
+#if __has_include(<flint/arb_mat.h>)
+#include <flint/arb_mat.h>
+#else
+#include <arb_mat.h>
+#endif
+
+enum { ITERATIONS = 60 };
+
+typedef struct {
+    ttc_probe *probe;
+    const ttc_point *point;
+    const ttc_situation *situation;
+    long precision, n;
+    arb_mat_t x, step, value, slope, inverse;
+} solver;
+
+/* Levels and their derivatives by the pivots, at the pivots' values. */
+static bool evaluate(solver *s)
+{
+    const size_t spare = 1 + s->situation->model->state_count;
+    if (!ttc_point_set(s->probe, s->point, s->situation, s->precision, arb_mat_entry(s->x, 0, 0))) return false;
+    for (long i = 0; i < s->n; i++) {
+        arb_srcptr jet = ttc_probe_at(s->probe, s->situation->levels[i]);
+        if (jet == NULL) return false;
+        arb_set(arb_mat_entry(s->value, i, 0), jet);
+        for (long j = 0; j < s->n; j++) arb_set(arb_mat_entry(s->slope, i, j), jet + spare + (size_t)j);
+    }
+    return true;
+}
+
+static void take_midpoints(arb_mat_t matrix)
+{
+    for (long i = 0; i < arb_mat_nrows(matrix); i++)
+        for (long j = 0; j < arb_mat_ncols(matrix); j++)
+            mag_zero(arb_radref(arb_mat_entry(matrix, i, j)));
+}
+
+static bool is_finite(const arb_mat_t matrix)
+{
+    for (long i = 0; i < arb_mat_nrows(matrix); i++)
+        for (long j = 0; j < arb_mat_ncols(matrix); j++)
+            if (!arb_is_finite(arb_mat_entry(matrix, i, j))) return false;
+    return true;
+}
+
+/* The values that the pivots were drawn with, as a start. */
+static bool begin(solver *s)
+{
+    const ttc_situation *without = s->situation;
+    if (!ttc_point_set(s->probe, s->point, without, s->precision, NULL)) return false;
+    for (long i = 0; i < s->n; i++)
+        arb_set(arb_mat_entry(s->x, i, 0), ttc_probe_value(s->probe, s->point->pivots[i]));
+    take_midpoints(s->x);
+    return true;
+}
+
+/* True when no step would move a pivot by more than 2^(-3/4 precision) of its size. */
+static bool is_settled(const solver *s)
+{
+    bool settled = true;
+    arf_t bound;
+    arf_init(bound);
+    for (long i = 0; i < s->n; i++) {
+        arf_abs(bound, arb_midref(arb_mat_entry(s->x, i, 0)));
+        if (arf_cmp_si(bound, 1) < 0) arf_one(bound);
+        arf_mul_2exp_si(bound, bound, -(3 * s->precision) / 4);
+        settled = settled && arf_cmpabs(arb_midref(arb_mat_entry(s->step, i, 0)), bound) <= 0;
+    }
+    arf_clear(bound);
+    return settled;
+}
+
+static bool newton(solver *s)
+{
+    for (int k = 0; k < ITERATIONS; k++) {
+        if (!evaluate(s)) return false;
+        take_midpoints(s->slope);
+        if (!arb_mat_inv(s->inverse, s->slope, s->precision) || !is_finite(s->inverse)) return false;
+        arb_mat_mul(s->step, s->inverse, s->value, s->precision);
+        if (!is_finite(s->step)) return false;
+        take_midpoints(s->step);
+        arb_mat_sub(s->x, s->x, s->step, s->precision);
+        take_midpoints(s->x);
+        if (is_settled(s)) return true;
+    }
+    return false;
+}
+
+/* K = x - C F(x) + (E - C F'(X)) (X - x) lies inside X: then X holds one solution, and K encloses it. The probe then has K. */
+static bool krawczyk(solver *s)
+{
+    bool inside = true;
+    arb_mat_t centre, spread, image, box;
+    arb_mat_init(centre, s->n, 1);
+    arb_mat_init(spread, s->n, 1);
+    arb_mat_init(image, s->n, s->n);
+    arb_mat_init(box, s->n, 1);
+    inside = evaluate(s);
+    arb_mat_set(centre, s->x);
+    arb_mat_mul(s->step, s->inverse, s->value, s->precision);
+    arb_mat_sub(centre, centre, s->step, s->precision);
+    for (long i = 0; i < s->n; i++) {
+        mag_t radius;
+        mag_init(radius);
+        arb_get_mag(radius, arb_mat_entry(s->x, i, 0));
+        mag_add_ui(radius, radius, 1);
+        mag_mul_2exp_si(radius, radius, -s->precision / 2);
+        arb_add_error_mag(arb_mat_entry(spread, i, 0), radius);
+        arb_add_error_mag(arb_mat_entry(s->x, i, 0), radius);
+        mag_clear(radius);
+    }
+    arb_mat_set(box, s->x);
+    inside = inside && evaluate(s);
+    if (inside) {
+        arb_mat_mul(image, s->inverse, s->slope, s->precision);
+        arb_mat_neg(image, image);
+        for (long i = 0; i < s->n; i++)
+            arb_add_si(arb_mat_entry(image, i, i), arb_mat_entry(image, i, i), 1, s->precision);
+        arb_mat_mul(spread, image, spread, s->precision);
+        arb_mat_add(s->x, centre, spread, s->precision);
+        for (long i = 0; i < s->n; i++)
+            inside = inside && arb_contains_interior(arb_mat_entry(box, i, 0), arb_mat_entry(s->x, i, 0));
+        inside = inside && evaluate(s);
+    }
+    arb_mat_clear(box);
+    arb_mat_clear(image);
+    arb_mat_clear(spread);
+    arb_mat_clear(centre);
+    return inside;
+}
+
+bool ttc_level_meet(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, long precision)
+{
+    solver s;
+    s.probe = probe;
+    s.point = point;
+    s.situation = situation;
+    s.precision = precision;
+    s.n = (long)situation->level_count;
+    arb_mat_init(s.x, s.n, 1);
+    arb_mat_init(s.step, s.n, 1);
+    arb_mat_init(s.value, s.n, 1);
+    arb_mat_init(s.slope, s.n, s.n);
+    arb_mat_init(s.inverse, s.n, s.n);
+    bool met = begin(&s) && newton(&s) && krawczyk(&s);
+    arb_mat_clear(s.inverse);
+    arb_mat_clear(s.slope);
+    arb_mat_clear(s.value);
+    arb_mat_clear(s.step);
+    arb_mat_clear(s.x);
+    return met;
+}

@@ -1,0 +1,227 @@
+#include "challenge/point.h"
+
+#include <stdlib.h>
+
+bool ttc_point_init(ttc_point *point, const ttc_situation *situation)
+{
+    size_t count = situation->model->symbol_count;
+    *point = (ttc_point){ 0 };
+    point->numbers = malloc((count + 1) * sizeof *point->numbers);
+    point->bound = calloc(count + 1, 1);
+    if (point->numbers == NULL || point->bound == NULL) {
+        free(point->numbers);
+        free(point->bound);
+        *point = (ttc_point){ 0 };
+        return false;
+    }
+    point->symbol_count = count;
+    for (size_t i = 0; i < count; i++) fmpq_init(&point->numbers[i]);
+    for (size_t k = 0; k < situation->bound_count; k++)
+        for (size_t i = 0; i < situation->bound[k]->count; i++) point->bound[situation->bound[k]->items[i].symbol] = 1;
+    return true;
+}
+
+void ttc_point_clear(ttc_point *point)
+{
+    for (size_t i = 0; i < point->symbol_count; i++) fmpq_clear(&point->numbers[i]);
+    free(point->numbers);
+    free(point->bound);
+    *point = (ttc_point){ 0 };
+}
+
+static bool is_quantity(const ttc_symbol_entry *entry)
+{
+    return entry->kind == TTC_PARAM || entry->kind == TTC_STATE || entry->kind == TTC_LEVEL || entry->kind == TTC_LAMBDA;
+}
+
+/* The default one time in four: tables give values with which their domains are not empty. */
+static void draw_parameter(fmpq_t out, const ttc_model *model, const ttc_symbol_entry *entry, ttc_random *random,
+                           ttc_sample_range range)
+{
+    if (entry->value != TTC_NONE && ttc_random_below(random, 4) == 0) {
+        fmpq_set(out, ttc_coefficient(model->graph, entry->value));
+        return;
+    }
+    if (entry->sign == TTC_POSITIVE) {
+        ttc_sample_positive(out, random, range);
+        return;
+    }
+    do ttc_sample_any(out, random, range);
+    while (entry->sign == TTC_NONZERO && fmpq_is_zero(out));
+    if (entry->sign == TTC_NONNEGATIVE) fmpq_abs(out, out);
+}
+
+static void draw_state(fmpq_t out, const ttc_symbol_entry *entry, ttc_random *random, ttc_sample_range range)
+{
+    if (entry->low != TTC_NONE && entry->high != TTC_NONE) ttc_sample_unit(out, random, range);
+    else if (entry->low != TTC_NONE || entry->high != TTC_NONE) ttc_sample_positive(out, random, range);
+    else ttc_sample_any(out, random, range);
+}
+
+/* Any free symbol that may have a level's value: states three times out of four. */
+static bool choose_pivots(ttc_point *point, const ttc_situation *situation, ttc_random *random)
+{
+    const ttc_model *model = situation->model;
+    unsigned char *support = ttc_model_support(model, situation->levels, situation->level_count);
+    size_t chosen = 0;
+    if (support == NULL) return false;
+    for (unsigned attempt = 0; chosen < situation->level_count && attempt < 200; attempt++) {
+        bool state = ttc_random_below(random, 4) != 0 || model->param_count == 0;
+        uint32_t symbol = state ? model->states[ttc_random_below(random, model->state_count)]
+                                : model->params[ttc_random_below(random, model->param_count)];
+        if (point->bound[symbol] || !support[symbol]) continue;
+        support[symbol] = 0;
+        point->pivots[chosen++] = symbol;
+    }
+    free(support);
+    return chosen == situation->level_count;
+}
+
+/* One number in eight is that of an earlier symbol of the same nature, so that differences vanish as well. */
+static void repeat_some(ttc_point *point, const ttc_model *model, ttc_random *random)
+{
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        const ttc_symbol_entry *entry = &model->symbols[i];
+        if (!is_quantity(entry) || i == 0 || ttc_random_below(random, 8) != 0) continue;
+        uint32_t j = (uint32_t)ttc_random_below(random, i);
+        const ttc_symbol_entry *other = &model->symbols[j];
+        if (other->kind == entry->kind && other->sign == entry->sign && other->low == entry->low && other->high == entry->high)
+            fmpq_set(&point->numbers[i], &point->numbers[j]);
+    }
+}
+
+bool ttc_point_draw(ttc_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range)
+{
+    const ttc_model *model = situation->model;
+    for (uint32_t i = 0; i < model->symbol_count; i++) {
+        const ttc_symbol_entry *entry = &model->symbols[i];
+        if (!is_quantity(entry)) continue;
+        if (entry->kind == TTC_PARAM) draw_parameter(&point->numbers[i], model, entry, random, range);
+        else draw_state(&point->numbers[i], entry, random, range);
+    }
+    repeat_some(point, model, random);
+    return situation->level_count == 0 || choose_pivots(point, situation, random);
+}
+
+/* low + t (high - low), low + t or high - t; false when an end has no value yet */
+static bool state_in_interval(ttc_probe *probe, arb_ptr jet, const ttc_symbol_entry *entry, const arb_t t)
+{
+    long precision = ttc_probe_precision(probe);
+    size_t width = ttc_probe_width(probe);
+    arb_ptr low = _arb_vec_init((long)width);
+    bool good = true;
+    _arb_vec_zero(jet, (long)width);
+    if (entry->low != TTC_NONE) {
+        arb_srcptr at = ttc_probe_at(probe, entry->low);
+        good = at != NULL;
+        if (good) _arb_vec_set(low, at, (long)width);
+    }
+    if (entry->high != TTC_NONE && good) {
+        arb_srcptr at = ttc_probe_at(probe, entry->high);
+        good = at != NULL;
+        if (good) _arb_vec_set(jet, at, (long)width);
+    }
+    if (good && entry->low != TTC_NONE && entry->high != TTC_NONE) {
+        _arb_vec_sub(jet, jet, low, (long)width, precision);
+        _arb_vec_scalar_mul(jet, jet, (long)width, t, precision);
+        _arb_vec_add(jet, jet, low, (long)width, precision);
+    } else if (good && entry->high != TTC_NONE) {
+        arb_sub(jet, jet, t, precision);
+    } else if (good) {
+        _arb_vec_set(jet, low, (long)width);
+        arb_add(jet, jet, t, precision);
+    }
+    _arb_vec_clear(low, (long)width);
+    return good;
+}
+
+/* A symbol's value from the point, where all that it needs is known. */
+static bool set_free(ttc_probe *probe, const ttc_point *point, const ttc_model *model, uint32_t symbol, arb_ptr jet)
+{
+    const ttc_symbol_entry *entry = &model->symbols[symbol];
+    bool good = true;
+    arb_t number;
+    arb_init(number);
+    arb_set_fmpq(number, &point->numbers[symbol], ttc_probe_precision(probe));
+    if (entry->kind == TTC_STATE && (entry->low != TTC_NONE || entry->high != TTC_NONE)) {
+        good = state_in_interval(probe, jet, entry, number);
+        if (good) ttc_probe_set_jet(probe, symbol, jet);
+    } else {
+        ttc_probe_set(probe, symbol, number);
+    }
+    arb_clear(number);
+    return good;
+}
+
+static bool set_bound(ttc_probe *probe, const ttc_situation *situation, uint32_t symbol, arb_ptr jet)
+{
+    for (size_t k = 0; k < situation->bound_count; k++)
+        for (size_t i = 0; i < situation->bound[k]->count; i++) {
+            const ttc_binding *binding = &situation->bound[k]->items[i];
+            if (binding->symbol != symbol) continue;
+            arb_srcptr value = ttc_probe_at(probe, binding->expression);
+            if (value == NULL) return false;
+            _arb_vec_set(jet, value, (long)ttc_probe_width(probe));
+            ttc_probe_set_jet(probe, symbol, jet);
+            return true;
+        }
+    return false;
+}
+
+static void set_pivots(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, arb_srcptr pivots)
+{
+    for (size_t i = 0; pivots != NULL && i < situation->level_count; i++) {
+        ttc_probe_set(probe, point->pivots[i], pivots + i);
+        ttc_probe_seed(probe, point->pivots[i], situation->model->state_count + i);
+    }
+}
+
+/* Whatever can be set is set until nothing is left: what is bound may need what is free, and ends of intervals both. */
+bool ttc_point_set(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, long precision, arb_srcptr pivots)
+{
+    const ttc_model *model = situation->model;
+    size_t left = SIZE_MAX, before;
+    arb_ptr jet = _arb_vec_init((long)ttc_probe_width(probe));
+    ttc_probe_begin(probe, precision);
+    set_pivots(probe, point, situation, pivots);
+    do {
+        before = left;
+        left = 0;
+        for (uint32_t i = 0; i < model->symbol_count; i++) {
+            if (!is_quantity(&model->symbols[i]) || ttc_probe_is_set(probe, i)) continue;
+            bool set = point->bound[i] ? set_bound(probe, situation, i, jet) : set_free(probe, point, model, i, jet);
+            left += !set;
+        }
+    } while (left > 0 && left < before);
+    _arb_vec_clear(jet, (long)ttc_probe_width(probe));
+    return left == 0;
+}
+
+/* What the claim, the field and definitions divide by, as written. */
+static bool divisors_are_not_zero(ttc_probe *probe, const ttc_situation *situation)
+{
+    const ttc_model *model = situation->model;
+    for (size_t i = 0; i < model->divisor_count; i++) {
+        const ttc_divisor *divisor = &model->divisors[i];
+        bool used = divisor->role == TTC_DIVIDES_FIELD || divisor->role == TTC_DIVIDES_SYMBOL
+                    || (divisor->role == TTC_DIVIDES_CLAIM && divisor->owner == situation->claim);
+        if (!used) continue;
+        arb_srcptr value = ttc_probe_at(probe, divisor->divisor);
+        if (value == NULL && situation->own_root != UINT32_MAX) continue; /* it may need the root in question */
+        if (value == NULL || arb_contains_zero(value)) return false;
+    }
+    return true;
+}
+
+ttc_place_in_domain ttc_point_place(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, long precision,
+                                    char *fault, size_t fault_size)
+{
+    bool set = situation->level_count == 0 ? ttc_point_set(probe, point, situation, precision, NULL)
+                                           : ttc_level_meet(probe, point, situation, precision);
+    fault[0] = '\0';
+    if (!set) return TTC_OUTSIDE;
+    ttc_probe_seed_states(probe);
+    ttc_place_in_domain place = ttc_domain_locate(probe, situation->model, &situation->family, situation->own_root, fault, fault_size);
+    if (place == TTC_INSIDE && !divisors_are_not_zero(probe, situation)) return TTC_OUTSIDE;
+    return place;
+}

@@ -1,0 +1,61 @@
+#include "challenge/sample.h"
+
+enum { FAR = 40 };
+
+uint64_t ttc_random_next(ttc_random *random)
+{
+    uint64_t z = random->state += UINT64_C(0x9e3779b97f4a7c15);
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return z ^ (z >> 31);
+}
+
+uint64_t ttc_random_below(ttc_random *random, uint64_t bound) { return ttc_random_next(random) % bound; }
+
+/* p/q with 1 <= p, q <= size */
+static void fraction(fmpq_t out, ttc_random *random, uint64_t size)
+{
+    fmpq_set_si(out, (slong)(1 + ttc_random_below(random, size)), 1 + ttc_random_below(random, size));
+}
+
+static void scale_by_power_of_two(fmpq_t value, long exponent)
+{
+    if (exponent >= 0) fmpq_mul_2exp(value, value, (flint_bitcnt_t)exponent);
+    else fmpq_div_2exp(value, value, (flint_bitcnt_t)-exponent);
+}
+
+void ttc_sample_positive(fmpq_t out, ttc_random *random, ttc_sample_range range)
+{
+    switch (ttc_random_below(random, range == TTC_SAMPLE_MODERATE ? 4 : 8)) {
+    case 0: fmpq_set_si(out, (slong)(1 + ttc_random_below(random, 4)), 1); break;
+    case 1:
+    case 2: fraction(out, random, 9); break;
+    case 3: fraction(out, random, 1000); break;
+    case 4:
+    case 5: fraction(out, random, 1000000); break;
+    default:
+        fraction(out, random, 1000);
+        scale_by_power_of_two(out, (long)ttc_random_below(random, 2 * FAR + 1) - FAR);
+    }
+}
+
+void ttc_sample_any(fmpq_t out, ttc_random *random, ttc_sample_range range)
+{
+    uint64_t chance = ttc_random_below(random, 16);
+    ttc_sample_positive(out, random, range);
+    if (chance == 0) fmpq_zero(out);
+    else if (chance % 2 == 0) fmpq_neg(out, out);
+}
+
+void ttc_sample_unit(fmpq_t out, ttc_random *random, ttc_sample_range range)
+{
+    uint64_t kind = range == TTC_SAMPLE_MODERATE ? 0 : ttc_random_below(random, 4);
+    uint64_t denominator = 2 + ttc_random_below(random, kind == 0 ? 12 : 1000000);
+    fmpq_set_si(out, (slong)(1 + ttc_random_below(random, denominator - 1)), denominator);
+    if (kind < 2) return;
+    scale_by_power_of_two(out, -(long)ttc_random_below(random, FAR));
+    if (kind == 3) {
+        fmpq_sub_si(out, out, 1);
+        fmpq_neg(out, out);
+    }
+}

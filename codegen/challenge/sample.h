@@ -1,0 +1,29 @@
+/** Random rational numbers of widely varying size, from a seeded generator: the same on every machine.
+ *  Source: G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators, OOPSLA 2014 (splitmix64). */
+#ifndef TTC_SAMPLE_H
+#define TTC_SAMPLE_H
+
+#include <stdint.h>
+
+#include <flint/fmpq.h>
+
+typedef struct {
+    uint64_t state;
+} ttc_random;
+
+uint64_t ttc_random_next(ttc_random *random);
+uint64_t ttc_random_below(ttc_random *random, uint64_t bound); /* bound > 0 */
+
+/* How far numbers may be from 1: a domain that few points meet is looked for with moderate ones. */
+typedef enum { TTC_SAMPLE_WIDE, TTC_SAMPLE_MODERATE } ttc_sample_range;
+
+/* Positive. Wide ones reach from 2^-40 to 2^40, half of them are small fractions. */
+void ttc_sample_positive(fmpq_t out, ttc_random *random, ttc_sample_range range);
+
+/* Of either sign, zero one time in sixteen. */
+void ttc_sample_any(fmpq_t out, ttc_random *random, ttc_sample_range range);
+
+/* Strictly between 0 and 1; wide ones come as near as 2^-40 to either end. */
+void ttc_sample_unit(fmpq_t out, ttc_random *random, ttc_sample_range range);
+
+#endif

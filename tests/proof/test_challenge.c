@@ -1,0 +1,147 @@
+/* Verdicts that are wrong are contradicted by points, of every kind of claim; verdicts that are right are not. */
+#include "prove_text.h"
+
+#include "challenge/challenge.h"
+
+enum { POINTS = 40 };
+
+/* Every claim is true; claims on open sets, and one condition of each sort. */
+static const char true_claims[] =
+    "model pendulum\nparam k > 0\nparam a\nstate q\nstate p\nstate z in (0, inf)\nstate w\nstate u\nroot r = sqrt(1 + p^2)\n"
+    "angle c s = cos(q) sin(q)\neq q = p\neq p = -k*s + a*p\neq z = z*p/r\neq w = w*p\neq u = 0\n"
+    "integral H = p^2/2 - k*c when a = 0\nrate power : p^2/2 - k*c = a*p^2\nrate of_root : r = p*(a*p - k*s)/r\n"
+    "measure volume = 1/(z*w) when a = 0\nequal circle : c^2 + s^2 = 1\nequal on_level : p^2 = 2*k*c modulo H when a = 0\n"
+    "invariant flat = w*(w^2 + 1)\nequal set : a*p = k when a = k/p\nintegral U = u\n"
+    "equilibria down : q = 0, p = 0\ntrace down = a\nobstructs down\nleftnull down : U\n"
+    "matrix down = 0, 1, 0, 0, 0; -k, a, 0, 0, 0; 0, z, 0, 0, 0; 0, w, 0, 0, 0; 0, 0, 0, 0, 0\n"
+    "charpoly down = lambda^3*(lambda^2 - a*lambda + k)\n"
+    "reversor p -> -p when a = 0\ntime t : 2 + s\nvariant v : k = 1 + a^2\n";
+
+/* Every claim is false, at points that random ones meet. */
+static const char false_claims[] =
+    "model pendulum\nparam k > 0\nparam a\nstate q\nstate p\nstate z in (0, 1)\nroot r = sqrt(1 + p)\n"
+    "angle c s = cos(q) sin(q)\neq q = p\neq p = -k*s + a*p\neq z = z*p\n"
+    "integral H = p^2/2 - k*c\nintegral vacuous = k*a\nintegral not_kept = z when p = 0\nrate power : p^2/2 - k*c = a*p\n"
+    "measure volume = 1\nequal circle : c^2 - s^2 = 1\nequal on_level : p^2 = k*c modulo H\ninvariant left = z - p\n"
+    "equilibria down : q = 0, p = 0, z = a\ntrace down = 2*a\nmatrix down = 0, 1, 0; k, a, 0; 0, a, 0\n"
+    "charpoly down = lambda*(lambda^2 - a*lambda - k)\nequilibria up : q = 1, p = 0, z = 1/2\n"
+    "reversor z -> -z\ntime t : s\ntime u : 1/2 + z - p^2\nvariant v : k = a\nvariant w : k = -1\n";
+
+/* The family is one of equilibria, and the trace is zero on it. */
+static const char no_trace[] = "model turn\nstate x\nstate y\neq x = y\neq y = -x\nequilibria rest : x = 0, y = 0\nobstructs rest\n";
+
+static ttc_proof_report *prove(const char *text, ttc_model **model)
+{
+    ttc_proof_report *report = NULL;
+    *model = parse_text(text);
+    assert_true(ttc_prove(*model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report));
+    return report;
+}
+
+static ttc_challenge_report *challenge_as(const char *text, ttc_proof_status status)
+{
+    ttc_model *model;
+    ttc_challenge_report *challenged = NULL;
+    ttc_proof_report *report = prove(text, &model);
+    for (size_t i = 0; i < report->proof_count; i++) report->proofs[i].status = status;
+    assert_true(ttc_challenge(model, report, ttc_resolve_beside, NULL, POINTS, 0, &challenged));
+    for (size_t i = 0; i < challenged->count; i++) challenged->results[i].name = NULL; /* the report's, which goes */
+    ttc_proof_report_destroy(report);
+    ttc_model_destroy(model);
+    return challenged;
+}
+
+static void print(const ttc_challenge_result *result)
+{
+    print_error("line %u, %s: %zu tried, %zu skipped, %s\n", (unsigned)result->place.line, result->kind, result->tried,
+                result->skipped, result->text != NULL ? result->text : "not contradicted");
+}
+
+static void false_claims_called_proved_are_contradicted(void **state)
+{
+    (void)state;
+    ttc_challenge_report *report = challenge_as(false_claims, TTC_PROVED);
+    assert_true(report->count >= 19);
+    for (size_t i = 0; i < report->count; i++)
+        if (!report->results[i].contradicted) print(&report->results[i]);
+    assert_int_equal(report->contradictions, report->count);
+    ttc_challenge_report_destroy(report);
+}
+
+static void an_obstruction_without_a_trace_is_contradicted(void **state)
+{
+    (void)state;
+    ttc_challenge_report *report = challenge_as(no_trace, TTC_PROVED);
+    assert_int_equal(report->contradictions, 1);
+    ttc_challenge_report_destroy(report);
+}
+
+static void true_claims_called_proved_stand(void **state)
+{
+    (void)state;
+    ttc_challenge_report *report = challenge_as(true_claims, TTC_PROVED);
+    assert_true(report->count >= 18);
+    for (size_t i = 0; i < report->count; i++) {
+        const ttc_challenge_result *result = &report->results[i];
+        bool has_points = result->tried > POINTS / 2;
+        if (result->contradicted || !has_points) print(result);
+        assert_false(result->contradicted);
+        assert_true(has_points);
+    }
+    ttc_challenge_report_destroy(report);
+}
+
+/* Kinds whose failures may be too thin to be met are only noted. */
+static void true_identities_called_refuted_are_contradicted(void **state)
+{
+    static const char *const identities[] = { "integral", "rate", "measure", "trace", "matrix", "leftnull", "obstructs" };
+    (void)state;
+    ttc_challenge_report *report = challenge_as(true_claims, TTC_REFUTED);
+    for (size_t k = 0; k < sizeof identities / sizeof *identities; k++) {
+        bool met = false;
+        for (size_t i = 0; i < report->count; i++) {
+            if (strcmp(report->results[i].kind, identities[k]) != 0) continue;
+            met = true;
+            if (!report->results[i].contradicted) print(&report->results[i]);
+            assert_true(report->results[i].contradicted);
+        }
+        assert_true(met);
+    }
+    ttc_challenge_report_destroy(report);
+}
+
+static void false_claims_called_refuted_stand(void **state)
+{
+    (void)state;
+    ttc_challenge_report *report = challenge_as(false_claims, TTC_REFUTED);
+    for (size_t i = 0; i < report->count; i++) {
+        if (strcmp(report->results[i].kind, "integral") == 0 && report->results[i].contradicted)
+            continue; /* the vacuous one holds everywhere */
+        if (report->results[i].contradicted) print(&report->results[i]);
+        assert_false(report->results[i].contradicted);
+    }
+    ttc_challenge_report_destroy(report);
+}
+
+static void the_same_seed_gives_the_same_points(void **state)
+{
+    (void)state;
+    ttc_challenge_report *first = challenge_as(false_claims, TTC_PROVED), *second = challenge_as(false_claims, TTC_PROVED);
+    assert_int_equal(first->count, second->count);
+    for (size_t i = 0; i < first->count; i++) assert_string_equal(first->results[i].text, second->results[i].text);
+    ttc_challenge_report_destroy(second);
+    ttc_challenge_report_destroy(first);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(false_claims_called_proved_are_contradicted),
+        cmocka_unit_test(an_obstruction_without_a_trace_is_contradicted),
+        cmocka_unit_test(true_claims_called_proved_stand),
+        cmocka_unit_test(true_identities_called_refuted_are_contradicted),
+        cmocka_unit_test(false_claims_called_refuted_stand),
+        cmocka_unit_test(the_same_seed_gives_the_same_points),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
