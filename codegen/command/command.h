@@ -3,6 +3,7 @@
 #ifndef TTC_COMMAND_H
 #define TTC_COMMAND_H
 
+#include "optimize/optimize.h"
 #include "read/model.h"
 
 typedef enum {
@@ -20,6 +21,7 @@ typedef struct {
     bool json;
     bool mutate;
     bool kernels;
+    ttc_effort effort;
     const char *out;    /* directory */
     const char *format; /* "text", "latex" or "dot" */
     const char *command_line; /* "ttc COMMAND OPTIONS..." without directories of files, for headers of what is written */

@@ -60,7 +60,7 @@ int ttc_command_cost(const ttc_options *options)
     }
     for (size_t i = 0; i < options->file_count; i++) {
         models[i] = ttc_command_read(options->files[i], &status);
-        if (models[i] != NULL && !ttc_plan_create(plans + i, models[i])) {
+        if (models[i] != NULL && !ttc_plan_create(plans + i, models[i], options->effort)) {
             fprintf(stderr, "%s: error: cannot plan kernels: memory is out, or an expression grows beyond the limits\n",
                     options->files[i]);
             status = TTC_EXIT_BAD_TABLE;

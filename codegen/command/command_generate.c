@@ -118,7 +118,7 @@ int ttc_command_generate(const ttc_options *options)
     }
     for (size_t i = 0; i < options->file_count; i++) models[i] = ttc_command_read(options->files[i], &status);
     for (size_t i = 0; i < options->file_count && status == TTC_EXIT_DONE; i++)
-        if (!ttc_plan_create(plans + i, models[i]) || !generate_model(&output, plans + i)) {
+        if (!ttc_plan_create(plans + i, models[i], options->effort) || !generate_model(&output, plans + i)) {
             complain(options->files[i], models[i], &output);
             status = TTC_EXIT_BAD_TABLE;
         }

@@ -142,27 +142,27 @@ static int mutate(const ttc_model *model, bool json, json_t *reports)
 }
 
 /* NULL: memory ran out, or the kernels cannot be made. */
-static ttc_proof_report *make_report(const ttc_model *model, bool kernels)
+static ttc_proof_report *make_report(const ttc_model *model, const ttc_options *options)
 {
     ttc_plan plan = { 0 };
     ttc_proof_report *report = NULL;
     if (!ttc_prove(model, ttc_resolve_beside, NULL, TTC_PROVE_ALL, &report)) return NULL;
-    bool ok = !kernels || (ttc_plan_create(&plan, model) && ttc_prove_kernels(&plan, report));
+    bool ok = !options->kernels || (ttc_plan_create(&plan, model, options->effort) && ttc_prove_kernels(&plan, report));
     ttc_plan_clear(&plan);
     if (ok) return report;
     ttc_proof_report_destroy(report);
     return NULL;
 }
 
-static int prove(const ttc_model *model, bool kernels, bool json, json_t *reports)
+static int prove(const ttc_model *model, const ttc_options *options, json_t *reports)
 {
     int status = TTC_EXIT_DONE;
-    ttc_proof_report *report = make_report(model, kernels);
+    ttc_proof_report *report = make_report(model, options);
     if (report == NULL) {
         fprintf(stderr, "ttc: out of memory while proving %s, or its kernels cannot be made\n", model->file);
         return TTC_EXIT_IO;
     }
-    if (json) json_array_append_new(reports, report_json(report));
+    if (options->json) json_array_append_new(reports, report_json(report));
     else print_text(report);
     complain(report);
     if (report->refuted > 0) status = TTC_EXIT_REFUTED;
@@ -178,7 +178,7 @@ int ttc_command_prove(const ttc_options *options)
     for (size_t i = 0; i < options->file_count; i++) {
         ttc_model *model = ttc_command_read(options->files[i], &status);
         if (model == NULL) continue;
-        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options->kernels, options->json, reports));
+        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options, reports));
         ttc_model_destroy(model);
     }
     if (options->json) print_json(reports, options->file_count);

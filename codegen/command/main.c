@@ -5,15 +5,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k' };
+enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k', OPTION_EFFORT = 'e' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
+#define EFFORT_OPTION { "effort", OPTION_EFFORT, "EFFORT", 0, "How long to look for short programs: quick (the default) or full", 0 }
 #define END_OF_OPTIONS { NULL, 0, NULL, 0, NULL, 0 }
 
 static const struct argp_option check_options[] = { JSON_OPTION, END_OF_OPTIONS };
 static const struct argp_option prove_options[] = {
     JSON_OPTION,
     { "kernels", OPTION_KERNELS, NULL, 0, "Prove as well that every kernel computes what the table says", 0 },
+    EFFORT_OPTION,
     { "mutate", OPTION_MUTATE, NULL, 0, "Flip and drop every term in turn, and report whether some claim is then refuted", 0 },
     END_OF_OPTIONS
 };
@@ -24,9 +26,11 @@ static const struct argp_option show_options[] = {
 };
 
 static const struct argp_option generate_options[] = {
-    { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files; made when it is missing", 0 }, END_OF_OPTIONS
+    { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files; made when it is missing", 0 },
+    EFFORT_OPTION,
+    END_OF_OPTIONS
 };
-static const struct argp_option cost_options[] = { JSON_OPTION, END_OF_OPTIONS };
+static const struct argp_option cost_options[] = { JSON_OPTION, EFFORT_OPTION, END_OF_OPTIONS };
 
 typedef struct {
     const char *name, *summary;
@@ -79,6 +83,11 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         if (strcmp(argument, "text") != 0 && strcmp(argument, "latex") != 0 && strcmp(argument, "dot") != 0)
             argp_error(state, "unknown format '%s' (expected text, latex or dot)", argument);
         options->format = argument;
+        return 0;
+    case OPTION_EFFORT:
+        if (strcmp(argument, "quick") != 0 && strcmp(argument, "full") != 0)
+            argp_error(state, "unknown effort '%s' (expected quick or full)", argument);
+        options->effort = strcmp(argument, "full") == 0 ? TTC_EFFORT_FULL : TTC_EFFORT_QUICK;
         return 0;
     case ARGP_KEY_ARG:
         options->files[options->file_count++] = argument;

@@ -1,8 +1,6 @@
 /* Which kernels a field has, and the expressions of their outputs. */
 #include "kernels/kernels.h"
 
-#include "optimize/optimize.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -150,19 +148,19 @@ static bool add_measure_kernels(ttc_kernels *k)
     return !k->field->failed;
 }
 
-static bool build_jet(ttc_kernels *k)
+static bool build_jet(ttc_kernels *k, ttc_effort effort)
 {
     size_t n = k->field->state_count;
     ttc_id *outputs = malloc((n + 1) * sizeof *outputs);
     if (outputs == NULL) return false;
     memcpy(outputs, k->field->rhs, n * sizeof *outputs);
     outputs[n] = k->field->factor;
-    k->jet = ttc_optimize(k->field, outputs, NULL, n + (k->field->time != NULL), TTC_FOR_JETS, &k->block);
+    k->jet = ttc_optimize(k->field, outputs, NULL, n + (k->field->time != NULL), TTC_FOR_JETS, effort, &k->block);
     free(outputs);
     return k->jet != NULL;
 }
 
-static bool build_programs(ttc_kernels *k)
+static bool build_programs(ttc_kernels *k, ttc_effort effort)
 {
     k->block.field = k->field;
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {
@@ -173,15 +171,15 @@ static bool build_programs(ttc_kernels *k)
         kernel->naive = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ 0 });
         kernel->reference = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ .share = true });
         ttc_purpose purpose = kind <= TTC_KERNEL_DIVERGENCE ? TTC_FOR_STEPS : TTC_FOR_POINTS;
-        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count, purpose, &k->block);
+        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count, purpose, effort, &k->block);
         if (kernel->naive == NULL || kernel->reference == NULL || kernel->optimized == NULL) return false;
     }
-    if (!build_jet(k)) return false;
+    if (!build_jet(k, effort)) return false;
     k->prepare = ttc_lower(k->field, k->block.entries, k->block.count, (ttc_lowering){ .share = true });
     return k->prepare != NULL && !k->block.failed;
 }
 
-ttc_kernels *ttc_kernels_create(ttc_field *field)
+ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort)
 {
     ttc_kernels *k = calloc(1, sizeof *k);
     if (k == NULL) {
@@ -195,7 +193,7 @@ ttc_kernels *ttc_kernels_create(ttc_field *field)
         k->families = claims_of_kind(k, TTC_CLAIM_EQUILIBRIA, &k->family_count);
         ok = k->families != NULL;
     }
-    if (ok && build_programs(k)) return k;
+    if (ok && build_programs(k, effort)) return k;
     ttc_kernels_destroy(k);
     return NULL;
 }

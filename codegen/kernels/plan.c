@@ -2,17 +2,17 @@
 
 #include <stdlib.h>
 
-static bool plan_field(ttc_planned *planned, const ttc_model *model)
+static bool plan_field(ttc_planned *planned, const ttc_model *model, ttc_effort effort)
 {
     ttc_field *field = NULL;
     planned->status = ttc_field_create(&field, model, planned->variant, planned->time, planned->elimination);
     if (planned->status == TTC_FIELD_DIVIDES_BY_ZERO) return true;
     if (planned->status != TTC_FIELD_OK) return false;
-    planned->kernels = ttc_kernels_create(field);
+    planned->kernels = ttc_kernels_create(field, effort);
     return planned->kernels != NULL;
 }
 
-bool ttc_plan_create(ttc_plan *plan, const ttc_model *model)
+bool ttc_plan_create(ttc_plan *plan, const ttc_model *model, ttc_effort effort)
 {
     size_t most = (model->variant_count + 1) * (model->time_count + 1) * (model->elimination_count + 1);
     *plan = (ttc_plan){ .model = model, .fields = calloc(most, sizeof *plan->fields) };
@@ -24,7 +24,7 @@ bool ttc_plan_create(ttc_plan *plan, const ttc_model *model)
                 planned->variant = v == 0 ? NULL : model->variants + v - 1;
                 planned->time = t == 0 ? NULL : model->times + t - 1;
                 planned->elimination = e == 0 ? NULL : model->eliminations + e - 1;
-                if (!plan_field(planned, model)) {
+                if (!plan_field(planned, model, effort)) {
                     ttc_plan_clear(plan);
                     return false;
                 }

@@ -20,7 +20,7 @@ typedef struct {
 
 /** Every product variant x time x elimination of the model. A field that divides by zero identically is skipped.
  *  Returns false when memory is out or an expression outgrows the graph; the plan is then empty. */
-bool ttc_plan_create(ttc_plan *plan, const ttc_model *model);
+bool ttc_plan_create(ttc_plan *plan, const ttc_model *model, ttc_effort effort);
 void ttc_plan_clear(ttc_plan *plan); /* legal on a zeroed plan */
 
 #endif

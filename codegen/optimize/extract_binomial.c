@@ -3,6 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Scales of a graph with more nodes than this are not divided by each other any more: the graph is bounded, and sums must
+ * still find room in it. */
+enum { RATIO_NODES = TTC_NODE_LIMIT / 2 };
+
 /* scale_a, scale_b = outer * (inner_a, inner_b), one of the inner ones 1 where division is safe */
 typedef struct ttc_scale_ratio {
     ttc_id scale_a, scale_b, outer, inner_a, inner_b;
@@ -66,7 +70,11 @@ static const ratio *ratio_of(ttc_system *system, ttc_scale_ratios *ratios, ttc_i
         at = (at + 1) & (ratios->capacity - 1);
     }
     ratio r = { a, b, a, system->one, system->one };
-    if (a != b && ttc_scale_is_safe(system->field, a)) {
+    if (a != b && ttc_graph_size(graph) > RATIO_NODES) {
+        r.outer = system->one;
+        r.inner_a = a;
+        r.inner_b = b;
+    } else if (a != b && ttc_scale_is_safe(system->field, a)) {
         r.inner_b = ttc_divide(graph, b, a);
     } else if (a != b && ttc_scale_is_safe(system->field, b)) {
         r.outer = b;

@@ -346,6 +346,22 @@ static const ttc_ranked *best_of(extractor *e, const ttc_extract_index *index, u
     return best;
 }
 
+static void extract_ranked(extractor *e, bool are_terms, const ttc_ranked *chosen)
+{
+    if (are_terms) extract_terms(e, chosen->group);
+    else extract_factors(e, (uint32_t)(chosen->key >> 32), (uint32_t)chosen->key);
+}
+
+/* All groups that gain as much as `chosen`, the first of them, as long as nothing taken before touches them. */
+static void extract_all(extractor *e, bool are_terms, const ttc_ranked *chosen)
+{
+    const ttc_extract_index *index = are_terms ? &e->binomials : &e->pairs;
+    int32_t gain = chosen->gain;
+    for (size_t i = (size_t)(chosen - index->ranked); i < index->ranked_count && !e->system->failed; i++)
+        if (index->ranked[i].gain == gain && !index->groups[index->ranked[i].group].is_changed)
+            extract_ranked(e, are_terms, index->ranked + i);
+}
+
 static bool extract_best(extractor *e)
 {
     uint64_t score = 0;
@@ -353,9 +369,11 @@ static bool extract_best(extractor *e)
     if (e->system->failed) return false;
     const ttc_ranked *pair = best_of(e, &e->pairs, 0, &score);
     const ttc_ranked *terms = best_of(e, &e->binomials, 8, &score);
-    if (terms != NULL) extract_terms(e, terms->group);
-    else if (pair != NULL) extract_factors(e, (uint32_t)(pair->key >> 32), (uint32_t)pair->key);
-    return (terms != NULL || pair != NULL) && !e->system->failed;
+    const ttc_ranked *chosen = terms != NULL ? terms : pair;
+    if (chosen == NULL) return false;
+    if (e->is_large) extract_all(e, terms != NULL, chosen);
+    else extract_ranked(e, terms != NULL, chosen);
+    return !e->system->failed;
 }
 
 /* Cubes that are gone leave their sums. */
@@ -370,9 +388,9 @@ static void close_gaps(ttc_system *system)
     }
 }
 
-uint64_t ttc_system_extract(ttc_system *system, uint64_t seed)
+uint64_t ttc_system_extract(ttc_system *system, uint64_t seed, uint64_t pair_limit)
 {
-    extractor e = { .system = system, .random = seed, .pair_limit = 400000 };
+    extractor e = { .system = system, .random = seed, .pair_limit = pair_limit };
     static const unsigned noises[] = { 32, 64, 96, 160 };
     e.noise = seed == 0 ? 0 : noises[seed % 4];
     begin(&e);
