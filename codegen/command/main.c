@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k', OPTION_EFFORT = 'e' };
+enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k', OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
 #define EFFORT_OPTION { "effort", OPTION_EFFORT, "EFFORT", 0, "How long to look for short programs: quick (the default) or full", 0 }
@@ -28,6 +28,7 @@ static const struct argp_option show_options[] = {
 static const struct argp_option generate_options[] = {
     { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files; made when it is missing", 0 },
     EFFORT_OPTION,
+    { "unproved", OPTION_UNPROVED, NULL, 0, "Write also kernels that rest on claims which are not proved, marked as such", 0 },
     END_OF_OPTIONS
 };
 static const struct argp_option cost_options[] = { JSON_OPTION, EFFORT_OPTION, END_OF_OPTIONS };
@@ -52,7 +53,8 @@ static const command commands[] = {
       "exactly." },
     { "generate", "write C kernels", ttc_command_generate, generate_options,
       "Write kernels for every variant, time and elimination of each table, the registry of all of them, a manifest and "
-      "operation counts. Output is a pure function of the tables; on any error no file is touched." },
+      "operation counts. Claims are proved first: kernels that rest on one which is refuted or not settled are not "
+      "written. Output is a pure function of the tables and options; on any error no file is touched." },
     { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
       "Print operations, depth and live temporaries of every kernel, as generated and as the terms stand." },
 };
@@ -75,6 +77,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case OPTION_MUTATE:
         options->mutate = true;
+        return 0;
+    case OPTION_UNPROVED:
+        options->unproved = true;
         return 0;
     case OPTION_OUT:
         options->out = argument;

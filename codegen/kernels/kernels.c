@@ -23,6 +23,9 @@ static void append(ttc_kernels *k, ttc_kernel_kind kind, ttc_id id)
     k->kernels[kind].outputs[k->kernels[kind].count++] = id;
 }
 
+/* As the table has it: a state that no right-hand side uses is not yet known to the field. */
+static ttc_id eliminated_state(const ttc_field *field) { return field->model->symbols[field->elimination->state].node; }
+
 static bool add_field_kernels(ttc_kernels *k)
 {
     ttc_field *field = k->field;
@@ -45,7 +48,7 @@ static bool add_field_kernels(ttc_kernels *k)
         }
     append(k, TTC_KERNEL_DIVERGENCE, trace);
     if (field->time != NULL) append(k, TTC_KERNEL_TIME_FACTOR, field->factor);
-    if (field->elimination != NULL) append(k, TTC_KERNEL_ELIMINATED, field->symbols[field->elimination->state].node);
+    if (field->elimination != NULL) append(k, TTC_KERNEL_ELIMINATED, ttc_field_specialise(field, eliminated_state(field)));
     return !field->failed && trace != TTC_NONE;
 }
 
@@ -187,6 +190,7 @@ ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort)
         return NULL;
     }
     k->field = field;
+    k->effort = effort;
     bool serves_families = field->time == NULL && field->elimination == NULL;
     bool ok = add_field_kernels(k) && add_gathered(k) && add_integral_kernels(k) && add_measure_kernels(k);
     if (ok && serves_families) {
@@ -214,6 +218,7 @@ void ttc_kernels_destroy(ttc_kernels *kernels)
     free(kernels->integrals);
     free(kernels->measures);
     free(kernels->families);
+    free(kernels->unproved);
     ttc_field_destroy(kernels->field);
     free(kernels);
 }

@@ -44,6 +44,9 @@ typedef struct {
     size_t measure_count;
     uint32_t *families;  /* equilibria claims served here */
     size_t family_count;
+    char *unproved;      /* names of claims that these kernels rest on without a proof; NULL: none */
+    ttc_effort effort;
+    const ttc_claim *failed_claim; /* of a family of equilibria, whose kernels could not be written; NULL: none */
 } ttc_kernels;
 
 /** All kernels of a field, which then belongs to the result (also on failure). NULL when memory is out or an
