@@ -200,10 +200,12 @@ static void generate_table(ttc_output *output, ttc_plan *plan, const ttc_model *
 static int write_files(const ttc_output *output, const char *folder)
 {
     const char *where = NULL;
-    int error = ttc_output_write(output, folder, &where);
+    bool restored = true;
+    int error = ttc_output_write(output, folder, &where, &restored);
     if (error == 0) return TTC_EXIT_DONE;
     if (where == folder) fprintf(stderr, "ttc: cannot make the folder %s: %s (the one above it must exist)\n", folder, strerror(error));
-    else fprintf(stderr, "ttc: cannot write %s below %s: %s; nothing was changed\n", where, folder, strerror(error));
+    else fprintf(stderr, "ttc: cannot write %s below %s: %s; %s\n", where, folder, strerror(error),
+                 restored ? "nothing was changed" : "some files are new and some are old: their old content, where it differs, is in files that end in .old");
     return TTC_EXIT_IO;
 }
 

@@ -239,6 +239,7 @@ void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *prog
                     name, parameters);
     if (!ttc_emit_uses(program, TTC_OP_INPUT)) ttc_text_add(text, "    (void)x;\n");
     if (!ttc_emit_uses(program, TTC_OP_PARAMETER)) ttc_text_format(text, "    (void)%s;\n", parameters);
+    if (ttc_program_output_count(program) == 0) ttc_text_add(text, "    (void)out;\n");
     ttc_emit_body(text, &ttc_dialect_scalar, program, field, block, parameters, 0);
     ttc_text_add(text, "}\n");
 }
