@@ -54,9 +54,11 @@ static char *join(const char *folder, const char *path, size_t path_length, cons
     return joined;
 }
 
-static int make_folder(const char *path)
+/* *made: it was not there before. */
+static int make_folder(const char *path, bool *made)
 {
-    if (mkdir(path, 0777) == 0) return 0;
+    *made = mkdir(path, 0777) == 0;
+    if (*made) return 0;
     int error = errno;
     struct stat status;
     if (error == EEXIST && stat(path, &status) == 0) return S_ISDIR(status.st_mode) ? 0 : ENOTDIR;
@@ -99,31 +101,90 @@ static bool is_unchanged(const char *path, const ttc_text *text)
     return same;
 }
 
-typedef enum { STAGE, COMMIT, DISCARD } phase;
+/* A file on its way into place. Its old content waits under a name of its own until all files are there. */
+typedef struct {
+    char *target, *staged, *kept, *parent;
+    bool makes_parent, is_staged, is_kept, is_committed;
+} passage;
 
-/* One phase for one file. An unchanged file has nothing staged, and is passed over. */
-static int process(const ttc_output_file *file, const char *folder, phase what)
+static bool begin(passage *p, const ttc_output_file *file, const char *folder)
 {
     const char *slash = strchr(file->path, '/');
-    char *target = join(folder, file->path, strlen(file->path), "");
-    char *staged = join(folder, file->path, strlen(file->path), ".new");
-    char *parent = join(folder, file->path, slash == NULL ? 0 : (size_t)(slash - file->path), "");
-    int error = target == NULL || staged == NULL || parent == NULL ? ENOMEM : 0;
-    if (error == 0 && what == STAGE) {
-        error = slash == NULL ? 0 : make_folder(parent);
-        if (error == 0 && !is_unchanged(target, &file->text)) error = write_file(staged, &file->text);
-    } else if (error == 0 && what == COMMIT) {
-        if (!is_unchanged(target, &file->text) && rename(staged, target) != 0) error = errno;
-    } else if (error == 0) {
-        unlink(staged);
+    size_t length = strlen(file->path);
+    p->target = join(folder, file->path, length, "");
+    p->staged = join(folder, file->path, length, ".new");
+    p->kept = join(folder, file->path, length, ".old");
+    if (slash != NULL) p->parent = join(folder, file->path, (size_t)(slash - file->path), "");
+    return p->target != NULL && p->staged != NULL && p->kept != NULL && (slash == NULL || p->parent != NULL);
+}
+
+static int stage(passage *p, const ttc_output_file *file)
+{
+    struct stat status;
+    int error = p->parent == NULL ? 0 : make_folder(p->parent, &p->makes_parent);
+    if (error != 0) return error;
+    if (stat(p->target, &status) == 0 && S_ISDIR(status.st_mode)) return EISDIR;
+    if (is_unchanged(p->target, &file->text)) return 0;
+    p->is_staged = true;
+    return write_file(p->staged, &file->text);
+}
+
+/* A second name for the old file, so that its own is never without a file; where the disk has no such names, the file moves. */
+static int commit(passage *p)
+{
+    if (!p->is_staged) return 0;
+    unlink(p->kept);
+    p->is_kept = link(p->target, p->kept) == 0;
+    if (!p->is_kept && errno != ENOENT) p->is_kept = rename(p->target, p->kept) == 0;
+    if (!p->is_kept && errno != ENOENT) return errno;
+    p->is_committed = rename(p->staged, p->target) == 0;
+    return p->is_committed ? 0 : errno;
+}
+
+/* False when the old content could not be put back. */
+static bool roll_back(const passage *p)
+{
+    bool ok = true;
+    if (p->is_kept) ok = rename(p->kept, p->target) == 0;
+    else if (p->is_committed) ok = unlink(p->target) == 0;
+    /* Two names of one file are left as they are by rename. */
+    if (p->is_kept) unlink(p->kept);
+    if (p->is_staged) unlink(p->staged);
+    return ok;
+}
+
+static void end(passage *p)
+{
+    free(p->target);
+    free(p->staged);
+    free(p->kept);
+    free(p->parent);
+}
+
+static int write_all(const ttc_output *output, const char *folder, passage *passages, const char **where, bool *restored)
+{
+    bool makes_folder = false;
+    *where = folder;
+    int error = make_folder(folder, &makes_folder);
+    for (size_t i = 0; i < output->count && error == 0; i++) {
+        *where = output->files[i].path;
+        error = begin(passages + i, output->files + i, folder) ? stage(passages + i, output->files + i) : ENOMEM;
     }
-    free(target);
-    free(staged);
-    free(parent);
+    for (size_t i = 0; i < output->count && error == 0; i++) {
+        *where = output->files[i].path;
+        error = commit(passages + i);
+    }
+    for (size_t i = output->count; i-- > 0;) {
+        if (passages[i].target == NULL) continue;
+        if (error != 0) *restored &= roll_back(passages + i);
+        else if (passages[i].is_kept) unlink(passages[i].kept);
+        if (error != 0 && passages[i].makes_parent) rmdir(passages[i].parent);
+    }
+    if (error != 0 && makes_folder) rmdir(folder);
     return error;
 }
 
-int ttc_output_write(const ttc_output *output, const char *folder, const char **where)
+int ttc_output_write(const ttc_output *output, const char *folder, const char **where, bool *restored)
 {
     /* Signals that end the program wait, so that none leaves staged files, or files of two versions. */
     sigset_t ending, before;
@@ -131,16 +192,14 @@ int ttc_output_write(const ttc_output *output, const char *folder, const char **
     sigaddset(&ending, SIGINT);
     sigaddset(&ending, SIGTERM);
     sigaddset(&ending, SIGHUP);
-    sigprocmask(SIG_BLOCK, &ending, &before);
     *where = folder;
-    int error = make_folder(folder);
-    for (int what = STAGE; what <= COMMIT && error == 0; what++)
-        for (size_t i = 0; i < output->count && error == 0; i++) {
-            *where = output->files[i].path;
-            error = process(output->files + i, folder, (phase)what);
-        }
-    if (error != 0)
-        for (size_t i = 0; i < output->count; i++) process(output->files + i, folder, DISCARD);
+    *restored = true;
+    passage *passages = calloc(output->count + 1, sizeof *passages);
+    if (passages == NULL) return ENOMEM;
+    sigprocmask(SIG_BLOCK, &ending, &before);
+    int error = write_all(output, folder, passages, where, restored);
+    for (size_t i = 0; i < output->count; i++) end(passages + i);
+    free(passages);
     sigprocmask(SIG_SETMASK, &before, NULL);
     return error;
 }

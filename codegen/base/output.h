@@ -23,8 +23,9 @@ ttc_text *ttc_output_add(ttc_output *output, const char *path);
 
 /** Write every file below `folder`, which is made when it is missing, as are the folders of paths. Each file is written
  *  beside its place and flushed first; only when all of them are on disk are they moved into place, and a file whose
- *  content is unchanged is left alone.
+ *  content is unchanged is left alone. On failure those already moved give way to what was there before, and folders made go
+ *  again; *restored tells whether this succeeded.
  *  Returns 0, or errno of what failed with its path in *where (borrowed from the set, or from `folder`). */
-int ttc_output_write(const ttc_output *output, const char *folder, const char **where);
+int ttc_output_write(const ttc_output *output, const char *folder, const char **where, bool *restored);
 
 #endif

@@ -1,21 +1,100 @@
+/* What several commands do in the same way. */
 #include "command/command.h"
 
-static void raise_status(int *status, int to)
+#include "command/command_guard.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MESSAGE_SIZE = 512 };
+
+void ttc_command_raise(int *status, int to)
 {
     if (*status < to) *status = to;
 }
 
-ttc_model *ttc_command_read(const char *path, int *status)
+static void tell_no_memory(int *status)
+{
+    fprintf(stderr, "ttc: out of memory\n");
+    ttc_command_raise(status, TTC_EXIT_IO);
+}
+
+/* A message may be cut within a character, and a path may be of any bytes; JSON takes neither. */
+static json_t *string_of(const char *bytes)
+{
+    json_t *string = json_string(bytes);
+    if (string != NULL) return string;
+    char *plain = malloc(strlen(bytes) + 1);
+    if (plain == NULL) return NULL;
+    for (size_t i = 0; i <= strlen(bytes); i++) plain[i] = (unsigned char)bytes[i] > 126 ? '?' : bytes[i];
+    string = json_string(plain);
+    free(plain);
+    return string;
+}
+
+void ttc_command_add_problems(json_t *array, const ttc_diagnostics *diagnostics)
+{
+    for (size_t i = 0; i < ttc_diagnostics_size(diagnostics); i++) {
+        ttc_diagnostic d = ttc_diagnostics_at(diagnostics, i);
+        json_array_append_new(array, json_pack("{s:s, s:o, s:i, s:i, s:o}", "severity",
+                                               d.severity == TTC_WARNING ? "warning" : "error", "file", string_of(d.file),
+                                               "line", (int)d.line, "column", (int)d.column, "message",
+                                               string_of(d.message)));
+    }
+}
+
+json_t *ttc_command_failure(const char *path, json_t *problems)
+{
+    return json_pack("{s:o, s:b, s:o}", "file", string_of(path), "ok", 0, "problems", problems);
+}
+
+ttc_model *ttc_command_read(const char *path, int *status, json_t *problems)
 {
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     if (diagnostics == NULL) {
-        fprintf(stderr, "ttc: out of memory\n");
-        raise_status(status, TTC_EXIT_IO);
+        tell_no_memory(status);
         return NULL;
     }
     ttc_model *model = ttc_model_read(path, diagnostics);
     ttc_diagnostics_print(diagnostics, stderr);
-    if (model == NULL) raise_status(status, ttc_io_error_count(diagnostics) > 0 ? TTC_EXIT_IO : TTC_EXIT_BAD_TABLE);
+    if (problems != NULL) ttc_command_add_problems(problems, diagnostics);
+    if (model == NULL)
+        ttc_command_raise(status, ttc_io_error_count(diagnostics) > 0 ? TTC_EXIT_IO : TTC_EXIT_BAD_TABLE);
     ttc_diagnostics_destroy(diagnostics);
     return model;
+}
+
+void ttc_command_complain(const ttc_model *model, ttc_place place, json_t *problems, const char *format, ...)
+{
+    char message[MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    if (diagnostics == NULL) {
+        fprintf(stderr, "%s:%u:%u: error: %s\n", model->file, (unsigned)place.line, (unsigned)place.column, message);
+        return;
+    }
+    ttc_diagnostics_source(diagnostics, model->file, model->text, strlen(model->text));
+    ttc_report(diagnostics, TTC_ERROR, place.line, place.column, "%s", message);
+    ttc_diagnostics_print(diagnostics, stderr);
+    if (problems != NULL) ttc_command_add_problems(problems, diagnostics);
+    ttc_diagnostics_destroy(diagnostics);
+}
+
+bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, ttc_effort effort, int *status, json_t *problems)
+{
+    if (ttc_plan_create(plan, model, effort)) return true;
+    ttc_command_complain(model, plan->failed_at, problems, "the kernels asked for here cannot be made: %s", plan->failure);
+    ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
+    return false;
+}
+
+ttc_proof_report *ttc_command_prove_guarded(const ttc_model *model, int *status)
+{
+    ttc_proof_report *report = ttc_prove_guarded(model);
+    if (report == NULL) tell_no_memory(status);
+    return report;
 }

@@ -3,7 +3,10 @@
 #ifndef TTC_COMMAND_H
 #define TTC_COMMAND_H
 
-#include "read/model.h"
+#include "kernels/plan.h"
+#include "prove/prove.h"
+
+#include <jansson.h>
 
 typedef enum {
     TTC_EXIT_DONE = 0,
@@ -24,6 +27,8 @@ typedef struct {
     bool verbose;
     size_t challenge; /* points a claim; 0: none */
     uint64_t seed;
+    bool unproved; /* write kernels that rest on claims without a proof */
+    ttc_effort effort;
     const char *out;    /* directory */
     const char *format; /* "text", "latex" or "dot" */
     const char *command_line; /* "ttc COMMAND OPTIONS..." without directories of files, for headers of what is written */
@@ -36,8 +41,30 @@ int ttc_command_generate(const ttc_options *options);
 int ttc_command_cost(const ttc_options *options);
 int ttc_command_show(const ttc_options *options);
 
+/* The larger of two exit statuses. */
+void ttc_command_raise(int *status, int to);
+
 /** Read a table and print its diagnostics on stderr. NULL when it is wrong; *status is then raised to TTC_EXIT_BAD_TABLE
- *  or TTC_EXIT_IO. The caller destroys the model. */
-ttc_model *ttc_command_read(const char *path, int *status);
+ *  or TTC_EXIT_IO. problems: an array that errors and warnings are added to as well; may be NULL. The caller destroys the
+ *  model. */
+ttc_model *ttc_command_read(const char *path, int *status, json_t *problems);
+
+/* An error at a place of a table that was read: on stderr, and in `problems` unless NULL. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 4, 5)))
+#endif
+void ttc_command_complain(const ttc_model *model, ttc_place place, json_t *problems, const char *format, ...);
+
+/* Errors and warnings as objects with severity, file, line, column, message, added to an array. */
+void ttc_command_add_problems(json_t *array, const ttc_diagnostics *diagnostics);
+
+/* What is said in JSON of a table that the command cannot work on: file, ok: false, problems. Takes over `problems`. */
+json_t *ttc_command_failure(const char *path, json_t *problems);
+
+/** The plan of a table, what cannot be planned told. False: *status is raised, and there is no plan. */
+bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, ttc_effort effort, int *status, json_t *problems);
+
+/** Prove a table in a process of its own, within bounds; proofs leave no trace in kernels. NULL: memory is out, which is told. */
+ttc_proof_report *ttc_command_prove_guarded(const ttc_model *model, int *status);
 
 #endif

@@ -1,20 +1,7 @@
 /* ttc check: is the table well formed? Nothing is proved. */
 #include "command/command.h"
 
-#include <jansson.h>
 #include <stdlib.h>
-
-static json_t *describe_problems(const ttc_diagnostics *diagnostics)
-{
-    json_t *problems = json_array();
-    for (size_t i = 0; i < ttc_diagnostics_size(diagnostics); i++) {
-        ttc_diagnostic d = ttc_diagnostics_at(diagnostics, i);
-        json_array_append_new(problems, json_pack("{s:s, s:s, s:i, s:i, s:s}", "severity",
-                                                  d.severity == TTC_WARNING ? "warning" : "error", "file", d.file, "line",
-                                                  (int)d.line, "column", (int)d.column, "message", d.message));
-    }
-    return problems;
-}
 
 static json_t *describe(const char *path, const ttc_model *model, const ttc_diagnostics *diagnostics)
 {
@@ -28,7 +15,9 @@ static json_t *describe(const char *path, const ttc_model *model, const ttc_diag
                                                  (json_int_t)model->claim_count));
     json_object_set_new(result, "errors", json_integer((json_int_t)ttc_error_count(diagnostics)));
     json_object_set_new(result, "warnings", json_integer((json_int_t)ttc_warning_count(diagnostics)));
-    json_object_set_new(result, "problems", describe_problems(diagnostics));
+    json_t *problems = json_array();
+    ttc_command_add_problems(problems, diagnostics);
+    json_object_set_new(result, "problems", problems);
     return result;
 }
 

@@ -1,9 +1,7 @@
 /* ttc cost: operation counts of every kernel, as they stand and optimized. */
 #include "command/command.h"
 #include "emit/emit_registry.h"
-#include "kernels/plan.h"
 
-#include <jansson.h>
 #include <stdlib.h>
 
 static json_t *counts_to_json(ttc_count c)
@@ -29,16 +27,19 @@ static void add_field(json_t *list, const ttc_planned *planned)
                                           planned->elimination == NULL ? "" : planned->elimination->name, "kernels", kernels));
 }
 
-static int print_json(const ttc_plan *plans, size_t count)
+/* failures: what is said of tables without a plan, which come last. */
+static int print_json(const ttc_plan *plans, size_t count, json_t *failures)
 {
     json_t *models = json_array();
     for (size_t i = 0; i < count; i++) {
+        if (plans[i].model == NULL) continue;
         json_t *fields = json_array();
         for (size_t k = 0; k < plans[i].count; k++)
             if (plans[i].fields[k].kernels != NULL) add_field(fields, plans[i].fields + k);
         json_array_append_new(models, json_pack("{s:s, s:s, s:o}", "model", plans[i].model->name, "sha256",
                                                 plans[i].model->sha256, "fields", fields));
     }
+    json_array_extend(models, failures);
     char *text = json_dumps(models, JSON_INDENT(2));
     if (text != NULL) puts(text);
     int status = text == NULL ? TTC_EXIT_IO : TTC_EXIT_DONE;
@@ -53,28 +54,28 @@ int ttc_command_cost(const ttc_options *options)
     ttc_text text = { 0 };
     ttc_model **models = calloc(options->file_count + 1, sizeof *models);
     ttc_plan *plans = calloc(options->file_count + 1, sizeof *plans);
-    if (models == NULL || plans == NULL) {
+    json_t *failures = json_array();
+    if (models == NULL || plans == NULL || failures == NULL) {
         fprintf(stderr, "ttc: out of memory\n");
         status = TTC_EXIT_IO;
         goto done;
     }
     for (size_t i = 0; i < options->file_count; i++) {
-        models[i] = ttc_command_read(options->files[i], &status);
-        if (models[i] != NULL && !ttc_plan_create(plans + i, models[i])) {
-            fprintf(stderr, "%s: error: cannot plan kernels: memory is out, or an expression grows beyond the limits\n",
-                    options->files[i]);
-            status = TTC_EXIT_BAD_TABLE;
-        }
+        json_t *problems = json_array();
+        models[i] = ttc_command_read(options->files[i], &status, problems);
+        if (models[i] == NULL || !ttc_command_plan(plans + i, models[i], options->effort, &status, problems))
+            json_array_append_new(failures, ttc_command_failure(options->files[i], problems));
+        else json_decref(problems);
     }
-    if (status != TTC_EXIT_DONE) goto done;
     if (options->json) {
-        status = print_json(plans, options->file_count);
-    } else {
+        ttc_command_raise(&status, print_json(plans, options->file_count, failures));
+    } else if (status == TTC_EXIT_DONE) {
         ttc_emit_counts(&text, plans, options->file_count);
         status = text.failed ? TTC_EXIT_IO : TTC_EXIT_DONE;
         fputs(ttc_text_string(&text), stdout);
     }
 done:
+    json_decref(failures);
     ttc_text_clear(&text);
     for (size_t i = 0; i < options->file_count; i++) {
         if (plans != NULL) ttc_plan_clear(plans + i);

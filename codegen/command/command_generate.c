@@ -4,40 +4,64 @@
 #include "emit/emit_registry.h"
 #include "base/output.h"
 #include "kernels/plan.h"
+#include "kernels/unproved.h"
+#include "kernels/wide_number.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-static ttc_text *add_file(ttc_output *output, const char *folder, const char *name, const char *extension)
+/* A model's folder on its way to being written. */
+typedef struct {
+    ttc_output *output;
+    const ttc_plan *plan;
+    const char *unproved; /* for every file's first line; NULL: all is proved */
+} model_files;
+
+static ttc_text *add_file(const model_files *f, const char *name, const char *extension)
 {
     ttc_text path = { 0 };
-    ttc_text_format(&path, "%s%s%s%s", folder, *folder == '\0' ? "" : "/", name, extension);
-    ttc_text *text = path.failed ? NULL : ttc_output_add(output, ttc_text_string(&path));
+    ttc_text_format(&path, "%s/%s%s", f->plan->model->name, name, extension);
+    ttc_text *text = path.failed ? NULL : ttc_output_add(f->output, ttc_text_string(&path));
     ttc_text_clear(&path);
+    if (text != NULL && f->unproved != NULL) {
+        ttc_text_add(text, "/* UNPROVED: kernels of this model rest on claims that are not proved: ");
+        ttc_text_add_comment(text, f->unproved);
+        ttc_text_add(text, " */\n");
+    }
     return text;
 }
 
-static bool generate_model(ttc_output *output, const ttc_plan *plan)
+static bool generate_field(const model_files *f, ttc_kernels *kernels)
 {
-    const ttc_model *model = plan->model;
-    ttc_text *text = add_file(output, model->name, "table", ".c");
-    if (text != NULL) ttc_emit_table(text, model);
-    for (size_t i = 0; i < plan->count && !output->failed; i++) {
-        if (plan->fields[i].kernels == NULL) continue;
-        ttc_text stem = { 0 };
-        ttc_emit_stem(&stem, plan->fields[i].kernels->field);
-        text = add_file(output, model->name, ttc_text_string(&stem), ".c");
-        bool ok = text != NULL && ttc_emit_descriptor(text, plan->fields[i].kernels);
-        text = ok ? add_file(output, model->name, ttc_text_string(&stem), "_lanes.inc") : NULL;
-        ttc_text_clear(&stem);
+    ttc_text stem = { 0 };
+    ttc_emit_stem(&stem, kernels->field);
+    ttc_text *text = stem.failed ? NULL : add_file(f, ttc_text_string(&stem), ".c");
+    bool ok = text != NULL && ttc_emit_descriptor(text, kernels);
+    text = ok ? add_file(f, ttc_text_string(&stem), "_lanes.inc") : NULL;
+    ttc_text_clear(&stem);
+    if (text != NULL) ttc_emit_lanes(text, kernels);
+    return text != NULL && !text->failed;
+}
+
+/* failed: the kernels that could not be written, NULL where it was something else. */
+static bool generate_model(const model_files *f, ttc_kernels **failed)
+{
+    const ttc_plan *plan = f->plan;
+    *failed = NULL;
+    ttc_text *text = add_file(f, "table", ".c");
+    if (text == NULL) return false;
+    ttc_emit_table(text, plan->model);
+    for (size_t i = 0; i < plan->count; i++) {
+        if (plan->fields[i].kernels == NULL || generate_field(f, plan->fields[i].kernels)) continue;
+        *failed = plan->fields[i].kernels;
+        return false;
+    }
+    for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
+        text = add_file(f, "batch_", ttc_isa_files[isa]);
         if (text == NULL) return false;
-        ttc_emit_lanes(text, plan->fields[i].kernels);
+        ttc_emit_batch(text, plan, isa);
     }
-    for (unsigned isa = 0; isa < TTC_ISA_COUNT && !output->failed; isa++) {
-        text = add_file(output, model->name, "batch_", ttc_isa_files[isa]);
-        if (text != NULL) ttc_emit_batch(text, plan, isa);
-    }
-    text = output->failed ? NULL : add_file(output, model->name, model->name, "_ball.c");
+    text = add_file(f, plan->model->name, "_ball.c");
     return text != NULL && ttc_emit_ball(text, plan);
 }
 
@@ -79,24 +103,109 @@ static bool is_failed(const ttc_output *output)
     return failed;
 }
 
-static void complain(const char *file, const ttc_model *model, const ttc_output *output)
+/* Why a model's files could not be made. */
+static void complain(const model_files *f, const ttc_kernels *failed)
 {
-    const ttc_graph_status error = ttc_graph_error(model->graph);
-    fprintf(stderr, "%s: error: cannot generate kernels: ", file);
-    if (output->taken != NULL)
-        fprintf(stderr, "'%s' would be written twice (tables, and variants, times and eliminations of one, need names of their own)\n",
-                output->taken);
-    else if (error != TTC_GRAPH_OK) fprintf(stderr, "%s\n", ttc_graph_status_text(error));
-    else fprintf(stderr, "%s\n", output->failed ? "out of memory" : "a number is beyond double precision, or memory is out");
+    const ttc_model *model = f->plan->model;
+    ttc_graph_status error = ttc_graph_error(model->graph);
+    const ttc_claim *claim = failed == NULL ? NULL : failed->failed_claim;
+    ttc_place place = f->plan->count > 0 ? ttc_plan_place(f->plan->fields, model) : (ttc_place){ 1, 1 };
+    for (size_t i = 0; i < f->plan->count; i++)
+        if (failed != NULL && f->plan->fields[i].kernels == failed) place = ttc_plan_place(f->plan->fields + i, model);
+    const char *reason = error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out";
+    if (f->output->taken != NULL)
+        ttc_command_complain(model, place, NULL, "'%s' would be written twice (expected tables, and variants, times and "
+                             "eliminations of one, to have names of their own)", f->output->taken);
+    else if (ttc_find_wide_number(f->plan, &place))
+        ttc_command_complain(model, place, NULL, "a number is beyond double precision (expected zero, or a size of 2^-1022 to 2^1023)");
+    else if (claim != NULL && claim->kind == TTC_CLAIM_CHARPOLY && error == TTC_GRAPH_OK)
+        ttc_command_complain(model, claim->place, NULL, "the charpoly of '%s' has no kernel (expected a polynomial in lambda, of "
+                             "degree %zu at most)", claim->name, model->state_count);
+    else if (claim != NULL)
+        ttc_command_complain(model, claim->place, NULL, "the %s '%s' has no kernel: %s", ttc_claim_kind_name(claim->kind),
+                             claim->name, error != TTC_GRAPH_OK ? reason : "memory is out, or a number is divided by zero");
+    else ttc_command_complain(model, place, NULL, "the kernels asked for here cannot be written: %s", reason);
+}
+
+/* Where kernels of a plan rest on a claim, "FIELD: KERNELS; ...". */
+static void add_resting(ttc_text *text, const ttc_plan *plan, const ttc_proof_report *report, size_t proof)
+{
+    for (size_t i = 0; i < plan->count; i++) {
+        ttc_text kernels = { 0 };
+        if (plan->fields[i].kernels == NULL) continue;
+        ttc_unproved_kernels(&kernels, plan->fields[i].kernels, report, proof);
+        if (kernels.length > 0) {
+            if (text->length > 0) ttc_text_add(text, "; ");
+            ttc_emit_stem(text, plan->fields[i].kernels->field);
+            ttc_text_format(text, ": %s", ttc_text_string(&kernels));
+        }
+        text->failed |= kernels.failed;
+        ttc_text_clear(&kernels);
+    }
+}
+
+/* Tell of every claim without a proof that kernels rest on; `all`: their names. False: memory is out. */
+static bool tell_unproved(const ttc_plan *plan, const ttc_proof_report *report, bool refuse, ttc_text *all)
+{
+    bool failed = false;
+    for (size_t i = 0; i < report->proof_count; i++) {
+        const ttc_proof *proof = report->proofs + i;
+        ttc_text resting = { 0 };
+        if (strcmp(ttc_proof_status_name(proof->status), "proved") == 0) continue;
+        add_resting(&resting, plan, report, i);
+        if (resting.length > 0 && refuse)
+            ttc_command_complain(plan->model, proof->place, NULL, "the %s claim '%s' is %s, and kernels rest on it (%.200s%s): "
+                                 "correct it, or write them marked as unproved with --unproved", proof->kind, proof->name,
+                                 proof->status == TTC_REFUTED ? "refuted" : "not settled", ttc_text_string(&resting),
+                                 resting.length > 200 ? "..." : "");
+        if (resting.length > 0) ttc_text_format(all, "%s%s %s", all->length > 0 ? ", " : "", proof->kind, proof->name);
+        failed |= resting.failed;
+        ttc_text_clear(&resting);
+    }
+    return !failed && !all->failed;
+}
+
+/* The claims that kernels of the plan rest on without a proof, marked in its fields. False: they are refused. */
+static bool mark_unproved(ttc_plan *plan, const ttc_options *options, int *status, ttc_text *all)
+{
+    ttc_proof_report *report = ttc_command_prove_guarded(plan->model, status);
+    if (report == NULL) return false;
+    bool ok = tell_unproved(plan, report, !options->unproved, all) && ttc_plan_mark_unproved(plan, report);
+    ttc_proof_report_destroy(report);
+    if (!ok) {
+        fprintf(stderr, "ttc: out of memory\n");
+        ttc_command_raise(status, TTC_EXIT_IO);
+        return false;
+    }
+    if (all->length == 0 || options->unproved) return true;
+    ttc_command_raise(status, TTC_EXIT_REFUTED);
+    return false;
+}
+
+/* Everything that one table is written as. */
+static void generate_table(ttc_output *output, ttc_plan *plan, const ttc_model *model, const ttc_options *options, int *status)
+{
+    ttc_text unproved = { 0 };
+    ttc_kernels *failed = NULL;
+    if (ttc_command_plan(plan, model, options->effort, status, NULL) && mark_unproved(plan, options, status, &unproved)) {
+        model_files f = { output, plan, unproved.length > 0 ? ttc_text_string(&unproved) : NULL };
+        if (!generate_model(&f, &failed)) {
+            complain(&f, failed);
+            ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
+        }
+    }
+    ttc_text_clear(&unproved);
 }
 
 static int write_files(const ttc_output *output, const char *folder)
 {
     const char *where = NULL;
-    int error = ttc_output_write(output, folder, &where);
+    bool restored = true;
+    int error = ttc_output_write(output, folder, &where, &restored);
     if (error == 0) return TTC_EXIT_DONE;
     if (where == folder) fprintf(stderr, "ttc: cannot make the folder %s: %s (the one above it must exist)\n", folder, strerror(error));
-    else fprintf(stderr, "ttc: cannot write %s below %s: %s; nothing was changed\n", where, folder, strerror(error));
+    else fprintf(stderr, "ttc: cannot write %s below %s: %s; %s\n", where, folder, strerror(error),
+                 restored ? "nothing was changed" : "some files are new and some are old: their old content, where it differs, is in files that end in .old");
     return TTC_EXIT_IO;
 }
 
@@ -116,15 +225,12 @@ int ttc_command_generate(const ttc_options *options)
         status = TTC_EXIT_IO;
         goto done;
     }
-    for (size_t i = 0; i < options->file_count; i++) models[i] = ttc_command_read(options->files[i], &status);
+    for (size_t i = 0; i < options->file_count; i++) models[i] = ttc_command_read(options->files[i], &status, NULL);
     for (size_t i = 0; i < options->file_count && status == TTC_EXIT_DONE; i++)
-        if (!ttc_plan_create(plans + i, models[i]) || !generate_model(&output, plans + i)) {
-            complain(options->files[i], models[i], &output);
-            status = TTC_EXIT_BAD_TABLE;
-        }
+        generate_table(&output, plans + i, models[i], options, &status);
     if (status == TTC_EXIT_DONE && (!generate_shared(&output, plans, options->file_count) || is_failed(&output))) {
-        fprintf(stderr, "ttc: cannot generate: out of memory\n");
-        status = TTC_EXIT_BAD_TABLE;
+        fprintf(stderr, "ttc: out of memory\n");
+        status = TTC_EXIT_IO;
     }
     if (status == TTC_EXIT_DONE) status = write_files(&output, options->out);
 done:

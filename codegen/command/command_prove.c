@@ -5,7 +5,6 @@
 #include "prove/mutate.h"
 #include "readback/prove_kernels.h"
 
-#include <jansson.h>
 #include <string.h>
 
 static bool is_proved_kernel(const ttc_proof *proof)
@@ -88,11 +87,6 @@ static void complain(const ttc_proof_report *report)
                     report->proofs[i].remainder != NULL ? report->proofs[i].remainder : "no reason could be stored");
 }
 
-static void raise_status(int *status, int to)
-{
-    if (*status < to) *status = to;
-}
-
 /* One table gives an object, several an array of them. */
 static void print_json(json_t *reports, size_t file_count)
 {
@@ -155,34 +149,33 @@ static int mutate(const ttc_model *model, bool json, json_t *reports)
     return status;
 }
 
-/* NULL: memory ran out, or the kernels cannot be made. */
-static ttc_proof_report *make_report(const ttc_model *model, bool kernels)
-{
-    ttc_plan plan = { 0 };
-    ttc_proof_report *report = ttc_prove_guarded(model);
-    if (report == NULL) return NULL;
-    bool ok = !kernels || (ttc_plan_create(&plan, model) && ttc_prove_kernels(&plan, report));
-    ttc_plan_clear(&plan);
-    if (ok) return report;
-    ttc_proof_report_destroy(report);
-    return NULL;
-}
-
+/* The report is printed as far as it goes also where the kernels cannot be made. Kernels come before proofs, whose
+ * expressions must not come between: the programs are then those that `generate` writes. */
 static int prove(const ttc_model *model, const ttc_options *options, json_t *reports)
 {
+    ttc_plan plan = { 0 };
     int status = TTC_EXIT_DONE;
-    ttc_proof_report *report = make_report(model, options->kernels);
-    if (report == NULL) {
-        fprintf(stderr, "ttc: out of memory while proving %s, or its kernels cannot be made\n", model->file);
-        return TTC_EXIT_IO;
+    json_t *problems = json_array();
+    bool has_plan = options->kernels && ttc_command_plan(&plan, model, options->effort, &status, problems);
+    ttc_proof_report *report = ttc_command_prove_guarded(model, &status);
+    if (report != NULL && has_plan && !ttc_prove_kernels(&plan, report)) {
+        fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", model->file);
+        ttc_command_raise(&status, TTC_EXIT_IO);
     }
+    ttc_plan_clear(&plan);
+    if (report == NULL || (options->json && status == TTC_EXIT_BAD_TABLE)) {
+        json_array_append_new(reports, ttc_command_failure(model->file, problems));
+        ttc_proof_report_destroy(report);
+        return status;
+    }
+    json_decref(problems);
     json_t *shown = options->json ? report_json(report) : NULL;
     if (!options->json) print_text(report, options->verbose);
     complain(report);
-    if (options->challenge > 0) status = ttc_command_challenge(model, report, options, shown);
+    if (options->challenge > 0) ttc_command_raise(&status, ttc_command_challenge(model, report, options, shown));
     if (options->json) json_array_append_new(reports, shown);
-    if (report->refuted > 0) raise_status(&status, TTC_EXIT_REFUTED);
-    if (report->unsettled > 0) raise_status(&status, TTC_EXIT_BAD_TABLE);
+    if (report->refuted > 0) ttc_command_raise(&status, TTC_EXIT_REFUTED);
+    if (report->unsettled > 0) ttc_command_raise(&status, TTC_EXIT_BAD_TABLE);
     ttc_proof_report_destroy(report);
     return status;
 }
@@ -192,9 +185,14 @@ int ttc_command_prove(const ttc_options *options)
     int status = TTC_EXIT_DONE;
     json_t *reports = json_array();
     for (size_t i = 0; i < options->file_count; i++) {
-        ttc_model *model = ttc_command_read(options->files[i], &status);
-        if (model == NULL) continue;
-        raise_status(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options, reports));
+        json_t *problems = json_array();
+        ttc_model *model = ttc_command_read(options->files[i], &status, problems);
+        if (model == NULL) {
+            json_array_append_new(reports, ttc_command_failure(options->files[i], problems));
+            continue;
+        }
+        json_decref(problems);
+        ttc_command_raise(&status, options->mutate ? mutate(model, options->json, reports) : prove(model, options, reports));
         ttc_model_destroy(model);
     }
     if (options->json) print_json(reports, options->file_count);

@@ -9,7 +9,7 @@ int ttc_command_show(const ttc_options *options)
 {
     int status = TTC_EXIT_DONE;
     for (size_t i = 0; i < options->file_count; i++) {
-        ttc_model *model = ttc_command_read(options->files[i], &status);
+        ttc_model *model = ttc_command_read(options->files[i], &status, NULL);
         if (model == NULL) continue;
         ttc_show_writer write = strcmp(options->format, "latex") == 0 ? ttc_show_latex
                                 : strcmp(options->format, "dot") == 0 ? ttc_show_dot

@@ -8,9 +8,11 @@
 #include <string.h>
 
 enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k',
-       OPTION_CHALLENGE = 'c', OPTION_SEED = 's', OPTION_VERBOSE = 'v' };
+       OPTION_CHALLENGE = 'c', OPTION_SEED = 's', OPTION_VERBOSE = 'v',
+       OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
+#define EFFORT_OPTION { "effort", OPTION_EFFORT, "EFFORT", 0, "How long to look for short programs: quick (the default) or full", 0 }
 #define END_OF_OPTIONS { NULL, 0, NULL, 0, NULL, 0 }
 
 static const struct argp_option check_options[] = { JSON_OPTION, END_OF_OPTIONS };
@@ -20,6 +22,7 @@ static const struct argp_option prove_options[] = {
     { "verbose", OPTION_VERBOSE, NULL, 0, "Show with every verdict the point that backs it, and what a proof relies on", 0 },
     { "challenge", OPTION_CHALLENGE, "N", 0, "Hold every verdict against N random points of the domain, in ball arithmetic", 0 },
     { "seed", OPTION_SEED, "K", 0, "Other points for --challenge; 0 is the default", 0 },
+    EFFORT_OPTION,
     { "mutate", OPTION_MUTATE, NULL, 0, "Flip and drop every term in turn, and report whether some claim is then refuted", 0 },
     END_OF_OPTIONS
 };
@@ -30,9 +33,12 @@ static const struct argp_option show_options[] = {
 };
 
 static const struct argp_option generate_options[] = {
-    { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files; made when it is missing", 0 }, END_OF_OPTIONS
+    { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files; made when it is missing", 0 },
+    EFFORT_OPTION,
+    { "unproved", OPTION_UNPROVED, NULL, 0, "Write also kernels that rest on claims which are not proved, marked as such", 0 },
+    END_OF_OPTIONS
 };
-static const struct argp_option cost_options[] = { JSON_OPTION, END_OF_OPTIONS };
+static const struct argp_option cost_options[] = { JSON_OPTION, EFFORT_OPTION, END_OF_OPTIONS };
 
 typedef struct {
     const char *name, *summary;
@@ -54,7 +60,8 @@ static const command commands[] = {
       "exactly." },
     { "generate", "write C kernels", ttc_command_generate, generate_options,
       "Write kernels for every variant, time and elimination of each table, the registry of all of them, a manifest and "
-      "operation counts. Output is a pure function of the tables; on any error no file is touched." },
+      "operation counts. Claims are proved first: kernels that rest on one which is refuted or not settled are not "
+      "written. Output is a pure function of the tables and options; on any error no file is touched." },
     { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
       "Print operations, depth and live temporaries of every kernel, as generated and as the terms stand." },
 };
@@ -99,6 +106,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
     case OPTION_SEED:
         options->seed = parse_number(argument, 0, UINT64_MAX, state);
         return 0;
+    case OPTION_UNPROVED:
+        options->unproved = true;
+        return 0;
     case OPTION_OUT:
         options->out = argument;
         return 0;
@@ -106,6 +116,11 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         if (strcmp(argument, "text") != 0 && strcmp(argument, "latex") != 0 && strcmp(argument, "dot") != 0)
             argp_error(state, "unknown format '%s' (expected text, latex or dot)", argument);
         options->format = argument;
+        return 0;
+    case OPTION_EFFORT:
+        if (strcmp(argument, "quick") != 0 && strcmp(argument, "full") != 0)
+            argp_error(state, "unknown effort '%s' (expected quick or full)", argument);
+        options->effort = strcmp(argument, "full") == 0 ? TTC_EFFORT_FULL : TTC_EFFORT_QUICK;
         return 0;
     case ARGP_KEY_ARG:
         options->files[options->file_count++] = argument;

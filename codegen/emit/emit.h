@@ -74,6 +74,10 @@ void ttc_emit_lanes_header(ttc_text *text);
 /* The file of one descriptor. */
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *kernels);
 
+/* The command that writes such kernels, and the generator's name for the descriptor. */
+void ttc_emit_command(ttc_text *text, const ttc_kernels *kernels);
+void ttc_emit_generator(ttc_text *text, const ttc_kernels *kernels);
+
 /* The model's table as a character array. */
 void ttc_emit_table(ttc_text *text, const ttc_model *model);
 

@@ -184,7 +184,14 @@ bool ttc_emit_ball(ttc_text *text, const ttc_plan *plan)
     ttc_text_add_comment(text, model->title == NULL ? model->name : model->title);
     ttc_text_add(text, ": enclosures in ball arithmetic,\n * from the expressions as they stand, without the optimizer.\n *\n");
     ttc_text_format(text, " *  Table:      %s, SHA-256 %s\n", model->name, model->sha256);
-    ttc_text_format(text, " *  Command:    ttc generate --out DIR %s (ttc %s); do not edit\n */\n", ttc_emit_base_name(model), JLT_VERSION);
+    for (size_t i = 0; i < plan->count; i++) {
+        if (plan->fields[i].kernels == NULL) continue;
+        ttc_text_add(text, " *  Command:    ");
+        ttc_emit_command(text, plan->fields[i].kernels);
+        ttc_text_add(text, "\n");
+        break;
+    }
+    ttc_text_add(text, " */\n");
     ttc_text_add(text, "#include \"kernel_ball.h\"\n\n");
     for (size_t i = 0; ok && i < plan->count; i++)
         if (plan->fields[i].kernels != NULL && plan->fields[i].variant == NULL) ok = add_field(text, plan->fields[i].kernels);

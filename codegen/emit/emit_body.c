@@ -25,6 +25,7 @@ typedef struct {
     size_t *numbers;    /* by value: number of its temporary */
     ttc_text *formulas; /* by value */
     binding *bindings;
+    size_t *first_output, *next_output; /* by value, and by output: 1 + the next output of the same value */
 } body;
 
 static void add_operand(body *b, ttc_value value)
@@ -191,9 +192,8 @@ static void add_statement(body *b, ttc_value value, size_t *count)
 /* An output is written out at once, so that its temporary need not be kept. */
 static void add_outputs(body *b, ttc_value value, size_t offset)
 {
-    for (size_t k = 0; k < ttc_program_output_count(b->program); k++) {
-        if (ttc_program_output_at(b->program, k) != value) continue;
-        ttc_text_format(b->text, "    %s%zu%s", b->dialect->output, offset + k, b->dialect->output_middle);
+    for (size_t k = b->first_output[value]; k != 0; k = b->next_output[k - 1]) {
+        ttc_text_format(b->text, "    %s%zu%s", b->dialect->output, offset + k - 1, b->dialect->output_middle);
         add_operand(b, value);
         ttc_text_format(b->text, "%s;\n", b->dialect->output_end);
     }
@@ -202,14 +202,20 @@ static void add_outputs(body *b, ttc_value value, size_t offset)
 void ttc_emit_body(ttc_text *text, const ttc_dialect *dialect, const ttc_program *program, const ttc_field *field,
                    const ttc_block *block, const char *parameters, size_t offset)
 {
-    size_t n = ttc_program_size(program), count = 0;
-    body b = { text, dialect, program, field, block, parameters, NULL, NULL, NULL };
+    size_t n = ttc_program_size(program), count = 0, outputs = ttc_program_output_count(program);
+    body b = { .text = text, .dialect = dialect, .program = program, .field = field, .block = block, .parameters = parameters };
     b.numbers = calloc(n + 1, sizeof *b.numbers);
     b.formulas = calloc(n + 1, sizeof *b.formulas);
     b.bindings = calloc(n + 1, sizeof *b.bindings);
-    if (b.numbers == NULL || b.formulas == NULL || b.bindings == NULL) {
+    b.first_output = calloc(n + 1, sizeof *b.first_output);
+    b.next_output = calloc(outputs + 1, sizeof *b.next_output);
+    if (b.numbers == NULL || b.formulas == NULL || b.bindings == NULL || b.first_output == NULL || b.next_output == NULL) {
         text->failed = true;
         goto done;
+    }
+    for (size_t k = outputs; k-- > 0;) {
+        b.next_output[k] = b.first_output[ttc_program_output_at(program, k)];
+        b.first_output[ttc_program_output_at(program, k)] = k + 1;
     }
     for (size_t k = 0; k < n; k++) {
         add_statement(&b, (ttc_value)k, &count);
@@ -223,6 +229,8 @@ done:
     free(b.numbers);
     free(b.formulas);
     free(b.bindings);
+    free(b.first_output);
+    free(b.next_output);
 }
 
 const char *ttc_emit_function_name(ttc_op op)
@@ -252,6 +260,7 @@ void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *prog
                     name, parameters);
     if (!ttc_emit_uses(program, TTC_OP_INPUT)) ttc_text_add(text, "    (void)x;\n");
     if (!ttc_emit_uses(program, TTC_OP_PARAMETER)) ttc_text_format(text, "    (void)%s;\n", parameters);
+    if (ttc_program_output_count(program) == 0) ttc_text_add(text, "    (void)out;\n");
     ttc_emit_body(text, &ttc_dialect_scalar, program, field, block, parameters, 0);
     ttc_text_add(text, "}\n");
 }

@@ -76,6 +76,19 @@ static void add_accuracy(ttc_text *text, ttc_kernels *k)
     ttc_text_clear(&losses);
 }
 
+static const char *effort_option(const ttc_kernels *k) { return k->effort == TTC_EFFORT_FULL ? " --effort full" : ""; }
+
+void ttc_emit_command(ttc_text *text, const ttc_kernels *k)
+{
+    ttc_text_format(text, "ttc generate%s%s --out DIR %s (ttc %s); do not edit", effort_option(k),
+                    k->unproved != NULL ? " --unproved" : "", ttc_emit_base_name(k->field->model), JLT_VERSION);
+}
+
+void ttc_emit_generator(ttc_text *text, const ttc_kernels *k)
+{
+    ttc_text_format(text, "ttc %s%s", JLT_VERSION, effort_option(k));
+}
+
 static void add_header(ttc_text *text, ttc_kernels *k)
 {
     const ttc_model *model = k->field->model;
@@ -85,8 +98,10 @@ static void add_header(ttc_text *text, ttc_kernels *k)
     add_comment_line(text, "Source:", model->source);
     describe_field(text, k->field);
     ttc_text_format(text, " *  %-12s%s, SHA-256 %s\n", "Table:", model->name, model->sha256);
-    ttc_text_format(text, " *  %-12sttc generate --out DIR %s (ttc %s); do not edit\n", "Command:", ttc_emit_base_name(model),
-                    JLT_VERSION);
+    ttc_text_format(text, " *  %-12s", "Command:");
+    ttc_emit_command(text, k);
+    ttc_text_add(text, "\n");
+    add_comment_line(text, "UNPROVED:", k->unproved);
     ttc_text_add(text, " *\n *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)\n");
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {
         const ttc_kernel *kernel = k->kernels + kind;
@@ -220,7 +235,10 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k)
     add_string_member(text, "title", model->title);
     add_string_member(text, "source", model->source);
     add_string_member(text, "sha256", model->sha256);
-    add_string_member(text, "generator", "ttc " JLT_VERSION);
+    ttc_text_add(text, "    .generator = \"");
+    ttc_emit_generator(text, k);
+    ttc_text_add(text, "\",\n");
+    if (k->unproved != NULL) add_string_member(text, "unproved", k->unproved);
     ttc_text_format(text, "    .table = jlt_table_%s,\n", model->name);
     ttc_text_format(text, "    .state_count = %zu, .param_count = %zu, .block_count = %zu,\n", field->state_count,
                     field->param_count, ttc_block_size(&k->block));

@@ -62,13 +62,21 @@ static bool emit_specialised(family_emitter *e, const char *name, const ttc_id *
     return ok;
 }
 
+/* By its kind, not by its name: a table may have a quantity named lambda. */
+static uint32_t indeterminate(const ttc_model *model)
+{
+    uint32_t symbol = 0;
+    while (model->symbols[symbol].kind != TTC_LAMBDA) symbol++;
+    return symbol;
+}
+
 static bool emit_charpoly(family_emitter *e)
 {
     ttc_field *field = e->kernels->field;
     size_t n = field->state_count;
-    uint32_t lambda = 0;
+    uint32_t lambda = indeterminate(field->model);
     ttc_id *coefficients = calloc(n + 1, sizeof *coefficients);
-    bool ok = coefficients != NULL && ttc_model_find_symbol(field->model, "lambda", &lambda);
+    bool ok = coefficients != NULL;
     ttc_id id = ok ? ttc_field_specialise(field, e->charpoly->expression) : TTC_NONE;
     ok = ok && id != TTC_NONE && ttc_polynomial_coefficients(field->graph, coefficients, n, id, lambda)
          && emit_program(e, "charpoly", coefficients, n + 1, false);
@@ -118,6 +126,13 @@ static void find_members(family_emitter *e)
     }
 }
 
+/* Note whose kernels cannot be written. */
+static bool is_done(family_emitter *e, const ttc_claim *claim, bool ok)
+{
+    if (!ok) e->kernels->failed_claim = claim;
+    return ok;
+}
+
 static bool emit_family(family_emitter *e)
 {
     ttc_field *field = e->kernels->field;
@@ -125,12 +140,14 @@ static bool emit_family(family_emitter *e)
     for (size_t i = 0; i < field->state_count; i++)
         ttc_text_format(e->text, "%s%d", i == 0 ? "" : ", ", binding_of(&e->family->bindings, field->states[i]) == NULL);
     ttc_text_add(e->text, " };\n\n");
-    return emit_nodes(e, "impose", field->params, field->param_count, true)
-           && emit_nodes(e, "point", field->states, field->state_count, false)
-           && (e->trace == NULL || emit_specialised(e, "trace", &e->trace->expression, 1))
-           && (e->charpoly == NULL || emit_charpoly(e))
-           && (e->matrix == NULL || emit_specialised(e, "matrix", e->matrix->entries, e->matrix->entry_count))
-           && (e->left_null == NULL || emit_left_null(e));
+    bool ok = is_done(e, e->family, emit_nodes(e, "impose", field->params, field->param_count, true)
+                                        && emit_nodes(e, "point", field->states, field->state_count, false));
+    if (e->trace != NULL) ok = ok && is_done(e, e->trace, emit_specialised(e, "trace", &e->trace->expression, 1));
+    if (e->charpoly != NULL) ok = ok && is_done(e, e->charpoly, emit_charpoly(e));
+    if (e->matrix != NULL)
+        ok = ok && is_done(e, e->matrix, emit_specialised(e, "matrix", e->matrix->entries, e->matrix->entry_count));
+    if (e->left_null != NULL) ok = ok && is_done(e, e->left_null, emit_left_null(e));
+    return ok;
 }
 
 static void add_member(ttc_text *table, const char *member, size_t number, bool present)

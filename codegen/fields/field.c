@@ -350,8 +350,10 @@ static void make_rhs(ttc_field *field)
 static ttc_field_status status_of(ttc_graph *graph)
 {
     ttc_graph_status error = ttc_graph_error(graph);
-    ttc_graph_clear_error(graph);
-    if (error == TTC_GRAPH_DIVISION_BY_ZERO) return TTC_FIELD_DIVIDES_BY_ZERO;
+    if (error == TTC_GRAPH_DIVISION_BY_ZERO) {
+        ttc_graph_clear_error(graph);
+        return TTC_FIELD_DIVIDES_BY_ZERO;
+    }
     return error == TTC_GRAPH_OK || error == TTC_GRAPH_NO_MEMORY ? TTC_FIELD_NO_MEMORY : TTC_FIELD_TOO_LARGE;
 }
 

@@ -58,7 +58,8 @@ typedef enum {
     TTC_FIELD_NO_MEMORY
 } ttc_field_status;
 
-/** Specialise. On success *out is owned by the caller; otherwise *out is NULL. The model, whose graph grows, must outlive
+/** Specialise. On success *out is owned by the caller; otherwise *out is NULL, and the graph keeps the error, but for a
+ *  division by zero. The model, whose graph grows, must outlive
  *  the field. */
 ttc_field_status ttc_field_create(ttc_field **out, const ttc_model *model, const ttc_variant *variant,
                                   const ttc_time *time, const ttc_elimination *elimination);

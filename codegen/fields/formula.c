@@ -15,6 +15,18 @@ static void add_integer(ttc_text *text, const fmpz_t n, const char *suffix)
     flint_free(digits);
 }
 
+static double rounded(const fmpq_t value)
+{
+    mpfr_t number;
+    mpfr_init2(number, 53);
+    fmpq_get_mpfr(number, value, MPFR_RNDN);
+    double d = mpfr_get_d(number, MPFR_RNDN);
+    mpfr_clear(number);
+    return d;
+}
+
+bool ttc_constant_fits(const fmpq_t value) { return fmpq_is_zero(value) || isnormal(rounded(value)); }
+
 void ttc_emit_constant(ttc_text *text, const fmpq_t value)
 {
     const fmpz *up = fmpq_numref(value), *down = fmpq_denref(value);
@@ -29,11 +41,7 @@ void ttc_emit_constant(ttc_text *text, const fmpq_t value)
         if (bracket) ttc_text_add(text, ")");
         return;
     }
-    mpfr_t rounded;
-    mpfr_init2(rounded, 53);
-    fmpq_get_mpfr(rounded, value, MPFR_RNDN);
-    double d = mpfr_get_d(rounded, MPFR_RNDN);
-    mpfr_clear(rounded);
+    double d = rounded(value);
     text->failed |= !isnormal(d);
     ttc_text_format(text, d < 0 ? "(%a)" : "%a", d);
 }

@@ -5,6 +5,9 @@
 #include "base/text.h"
 #include "fields/field.h"
 
+/* True when a rational, rounded, is a normal double or zero. */
+bool ttc_constant_fits(const fmpq_t value);
+
 /** An exact rational as a C expression of type double that rounds correctly: an integer below 2^53 as it is, a quotient
  *  of two such as a division, which compilers fold with one rounding, everything else as a hexadecimal constant.
  *  Marks the text failed when the value overflows, or vanishes, in double precision. */

@@ -1,8 +1,6 @@
 /* Which kernels a field has, and the expressions of their outputs. */
 #include "kernels/kernels.h"
 
-#include "optimize/optimize.h"
-
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,6 +22,9 @@ static void append(ttc_kernels *k, ttc_kernel_kind kind, ttc_id id)
 {
     k->kernels[kind].outputs[k->kernels[kind].count++] = id;
 }
+
+/* As the table has it: a state that no right-hand side uses is not yet known to the field. */
+static ttc_id eliminated_state(const ttc_field *field) { return field->model->symbols[field->elimination->state].node; }
 
 static bool add_field_kernels(ttc_kernels *k)
 {
@@ -47,7 +48,7 @@ static bool add_field_kernels(ttc_kernels *k)
         }
     append(k, TTC_KERNEL_DIVERGENCE, trace);
     if (field->time != NULL) append(k, TTC_KERNEL_TIME_FACTOR, field->factor);
-    if (field->elimination != NULL) append(k, TTC_KERNEL_ELIMINATED, field->symbols[field->elimination->state].node);
+    if (field->elimination != NULL) append(k, TTC_KERNEL_ELIMINATED, ttc_field_specialise(field, eliminated_state(field)));
     return !field->failed && trace != TTC_NONE;
 }
 
@@ -150,19 +151,19 @@ static bool add_measure_kernels(ttc_kernels *k)
     return !k->field->failed;
 }
 
-static bool build_jet(ttc_kernels *k)
+static bool build_jet(ttc_kernels *k, ttc_effort effort)
 {
     size_t n = k->field->state_count;
     ttc_id *outputs = malloc((n + 1) * sizeof *outputs);
     if (outputs == NULL) return false;
     memcpy(outputs, k->field->rhs, n * sizeof *outputs);
     outputs[n] = k->field->factor;
-    k->jet = ttc_optimize(k->field, outputs, NULL, n + (k->field->time != NULL), TTC_FOR_JETS, &k->block);
+    k->jet = ttc_optimize(k->field, outputs, NULL, n + (k->field->time != NULL), TTC_FOR_JETS, effort, &k->block);
     free(outputs);
     return k->jet != NULL;
 }
 
-static bool build_programs(ttc_kernels *k)
+static bool build_programs(ttc_kernels *k, ttc_effort effort)
 {
     k->block.field = k->field;
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) {
@@ -173,15 +174,15 @@ static bool build_programs(ttc_kernels *k)
         kernel->naive = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ 0 });
         kernel->reference = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ .share = true });
         ttc_purpose purpose = kind <= TTC_KERNEL_DIVERGENCE ? TTC_FOR_STEPS : TTC_FOR_POINTS;
-        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count, purpose, &k->block);
+        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count, purpose, effort, &k->block);
         if (kernel->naive == NULL || kernel->reference == NULL || kernel->optimized == NULL) return false;
     }
-    if (!build_jet(k)) return false;
+    if (!build_jet(k, effort)) return false;
     k->prepare = ttc_lower(k->field, k->block.entries, k->block.count, (ttc_lowering){ .share = true });
     return k->prepare != NULL && !k->block.failed;
 }
 
-ttc_kernels *ttc_kernels_create(ttc_field *field)
+ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort)
 {
     ttc_kernels *k = calloc(1, sizeof *k);
     if (k == NULL) {
@@ -189,13 +190,14 @@ ttc_kernels *ttc_kernels_create(ttc_field *field)
         return NULL;
     }
     k->field = field;
+    k->effort = effort;
     bool serves_families = field->time == NULL && field->elimination == NULL;
     bool ok = add_field_kernels(k) && add_gathered(k) && add_integral_kernels(k) && add_measure_kernels(k);
     if (ok && serves_families) {
         k->families = claims_of_kind(k, TTC_CLAIM_EQUILIBRIA, &k->family_count);
         ok = k->families != NULL;
     }
-    if (ok && build_programs(k)) return k;
+    if (ok && build_programs(k, effort)) return k;
     ttc_kernels_destroy(k);
     return NULL;
 }
@@ -216,6 +218,7 @@ void ttc_kernels_destroy(ttc_kernels *kernels)
     free(kernels->integrals);
     free(kernels->measures);
     free(kernels->families);
+    free(kernels->unproved);
     ttc_field_destroy(kernels->field);
     free(kernels);
 }

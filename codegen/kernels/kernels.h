@@ -5,6 +5,7 @@
 #include "fields/block.h"
 #include "fields/field.h"
 #include "optimize/lower.h"
+#include "optimize/optimize.h"
 #include "optimize/program.h"
 
 /* In the order of the descriptor. */
@@ -43,11 +44,14 @@ typedef struct {
     size_t measure_count;
     uint32_t *families;  /* equilibria claims served here */
     size_t family_count;
+    char *unproved;      /* names of claims that these kernels rest on without a proof; NULL: none */
+    ttc_effort effort;
+    const ttc_claim *failed_claim; /* of a family of equilibria, whose kernels could not be written; NULL: none */
 } ttc_kernels;
 
 /** All kernels of a field, which then belongs to the result (also on failure). NULL when memory is out or an
  *  expression grows beyond the graph's limits. */
-ttc_kernels *ttc_kernels_create(ttc_field *field);
+ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort);
 void ttc_kernels_destroy(ttc_kernels *kernels); /* legal on NULL */
 
 const char *ttc_kernel_name(ttc_kernel_kind kind); /* as in the descriptor */

@@ -2,17 +2,31 @@
 
 #include <stdlib.h>
 
-static bool plan_field(ttc_planned *planned, const ttc_model *model)
+static bool plan_field(ttc_planned *planned, const ttc_model *model, ttc_effort effort)
 {
     ttc_field *field = NULL;
     planned->status = ttc_field_create(&field, model, planned->variant, planned->time, planned->elimination);
     if (planned->status == TTC_FIELD_DIVIDES_BY_ZERO) return true;
     if (planned->status != TTC_FIELD_OK) return false;
-    planned->kernels = ttc_kernels_create(field);
+    planned->kernels = ttc_kernels_create(field, effort);
     return planned->kernels != NULL;
 }
 
-bool ttc_plan_create(ttc_plan *plan, const ttc_model *model)
+ttc_place ttc_plan_place(const ttc_planned *planned, const ttc_model *model)
+{
+    if (planned->elimination != NULL) return planned->elimination->place;
+    if (planned->time != NULL) return planned->time->place;
+    if (planned->variant != NULL) return planned->variant->place;
+    return model->equation_count > 0 ? model->equations[0].place : (ttc_place){ 1, 1 };
+}
+
+static const char *reason_of(const ttc_model *model)
+{
+    ttc_graph_status error = ttc_graph_error(model->graph);
+    return error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out, or a number is divided by zero";
+}
+
+bool ttc_plan_create(ttc_plan *plan, const ttc_model *model, ttc_effort effort)
 {
     size_t most = (model->variant_count + 1) * (model->time_count + 1) * (model->elimination_count + 1);
     *plan = (ttc_plan){ .model = model, .fields = calloc(most, sizeof *plan->fields) };
@@ -24,10 +38,11 @@ bool ttc_plan_create(ttc_plan *plan, const ttc_model *model)
                 planned->variant = v == 0 ? NULL : model->variants + v - 1;
                 planned->time = t == 0 ? NULL : model->times + t - 1;
                 planned->elimination = e == 0 ? NULL : model->eliminations + e - 1;
-                if (!plan_field(planned, model)) {
-                    ttc_plan_clear(plan);
-                    return false;
-                }
+                if (plan_field(planned, model, effort)) continue;
+                ttc_plan failed = { .failed_at = ttc_plan_place(planned, model), .failure = reason_of(model) };
+                ttc_plan_clear(plan);
+                *plan = failed;
+                return false;
             }
     return true;
 }

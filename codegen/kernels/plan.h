@@ -16,11 +16,17 @@ typedef struct {
     const ttc_model *model;
     ttc_planned *fields; /* general first; variants slowest, eliminations fastest */
     size_t count;
+    ttc_place failed_at;     /* after a failure: the record that asks for the field which cannot be made, */
+    const char *failure;     /* and why; NULL otherwise */
 } ttc_plan;
 
 /** Every product variant x time x elimination of the model. A field that divides by zero identically is skipped.
- *  Returns false when memory is out or an expression outgrows the graph; the plan is then empty. */
-bool ttc_plan_create(ttc_plan *plan, const ttc_model *model);
+ *  Returns false when memory is out or an expression outgrows the graph; the plan is then empty but
+ *  for the failure. */
+bool ttc_plan_create(ttc_plan *plan, const ttc_model *model, ttc_effort effort);
+/* The record that asks for a field: its elimination, its time, its variant, or the first equation. */
+ttc_place ttc_plan_place(const ttc_planned *planned, const ttc_model *model);
+
 void ttc_plan_clear(ttc_plan *plan); /* legal on a zeroed plan */
 
 #endif

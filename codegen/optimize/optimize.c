@@ -17,14 +17,25 @@ static unsigned cost_of(const ttc_program *program)
 
 /* Searches from each start, several where they are cheap; in each, first extractions, then rounds of undoing and redoing,
  * until so many in a row have brought nothing. Work is counted in comparisons and bounded, so that a search ends at the
- * same place on every machine: EFFORT is what a kernel may take before it is searched again, WORK_LIMIT ends one search.
- * FINISHES ways to the program are tried at last. */
-enum { REPEATS = 8, SEEDS = 8, PATIENCE = 80, FINISHES = 16 };
-#define EFFORT UINT64_C(500000)
-#define WORK_LIMIT UINT64_C(60000000)
+ * same place on every machine. */
+typedef struct {
+    unsigned repeats;      /* searches from one start, at most */
+    unsigned seeds;        /* extractions that begin a search */
+    unsigned patience;     /* rounds in a row that bring nothing */
+    unsigned finishes;     /* ways to the program that are tried at last */
+    uint64_t repeat_limit; /* work of a kernel before it is searched again */
+    uint64_t work_limit;   /* ends one search */
+    uint64_t pair_limit;   /* see ttc_system_extract */
+} search_limits;
+
+static const search_limits efforts[] = {
+    [TTC_EFFORT_QUICK] = { 1, 2, 4, 2, 0, 500000, 40000 },
+    [TTC_EFFORT_FULL] = { 8, 8, 80, 16, 500000, 60000000, 200000 },
+};
 
 /* How a system becomes a program. seed: of the last extraction; above 0 it also finds what reciprocals share. */
 typedef struct {
+    const search_limits *limits;
     bool one_division;
     uint64_t seed;
 } manner;
@@ -38,7 +49,7 @@ static ttc_program *finish(const ttc_system *system, ttc_block *block, manner ho
     /* The products that recover reciprocals meet other factors, so there may be more to take out. */
     ttc_system_tidy(copy);
     ttc_system_cancel(copy);
-    ttc_system_extract(copy, how.seed);
+    ttc_system_extract(copy, how.seed, how.limits->pair_limit);
     ttc_system_tidy(copy);
     if (!copy->failed) {
         ttc_program *program = ttc_system_lower(copy, block);
@@ -69,10 +80,11 @@ static rating rate(const ttc_system *system, manner how)
 
 /* True when divisions of their own save at least four operations each: a quotient needs none of the products that make
  * one division of several and take it apart again, and such divisions do not wait for each other. */
-static bool several_divisions_serve(const ttc_system *system)
+static bool several_divisions_serve(const ttc_system *system, const search_limits *limits)
 {
     ttc_block scratch = { .field = system->field };
-    ttc_program *one = finish(system, &scratch, (manner){ true, 0 }), *several = finish(system, &scratch, (manner){ false, 0 });
+    ttc_program *one = finish(system, &scratch, (manner){ limits, true, 0 });
+    ttc_program *several = finish(system, &scratch, (manner){ limits, false, 0 });
     bool serve = false;
     if (one != NULL && several != NULL) {
         ttc_count a = ttc_program_count(one), b = ttc_program_count(several);
@@ -86,6 +98,7 @@ static bool several_divisions_serve(const ttc_system *system)
 
 /* The best system of a search; one on trial takes its place when it costs no more, so that a search drifts over ties. */
 typedef struct {
+    const search_limits *limits;
     ttc_system *best;
     unsigned cost;
     uint64_t work;
@@ -94,7 +107,7 @@ typedef struct {
 /* Takes ownership of the system. */
 static void enter(contest *c, ttc_system *system)
 {
-    unsigned cost = system == NULL || system->failed ? UINT_MAX : rate(system, (manner){ true, 0 }).cost;
+    unsigned cost = system == NULL || system->failed ? UINT_MAX : rate(system, (manner){ c->limits, true, 0 }).cost;
     if (system != NULL && cost <= c->cost) {
         ttc_system_destroy(c->best);
         c->best = system;
@@ -109,7 +122,7 @@ static void extract_from(contest *c, const ttc_system *start, uint64_t seed)
     ttc_system *system = ttc_system_clone(start);
     if (system == NULL) return;
     if (seed % 2 == 1) ttc_system_rescale(system);
-    c->work += ttc_system_extract(system, seed / 2);
+    c->work += ttc_system_extract(system, seed / 2, c->limits->pair_limit);
     ttc_system_rescale(system);
     ttc_system_tidy(system);
     enter(c, system);
@@ -127,20 +140,20 @@ static void ruin_and_recreate(contest *c, uint64_t round)
         if (system->variables[v].is_extracted && (random >> 33) % 100 < percent) ttc_system_inline(system, v);
     }
     ttc_system_tidy(system);
-    if (!system->failed) c->work += ttc_system_extract(system, round);
+    if (!system->failed) c->work += ttc_system_extract(system, round, c->limits->pair_limit);
     ttc_system_rescale(system);
     ttc_system_tidy(system);
     enter(c, system);
 }
 
 /* One search from one start. */
-static contest search(const ttc_system *start, uint64_t number)
+static contest search(const ttc_system *start, uint64_t number, const search_limits *limits)
 {
-    contest c = { NULL, UINT_MAX, 0 };
-    for (uint64_t seed = 0; seed < SEEDS && c.work < WORK_LIMIT; seed++)
-        extract_from(&c, start, seed == 0 ? number % 2 : number * SEEDS + seed);
+    contest c = { limits, NULL, UINT_MAX, 0 };
+    for (uint64_t seed = 0; seed < limits->seeds && c.work < limits->work_limit; seed++)
+        extract_from(&c, start, seed == 0 ? number % 2 : number * limits->seeds + seed);
     unsigned before = c.cost;
-    for (uint64_t round = 1, idle = 0; idle < PATIENCE && c.work < WORK_LIMIT && c.best != NULL; round++) {
+    for (uint64_t round = 1, idle = 0; idle < limits->patience && c.work < limits->work_limit && c.best != NULL; round++) {
         ruin_and_recreate(&c, (number << 32) + round);
         idle = c.cost < before ? 0 : idle + 1;
         before = c.cost;
@@ -171,13 +184,13 @@ static bool make_starts(ttc_system **starts, ttc_field *field, const ttc_id *out
 }
 
 /* The best system of searches from all starts. */
-static ttc_system *search_all(ttc_system *const *starts)
+static ttc_system *search_all(ttc_system *const *starts, const search_limits *limits)
 {
-    contest best = { NULL, UINT_MAX, 0 };
+    contest best = { limits, NULL, UINT_MAX, 0 };
     uint64_t work = 0;
-    for (uint64_t k = 0; k < STARTS || (k < STARTS * REPEATS && work < EFFORT); k++) {
+    for (uint64_t k = 0; k < STARTS || (k < STARTS * (uint64_t)limits->repeats && work < limits->repeat_limit); k++) {
         if (starts[k % STARTS] == NULL) continue;
-        contest c = search(starts[k % STARTS], k);
+        contest c = search(starts[k % STARTS], k, limits);
         work += c.work;
         if (c.best != NULL && c.cost < best.cost) {
             ttc_system_destroy(best.best);
@@ -197,12 +210,13 @@ typedef struct {
 } choice;
 
 /* Of several ways to the program, the quickest that costs no more than the first. */
-static choice choose(ttc_system *system, ttc_purpose purpose)
+static choice choose(ttc_system *system, ttc_purpose purpose, const search_limits *limits)
 {
-    choice c = { system, { purpose != TTC_FOR_POINTS || !several_divisions_serve(system), 0 }, { UINT_MAX, UINT_MAX } };
+    bool one_division = purpose != TTC_FOR_POINTS || !several_divisions_serve(system, limits);
+    choice c = { system, { limits, one_division, 0 }, { UINT_MAX, UINT_MAX } };
     c.rating = rate(system, c.how);
-    for (uint64_t seed = 1; seed < FINISHES && purpose != TTC_FOR_JETS; seed++) {
-        manner how = { c.how.one_division, seed };
+    for (uint64_t seed = 1; seed < limits->finishes && purpose != TTC_FOR_JETS; seed++) {
+        manner how = { limits, c.how.one_division, seed };
         rating r = rate(system, how);
         if (r.cost > c.rating.cost || r.latency >= c.rating.latency) continue;
         c.how = how;
@@ -214,29 +228,29 @@ static choice choose(ttc_system *system, ttc_purpose purpose)
 /* The system, or one in which no division waits for a root, if this is a shorter way from states to outputs for at most a
  * thirtieth more work: an integration waits for each of its calls, while a batch is as slow as its operations are many.
  * Takes ownership. */
-static choice choose_quick(ttc_system *system, ttc_purpose purpose)
+static choice choose_quick(ttc_system *system, ttc_purpose purpose, const search_limits *limits)
 {
-    choice c = choose(system, purpose);
+    choice c = choose(system, purpose, limits);
     ttc_system *other = purpose == TTC_FOR_JETS ? NULL : ttc_system_clone(system);
     if (other == NULL || !ttc_system_divide_by_radicands(other)) {
         ttc_system_destroy(other);
         return c;
     }
     ttc_system_tidy(other);
-    choice o = choose(other, purpose);
+    choice o = choose(other, purpose, limits);
     bool is_quicker = !other->failed && o.rating.latency < c.rating.latency && 30 * o.rating.cost <= 31 * c.rating.cost;
     ttc_system_destroy(is_quicker ? system : other);
     return is_quicker ? o : c;
 }
 
 ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, ttc_purpose purpose,
-                          ttc_block *block)
+                          ttc_effort effort, ttc_block *block)
 {
     ttc_system *starts[STARTS], *best = NULL;
     ttc_program *program = NULL, *scheduled = NULL;
-    if (make_starts(starts, field, outputs, other, count)) best = search_all(starts);
+    if (make_starts(starts, field, outputs, other, count)) best = search_all(starts, efforts + effort);
     if (best != NULL) {
-        choice c = choose_quick(best, purpose);
+        choice c = choose_quick(best, purpose, efforts + effort);
         program = finish(c.system, block, c.how);
         ttc_system_destroy(c.system);
     }

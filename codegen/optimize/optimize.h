@@ -13,10 +13,13 @@ typedef enum {
     TTC_FOR_JETS    /* Taylor recurrences: one division, and the fewest operations */
 } ttc_purpose;
 
+/* How long the search for a short program may take. QUICK: a few of the ways that FULL tries. */
+typedef enum { TTC_EFFORT_QUICK, TTC_EFFORT_FULL } ttc_effort;
+
 /** The outputs, in the field's symbols, as a program on states and the prepared block, to which entries are added.
  *  other: the same functions written differently, a second place to start from; may be NULL.
- *  Returns NULL when memory is out. Cost: a fixed amount of search, seconds at most. */
+ *  Returns NULL when memory is out. Cost: a fixed amount of search, see the table of efforts in optimize.c. */
 ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id *other, size_t count, ttc_purpose purpose,
-                          ttc_block *block);
+                          ttc_effort effort, ttc_block *block);
 
 #endif

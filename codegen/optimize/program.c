@@ -64,8 +64,10 @@ unsigned ttc_op_arity(ttc_op op)
 static uint64_t hash_of(const ttc_instruction *i)
 {
     uint64_t hash = (uint64_t)i->op;
-    const uint64_t words[] = { i->a, i->b, i->c, i->index, fmpz_fdiv_ui(fmpq_numref(i->constant), 4294967291u),
-                               fmpz_fdiv_ui(fmpq_denref(i->constant), 4294967291u) };
+    bool is_constant = i->op == TTC_OP_CONSTANT;
+    const uint64_t words[] = { i->a, i->b, i->c, i->index,
+                               is_constant ? fmpz_fdiv_ui(fmpq_numref(i->constant), 4294967291u) : 0,
+                               is_constant ? fmpz_fdiv_ui(fmpq_denref(i->constant), 4294967291u) : 0 };
     for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
         hash = (hash ^ words[k]) * UINT64_C(0x9E3779B97F4A7C15);
         hash ^= hash >> 29;
@@ -79,8 +81,15 @@ static bool same(const ttc_instruction *i, const ttc_instruction *j)
            && fmpq_equal(i->constant, j->constant);
 }
 
+/* An operation that is never looked for again. */
+static bool stays_apart(const ttc_program *program, const ttc_instruction *i)
+{
+    return program->keeps_duplicates && ttc_op_arity(i->op) > 0;
+}
+
 static void place(ttc_program *program, ttc_value value)
 {
+    if (stays_apart(program, program->items + value)) return;
     size_t at = (size_t)hash_of(program->items + value) & (program->bucket_count - 1);
     while (program->buckets[at] != TTC_NO_VALUE) at = (at + 1) & (program->bucket_count - 1);
     program->buckets[at] = value;
@@ -112,10 +121,13 @@ static ttc_value intern(ttc_program *program, ttc_instruction *instruction)
         fmpq_clear(instruction->constant);
         return TTC_NO_VALUE;
     }
+    if (stays_apart(program, instruction)) {
+        program->items[program->count] = *instruction;
+        return (ttc_value)program->count++;
+    }
     size_t at = (size_t)hash_of(instruction) & (program->bucket_count - 1);
     for (; program->buckets[at] != TTC_NO_VALUE; at = (at + 1) & (program->bucket_count - 1))
-        if (!(program->keeps_duplicates && ttc_op_arity(instruction->op) > 0)
-            && same(program->items + program->buckets[at], instruction)) {
+        if (same(program->items + program->buckets[at], instruction)) {
             fmpq_clear(instruction->constant);
             return program->buckets[at];
         }

@@ -96,7 +96,7 @@ ttc_value ttc_program_copy(ttc_program *program, ttc_op op, ttc_value a, ttc_val
 /** A new program of the values in `order`, operands before their users, with the same outputs. NULL: memory. */
 ttc_program *ttc_program_reorder(const ttc_program *program, const ttc_value *order, size_t count);
 
-/** A new program of the same values in an order in which few are alive at once. NULL: memory. Cost: quadratic. */
+/** A new program of the same values in an order in which few are alive at once. NULL: memory. */
 ttc_program *ttc_program_schedule(const ttc_program *program);
 
 /** A new program without the values that no output needs. NULL: memory. */

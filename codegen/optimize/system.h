@@ -86,8 +86,9 @@ bool ttc_scale_is_safe(const ttc_field *field, ttc_id scale);
 void ttc_system_share_reciprocals(ttc_system *system, bool written_out);
 
 /** Take out common factors, common products and common sums until nothing is gained. seed 0 always takes what gains
- *  most; others prefer it with some chance. Returns the work done, in comparisons. */
-uint64_t ttc_system_extract(ttc_system *system, uint64_t seed);
+ *  most; others prefer it with some chance. pair_limit: where sums have more pairs of terms than this, each term is compared
+ *  with some others alone, and a step takes all that is worth the same. Returns the work done, in comparisons. */
+uint64_t ttc_system_extract(ttc_system *system, uint64_t seed, uint64_t pair_limit);
 
 /* Undo what is used once, drop what is not used, and turn signs so that few negations are left. */
 void ttc_system_tidy(ttc_system *system);

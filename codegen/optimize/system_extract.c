@@ -1,45 +1,52 @@
 /* Greedy extraction of what is common, after the algebraic methods of logic synthesis (Brayton, Rudell, Sangiovanni-
  * Vincentelli, Wang 1987) carried over to polynomials (Hosangadi, Fallah, Kastner 2006): pairs of factors that occur in
  * several cubes, and pairs of terms that occur, up to a common factor, in one or several sums. Longer ones grow out of
- * pairs. Each step takes what saves most. */
+ * pairs. Each step takes what saves most. What could be taken is kept in two indices, and a step renews only what concerns
+ * the cubes that the step before it changed. */
+#include "optimize/extract_binomial.h"
+#include "optimize/extract_index.h"
 #include "optimize/system.h"
 
 #include <stdlib.h>
 
 #define SCALE_FACTOR UINT32_C(0x80000000) /* marks a scale among factors; the rest is its graph id */
 
-/* Two factors side by side in a cube, or two terms in a sum. */
+/* The sum of a variable. Positions of its cubes stay what they are: a cube that is gone has sign 0. */
 typedef struct {
-    uint64_t key;
-    uint32_t variable;
-    uint32_t first, second; /* factors, or positions of cubes */
-    int32_t gain;           /* operations saved at this place */
-    int32_t cost;           /* operations of the new unit */
-} place;
+    size_t base;     /* of its cubes among `cubes` */
+    uint32_t window; /* a term is compared with so many after it */
+} sum;
 
 typedef struct {
-    place *items;
-    size_t count, capacity;
-} places;
+    uint32_t places;  /* head of the list of places, see ttc_extract_index_add */
+    bool is_changed;  /* its places are removed, and come anew with the next step */
+} cube_state;
 
-/* scale_a, scale_b = outer * (inner_a, inner_b), one of the inner ones 1 where division is safe */
+/* A cube that holds a factor, or held it. */
 typedef struct {
-    ttc_id scale_a, scale_b, outer, inner_a, inner_b;
-} ratio;
+    uint32_t variable, position, next; /* next: 1 + index */
+} occurrence;
+
+typedef struct {
+    uint32_t variable, position;
+} cube_name;
 
 typedef struct {
     ttc_system *system;
-    places pairs, binomials;
-    ratio *ratios; /* open addressing by (scale_a, scale_b) */
-    size_t ratio_count, ratio_capacity;
+    ttc_scale_ratios ratios;
+    ttc_extract_index pairs, binomials;
+    sum *sums; /* by variable */
+    cube_state *cubes;
+    uint32_t *first_occurrence; /* by variable: 1 + index */
+    occurrence *occurrences;
+    cube_name *changed;
+    size_t sum_count, sum_capacity, cube_count, cube_capacity, factor_capacity, occurrence_count, occurrence_capacity;
+    size_t changed_count, changed_capacity;
     uint64_t random, work;
     unsigned noise;
+    uint64_t pair_limit;
+    bool is_large;
 } extractor;
-
-/* terms a and b of a sum = common * outer * (inner_a * rest_a + relative sign * inner_b * rest_b) */
-typedef struct {
-    ttc_cube common, rest_a, rest_b;
-} binomial;
 
 static uint64_t next_random(extractor *e)
 {
@@ -49,103 +56,43 @@ static uint64_t next_random(extractor *e)
     return z ^ (z >> 31);
 }
 
-static uint64_t mix(uint64_t hash, uint64_t word)
+/* `items` with room for `wanted`; the old one, and the system failed, when memory is out. */
+static void *grown(extractor *e, void *items, size_t size, size_t wanted, size_t *capacity)
 {
-    hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
-    return hash ^ (hash >> 29);
+    if (wanted <= *capacity) return items;
+    size_t larger = 2 * wanted + 64;
+    void *fresh = realloc(items, larger * size);
+    e->system->failed |= fresh == NULL;
+    if (fresh == NULL) return items;
+    *capacity = larger;
+    return fresh;
 }
 
-static void add_place(extractor *e, places *list, place item)
+static ttc_polynomial *definition_of(const extractor *e, uint32_t variable)
 {
-    if (list->count == list->capacity) {
-        size_t capacity = list->capacity == 0 ? 256 : 2 * list->capacity;
-        place *items = realloc(list->items, capacity * sizeof *items);
-        if (items == NULL) {
-            e->system->failed = true;
-            return;
-        }
-        list->items = items;
-        list->capacity = capacity;
-    }
-    list->items[list->count++] = item;
-    e->work++;
+    return &e->system->variables[variable].definition;
 }
 
-static int compare_places(const void *left, const void *right)
+static cube_state *state_of(const extractor *e, uint32_t variable, uint32_t position)
 {
-    const place *a = left, *b = right;
-    if (a->key != b->key) return a->key < b->key ? -1 : 1;
-    if (a->variable != b->variable) return a->variable < b->variable ? -1 : 1;
-    if (a->first != b->first) return a->first < b->first ? -1 : 1;
-    return a->second < b->second ? -1 : a->second > b->second;
+    return e->cubes + e->sums[variable].base + position;
 }
 
-static bool grow_ratios(extractor *e)
+static uint32_t *head_of(void *context, uint32_t variable, uint32_t position)
 {
-    size_t capacity = e->ratio_capacity == 0 ? 256 : 4 * e->ratio_capacity;
-    ratio *ratios = calloc(capacity, sizeof *ratios);
-    if (ratios == NULL) return false;
-    for (size_t i = 0; i < e->ratio_capacity; i++) {
-        if (e->ratios[i].scale_a == TTC_NONE) continue;
-        size_t at = (size_t)mix(mix(0, e->ratios[i].scale_a), e->ratios[i].scale_b) & (capacity - 1);
-        while (ratios[at].scale_a != TTC_NONE) at = (at + 1) & (capacity - 1);
-        ratios[at] = e->ratios[i];
-    }
-    free(e->ratios);
-    e->ratios = ratios;
-    e->ratio_capacity = capacity;
-    return true;
+    return &state_of(context, variable, position)->places;
 }
 
-/* The part of a product that two scales share: equal bases, with the smaller power. */
-static ttc_id common_scale(ttc_graph *graph, ttc_id a, ttc_id b)
+static void note_occurrence(extractor *e, uint32_t factor, uint32_t variable, uint32_t position)
 {
-    ttc_id common = ttc_integer(graph, 1);
-    bool a_is_product = ttc_kind_of(graph, a) == TTC_PRODUCT, b_is_product = ttc_kind_of(graph, b) == TTC_PRODUCT;
-    for (size_t i = 0; i < (a_is_product ? ttc_part_count(graph, a) : 1); i++)
-        for (size_t j = 0; j < (b_is_product ? ttc_part_count(graph, b) : 1); j++) {
-            ttc_part p = { a, 1, NULL }, q = { b, 1, NULL };
-            if (a_is_product) p = ttc_part_at(graph, a, i);
-            if (b_is_product) q = ttc_part_at(graph, b, j);
-            if (p.id != q.id || ttc_kind_of(graph, p.id) == TTC_NUMBER || p.exponent < 0 || q.exponent < 0) continue;
-            common = ttc_multiply(graph, common, ttc_power(graph, p.id, p.exponent < q.exponent ? p.exponent : q.exponent));
-        }
-    return common;
+    e->occurrences = grown(e, e->occurrences, sizeof *e->occurrences, e->occurrence_count + 1, &e->occurrence_capacity);
+    if (e->system->failed) return;
+    e->occurrences[e->occurrence_count] = (occurrence){ variable, position, e->first_occurrence[factor] };
+    e->first_occurrence[factor] = (uint32_t)++e->occurrence_count;
 }
 
-static const ratio *ratio_of(extractor *e, ttc_id a, ttc_id b)
-{
-    ttc_graph *graph = e->system->field->graph;
-    if (2 * e->ratio_count >= e->ratio_capacity && !grow_ratios(e)) {
-        e->system->failed = true;
-        return NULL;
-    }
-    size_t at = (size_t)mix(mix(0, a), b) & (e->ratio_capacity - 1);
-    while (e->ratios[at].scale_a != TTC_NONE) {
-        if (e->ratios[at].scale_a == a && e->ratios[at].scale_b == b) return e->ratios + at;
-        at = (at + 1) & (e->ratio_capacity - 1);
-    }
-    ratio r = { a, b, a, e->system->one, e->system->one };
-    if (a != b && ttc_scale_is_safe(e->system->field, a)) {
-        r.inner_b = ttc_divide(graph, b, a);
-    } else if (a != b && ttc_scale_is_safe(e->system->field, b)) {
-        r.outer = b;
-        r.inner_a = ttc_divide(graph, a, b);
-    } else if (a != b) {
-        r.outer = common_scale(graph, a, b);
-        r.inner_a = ttc_divide(graph, a, r.outer);
-        r.inner_b = ttc_divide(graph, b, r.outer);
-    }
-    if (r.outer == TTC_NONE || r.inner_a == TTC_NONE || r.inner_b == TTC_NONE) {
-        e->system->failed = true;
-        return NULL;
-    }
-    e->ratios[at] = r;
-    e->ratio_count++;
-    return e->ratios + at;
-}
-
-static void factor_pairs(extractor *e, uint32_t variable, const ttc_cube *cube)
+/* Count the pairs of factors of a cube, or take them off the count. */
+static void count_pairs(extractor *e, const ttc_cube *cube, int by)
 {
     uint32_t factors[TTC_CUBE_LIMIT + 1];
     unsigned count = 0;
@@ -156,120 +103,150 @@ static void factor_pairs(extractor *e, uint32_t variable, const ttc_cube *cube)
         unsigned power = 1;
         while (i + power < count && factors[i + power] == factors[i]) power++;
         for (unsigned k = 0; k < power / 2; k++)
-            add_place(e, &e->pairs, (place){ (uint64_t)factors[i] << 32 | factors[i], variable, factors[i], factors[i], 1, 1 });
+            ttc_extract_index_count(&e->pairs, (uint64_t)factors[i] << 32 | factors[i], by);
         for (unsigned j = i + power; j < count; j++) {
             if (j > i + power && factors[j] == factors[j - 1]) continue;
             unsigned other = 1;
             while (j + other < count && factors[j + other] == factors[j]) other++;
             for (unsigned k = 0; k < (power < other ? power : other); k++)
-                add_place(e, &e->pairs, (place){ (uint64_t)factors[i] << 32 | factors[j], variable, factors[i], factors[j], 1, 1 });
+                ttc_extract_index_count(&e->pairs, (uint64_t)factors[i] << 32 | factors[j], by);
         }
     }
 }
 
-static binomial split(const ttc_system *system, const ttc_cube *a, const ttc_cube *b)
+/* To be called before a cube is changed: what it takes part in is no longer there. */
+static void retract(extractor *e, uint32_t variable, uint32_t position)
 {
-    binomial s = { ttc_cube_one(system), ttc_cube_one(system), ttc_cube_one(system) };
-    unsigned i = 0, j = 0;
-    while (i < a->count || j < b->count) {
-        if (j == b->count || (i < a->count && a->factors[i] < b->factors[j]))
-            s.rest_a.factors[s.rest_a.count++] = a->factors[i++];
-        else if (i == a->count || a->factors[i] > b->factors[j]) s.rest_b.factors[s.rest_b.count++] = b->factors[j++];
-        else {
-            s.common.factors[s.common.count++] = a->factors[i++];
-            j++;
-        }
-    }
-    return s;
+    cube_state *state = state_of(e, variable, position);
+    if (state->is_changed) return;
+    e->changed = grown(e, e->changed, sizeof *e->changed, e->changed_count + 1, &e->changed_capacity);
+    if (e->system->failed) return;
+    state->is_changed = true;
+    e->changed[e->changed_count++] = (cube_name){ variable, position };
+    count_pairs(e, definition_of(e, variable)->cubes + position, -1);
+    ttc_extract_index_remove(&e->binomials, &state->places, head_of, e);
 }
 
-static int compare_rests(const ttc_cube *a, const ttc_cube *b)
+static void add_binomial(extractor *e, uint32_t variable, uint32_t first, uint32_t second)
 {
+    ttc_system *system = e->system;
+    const ttc_cube *a = definition_of(e, variable)->cubes + first, *b = definition_of(e, variable)->cubes + second;
+    ttc_binomial s;
+    if (!ttc_binomial_of(system, &e->ratios, &s, a, b)) return;
+    int before = (int)ttc_cube_cost(system, a) + (int)ttc_cube_cost(system, b) + 1;
+    ttc_cube after = s.common;
+    ttc_cube_multiply(&after, 0);
+    int cost = (int)ttc_cube_cost(system, &s.rest_a) + (int)ttc_cube_cost(system, &s.rest_b) + 1;
+    uint32_t group = ttc_extract_index_group(&e->binomials, ttc_binomial_key(&s), cost);
+    if (group == TTC_NO_GROUP) return;
+    ttc_term_pair place = { .variable = variable, .first = first, .second = second,
+                        .gain = before - (int)ttc_cube_cost(system, &after) };
+    ttc_extract_index_add(&e->binomials, group, place, &state_of(e, variable, first)->places,
+                          &state_of(e, variable, second)->places);
+}
+
+static int compare_names(const void *left, const void *right)
+{
+    const cube_name *a = left, *b = right;
+    if (a->variable != b->variable) return a->variable < b->variable ? -1 : 1;
+    return a->position < b->position ? -1 : a->position > b->position;
+}
+
+/* Pairs of terms of one sum of which one or both are changed, in the order of the sum; changed: `count` positions. */
+static void add_binomials(extractor *e, const cube_name *changed, size_t count)
+{
+    uint32_t variable = changed[0].variable, window = e->sums[variable].window;
+    const ttc_polynomial *p = definition_of(e, variable);
+    for (uint32_t i = 0; i < p->count && !e->system->failed; i++) {
+        uint32_t end = window < p->count - i ? i + window + 1 : p->count;
+        if (p->cubes[i].sign == 0) continue;
+        if (state_of(e, variable, i)->is_changed) {
+            for (uint32_t j = i + 1; j < end && !e->system->failed; j++)
+                if (p->cubes[j].sign != 0) add_binomial(e, variable, i, j);
+        } else {
+            for (size_t k = 0; k < count && !e->system->failed; k++)
+                if (changed[k].position > i && changed[k].position < end && p->cubes[changed[k].position].sign != 0)
+                    add_binomial(e, variable, i, changed[k].position);
+        }
+    }
+}
+
+/* What the cubes changed since the last step take part in now. */
+static void renew(extractor *e)
+{
+    if (e->changed_count > 1) qsort(e->changed, e->changed_count, sizeof *e->changed, compare_names);
+    for (size_t i = 0, n = 0; i < e->changed_count && !e->system->failed; i += n) {
+        n = 1;
+        while (i + n < e->changed_count && e->changed[i + n].variable == e->changed[i].variable) n++;
+        for (size_t k = i; k < i + n; k++) {
+            const ttc_cube *cube = definition_of(e, e->changed[k].variable)->cubes + e->changed[k].position;
+            if (cube->sign != 0) count_pairs(e, cube, 1);
+        }
+        add_binomials(e, e->changed + i, n);
+    }
+    for (size_t i = 0; i < e->changed_count; i++)
+        state_of(e, e->changed[i].variable, e->changed[i].position)->is_changed = false;
+    e->changed_count = 0;
+    ttc_extract_index_rank(&e->pairs);
+    ttc_extract_index_rank(&e->binomials);
+    e->system->failed |= e->pairs.failed || e->binomials.failed;
+    e->work += e->pairs.members + e->binomials.members;
+}
+
+/* Take a variable's sum in: its cubes count as changed. */
+static void enroll(extractor *e, uint32_t variable, uint32_t window)
+{
+    uint32_t count = definition_of(e, variable)->count;
+    e->sums = grown(e, e->sums, sizeof *e->sums, (size_t)variable + 1, &e->sum_capacity);
+    e->cubes = grown(e, e->cubes, sizeof *e->cubes, e->cube_count + count, &e->cube_capacity);
+    e->first_occurrence = grown(e, e->first_occurrence, sizeof *e->first_occurrence, (size_t)variable + 1, &e->factor_capacity);
+    e->changed = grown(e, e->changed, sizeof *e->changed, e->changed_count + count, &e->changed_capacity);
+    if (e->system->failed) return;
+    e->sums[variable] = (sum){ e->cube_count, window };
+    for (; e->sum_count <= variable; e->sum_count++) e->first_occurrence[e->sum_count] = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        e->cubes[e->cube_count++] = (cube_state){ 0, true };
+        e->changed[e->changed_count++] = (cube_name){ variable, i };
+    }
+}
+
+static void note_factors(extractor *e, uint32_t variable)
+{
+    for (uint32_t i = 0; i < definition_of(e, variable)->count; i++) {
+        const ttc_cube *cube = definition_of(e, variable)->cubes + i;
+        for (unsigned j = 0; j < cube->count && !e->system->failed; j++)
+            if (j == 0 || cube->factors[j] != cube->factors[j - 1]) note_occurrence(e, cube->factors[j], variable, i);
+    }
+}
+
+static int compare_cubes(const void *left, const void *right)
+{
+    const ttc_cube *a = left, *b = right;
     for (unsigned i = 0; i < a->count && i < b->count; i++)
         if (a->factors[i] != b->factors[i]) return a->factors[i] < b->factors[i] ? -1 : 1;
-    return (int)a->count - (int)b->count;
+    if (a->count != b->count) return a->count < b->count ? -1 : 1;
+    return a->scale < b->scale ? -1 : a->scale > b->scale;
 }
 
-static uint64_t hash_cube(uint64_t hash, const ttc_cube *cube)
+/* All sums. Where they have more pairs of terms than the limit, terms with the same factors are put side by side, and each
+ * is compared with the next ones alone. */
+static void begin(extractor *e)
 {
-    hash = mix(hash, cube->count);
-    for (unsigned i = 0; i < cube->count; i++) hash = mix(hash, cube->factors[i]);
-    return hash;
-}
-
-/* The binomial of two terms in its normal form; false when there is nothing to gain from it. */
-static bool normal_binomial(extractor *e, binomial *s, int *sign, const ttc_cube *a, const ttc_cube *b)
-{
-    *s = split(e->system, a, b);
-    if (compare_rests(&s->rest_a, &s->rest_b) > 0) {
-        ttc_cube rest = s->rest_a;
-        s->rest_a = s->rest_b;
-        s->rest_b = rest;
-        const ttc_cube *swap = a;
-        a = b;
-        b = swap;
+    ttc_system *system = e->system;
+    uint64_t pairs = 0, terms = 1;
+    for (uint32_t v = 0; v < system->count; v++) {
+        uint64_t n = definition_of(e, v)->count;
+        pairs += n * (n - 1) / 2;
+        terms += n;
     }
-    const ratio *r = ratio_of(e, a->scale, b->scale);
-    if (r == NULL) return false;
-    s->common.scale = r->outer;
-    s->common.sign = a->sign;
-    s->rest_a.scale = r->inner_a;
-    s->rest_b.scale = r->inner_b;
-    *sign = a->sign * b->sign;
-    s->rest_b.sign = (int8_t)*sign;
-    return true;
-}
-
-static void term_pairs(extractor *e, uint32_t variable, const ttc_polynomial *p)
-{
-    for (uint32_t i = 0; i < p->count; i++)
-        for (uint32_t j = i + 1; j < p->count; j++) {
-            binomial s;
-            int sign = 1;
-            if (!normal_binomial(e, &s, &sign, p->cubes + i, p->cubes + j)) return;
-            uint64_t key = hash_cube(hash_cube((uint64_t)(sign + 2), &s.rest_a), &s.rest_b);
-            key = mix(mix(key, s.rest_a.scale), s.rest_b.scale);
-            int before = (int)ttc_cube_cost(e->system, p->cubes + i) + (int)ttc_cube_cost(e->system, p->cubes + j) + 1;
-            ttc_cube after = s.common;
-            ttc_cube_multiply(&after, 0);
-            int cost = (int)ttc_cube_cost(e->system, &s.rest_a) + (int)ttc_cube_cost(e->system, &s.rest_b) + 1;
-            add_place(e, &e->binomials, (place){ key, variable, i, j, before - (int)ttc_cube_cost(e->system, &after), cost });
-        }
-}
-
-/* Gain of the places with one key; terms already spoken for in a sum do not count twice. */
-static int gain_of(const place *items, size_t count)
-{
-    int gain = -items->cost;
-    for (size_t i = 0; i < count; i++) {
-        bool free_terms = true;
-        for (size_t j = 0; j < i && free_terms; j++)
-            free_terms = items[j].variable != items[i].variable
-                         || (items[j].first != items[i].first && items[j].first != items[i].second
-                             && items[j].second != items[i].first && items[j].second != items[i].second);
-        if (free_terms) gain += items[i].gain;
+    e->is_large = pairs > e->pair_limit;
+    uint32_t window = e->is_large ? (uint32_t)(e->pair_limit / terms) + 1 : UINT32_MAX;
+    for (uint32_t v = 0; v < system->count && !system->failed; v++) {
+        ttc_polynomial *p = definition_of(e, v);
+        if (p->count > window) qsort(p->cubes, p->count, sizeof *p->cubes, compare_cubes);
+        enroll(e, v, window);
     }
-    return gain;
-}
-
-/* The first of the places worth most; count 0 when none is worth anything. */
-static place *best_of(extractor *e, places *list, bool are_terms, uint64_t *best_score)
-{
-    place *best = NULL;
-    if (list->count > 1) qsort(list->items, list->count, sizeof *list->items, compare_places);
-    for (size_t i = 0, n = 0; i < list->count; i += n) {
-        n = 1;
-        while (i + n < list->count && list->items[i + n].key == list->items[i].key) n++;
-        int gain = are_terms ? gain_of(list->items + i, n) : (int)n - 1;
-        if (gain <= 0) continue;
-        uint64_t score = (uint64_t)gain * 64 + (are_terms ? 8 : 0);
-        if (e->noise > 0) score += next_random(e) % e->noise;
-        if (score > *best_score) {
-            *best_score = score;
-            best = list->items + i;
-        }
-    }
-    return best;
+    for (uint32_t v = 0; v < system->count && !system->failed; v++) note_factors(e, v);
 }
 
 static void take_factor(ttc_system *system, ttc_cube *cube, uint32_t factor)
@@ -281,96 +258,151 @@ static void take_factor(ttc_system *system, ttc_cube *cube, uint32_t factor)
 static bool has_factors(const ttc_cube *cube, uint32_t a, uint32_t b)
 {
     if (a == b) return ttc_cube_power(cube, a) >= 2;
-    bool has_a = (a & SCALE_FACTOR) != 0 ? cube->scale == (a & ~SCALE_FACTOR) : ttc_cube_power(cube, a) > 0;
     bool has_b = (b & SCALE_FACTOR) != 0 ? cube->scale == (b & ~SCALE_FACTOR) : ttc_cube_power(cube, b) > 0;
-    return has_a && has_b;
+    return has_b && ttc_cube_power(cube, a) > 0;
 }
 
+static uint32_t add_unit(extractor *e)
+{
+    uint32_t unit = ttc_system_add_variable(e->system, TTC_VARIABLE_UNIT, 0);
+    if (e->system->failed) return unit;
+    e->system->variables[unit].is_extracted = true;
+    enroll(e, unit, UINT32_MAX);
+    return unit;
+}
+
+static void define_unit(extractor *e, uint32_t unit, const ttc_cube *cubes, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) ttc_polynomial_add(e->system, definition_of(e, unit), cubes + i);
+    if (e->system->failed) return;
+    enroll(e, unit, UINT32_MAX);
+    note_factors(e, unit);
+}
+
+/* a, a variable, times b, a variable or a scale, becomes a unit. */
 static void extract_factors(extractor *e, uint32_t a, uint32_t b)
 {
     ttc_system *system = e->system;
-    uint32_t unit = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
-    if (system->failed) return;
-    for (uint32_t v = 0; v < unit; v++)
-        for (uint32_t i = 0; i < system->variables[v].definition.count; i++) {
-            ttc_cube *cube = system->variables[v].definition.cubes + i;
-            while (has_factors(cube, a, b)) {
-                take_factor(system, cube, a);
-                take_factor(system, cube, b);
-                ttc_cube_multiply(cube, unit);
-            }
+    uint32_t unit = add_unit(e);
+    for (uint32_t o = system->failed ? 0 : e->first_occurrence[a]; o != 0 && !system->failed;) {
+        occurrence at = e->occurrences[o - 1];
+        ttc_cube *cube = definition_of(e, at.variable)->cubes + at.position;
+        o = at.next;
+        if (cube->sign == 0 || !has_factors(cube, a, b)) continue;
+        retract(e, at.variable, at.position);
+        while (has_factors(cube, a, b)) {
+            take_factor(system, cube, a);
+            take_factor(system, cube, b);
+            ttc_cube_multiply(cube, unit);
         }
-    ttc_cube product = ttc_cube_one(system);
-    for (int k = 0; k < 2; k++) {
-        uint32_t factor = k == 0 ? a : b;
-        if ((factor & SCALE_FACTOR) != 0) product.scale = factor & ~SCALE_FACTOR;
-        else ttc_cube_multiply(&product, factor);
+        if (!system->failed) note_occurrence(e, unit, at.variable, at.position);
     }
-    system->variables[unit].is_extracted = true;
-    ttc_polynomial_add(system, &system->variables[unit].definition, &product);
+    ttc_cube product = ttc_cube_one(system);
+    ttc_cube_multiply(&product, a);
+    if ((b & SCALE_FACTOR) != 0) product.scale = b & ~SCALE_FACTOR;
+    else ttc_cube_multiply(&product, b);
+    if (!system->failed) define_unit(e, unit, &product, 1);
 }
 
-static bool same_binomial(const binomial *a, const binomial *b)
-{
-    return ttc_cube_same_factors(&a->rest_a, &b->rest_a) && ttc_cube_same_factors(&a->rest_b, &b->rest_b)
-           && a->rest_a.scale == b->rest_a.scale && a->rest_b.scale == b->rest_b.scale && a->rest_b.sign == b->rest_b.sign;
-}
-
-static void extract_terms(extractor *e, const place *where)
+/* The sum of two terms becomes a unit wherever it stands. */
+static void extract_terms(extractor *e, uint32_t group)
 {
     ttc_system *system = e->system;
-    const ttc_polynomial *p = &system->variables[where->variable].definition;
-    binomial wanted, found;
-    int sign = 1;
-    if (!normal_binomial(e, &wanted, &sign, p->cubes + where->first, p->cubes + where->second)) return;
-    uint32_t unit = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
-    for (uint32_t v = 0; v < unit && !system->failed; v++) {
-        ttc_polynomial *sum = &system->variables[v].definition;
-        for (uint32_t i = 0; i < sum->count; i++)
-            for (uint32_t j = i + 1; j < sum->count; j++) {
-                if (!normal_binomial(e, &found, &sign, sum->cubes + i, sum->cubes + j)) return;
-                if (!same_binomial(&wanted, &found) || !ttc_cube_multiply(&found.common, unit)) continue;
-                sum->cubes[i] = found.common;
-                ttc_polynomial_remove(sum, j);
-                break;
-            }
+    uint32_t count = e->binomials.groups[group].size;
+    ttc_term_pair *places = malloc((count + 1) * sizeof *places);
+    ttc_binomial wanted, found;
+    system->failed |= places == NULL;
+    uint32_t unit = system->failed ? 0 : add_unit(e);
+    if (!system->failed) ttc_extract_index_places(&e->binomials, group, places);
+    for (uint32_t i = 0; i < count && !system->failed; i++) {
+        const ttc_term_pair *at = places + i;
+        ttc_polynomial *p = definition_of(e, at->variable);
+        if (state_of(e, at->variable, at->first)->is_changed || state_of(e, at->variable, at->second)->is_changed) continue;
+        if (!ttc_binomial_of(system, &e->ratios, i == 0 ? &wanted : &found, p->cubes + at->first, p->cubes + at->second)) break;
+        if (i == 0) found = wanted;
+        if (!ttc_binomial_same(&wanted, &found) || !ttc_cube_multiply(&found.common, unit)) continue;
+        retract(e, at->variable, at->first);
+        retract(e, at->variable, at->second);
+        p->cubes[at->first] = found.common;
+        p->cubes[at->second].sign = 0;
+        if (!system->failed) note_occurrence(e, unit, at->variable, at->first);
     }
-    if (system->failed) return;
-    system->variables[unit].is_extracted = true;
-    ttc_polynomial_add(system, &system->variables[unit].definition, &wanted.rest_a);
-    ttc_polynomial_add(system, &system->variables[unit].definition, &wanted.rest_b);
+    free(places);
+    const ttc_cube rests[] = { wanted.rest_a, wanted.rest_b };
+    if (!system->failed) define_unit(e, unit, rests, 2);
+}
+
+/* The first of the groups worth most; NULL when none is worth anything. */
+static const ttc_ranked *best_of(extractor *e, const ttc_extract_index *index, unsigned bonus, uint64_t *best_score)
+{
+    const ttc_ranked *best = NULL;
+    for (size_t i = 0; i < index->ranked_count; i++) {
+        uint64_t score = (uint64_t)index->ranked[i].gain * 64 + bonus;
+        if (e->noise > 0) score += next_random(e) % e->noise;
+        if (score <= *best_score) continue;
+        *best_score = score;
+        best = index->ranked + i;
+    }
+    return best;
+}
+
+static void extract_ranked(extractor *e, bool are_terms, const ttc_ranked *chosen)
+{
+    if (are_terms) extract_terms(e, chosen->group);
+    else extract_factors(e, (uint32_t)(chosen->key >> 32), (uint32_t)chosen->key);
+}
+
+/* All groups that gain as much as `chosen`, the first of them, as long as nothing taken before touches them. */
+static void extract_all(extractor *e, bool are_terms, const ttc_ranked *chosen)
+{
+    const ttc_extract_index *index = are_terms ? &e->binomials : &e->pairs;
+    int32_t gain = chosen->gain;
+    for (size_t i = (size_t)(chosen - index->ranked); i < index->ranked_count && !e->system->failed; i++)
+        if (index->ranked[i].gain == gain && !index->groups[index->ranked[i].group].is_changed)
+            extract_ranked(e, are_terms, index->ranked + i);
 }
 
 static bool extract_best(extractor *e)
 {
-    ttc_system *system = e->system;
     uint64_t score = 0;
-    e->pairs.count = e->binomials.count = 0;
-    for (uint32_t v = 0; v < system->count && !system->failed; v++) {
-        const ttc_polynomial *p = &system->variables[v].definition;
-        for (uint32_t i = 0; i < p->count; i++) factor_pairs(e, v, p->cubes + i);
-        term_pairs(e, v, p);
-    }
-    if (system->failed) return false;
-    const place *pair = best_of(e, &e->pairs, false, &score);
-    const place *terms = best_of(e, &e->binomials, true, &score);
-    if (terms != NULL) {
-        place chosen = *terms;
-        extract_terms(e, &chosen);
-    } else if (pair != NULL) {
-        extract_factors(e, pair->first, pair->second);
-    }
-    return (terms != NULL || pair != NULL) && !system->failed;
+    renew(e);
+    if (e->system->failed) return false;
+    const ttc_ranked *pair = best_of(e, &e->pairs, 0, &score);
+    const ttc_ranked *terms = best_of(e, &e->binomials, 8, &score);
+    const ttc_ranked *chosen = terms != NULL ? terms : pair;
+    if (chosen == NULL) return false;
+    if (e->is_large) extract_all(e, terms != NULL, chosen);
+    else extract_ranked(e, terms != NULL, chosen);
+    return !e->system->failed;
 }
 
-uint64_t ttc_system_extract(ttc_system *system, uint64_t seed)
+/* Cubes that are gone leave their sums. */
+static void close_gaps(ttc_system *system)
 {
-    extractor e = { .system = system, .random = seed };
+    for (uint32_t v = 0; v < system->count; v++) {
+        ttc_polynomial *p = &system->variables[v].definition;
+        uint32_t count = 0;
+        for (uint32_t i = 0; i < p->count; i++)
+            if (p->cubes[i].sign != 0) p->cubes[count++] = p->cubes[i];
+        p->count = count;
+    }
+}
+
+uint64_t ttc_system_extract(ttc_system *system, uint64_t seed, uint64_t pair_limit)
+{
+    extractor e = { .system = system, .random = seed, .pair_limit = pair_limit };
     static const unsigned noises[] = { 32, 64, 96, 160 };
     e.noise = seed == 0 ? 0 : noises[seed % 4];
+    begin(&e);
     while (extract_best(&e)) continue;
-    free(e.pairs.items);
-    free(e.binomials.items);
-    free(e.ratios);
+    close_gaps(system);
+    ttc_scale_ratios_clear(&e.ratios);
+    ttc_extract_index_clear(&e.pairs);
+    ttc_extract_index_clear(&e.binomials);
+    free(e.sums);
+    free(e.cubes);
+    free(e.first_occurrence);
+    free(e.occurrences);
+    free(e.changed);
     return e.work;
 }

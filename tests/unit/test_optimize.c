@@ -55,7 +55,7 @@ static void no_division_of_the_reduced_field_waits_for_its_root(void **unused)
     ttc_model *model = ttc_model_read(JLT_SOURCE_DIR "/codegen/models/spherical_top.tt", diagnostics);
     assert_non_null(model);
     assert_int_equal(ttc_field_create(&field, model, NULL, NULL, NULL), TTC_FIELD_OK);
-    ttc_kernels *kernels = ttc_kernels_create(field);
+    ttc_kernels *kernels = ttc_kernels_create(field, TTC_EFFORT_FULL);
     assert_non_null(kernels);
     for (int kind = TTC_KERNEL_RHS; kind <= TTC_KERNEL_DIVERGENCE; kind++) {
         const ttc_kernel *kernel = kernels->kernels + kind;

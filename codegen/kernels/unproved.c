@@ -1,0 +1,75 @@
+/* A report lists the claims of the table first, in its order, and then what is derived: roots, variants, times and
+ * eliminations, by kind and name. */
+#include "kernels/unproved.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void add_kernels(ttc_text *text, ttc_kernel_kind first, ttc_kernel_kind second)
+{
+    ttc_text_format(text, "%s%s, %s", text->length > 0 ? ", " : "", ttc_kernel_name(first), ttc_kernel_name(second));
+}
+
+static bool holds(const uint32_t *claims, size_t count, uint32_t claim)
+{
+    for (size_t i = 0; i < count; i++)
+        if (claims[i] == claim) return true;
+    return false;
+}
+
+/* A claim of the table. */
+static void kernels_of_claim(ttc_text *text, const ttc_kernels *k, uint32_t number)
+{
+    const ttc_claim *claim = k->field->model->claims + number;
+    uint32_t family = ttc_claim_speaks_of_family(claim->kind) ? claim->family : number;
+    if (k->field->elimination != NULL && k->field->elimination->integral == number) ttc_text_add(text, "all kernels");
+    else if (holds(k->integrals, k->integral_count, number))
+        add_kernels(text, TTC_KERNEL_INTEGRAL_VALUES, TTC_KERNEL_INTEGRAL_GRADIENTS);
+    else if (holds(k->measures, k->measure_count, number))
+        add_kernels(text, TTC_KERNEL_MEASURE_VALUES, TTC_KERNEL_MEASURE_DIVERGENCES);
+    else if (holds(k->families, k->family_count, family)) ttc_text_add(text, "equilibria");
+}
+
+/* What follows from the table: every kernel of a variant, a time or an elimination needs it, and of a root all do. */
+static bool field_needs(const ttc_field *field, const ttc_proof *proof)
+{
+    const char *name = NULL;
+    if (strcmp(proof->kind, "root") == 0) return true;
+    if (strcmp(proof->kind, "variant") == 0 && field->variant != NULL) name = field->variant->name;
+    if (strcmp(proof->kind, "time") == 0 && field->time != NULL) name = field->time->name;
+    if (strcmp(proof->kind, "eliminate") == 0 && field->elimination != NULL) name = field->elimination->name;
+    return name != NULL && strcmp(name, proof->name) == 0;
+}
+
+void ttc_unproved_kernels(ttc_text *text, const ttc_kernels *kernels, const ttc_proof_report *report, size_t proof)
+{
+    const ttc_field *field = kernels->field;
+    if (proof < field->model->claim_count) kernels_of_claim(text, kernels, (uint32_t)proof);
+    else if (field_needs(field, report->proofs + proof)) ttc_text_add(text, "all kernels");
+}
+
+static bool mark(ttc_kernels *k, const ttc_proof_report *report)
+{
+    ttc_text names = { 0 };
+    for (size_t i = 0; i < report->proof_count; i++) {
+        const ttc_proof *proof = report->proofs + i;
+        ttc_text kernels = { 0 };
+        if (strcmp(ttc_proof_status_name(proof->status), "proved") == 0) continue;
+        ttc_unproved_kernels(&kernels, k, report, i);
+        if (kernels.length > 0) ttc_text_format(&names, "%s%s %s", names.length > 0 ? ", " : "", proof->kind, proof->name);
+        names.failed |= kernels.failed;
+        ttc_text_clear(&kernels);
+    }
+    bool ok = !names.failed;
+    free(k->unproved);
+    k->unproved = ok ? names.bytes : NULL;
+    if (!ok) ttc_text_clear(&names);
+    return ok;
+}
+
+bool ttc_plan_mark_unproved(ttc_plan *plan, const ttc_proof_report *report)
+{
+    for (size_t i = 0; i < plan->count; i++)
+        if (plan->fields[i].kernels != NULL && !mark(plan->fields[i].kernels, report)) return false;
+    return true;
+}

@@ -1,0 +1,17 @@
+/** Claims that kernels rest on without a proof: what is served must hold. */
+#ifndef TTC_UNPROVED_H
+#define TTC_UNPROVED_H
+
+#include "base/text.h"
+#include "kernels/plan.h"
+#include "prove/prove.h"
+
+/** The kernels of a field that rest on a proof's claim, by name and joined with ", "; "all kernels" where every one does.
+ *  Adds nothing when none does. report: of the field's own table. */
+void ttc_unproved_kernels(ttc_text *text, const ttc_kernels *kernels, const ttc_proof_report *report, size_t proof);
+
+/** Give every field of the plan the names of the claims that it rests on and that are not proved, "KIND NAME" joined with
+ *  ", ", in the order of the report. Returns false when memory is out. */
+bool ttc_plan_mark_unproved(ttc_plan *plan, const ttc_proof_report *report);
+
+#endif

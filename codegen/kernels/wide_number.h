@@ -1,0 +1,11 @@
+/** Numbers of a table that no double can hold. */
+#ifndef TTC_WIDE_NUMBER_H
+#define TTC_WIDE_NUMBER_H
+
+#include "kernels/plan.h"
+
+/** The first expression of the table with such a number; else the record of the first field in whose kernels one arose.
+ *  False when there is none. */
+bool ttc_find_wide_number(const ttc_plan *plan, ttc_place *place);
+
+#endif
