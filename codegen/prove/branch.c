@@ -18,7 +18,7 @@ static ttc_id term_node(ttc_task *task, const fmpz_mpoly_t polynomial, slong ind
     return node;
 }
 
-static ttc_id polynomial_node(ttc_task *task, const fmpz_mpoly_t polynomial)
+ttc_id ttc_branch_expression(ttc_task *task, const fmpz_mpoly_t polynomial)
 {
     ttc_id sum = ttc_integer(task->model->graph, 0);
     for (slong i = 0; i < fmpz_mpoly_length(polynomial, task->ring->context); i++)
@@ -102,7 +102,7 @@ static ttc_id coefficient_node(ttc_task *task, const fmpz_mpoly_t factor, slong 
     fmpz_mpoly_t coefficient;
     fmpz_mpoly_init(coefficient, task->ring->context);
     fmpz_mpoly_get_coeff_vars_ui(coefficient, factor, &variable, &exponent, 1, task->ring->context);
-    ttc_id node = polynomial_node(task, coefficient);
+    ttc_id node = ttc_branch_expression(task, coefficient);
     fmpz_mpoly_clear(coefficient, task->ring->context);
     return node;
 }

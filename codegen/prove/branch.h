@@ -22,11 +22,17 @@ typedef struct {
     size_t solution_count, spares;
     size_t relation_count;                         /* solved so far */
     bool own_solved;                               /* some of them for the invariant's own level */
+    bool is_degenerate;                            /* one of them says that what another would divide by vanishes */
+    bool is_orphan;                                /* and where it does not vanish, the level has no real points */
+    ttc_id apart;                                  /* zero on the other factors of the own level; TTC_NONE: there are none */
     ttc_id goals[2 * TTC_BRANCH_RELATIONS_MAX];    /* expressions that are still to be made zero; the last one is next */
     size_t goal_count;
     ttc_id met[4 * TTC_BRANCH_RELATIONS_MAX];      /* goals that are zero now, for some signs of roots */
     size_t met_count;
 } ttc_branch;
+
+/* A polynomial of the task's ring as an expression; TTC_NONE where it uses roots that have no name. */
+ttc_id ttc_branch_expression(ttc_task *task, const fmpz_mpoly_t polynomial);
 
 /** Add the solution of factor = 0, in the ring of the task's field, for a state or parameter in which it is linear or quadratic.
  *  lead: what the solution divides by, as an expression; it is a number where the solution divides by one.

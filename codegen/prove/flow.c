@@ -80,6 +80,25 @@ bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio)
     return false;
 }
 
+/* Where a leaf is left at a real point that lies on no other component, the level is left. Short of that nothing is said: a set
+ * is kept when its components are, real points or not. */
+static void refute_kept(ttc_task *task, const ttc_symbol_entry *entry, const ttc_ratio *rate)
+{
+    ttc_ratio others;
+    size_t mark = ttc_conditions_mark(&task->domain);
+    bool contradictory = task->domain.contradictory;
+    ttc_ratio_init(task->ring, &others);
+    if (task->apart != TTC_NONE) {
+        ttc_evaluate(task->field, &others, task->apart);
+        ttc_conditions_add(&task->domain, &others, TTC_IS_NONZERO);
+    }
+    if (!task->is_thin) ttc_task_require_zero(task, rate, "the set is left: rate of %s - rate of what it stands for", entry->name);
+    ttc_conditions_rewind(&task->domain, mark, contradictory);
+    ttc_task_unsettle(task, "the flow is not tangent to the set, by the rate of %s; that it leaves its real points was not shown",
+                      entry->name);
+    ttc_ratio_clear(task->ring, &others);
+}
+
 /* A symbol that follows from the free ones must move as they make it move: a state by its equation, a parameter not at all. */
 static void require_symbol_kept(ttc_task *task, uint32_t symbol, const ttc_ratio *slopes, const char *hint)
 {
@@ -93,7 +112,7 @@ static void require_symbol_kept(ttc_task *task, uint32_t symbol, const ttc_ratio
     ttc_ratio_subtract(task->ring, &rate, &value, &rate);
     if (ttc_task_open(task) && hint != NULL && !ttc_ratio_is_zero(task->ring, &rate))
         ttc_task_unsettle(task, "the flow does not keep the set of the condition on %s (%s)", entry->name, hint);
-    ttc_task_require_zero(task, &rate, "the set is left: rate of %s - rate of what it stands for", entry->name);
+    if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &rate)) refute_kept(task, entry, &rate);
     ttc_ratio_clear(task->ring, &rate);
     ttc_ratio_clear(task->ring, &value);
 }
@@ -101,9 +120,14 @@ static void require_symbol_kept(ttc_task *task, uint32_t symbol, const ttc_ratio
 void ttc_task_require_kept(ttc_task *task, const char *hint)
 {
     const ttc_model *model = task->model;
+    if (task->is_hidden) {
+        if (task->has_point) ttc_task_unsettle(task, "real points of the level lie where a component of it has no others");
+        return;
+    }
     ttc_ratio *slopes = ttc_task_slopes(task);
     for (uint32_t i = 0; slopes != NULL && i < model->symbol_count && ttc_task_open(task); i++) {
         if (ttc_valuation_is_bound(task->field, i)) require_symbol_kept(task, i, slopes, hint);
     }
     ttc_task_free(task, slopes, task->ring->variable_count);
+    task->kept += ttc_task_open(task);
 }

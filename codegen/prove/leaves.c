@@ -50,6 +50,8 @@ static void close_field(ttc_task *task)
     task->ring = NULL;
 }
 
+static bool is_invariant(const ttc_task *task) { return task->claim->kind == TTC_CLAIM_INVARIANT; }
+
 /* A failure that says that no point of the domain is here, rather than that something could not be computed. */
 static bool says_empty(ttc_ring_status status)
 {
@@ -128,6 +130,20 @@ static bool look_for_point(cover *c)
     return true;
 }
 
+static void place_leaf(ttc_task *task, const ttc_branch *b)
+{
+    task->is_thin = is_invariant(task) && b->is_degenerate;
+    task->is_hidden = is_invariant(task) && b->is_orphan;
+    task->apart = is_invariant(task) ? b->apart : TTC_NONE;
+}
+
+/* A component of a level of n relations takes away n dimensions at most. A leaf that takes away more lies within components that
+ * other leaves show to be kept, and with them their real points. */
+static bool is_no_component(const ttc_task *task, const ttc_branch *b)
+{
+    return is_invariant(task) && !b->is_orphan && b->relation_count > task->claim->modulo_count + 1;
+}
+
 /* The claim on one leaf; every sign of roots that became rational is a leaf of its own. A verdict that is not final does not
  * keep other leaves from refuting the claim. */
 static void visit(cover *c, const ttc_branch *b)
@@ -150,8 +166,9 @@ static void visit(cover *c, const ttc_branch *b)
             task->remainder = NULL;
         }
         if (is_on_branch(task, b) && look_for_point(c)) {
+            place_leaf(task, b);
             check_foundations(task);
-            if (ttc_task_open(task)) c->prover(task);
+            if (ttc_task_open(task) && !is_no_component(task, b)) c->prover(task);
             if (says_empty(task->ring->status))
                 ttc_task_unsettle(task, "%s", ttc_ring_status_text(task->ring->status));
             else if (task->ring->status != TTC_RING_OK || task->domain.failed)
@@ -197,7 +214,10 @@ static void follow(cover *c, const ttc_branch *b, const fmpz_mpoly_t factor)
         return;
     }
     solved.own_solved |= b->goal_count == 1 && c->task->claim->kind == TTC_CLAIM_INVARIANT;
+    size_t kept = c->task->kept;
     descend_apart(c, &solved);
+    degenerate.is_degenerate = true;
+    degenerate.is_orphan |= c->task->kept == kept;
     if (lead == TTC_NONE || ttc_kind_of(c->task->model->graph, lead) == TTC_NUMBER || c->task->status == TTC_REFUTED) return;
     if (degenerate.goal_count == sizeof degenerate.goals / sizeof *degenerate.goals) {
         ttc_task_unsettle(c->task, "the zero level falls into too many cases");
@@ -207,14 +227,30 @@ static void follow(cover *c, const ttc_branch *b, const fmpz_mpoly_t factor)
     descend_apart(c, &degenerate);
 }
 
+/* The product of all factors but one. */
+static ttc_id others_of(ttc_task *task, const fmpz_mpoly_factor_t factors, slong one)
+{
+    ttc_id product = TTC_NONE;
+    for (slong i = 0; i < factors->num; i++) {
+        if (i == one) continue;
+        ttc_id other = ttc_branch_expression(task, factors->poly + i);
+        product = product == TTC_NONE ? other : ttc_multiply(task->model->graph, product, other);
+    }
+    return product;
+}
+
 static void follow_factors(cover *c, const ttc_branch *b, const fmpz_mpoly_t norm)
 {
     ttc_task *task = c->task;
     fmpz_mpoly_factor_t factors;
     fmpz_mpoly_factor_init(factors, task->ring->context);
     if (!fmpz_mpoly_factor(factors, norm, task->ring->context)) ttc_task_unsettle(task, "the zero level could not be factored");
-    for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++)
-        if (ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_SIGN_ZERO) follow(c, b, factors->poly + i);
+    for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++) {
+        if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_SIGN_ZERO)) continue;
+        ttc_branch one = *b;
+        if (is_invariant(task) && b->goal_count == 1 && !b->own_solved) one.apart = others_of(task, factors, i);
+        follow(c, &one, factors->poly + i);
+    }
     fmpz_mpoly_factor_clear(factors, task->ring->context);
 }
 
@@ -233,9 +269,9 @@ static void meet(cover *c, const ttc_branch *b)
         c->why_empty = ttc_ring_status_text(status);
     } else if (status != TTC_RING_OK) {
         ttc_task_unsettle(task, "on the zero level, %s", ttc_ring_status_text(status));
-    } else if (ttc_ratio_is_zero(task->ring, &value) && task->claim->kind == TTC_CLAIM_INVARIANT && b->goal_count == 1
-               && !b->own_solved) {
-        ttc_task_unsettle(task, "%s is zero wherever its conditions hold: its zero level says nothing", task->claim->name);
+    } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !ttc_task_moves(task, &value)) {
+        ttc_task_unsettle(task, "%s does not depend on the states, or is zero wherever its conditions hold: that says nothing",
+                          task->claim->name);
     } else if (ttc_ratio_is_zero(task->ring, &value)) {
         ttc_branch next = *b;
         ttc_id goal = next.goals[--next.goal_count];

@@ -33,6 +33,10 @@ struct ttc_task {
     ttc_ring *ring;
     ttc_conditions domain;
     bool has_point; /* a real point of the leaf is known */
+    bool is_thin;   /* the leaf may be no component of the level that it lies on */
+    bool is_hidden; /* it is none, or one whose component has no other real points */
+    ttc_id apart;   /* not zero at points that belong to no other component, or TTC_NONE */
+    size_t kept;    /* leaves that the flow was shown to keep */
     char why_empty[160]; /* what keeps the last empty leaf from having points; "" where that is not evident */
     /* the verdict so far */
     ttc_proof_status status;
@@ -83,7 +87,8 @@ bool ttc_task_moves(ttc_task *task, const ttc_ratio *ratio);
 ttc_ratio *ttc_task_ratios(ttc_task *task, size_t count);
 void ttc_task_free(ttc_task *task, ttc_ratio *ratios, size_t count);
 
-/* The set that the claim's conditions, and the levels solved on this leaf, describe: the flow keeps it. */
+/* The flow keeps the set that this leaf describes: it is tangent to it. hint: NULL, or what to do about a condition that is not
+ * kept, which then leaves the claim not settled. */
 void ttc_task_require_kept(ttc_task *task, const char *hint);
 
 /* The provers, one a kind. */
