@@ -13,7 +13,7 @@ static const long precisions[] = { 192, 768, 3072 };
 /* What was seen of one claim. */
 typedef struct {
     ttc_subject subject;
-    ttc_point point;
+    ttc_random_point point;
     ttc_check check;
     size_t held, violated;
     bool wants_witness, has_witness;
@@ -45,7 +45,7 @@ static ttc_check_outcome try_point(trial *t)
 {
     char fault[256];
     for (size_t i = 0; i < sizeof precisions / sizeof *precisions; i++) {
-        ttc_place_in_domain place = ttc_point_place(t->check.probe, &t->point, &t->subject.situation, precisions[i], fault, sizeof fault);
+        ttc_place_in_domain place = ttc_random_point_place(t->check.probe, &t->point, &t->subject.situation, precisions[i], fault, sizeof fault);
         t->check.outcome = TTC_HOLDS;
         t->check.what[0] = '\0';
         if (fault[0] != '\0') ttc_check_violate(&t->check, "the family leaves the domain:", fault);
@@ -65,7 +65,7 @@ static void run(trial *t, size_t count, ttc_challenge_result *result)
         ttc_check_outcome outcome = TTC_UNDEFINED;
         for (int draw = 0; draw < DRAWS_A_POINT && outcome == TTC_UNDEFINED && barren < DRAWS_BEFORE_GIVING_UP; draw++) {
             ttc_sample_range range = draw < WIDE_DRAWS ? TTC_SAMPLE_WIDE : TTC_SAMPLE_MODERATE;
-            if (!ttc_point_draw(&t->point, &t->subject.situation, &t->check.random, range)) {
+            if (!ttc_random_point_draw(&t->point, &t->subject.situation, &t->check.random, range)) {
                 barren = DRAWS_BEFORE_GIVING_UP;
                 break;
             }
@@ -123,8 +123,8 @@ static bool challenge_one(const ttc_model *model, ttc_resolver resolver, void *c
     t.check.index = t.subject.index;
     t.check.random.state = seed;
     t.check.probe = ttc_probe_create(model);
-    if (t.check.probe == NULL || !ttc_point_init(&t.point, &t.subject.situation)) goto done;
-    if (t.subject.claim != NULL && t.subject.claim->kind == TTC_CLAIM_REDUCTION && resolver != NULL) {
+    if (t.check.probe == NULL || !ttc_random_point_init(&t.point, &t.subject.situation)) goto done;
+    if (t.subject.claim != NULL && t.subject.claim->target != NULL && resolver != NULL) {
         diagnostics = ttc_diagnostics_create();
         if (diagnostics == NULL) goto done;
         target = resolver(context, model, t.subject.claim->target, diagnostics);
@@ -139,7 +139,7 @@ done:
     ttc_probe_destroy(t.check.target_probe);
     ttc_model_destroy(target);
     ttc_diagnostics_destroy(diagnostics);
-    ttc_point_clear(&t.point);
+    ttc_random_point_clear(&t.point);
     ttc_probe_destroy(t.check.probe);
     return ok;
 }

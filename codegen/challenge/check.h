@@ -3,7 +3,7 @@
 #ifndef TTC_CHECK_H
 #define TTC_CHECK_H
 
-#include "challenge/point.h"
+#include "challenge/random_point.h"
 #include "prove/prove.h"
 
 typedef enum {
@@ -49,6 +49,7 @@ void ttc_check_invariant(ttc_check *check);
 void ttc_check_rate_claim(ttc_check *check);
 void ttc_check_measure(ttc_check *check);
 void ttc_check_reversor(ttc_check *check);
+void ttc_check_symmetry(ttc_check *check);
 void ttc_check_equal(ttc_check *check);
 void ttc_check_positive_claim(ttc_check *check);
 void ttc_check_equilibria(ttc_check *check);
@@ -57,7 +58,7 @@ void ttc_check_charpoly(ttc_check *check);
 void ttc_check_matrix(ttc_check *check);
 void ttc_check_left_null(ttc_check *check);
 void ttc_check_obstructs(ttc_check *check);
-void ttc_check_reduction(ttc_check *check);
+void ttc_check_reduction(ttc_check *check); /* and embeddings */
 void ttc_check_root(ttc_check *check);
 void ttc_check_variant(ttc_check *check);
 void ttc_check_time(ttc_check *check);

@@ -111,29 +111,64 @@ static bool move_to_image(ttc_check *check)
     return good;
 }
 
-/* The image lies in the domain, and f(S x) + S f(x) = 0, S being linear. */
-void ttc_check_reversor(ttc_check *check)
+/* DS f at the point, shape (states,) */
+static bool push_forward(ttc_check *check, arb_ptr out)
 {
     const ttc_model *model = check->model;
-    const size_t n = model->state_count;
-    char fault[256];
-    arb_ptr mapped = _arb_vec_init((long)n);
-    bool good = true;
-    for (size_t i = 0; good && i < n; i++) {
+    for (size_t i = 0; i < model->state_count; i++) {
         ttc_id image = model->symbols[model->states[i]].node;
         for (size_t k = 0; k < check->claim->bindings.count; k++)
             if (check->claim->bindings.items[k].symbol == model->states[i]) image = check->claim->bindings.items[k].expression;
-        good = ttc_check_rate(check, mapped + i, image);
+        if (!ttc_check_rate(check, out + i, image)) return false;
     }
-    good = good && move_to_image(check);
-    if (good && ttc_domain_locate(check->probe, model, NULL, UINT32_MAX, fault, sizeof fault) == TTC_OUTSIDE)
-        ttc_check_violate(check, "the image of the point leaves the domain:", fault);
-    for (size_t i = 0; good && check->outcome != TTC_VIOLATED && i < n; i++) {
-        arb_srcptr speed = ttc_check_at(check, ttc_model_field(model, i));
-        good = speed != NULL;
-        if (!good) break;
-        arb_add(mapped + i, mapped + i, speed, ttc_probe_precision(check->probe));
-        ttc_check_zero(check, mapped + i, "f(Sx) + S f(x) in", model->symbols[model->states[i]].name);
+    return true;
+}
+
+/* The image lies in the domain, and f(S x) - sign DS f(x) = 0, S being affine. */
+static void check_map(ttc_check *check, int sign, const char *what)
+{
+    const ttc_model *model = check->model;
+    const size_t n = model->state_count;
+    const long precision = ttc_probe_precision(check->probe);
+    char fault[256];
+    arb_ptr mapped = _arb_vec_init((long)n);
+    if (push_forward(check, mapped) && move_to_image(check)) {
+        if (ttc_domain_locate(check->probe, model, NULL, UINT32_MAX, fault, sizeof fault) == TTC_OUTSIDE)
+            ttc_check_violate(check, "the image of the point leaves the domain:", fault);
+        for (size_t i = 0; check->outcome != TTC_VIOLATED && i < n; i++) {
+            arb_srcptr speed = ttc_check_at(check, ttc_model_field(model, i));
+            if (speed == NULL) break;
+            if (sign > 0) arb_neg(mapped + i, mapped + i);
+            arb_add(mapped + i, mapped + i, speed, precision);
+            ttc_check_zero(check, mapped + i, what, model->symbols[model->states[i]].name);
+        }
     }
     _arb_vec_clear(mapped, (long)n);
 }
+
+/* S(S(x)) = x; the probe is at S(x) after that. */
+static void check_involution(ttc_check *check, arb_srcptr before)
+{
+    const ttc_bindings *map = &check->claim->bindings;
+    arb_t difference;
+    arb_init(difference);
+    for (size_t i = 0; i < map->count && check->outcome != TTC_VIOLATED; i++) {
+        arb_srcptr again = ttc_check_at(check, map->items[i].expression);
+        if (again == NULL) break;
+        arb_sub(difference, again, before + i, ttc_probe_precision(check->probe));
+        ttc_check_zero(check, difference, "S(S(x)) - x in", check->model->symbols[map->items[i].symbol].name);
+    }
+    arb_clear(difference);
+}
+
+void ttc_check_reversor(ttc_check *check)
+{
+    const ttc_bindings *map = &check->claim->bindings;
+    arb_ptr before = _arb_vec_init((long)map->count);
+    for (size_t i = 0; i < map->count; i++) arb_set(before + i, ttc_probe_value(check->probe, map->items[i].symbol));
+    check_map(check, -1, "f(Sx) + DS f(x) in");
+    check_involution(check, before);
+    _arb_vec_clear(before, (long)map->count);
+}
+
+void ttc_check_symmetry(ttc_check *check) { check_map(check, 1, "f(Sx) - DS f(x) in"); }

@@ -1,4 +1,5 @@
-/* Reductions, at one point: the image lies in the target's domain, moves as the target says, and fills its dimensions. */
+/* Reductions and embeddings, at one point: the image lies in the target's domain and moves as the target says; that of a
+ * reduction fills its dimensions, that of an embedding has ours. */
 #include "challenge/check.h"
 
 #include <string.h>
@@ -84,50 +85,54 @@ static void check_chain_rule(ttc_check *check)
     arb_clear(rate);
 }
 
-/* Column j of the images' derivatives: by the states, then by the parameters. */
-static bool fill_derivatives(ttc_check *check, arb_mat_t rows)
+/* Whether a binding gives a state of the target, or, for an embedding, a parameter. */
+static bool has_row(const ttc_check *check, size_t binding)
 {
-    const ttc_model *model = check->model, *target = check->target;
-    const size_t n = model->state_count;
-    bool good = true;
-    for (size_t first = 0; good && (first == 0 || first < model->param_count); first += TTC_PROBE_SPARE) {
-        ttc_probe_seed_states(check->probe);
-        for (size_t k = 0; k < TTC_PROBE_SPARE && first + k < model->param_count; k++)
-            ttc_probe_seed(check->probe, model->params[first + k], n + k);
-        for (size_t i = 0; good && i < target->state_count; i++) {
-            arb_srcptr jet = ttc_check_at(check, image_of(check, target->symbols[target->states[i]].name)->expression);
-            good = jet != NULL;
-            for (size_t k = 0; good && k < n; k++) arb_set(arb_mat_entry(rows, (long)i, (long)k), jet + 1 + k);
-            for (size_t k = 0; good && k < TTC_PROBE_SPARE && first + k < model->param_count; k++)
-                arb_set(arb_mat_entry(rows, (long)i, (long)(n + first + k)), jet + 1 + n + k);
-        }
-    }
-    ttc_probe_seed_states(check->probe);
-    return good;
+    uint32_t symbol;
+    if (!ttc_model_find_symbol(check->target, check->claim->target_names[binding], &symbol)) return false;
+    return check->target->symbols[symbol].kind == TTC_STATE
+           || (check->target->symbols[symbol].kind == TTC_PARAM && check->claim->kind == TTC_CLAIM_EMBEDDING);
 }
 
-/* The Gram determinant of the images' gradients, by states and parameters, differs from zero at some point: the image has
- * full dimension (a model on levels of integrals has their values as parameters). With conditions this is not looked at. */
+/* Derivatives of the images by the states, shape (rows, states); rows that are not used are zero. */
+static bool fill_derivatives(ttc_check *check, arb_mat_t rows)
+{
+    for (size_t i = 0; i < check->claim->bindings.count; i++) {
+        if (!has_row(check, i)) continue;
+        arb_srcptr jet = ttc_check_at(check, check->claim->bindings.items[i].expression);
+        if (jet == NULL) return false;
+        for (size_t k = 0; k < check->model->state_count; k++) arb_set(arb_mat_entry(rows, (long)i, (long)k), jet + 1 + k);
+    }
+    return true;
+}
+
+/* Onto: the target's states have independent gradients at some point, so that J J^T, without the zero rows, is invertible there.
+ * Into: J has as many independent columns as there are states here: J^T J. With conditions this is not looked at. */
 static void check_dimension(ttc_check *check)
 {
-    const long m = (long)check->target->state_count, precision = ttc_probe_precision(check->probe);
-    const long columns = (long)(check->model->state_count + check->model->param_count);
+    const long rows = (long)check->claim->bindings.count, n = (long)check->model->state_count;
+    const long precision = ttc_probe_precision(check->probe);
+    const bool onto = check->claim->kind == TTC_CLAIM_REDUCTION;
+    const long size = onto ? rows : n;
     arb_t determinant;
-    arb_mat_t rows, transposed, gram;
+    arb_mat_t derivatives, transposed, gram;
     if (check->claim->modulo_count > 0 || check->claim->when.count > 0) return;
     arb_init(determinant);
-    arb_mat_init(rows, m, columns);
-    arb_mat_init(transposed, columns, m);
-    arb_mat_init(gram, m, m);
-    if (fill_derivatives(check, rows)) {
-        arb_mat_transpose(transposed, rows);
-        arb_mat_mul(gram, rows, transposed, precision);
+    arb_mat_init(derivatives, rows, n);
+    arb_mat_init(transposed, n, rows);
+    arb_mat_init(gram, size, size);
+    if (fill_derivatives(check, derivatives)) {
+        arb_mat_transpose(transposed, derivatives);
+        if (onto) arb_mat_mul(gram, derivatives, transposed, precision);
+        else arb_mat_mul(gram, transposed, derivatives, precision);
+        for (long i = 0; onto && i < rows; i++)
+            if (!has_row(check, (size_t)i)) arb_one(arb_mat_entry(gram, i, i));
         arb_mat_det(determinant, gram, precision);
         ttc_check_witness(check, determinant);
     }
     arb_mat_clear(gram);
     arb_mat_clear(transposed);
-    arb_mat_clear(rows);
+    arb_mat_clear(derivatives);
     arb_clear(determinant);
 }
 

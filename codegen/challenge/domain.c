@@ -1,5 +1,5 @@
 /* Where a point lies in the domain of a model: every quantity that must be positive there, one after another. */
-#include "challenge/point.h"
+#include "challenge/random_point.h"
 
 #include <stdio.h>
 
@@ -90,9 +90,9 @@ ttc_place_in_domain ttc_domain_locate(ttc_probe *probe, const ttc_model *model, 
         take(&s, sign_of_expression(&s, model->regions[i].expression), model->regions[i].expression, UINT32_MAX,
              "the domain record", model->regions[i].name);
     for (uint32_t i = 0; i < model->symbol_count && i < except; i++)
-        if (model->symbols[i].kind == TTC_ROOT)
+        if (model->symbols[i].kind == TTC_ROOT || model->symbols[i].kind == TTC_LOG)
             take(&s, sign_of_expression(&s, model->symbols[i].definition), model->symbols[i].definition, UINT32_MAX,
-                 "the radicand of", model->symbols[i].name);
+                 model->symbols[i].kind == TTC_ROOT ? "the radicand of" : "the argument of", model->symbols[i].name);
     if (s.unclear || s.innocent_outside) fault[0] = '\0';
     if (s.innocent_outside) return TTC_OUTSIDE;
     if (s.unclear) return TTC_UNCLEAR;

@@ -1,6 +1,6 @@
 /* Points on zero levels: Newton's method for as many symbols as there are levels, then Krawczyk's test that the balls around
  * what it found hold a solution. */
-#include "challenge/point.h"
+#include "challenge/random_point.h"
 
 #if __has_include(<flint/arb_mat.h>)
 #include <flint/arb_mat.h>
@@ -12,7 +12,7 @@ enum { ITERATIONS = 60 };
 
 typedef struct {
     ttc_probe *probe;
-    const ttc_point *point;
+    const ttc_random_point *point;
     const ttc_situation *situation;
     long precision, n;
     arb_mat_t x, step, value, slope, inverse;
@@ -22,7 +22,7 @@ typedef struct {
 static bool evaluate(solver *s)
 {
     const size_t spare = 1 + s->situation->model->state_count;
-    if (!ttc_point_set(s->probe, s->point, s->situation, s->precision, arb_mat_entry(s->x, 0, 0))) return false;
+    if (!ttc_random_point_set(s->probe, s->point, s->situation, s->precision, arb_mat_entry(s->x, 0, 0))) return false;
     for (long i = 0; i < s->n; i++) {
         arb_srcptr jet = ttc_probe_at(s->probe, s->situation->levels[i]);
         if (jet == NULL) return false;
@@ -51,7 +51,7 @@ static bool is_finite(const arb_mat_t matrix)
 static bool begin(solver *s)
 {
     const ttc_situation *without = s->situation;
-    if (!ttc_point_set(s->probe, s->point, without, s->precision, NULL)) return false;
+    if (!ttc_random_point_set(s->probe, s->point, without, s->precision, NULL)) return false;
     for (long i = 0; i < s->n; i++)
         arb_set(arb_mat_entry(s->x, i, 0), ttc_probe_value(s->probe, s->point->pivots[i]));
     take_midpoints(s->x);
@@ -133,7 +133,7 @@ static bool krawczyk(solver *s)
     return inside;
 }
 
-bool ttc_level_meet(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, long precision)
+bool ttc_level_meet(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision)
 {
     solver s;
     s.probe = probe;

@@ -155,11 +155,40 @@ static void take_angle(ttc_probe *probe, arb_ptr out, arb_srcptr of, bool cosine
     arb_clear(factor);
 }
 
+/* out = log(of), log' = 1/of */
+static bool take_logarithm(ttc_probe *probe, arb_ptr out, arb_srcptr of)
+{
+    arb_t factor;
+    if (!arb_is_positive(of)) return false;
+    arb_init(factor);
+    arb_log(out, of, probe->precision);
+    arb_inv(factor, of, probe->precision);
+    chain(probe, out, factor, of);
+    arb_clear(factor);
+    return true;
+}
+
+static void take_exponential(ttc_probe *probe, arb_ptr out, arb_srcptr of)
+{
+    arb_exp(out, of, probe->precision);
+    chain(probe, out, out, of);
+}
+
+static void take_pi(ttc_probe *probe, arb_ptr out)
+{
+    arb_const_pi(out, probe->precision);
+    _arb_vec_zero(out + 1, (long)probe->width - 1);
+}
+
 static bool evaluate_symbol(ttc_probe *probe, arb_ptr out, uint32_t symbol)
 {
     const ttc_symbol_entry *entry = &probe->model->symbols[symbol];
     if (probe->known[symbol]) {
         _arb_vec_set(out, leaf(probe, symbol), (long)probe->width);
+        return true;
+    }
+    if (entry->kind == TTC_PI) {
+        take_pi(probe, out);
         return true;
     }
     if (entry->definition == TTC_NONE || probe->state[entry->definition] != GOOD) return false;
@@ -168,6 +197,8 @@ static bool evaluate_symbol(ttc_probe *probe, arb_ptr out, uint32_t symbol)
     case TTC_ROOT: return take_root(probe, out, of);
     case TTC_COSINE:
     case TTC_SINE: take_angle(probe, out, of, entry->kind == TTC_COSINE); return true;
+    case TTC_EXP: take_exponential(probe, out, of); return true;
+    case TTC_LOG: return take_logarithm(probe, out, of);
     default: _arb_vec_set(out, of, (long)probe->width); return true;
     }
 }

@@ -3,18 +3,18 @@
  *  A point is a list of rational numbers, one a free symbol; what `when` and a family bind is evaluated from them, and zero
  *  levels are met by solving for as many symbols, with a proof that the balls hold a solution (Krawczyk's test).
  *  Source: R. Krawczyk, Computing 4, 1969; A. Neumaier, Interval Methods for Systems of Equations, 5.1. */
-#ifndef TTC_POINT_H
-#define TTC_POINT_H
+#ifndef TTC_RANDOM_POINT_H
+#define TTC_RANDOM_POINT_H
 
 #include "challenge/probe.h"
 #include "challenge/sample.h"
 
-enum { TTC_POINT_LISTS = 3 };
+enum { TTC_RANDOM_POINT_LISTS = 3 };
 
 /* What a point must meet. */
 typedef struct {
     const ttc_model *model;
-    const ttc_bindings *bound[TTC_POINT_LISTS];
+    const ttc_bindings *bound[TTC_RANDOM_POINT_LISTS];
     size_t bound_count;
     ttc_id levels[TTC_PROBE_SPARE]; /* expressions that are zero */
     size_t level_count;
@@ -28,31 +28,32 @@ typedef struct {
     unsigned char *bound;  /* by symbol: not free */
     size_t symbol_count;
     uint32_t pivots[TTC_PROBE_SPARE]; /* symbols that are solved for, one a level */
-} ttc_point;
+} ttc_random_point;
 
-bool ttc_point_init(ttc_point *point, const ttc_situation *situation); /* false when memory is out */
-void ttc_point_clear(ttc_point *point); /* legal on a zeroed one */
+bool ttc_random_point_init(ttc_random_point *point, const ttc_situation *situation); /* false when memory is out */
+void ttc_random_point_clear(ttc_random_point *point); /* legal on a zeroed one */
 
 /* Draw numbers for every free symbol. False when there are fewer free symbols than levels. */
-bool ttc_point_draw(ttc_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range);
+bool ttc_random_point_draw(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range);
 
 typedef enum { TTC_INSIDE, TTC_OUTSIDE, TTC_UNCLEAR } ttc_place_in_domain;
 
 /** Set every symbol of the probe at that precision, solve for the levels, and seed the states.
  *  INSIDE: the balls hold a point of the domain that meets every condition; OUTSIDE: they hold none; UNCLEAR: neither is
  *  known. `fault`: of at least `fault_size` bytes; what the family breaks, by its own fault, or empty. */
-ttc_place_in_domain ttc_point_place(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, long precision,
+ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision,
                                     char *fault, size_t fault_size);
 
 /** Set the free and bound symbols; pivots have the values given, shape (level_count,), and are the spare tangents. False when
  *  something has no value there. */
-bool ttc_point_set(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, long precision,
+bool ttc_random_point_set(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision,
                    arb_srcptr pivots);
 
 /* Solve for the levels; the probe then holds the solution. */
-bool ttc_level_meet(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, long precision);
+bool ttc_level_meet(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision);
 
-/** Where the values of a probe lie, in the domain of its own model: signs, intervals, records `domain`, radicands. Divisors
+/** Where the values of a probe lie, in the domain of its own model: signs, intervals, records `domain`, radicands, arguments of
+ *  logarithms. Divisors
  *  are no part of it.
  *  family: blame is on what depends on a symbol that it binds; NULL: on everything. except: a root that is left out, with
  *  all roots below it; UINT32_MAX: none. fault: what is certainly broken, by the family alone; otherwise empty. */

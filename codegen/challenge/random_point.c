@@ -1,17 +1,17 @@
-#include "challenge/point.h"
+#include "challenge/random_point.h"
 
 #include <stdlib.h>
 
-bool ttc_point_init(ttc_point *point, const ttc_situation *situation)
+bool ttc_random_point_init(ttc_random_point *point, const ttc_situation *situation)
 {
     size_t count = situation->model->symbol_count;
-    *point = (ttc_point){ 0 };
+    *point = (ttc_random_point){ 0 };
     point->numbers = malloc((count + 1) * sizeof *point->numbers);
     point->bound = calloc(count + 1, 1);
     if (point->numbers == NULL || point->bound == NULL) {
         free(point->numbers);
         free(point->bound);
-        *point = (ttc_point){ 0 };
+        *point = (ttc_random_point){ 0 };
         return false;
     }
     point->symbol_count = count;
@@ -21,12 +21,12 @@ bool ttc_point_init(ttc_point *point, const ttc_situation *situation)
     return true;
 }
 
-void ttc_point_clear(ttc_point *point)
+void ttc_random_point_clear(ttc_random_point *point)
 {
     for (size_t i = 0; i < point->symbol_count; i++) fmpq_clear(&point->numbers[i]);
     free(point->numbers);
     free(point->bound);
-    *point = (ttc_point){ 0 };
+    *point = (ttc_random_point){ 0 };
 }
 
 static bool is_quantity(const ttc_symbol_entry *entry)
@@ -59,7 +59,7 @@ static void draw_state(fmpq_t out, const ttc_symbol_entry *entry, ttc_random *ra
 }
 
 /* Any free symbol that may have a level's value: states three times out of four. */
-static bool choose_pivots(ttc_point *point, const ttc_situation *situation, ttc_random *random)
+static bool choose_pivots(ttc_random_point *point, const ttc_situation *situation, ttc_random *random)
 {
     const ttc_model *model = situation->model;
     unsigned char *support = ttc_model_support(model, situation->levels, situation->level_count);
@@ -78,7 +78,7 @@ static bool choose_pivots(ttc_point *point, const ttc_situation *situation, ttc_
 }
 
 /* One number in eight is that of an earlier symbol of the same nature, so that differences vanish as well. */
-static void repeat_some(ttc_point *point, const ttc_model *model, ttc_random *random)
+static void repeat_some(ttc_random_point *point, const ttc_model *model, ttc_random *random)
 {
     for (uint32_t i = 0; i < model->symbol_count; i++) {
         const ttc_symbol_entry *entry = &model->symbols[i];
@@ -90,7 +90,7 @@ static void repeat_some(ttc_point *point, const ttc_model *model, ttc_random *ra
     }
 }
 
-bool ttc_point_draw(ttc_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range)
+bool ttc_random_point_draw(ttc_random_point *point, const ttc_situation *situation, ttc_random *random, ttc_sample_range range)
 {
     const ttc_model *model = situation->model;
     for (uint32_t i = 0; i < model->symbol_count; i++) {
@@ -136,7 +136,7 @@ static bool state_in_interval(ttc_probe *probe, arb_ptr jet, const ttc_symbol_en
 }
 
 /* A symbol's value from the point, where all that it needs is known. */
-static bool set_free(ttc_probe *probe, const ttc_point *point, const ttc_model *model, uint32_t symbol, arb_ptr jet)
+static bool set_free(ttc_probe *probe, const ttc_random_point *point, const ttc_model *model, uint32_t symbol, arb_ptr jet)
 {
     const ttc_symbol_entry *entry = &model->symbols[symbol];
     bool good = true;
@@ -168,7 +168,7 @@ static bool set_bound(ttc_probe *probe, const ttc_situation *situation, uint32_t
     return false;
 }
 
-static void set_pivots(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, arb_srcptr pivots)
+static void set_pivots(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, arb_srcptr pivots)
 {
     for (size_t i = 0; pivots != NULL && i < situation->level_count; i++) {
         ttc_probe_set(probe, point->pivots[i], pivots + i);
@@ -177,7 +177,7 @@ static void set_pivots(ttc_probe *probe, const ttc_point *point, const ttc_situa
 }
 
 /* Whatever can be set is set until nothing is left: what is bound may need what is free, and ends of intervals both. */
-bool ttc_point_set(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, long precision, arb_srcptr pivots)
+bool ttc_random_point_set(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision, arb_srcptr pivots)
 {
     const ttc_model *model = situation->model;
     size_t left = SIZE_MAX, before;
@@ -213,10 +213,10 @@ static bool divisors_are_not_zero(ttc_probe *probe, const ttc_situation *situati
     return true;
 }
 
-ttc_place_in_domain ttc_point_place(ttc_probe *probe, const ttc_point *point, const ttc_situation *situation, long precision,
+ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision,
                                     char *fault, size_t fault_size)
 {
-    bool set = situation->level_count == 0 ? ttc_point_set(probe, point, situation, precision, NULL)
+    bool set = situation->level_count == 0 ? ttc_random_point_set(probe, point, situation, precision, NULL)
                                            : ttc_level_meet(probe, point, situation, precision);
     fault[0] = '\0';
     if (!set) return TTC_OUTSIDE;
