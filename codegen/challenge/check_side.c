@@ -19,7 +19,7 @@ static bool depends_on_parameters_alone(const ttc_model *model, ttc_id id)
     return alone;
 }
 
-/* Records `domain` and radicands that speak of parameters alone; what speaks of states narrows the variant's domain. */
+/* Records `domain` that speak of parameters alone; what speaks of states narrows the variant's domain. */
 static void check_conditions_on_parameters(ttc_check *check)
 {
     const ttc_model *model = check->model;
@@ -27,12 +27,6 @@ static void check_conditions_on_parameters(ttc_check *check)
         if (!depends_on_parameters_alone(model, model->regions[i].expression)) continue;
         arb_srcptr value = ttc_check_at(check, model->regions[i].expression);
         if (value != NULL) ttc_check_positive(check, value, "not positive in the variant:", model->regions[i].name);
-    }
-    for (size_t i = 0; i < model->symbol_count; i++) {
-        const ttc_symbol_entry *entry = &model->symbols[i];
-        if (entry->kind != TTC_ROOT || !depends_on_parameters_alone(model, entry->definition)) continue;
-        arb_srcptr value = ttc_check_at(check, entry->definition);
-        if (value != NULL) ttc_check_positive(check, value, "not positive in the variant: the radicand of", entry->name);
     }
 }
 

@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { DEFAULT_COUNT = 300, POINTS = 20, SECONDS = 60, MEBIBYTES = 2048 };
+enum { DEFAULT_COUNT = 120, POINTS = 20, SECONDS = 60, MEBIBYTES = 2048 };
 
 /* What a process found; sums of them. */
 typedef struct {
