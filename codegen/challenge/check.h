@@ -59,7 +59,7 @@ void ttc_check_matrix(ttc_check *check);
 void ttc_check_left_null(ttc_check *check);
 void ttc_check_obstructs(ttc_check *check);
 void ttc_check_reduction(ttc_check *check); /* and embeddings */
-void ttc_check_root(ttc_check *check);
+void ttc_check_root(ttc_check *check); /* and logarithms */
 void ttc_check_variant(ttc_check *check);
 void ttc_check_time(ttc_check *check);
 void ttc_check_elimination(ttc_check *check);

@@ -3,11 +3,13 @@
 
 #include <stdlib.h>
 
+/* A root or a logarithm. What stands below it in the table is not taken for granted: two roots would vouch for each other. */
 void ttc_check_root(ttc_check *check)
 {
     const ttc_symbol_entry *root = &check->model->symbols[check->index];
     arb_srcptr radicand = ttc_check_at(check, root->definition);
-    if (radicand != NULL) ttc_check_positive(check, radicand, "the radicand of", root->name);
+    const char *what = root->kind == TTC_ROOT ? "the radicand of" : "the argument of";
+    if (radicand != NULL) ttc_check_positive(check, radicand, what, root->name);
 }
 
 static bool depends_on_parameters_alone(const ttc_model *model, ttc_id id)

@@ -86,9 +86,12 @@ ttc_place_in_domain ttc_domain_locate(ttc_probe *probe, const ttc_model *model, 
         check_end(&s, model->states[i], entry->low, true);
         check_end(&s, model->states[i], entry->high, false);
     }
-    for (size_t i = 0; i < model->region_count; i++)
-        take(&s, sign_of_expression(&s, model->regions[i].expression), model->regions[i].expression, UINT32_MAX,
-             "the domain record", model->regions[i].name);
+    /* A record `domain` narrows a family as it narrows all else: it is no fault of the family. */
+    for (size_t i = 0; i < model->region_count; i++) {
+        int sign = sign_of_expression(&s, model->regions[i].expression);
+        if (family != NULL && sign < 0) s.innocent_outside = true;
+        else take(&s, sign, model->regions[i].expression, UINT32_MAX, "the domain record", model->regions[i].name);
+    }
     for (uint32_t i = 0; i < model->symbol_count && i < except; i++)
         if (model->symbols[i].kind == TTC_ROOT || model->symbols[i].kind == TTC_LOG)
             take(&s, sign_of_expression(&s, model->symbols[i].definition), model->symbols[i].definition, UINT32_MAX,

@@ -77,9 +77,10 @@ static bool use_derived(ttc_subject *subject, ttc_checker checker, uint32_t inde
 
 static bool find_derived(ttc_subject *subject, const ttc_model *model, const char *kind, const char *name)
 {
-    if (strcmp(kind, "root") == 0) {
+    const bool root = strcmp(kind, "root") == 0;
+    if (root || strcmp(kind, "log") == 0) {
         for (uint32_t i = 0; i < model->symbol_count; i++)
-            if (model->symbols[i].kind == TTC_ROOT && strcmp(model->symbols[i].name, name) == 0) {
+            if (model->symbols[i].kind == (root ? TTC_ROOT : TTC_LOG) && strcmp(model->symbols[i].name, name) == 0) {
                 subject->situation.own_root = i;
                 return use_derived(subject, ttc_check_root, i);
             }

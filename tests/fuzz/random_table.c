@@ -19,7 +19,8 @@ typedef struct {
     bool bounded[MOST_STATES];    /* has an interval */
     polynomial field[MOST_STATES];
     polynomial radicand;          /* of the root r, 1 + e^2 */
-    bool has_root, has_angle, random_root;
+    polynomial exponent;          /* of the exponential E; the logarithm L is of the radicand */
+    bool has_root, has_angle, has_exponential, random_root, has_region;
     const char *names[VARIABLES];
 } maker;
 
@@ -107,9 +108,25 @@ static void write_definitions(maker *m)
     if (m->has_angle)
         fprintf(m->out, "angle C S = cos(%s) sin(%s)\nangle C2 S2 = cos(2*%s) sin(2*%s)\n", m->names[FIRST_STATE],
                 m->names[FIRST_STATE], m->names[FIRST_STATE], m->names[FIRST_STATE]);
+    m->has_exponential = chance(m, 5);
+    m->exponent = some(m, any_mask(m), 2, 1);
+    if (m->has_exponential) {
+        WRITE(m, "exp E = exp%P\n", &m->exponent);
+        WRITE(m, "log L = log%P\n", &m->radicand);
+    }
     if (m->random_root) {
         polynomial wild = some(m, any_mask(m), 3, 2);
         WRITE(m, "root q = sqrt(%P^2 + %P)\n", &e, &wild);
+        if (chance(m, 2)) WRITE(m, "root q2 = sqrt(3*%P^2 + 3*%P)\n", &e, &wild);
+    }
+    m->has_region = chance(m, 5);
+    if (m->has_region) {
+        polynomial region = some(m, any_mask(m), 2, 2);
+        WRITE(m, "domain d : 5 - %P > 0\n", &region);
+        open_claim(m, "positive", CLAIM_TRUE);
+        WRITE(m, " : 10 - 2*%P\n", &region);
+        open_claim(m, "positive", CLAIM_OPEN);
+        WRITE(m, " : 4 - %P\n", &region);
     }
 }
 
@@ -217,14 +234,38 @@ static void claim_roots_and_angles(maker *m)
     }
 }
 
+static polynomial rate_of(const maker *m, const polynomial *e)
+{
+    polynomial rate = polynomial_zero();
+    for (size_t k = 0; k < m->states; k++) {
+        polynomial slope = polynomial_derivative(e, FIRST_STATE + k), part = polynomial_multiply(&slope, &m->field[k]);
+        rate = polynomial_add(&rate, &part);
+    }
+    return rate;
+}
+
+static void claim_exponentials(maker *m)
+{
+    polynomial e = some(m, any_mask(m), 2, 1), square = polynomial_multiply(&e, &e);
+    polynomial rate = rate_of(m, &m->exponent), radicand_rate = rate_of(m, &m->radicand);
+    open_claim(m, "equal", CLAIM_TRUE);
+    WRITE(m, " : (E + %P)^2 = E^2 + 2*E*%P + %P\n", &e, &e, &square);
+    open_claim(m, "equal", CLAIM_FALSE);
+    WRITE(m, " : E = -1 - %P^2\n", &e);
+    open_claim(m, "rate", CLAIM_TRUE);
+    WRITE(m, " : E = %P*E\n", &rate);
+    open_claim(m, "rate", CLAIM_TRUE);
+    WRITE(m, " : L = %P/%P\n", &radicand_rate, &m->radicand);
+    open_claim(m, "time", CLAIM_TRUE);
+    WRITE(m, " : E + %P^2\n", &e);
+    open_claim(m, "equal", CLAIM_OPEN);
+    WRITE(m, " : L = E*%P\n", &e);
+}
+
 static void claim_rates(maker *m)
 {
     size_t i = below(m, m->states);
-    polynomial e = some(m, any_mask(m), 3, 2), rate = polynomial_zero();
-    for (size_t k = 0; k < m->states; k++) {
-        polynomial slope = polynomial_derivative(&e, FIRST_STATE + k), part = polynomial_multiply(&slope, &m->field[k]);
-        rate = polynomial_add(&rate, &part);
-    }
+    polynomial e = some(m, any_mask(m), 3, 2), rate = rate_of(m, &e);
     open_claim(m, "rate", CLAIM_TRUE);
     WRITE(m, " : %P = %P\n", &e, &rate);
     open_claim(m, "rate", CLAIM_FALSE);
@@ -244,6 +285,9 @@ static void claim_rates(maker *m)
         WRITE(m, " = %P\n", &number);
     }
     fprintf(m->out, "reversor %s -> -%s\n", m->names[FIRST_STATE + i], m->names[FIRST_STATE + i]);
+    open_claim(m, "symmetry", CLAIM_OPEN);
+    fprintf(m->out, " : %s -> %s, %s -> -%s\n", m->names[FIRST_STATE], m->names[FIRST_STATE + 1], m->names[FIRST_STATE + 1],
+            m->names[FIRST_STATE]);
 }
 
 static void claim_orthogonal(maker *m, const polynomial *h, bool constant)
@@ -304,6 +348,7 @@ static void claim_darboux(maker *m, const polynomial *d, bool integral)
 static void claim_signs(maker *m)
 {
     polynomial e = some(m, any_mask(m), 3, 2);
+    const bool narrowed = m->random_root || m->has_region;
     static const struct {
         const char *format;
         claim_truth truth;
@@ -322,9 +367,9 @@ static void claim_signs(maker *m)
     for (size_t i = 0; i < m->params; i++) {
         static const claim_truth negative[SIGNS] = { CLAIM_TRUE, CLAIM_FALSE, CLAIM_FALSE, CLAIM_TRUE };
         polynomial others = some(m, param_mask(m) & ~(1u << i), 2, 2);
-        open_claim(m, "variant", m->random_root && negative[m->signs[i]] == CLAIM_TRUE ? CLAIM_OPEN : negative[m->signs[i]]);
+        open_claim(m, "variant", narrowed && negative[m->signs[i]] == CLAIM_TRUE ? CLAIM_OPEN : negative[m->signs[i]]);
         fprintf(m->out, " : %s = -3/2\n", m->names[i]);
-        open_claim(m, "variant", m->random_root ? CLAIM_OPEN : CLAIM_TRUE);
+        open_claim(m, "variant", narrowed ? CLAIM_OPEN : CLAIM_TRUE);
         fprintf(m->out, " : %s = ", m->names[i]);
         WRITE(m, "1 + %P^2\n", &others);
         open_claim(m, "variant", CLAIM_OPEN);
@@ -351,7 +396,7 @@ static void make_linear(maker *m, polynomial matrix[2][2], polynomial rest[2])
 
 static void claim_linear(maker *m, polynomial matrix[2][2], const polynomial rest[2])
 {
-    const bool inside = !m->bounded[0] && !m->bounded[1] && !m->random_root;
+    const bool inside = !m->bounded[0] && !m->bounded[1] && !m->random_root && !m->has_region;
     const claim_truth yes = inside ? CLAIM_TRUE : CLAIM_OPEN;
     static const char *const kinds[] = { "trace", "matrix", "charpoly", "obstructs" };
     polynomial product = polynomial_multiply(&matrix[0][0], &matrix[1][1]);
@@ -360,7 +405,8 @@ static void claim_linear(maker *m, polynomial matrix[2][2], const polynomial res
     polynomial trace = polynomial_add(&matrix[0][0], &matrix[1][1]);
     bool wrong = chance(m, 2);
     open_claim(m, "equilibria", yes);
-    const char *family = last_name(m);
+    char family[sizeof m->made->claims->name];
+    memcpy(family, last_name(m), sizeof family);
     fprintf(m->out, " : %s = ", m->names[FIRST_STATE]);
     WRITE(m, "%P, ", &rest[0]);
     fprintf(m->out, "%s = ", m->names[FIRST_STATE + 1]);
@@ -372,6 +418,12 @@ static void claim_linear(maker *m, polynomial matrix[2][2], const polynomial res
     fprintf(m->out, "charpoly %s = ", family);
     WRITE(m, wrong ? "lambda^2 - %P*lambda + %P + 1\n" : "lambda^2 - %P*lambda + %P\n", &trace, &determinant);
     fprintf(m->out, "obstructs %s\n", family);
+    open_claim(m, "symmetry", yes);
+    fprintf(m->out, " : %s -> ", m->names[FIRST_STATE]);
+    WRITE(m, "2*%P - ", &rest[0]);
+    fprintf(m->out, "%s, %s -> ", m->names[FIRST_STATE], m->names[FIRST_STATE + 1]);
+    WRITE(m, "2*%P - ", &rest[1]);
+    fprintf(m->out, "%s\n", m->names[FIRST_STATE + 1]);
     for (size_t k = 0; k < 4; k++) {
         made_claim *claim = &m->made->claims[m->made->count++];
         snprintf(claim->kind, sizeof claim->kind, "%s", kinds[k]);
@@ -402,19 +454,20 @@ static void write_target(maker *m, FILE *out, bool bounded)
 static void claim_reductions(maker *m, FILE *target)
 {
     static const char *const names[MOST_STATES] = { "u", "v", "o", "p" };
-    bool bounded = chance(m, 3);
+    bool bounded = chance(m, 3), embedding = chance(m, 3);
+    const char *kind = embedding ? "embedding" : "reduction", *into = embedding ? "into" : "onto";
     write_target(m, target, bounded);
-    open_claim(m, "reduction", CLAIM_TRUE);
-    fprintf(m->out, " : onto random.tt with");
+    open_claim(m, kind, CLAIM_TRUE);
+    fprintf(m->out, " : %s random.tt with", into);
     for (size_t i = 0; i < m->states; i++)
         fprintf(m->out, "%s %s = %s", i > 0 ? "," : "", m->names[FIRST_STATE + i], m->names[FIRST_STATE + i]);
     fputc('\n', m->out);
-    open_claim(m, "reduction", bounded ? CLAIM_OPEN : CLAIM_TRUE);
-    fprintf(m->out, " : onto target.tt with");
+    open_claim(m, kind, bounded ? CLAIM_OPEN : CLAIM_TRUE);
+    fprintf(m->out, " : %s target.tt with", into);
     for (size_t i = 0; i < m->states; i++) fprintf(m->out, "%s %s = 2*%s", i > 0 ? "," : "", names[i], m->names[FIRST_STATE + i]);
     fputc('\n', m->out);
-    open_claim(m, "reduction", CLAIM_OPEN);
-    fprintf(m->out, " : onto target.tt with");
+    open_claim(m, kind, CLAIM_OPEN);
+    fprintf(m->out, " : %s target.tt with", into);
     for (size_t i = 0; i < m->states; i++)
         fprintf(m->out, "%s %s = %s", i > 0 ? "," : "", names[i], m->names[FIRST_STATE + below(m, m->states)]);
     fputc('\n', m->out);
@@ -453,6 +506,7 @@ static void write_table(maker *m, FILE *target)
     size_t first = m->made->count;
     claim_identities(m);
     claim_roots_and_angles(m);
+    if (m->has_exponential) claim_exponentials(m);
     claim_rates(m);
     claim_signs(m);
     if (shape == 0) claim_orthogonal(m, &kept, constant);
