@@ -114,6 +114,7 @@ typedef struct jlt_descriptor {
     const char *sha256;    /* of the table */
     const char *generator; /* "ttc VERSION" and flags that change kernels */
     const char *table;     /* the table's text */
+    const char *unproved;  /* claims that these kernels rest on and that are not proved, "KIND NAME, ..."; NULL: none */
 
     unsigned state_count, param_count, block_count;
     const jlt_quantity *states, *params; /* params: the same, in the same order, in every variant of a model */

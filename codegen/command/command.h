@@ -23,6 +23,7 @@ typedef struct {
     bool json;
     bool mutate;
     bool kernels;
+    bool keep;     /* tables whose kernels are there already keep them */
     bool unproved; /* write kernels that rest on claims without a proof */
     ttc_effort effort;
     const char *out;    /* directory */

@@ -2,7 +2,7 @@
  * from the expressions as they stand, without the optimizer.
  *
  *  Table:      chaplygin_sleigh, SHA-256 ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166
- *  Command:    ttc generate --out DIR chaplygin_sleigh.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR chaplygin_sleigh.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
 

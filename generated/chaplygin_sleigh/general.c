@@ -2,7 +2,7 @@
  *
  *  Source:     S. A. Chaplygin, On the theory of motion of nonholonomic systems. The reducing-multiplier theorem, Mat. Sb. 28 (1911) 303-314; English translation: Regul. Chaotic Dyn. 13 (2008) 369-376
  *  Table:      chaplygin_sleigh, SHA-256 ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166
- *  Command:    ttc generate --out DIR chaplygin_sleigh.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR chaplygin_sleigh.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 0    4    0    0    0    0      2    2   (10)
@@ -253,7 +253,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .title = "Chaplygin sleigh, reduced",
     .source = "S. A. Chaplygin, On the theory of motion of nonholonomic systems. The reducing-multiplier theorem, Mat. Sb. 28 (1911) 303-314; English translation: Regul. Chaotic Dyn. 13 (2008) 369-376",
     .sha256 = "ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_chaplygin_sleigh,
     .state_count = 2, .param_count = 3, .block_count = 9,
     .states = states,

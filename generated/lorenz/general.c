@@ -2,7 +2,7 @@
  *
  *  Source:     E. N. Lorenz, Deterministic nonperiodic flow, J. Atmos. Sci. 20 (1963) 130-141
  *  Table:      lorenz, SHA-256 2bab2d4fa634a7604b4f84d1f7fa912ed0fa8a5e4b51edfb0e1f1ce7cb60d449
- *  Command:    ttc generate --out DIR lorenz.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR lorenz.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2    2    2    0    0    0      2    2   (10)
@@ -260,7 +260,7 @@ const jlt_descriptor jlt_kernels_lorenz_general = {
     .title = "Lorenz's system",
     .source = "E. N. Lorenz, Deterministic nonperiodic flow, J. Atmos. Sci. 20 (1963) 130-141",
     .sha256 = "2bab2d4fa634a7604b4f84d1f7fa912ed0fa8a5e4b51edfb0e1f1ce7cb60d449",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_lorenz,
     .state_count = 3, .param_count = 3, .block_count = 6,
     .states = states,

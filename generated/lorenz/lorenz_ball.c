@@ -2,7 +2,7 @@
  * from the expressions as they stand, without the optimizer.
  *
  *  Table:      lorenz, SHA-256 2bab2d4fa634a7604b4f84d1f7fa912ed0fa8a5e4b51edfb0e1f1ce7cb60d449
- *  Command:    ttc generate --out DIR lorenz.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR lorenz.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
 

@@ -2,7 +2,7 @@
  *
  *  Source:     V. Szebehely, Theory of Orbits, Academic Press, 1967; R. F. Arenstorf, Amer. J. Math. 85 (1963) 27-35
  *  Table:      restricted_three_body, SHA-256 017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7
- *  Command:    ttc generate --out DIR restricted_three_body.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR restricted_three_body.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3    8    7    1    2    0      9    6   (40)
@@ -359,7 +359,7 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .title = "Planar circular restricted three-body problem",
     .source = "V. Szebehely, Theory of Orbits, Academic Press, 1967; R. F. Arenstorf, Amer. J. Math. 85 (1963) 27-35",
     .sha256 = "017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_restricted_three_body,
     .state_count = 4, .param_count = 1, .block_count = 5,
     .states = states,

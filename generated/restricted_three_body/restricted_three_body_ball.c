@@ -2,7 +2,7 @@
  * from the expressions as they stand, without the optimizer.
  *
  *  Table:      restricted_three_body, SHA-256 017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7
- *  Command:    ttc generate --out DIR restricted_three_body.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR restricted_three_body.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
 

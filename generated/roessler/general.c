@@ -2,7 +2,7 @@
  *
  *  Source:     O. E. Roessler, An equation for continuous chaos, Phys. Lett. A 57 (1976) 397-398
  *  Table:      roessler, SHA-256 7d2f97bb2c6d3f82c3ce5d0578ec3d5df1852a1298f7e68780337a2d6518941e
- *  Command:    ttc generate --out DIR roessler.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR roessler.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3    0    2    0    0    0      2    2   (8)
@@ -207,7 +207,7 @@ const jlt_descriptor jlt_kernels_roessler_general = {
     .title = "Roessler's system",
     .source = "O. E. Roessler, An equation for continuous chaos, Phys. Lett. A 57 (1976) 397-398",
     .sha256 = "7d2f97bb2c6d3f82c3ce5d0578ec3d5df1852a1298f7e68780337a2d6518941e",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_roessler,
     .state_count = 3, .param_count = 3, .block_count = 4,
     .states = states,

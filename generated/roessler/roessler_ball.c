@@ -2,7 +2,7 @@
  * from the expressions as they stand, without the optimizer.
  *
  *  Table:      roessler, SHA-256 7d2f97bb2c6d3f82c3ce5d0578ec3d5df1852a1298f7e68780337a2d6518941e
- *  Command:    ttc generate --out DIR roessler.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR roessler.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
 

@@ -2,7 +2,7 @@
  *
  *  Source:     E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243
  *  Table:      routh_sphere, SHA-256 7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e
- *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   25   11    1    1    0     13    8   (86)
@@ -942,7 +942,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .title = "Sphere with displaced centre of mass rolling without slipping, reduced system",
     .source = "E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243",
     .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_routh_sphere,
     .state_count = 4, .param_count = 6, .block_count = 56,
     .states = states,

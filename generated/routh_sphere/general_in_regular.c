@@ -3,7 +3,7 @@
  *  Source:     E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Table:      routh_sphere, SHA-256 7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e
- *  Command:    ttc generate --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR routh_sphere.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   21   11    1    0    0      9   10   (90)
@@ -749,7 +749,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_general_in_regular = {
     .title = "Sphere with displaced centre of mass rolling without slipping, reduced system",
     .source = "E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243",
     .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_routh_sphere,
     .state_count = 5, .param_count = 6, .block_count = 66,
     .states = states,

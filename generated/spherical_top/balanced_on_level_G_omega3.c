@@ -4,7 +4,7 @@
  *  Variant:    balanced: a3 = 0
  *  Eliminated: level_G_omega3: omega3 from G = G_level
  *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
- *  Command:    ttc generate --out DIR spherical_top.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   18    6    1    1    0     11    6   (64)
@@ -607,7 +607,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3 = {
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
     .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
     .state_count = 4, .param_count = 7, .block_count = 36,
     .states = states,

@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (2.5)-(2.7)
  *  Table:      spherical_top_full, SHA-256 dc0d20f6ac74946b7b13744f3256847225086e5aac3162d5df985f3f2d8747c2
- *  Command:    ttc generate --out DIR spherical_top_full.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR spherical_top_full.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   42   39    1    0    0     13   13   (227)
@@ -1953,7 +1953,7 @@ const jlt_descriptor jlt_kernels_spherical_top_full_general = {
     .title = "Spherical top on a plane with one nonholonomic constraint, full system with multipliers",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (2.5)-(2.7)",
     .sha256 = "dc0d20f6ac74946b7b13744f3256847225086e5aac3162d5df985f3f2d8747c2",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_full,
     .state_count = 17, .param_count = 6, .block_count = 38,
     .states = states,

@@ -2,7 +2,7 @@
  * from the expressions as they stand, without the optimizer.
  *
  *  Table:      spherical_top_full, SHA-256 dc0d20f6ac74946b7b13744f3256847225086e5aac3162d5df985f3f2d8747c2
- *  Command:    ttc generate --out DIR spherical_top_full.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR spherical_top_full.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
 

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Variant:    equal_moments: I1 = I3
  *  Table:      spherical_top_plane, SHA-256 a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44
- *  Command:    ttc generate --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2    6    2    1    1    2      6    5   (40)
@@ -290,7 +290,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
     .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
     .sha256 = "a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane,
     .state_count = 2, .param_count = 7, .block_count = 18,
     .states = states,
