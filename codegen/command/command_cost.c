@@ -70,7 +70,8 @@ int ttc_command_cost(const ttc_options *options)
     if (options->json) {
         ttc_command_raise(&status, print_json(plans, options->file_count, failures));
     } else if (status == TTC_EXIT_DONE) {
-        ttc_emit_counts(&text, plans, options->file_count);
+        ttc_emit_counts_titles(&text);
+        for (size_t i = 0; i < options->file_count; i++) ttc_emit_counts_rows(&text, plans + i);
         status = text.failed ? TTC_EXIT_IO : TTC_EXIT_DONE;
         fputs(ttc_text_string(&text), stdout);
     }

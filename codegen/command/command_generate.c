@@ -3,12 +3,31 @@
 #include "emit/emit.h"
 #include "emit/emit_registry.h"
 #include "base/output.h"
+#include "base/source.h"
 #include "kernels/plan.h"
 #include "kernels/unproved.h"
 #include "kernels/wide_number.h"
 
 #include <stdlib.h>
 #include <string.h>
+
+/* Lists of the folder that is written to, "" where there are none. */
+typedef struct {
+    char *manifest, *counts;
+} kept_lists;
+
+/* A list of the folder; NULL when there is none, or it cannot be read. */
+static char *read_list(const char *folder, const char *name)
+{
+    ttc_text path = { 0 };
+    size_t length = 0;
+    ttc_text_format(&path, "%s/%s", folder, name);
+    ttc_diagnostics *ignored = ttc_diagnostics_create();
+    char *list = path.failed || ignored == NULL ? NULL : ttc_source_read(ttc_text_string(&path), &length, ignored);
+    ttc_diagnostics_destroy(ignored);
+    ttc_text_clear(&path);
+    return list;
+}
 
 /* A model's folder on its way to being written. */
 typedef struct {
@@ -65,7 +84,31 @@ static bool generate_model(const model_files *f, ttc_kernels **failed)
     return text != NULL && ttc_emit_ball(text, plan);
 }
 
-static bool generate_shared(ttc_output *output, const ttc_plan *plans, size_t count)
+/* What is written of all tables together. Rows of a table that is kept come from the lists there are. */
+static bool generate_lists(ttc_output *output, ttc_model *const *models, const ttc_plan *plans, size_t count, const kept_lists *kept)
+{
+    ttc_text *counts = ttc_output_add(output, "counts.tsv");
+    if (counts == NULL) return false;
+    ttc_emit_counts_titles(counts);
+    for (size_t i = 0; i < count; i++)
+        if (plans[i].model != NULL) ttc_emit_counts_rows(counts, plans + i);
+        else ttc_copy_rows(counts, kept->counts, models[i]->name);
+    ttc_text *manifest = ttc_output_add(output, "manifest.tsv"), rows = { 0 };
+    if (manifest == NULL) return false;
+    ttc_emit_manifest_titles(&rows);
+    for (size_t i = 0; i < count; i++)
+        if (plans[i].model != NULL) ttc_emit_manifest_rows(&rows, plans + i);
+        else ttc_copy_rows(&rows, kept->manifest, models[i]->name);
+    *manifest = rows;
+    const char *list = ttc_text_string(&rows);
+    ttc_text *registry = ttc_output_add(output, "registry.c");
+    if (registry != NULL) ttc_emit_registry(registry, list);
+    ttc_text *balls = registry == NULL ? NULL : ttc_output_add(output, "ball_registry.c");
+    if (balls != NULL) ttc_emit_ball_registry(balls, list);
+    return balls != NULL;
+}
+
+static bool generate_fixed(ttc_output *output)
 {
     static const struct {
         const char *name;
@@ -76,22 +119,10 @@ static bool generate_shared(ttc_output *output, const ttc_plan *plans, size_t co
                   { "kernel_jet.h", ttc_emit_jet_header },
                   { "lanes.h", ttc_emit_lanes_header },
                   { "registry.h", ttc_emit_registry_header } };
-    static const struct {
-        const char *name;
-        void (*emit)(ttc_text *text, const ttc_plan *plans, size_t count);
-    } lists[] = { { "registry.c", ttc_emit_registry },
-                  { "ball_registry.c", ttc_emit_ball_registry },
-                  { "manifest.tsv", ttc_emit_manifest },
-                  { "counts.tsv", ttc_emit_counts } };
     for (size_t i = 0; i < sizeof fixed / sizeof *fixed; i++) {
         ttc_text *text = ttc_output_add(output, fixed[i].name);
         if (text == NULL) return false;
         fixed[i].emit(text);
-    }
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
-        ttc_text *text = ttc_output_add(output, lists[i].name);
-        if (text == NULL) return false;
-        lists[i].emit(text, plans, count);
     }
     return true;
 }
@@ -209,12 +240,21 @@ static int write_files(const ttc_output *output, const char *folder)
     return TTC_EXIT_IO;
 }
 
+/* Two tables would write the same files. */
+static void refuse_name(const ttc_model *model, const ttc_model *other, int *status)
+{
+    ttc_command_complain(model, (ttc_place){ 1, 1 }, NULL, "the model '%s' would be written twice (%s has this name as well)",
+                         model->name, other->file);
+    ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
+}
+
 int ttc_command_generate(const ttc_options *options)
 {
     int status = TTC_EXIT_DONE;
     ttc_output output = { 0 };
     ttc_model **models = calloc(options->file_count + 1, sizeof *models);
     ttc_plan *plans = calloc(options->file_count + 1, sizeof *plans);
+    kept_lists kept = { 0 };
     if (options->out == NULL) {
         fprintf(stderr, "ttc generate: no folder is given (expected --out DIR)\n");
         status = TTC_EXIT_USAGE;
@@ -226,14 +266,22 @@ int ttc_command_generate(const ttc_options *options)
         goto done;
     }
     for (size_t i = 0; i < options->file_count; i++) models[i] = ttc_command_read(options->files[i], &status, NULL);
-    for (size_t i = 0; i < options->file_count && status == TTC_EXIT_DONE; i++)
-        generate_table(&output, plans + i, models[i], options, &status);
-    if (status == TTC_EXIT_DONE && (!generate_shared(&output, plans, options->file_count) || is_failed(&output))) {
+    if (options->keep) kept = (kept_lists){ read_list(options->out, "manifest.tsv"), read_list(options->out, "counts.tsv") };
+    for (size_t i = 0; i < options->file_count && status == TTC_EXIT_DONE; i++) {
+        bool is_kept = kept.manifest != NULL && kept.counts != NULL && ttc_manifest_has(kept.manifest, models[i]);
+        if (!is_kept) generate_table(&output, plans + i, models[i], options, &status);
+        for (size_t k = 0; k < i && status == TTC_EXIT_DONE; k++)
+            if (strcmp(models[k]->name, models[i]->name) == 0) refuse_name(models[i], models[k], &status);
+    }
+    if (status == TTC_EXIT_DONE
+        && (!generate_fixed(&output) || !generate_lists(&output, models, plans, options->file_count, &kept) || is_failed(&output))) {
         fprintf(stderr, "ttc: out of memory\n");
         status = TTC_EXIT_IO;
     }
     if (status == TTC_EXIT_DONE) status = write_files(&output, options->out);
 done:
+    free(kept.manifest);
+    free(kept.counts);
     for (size_t i = 0; i < options->file_count; i++) {
         if (plans != NULL) ttc_plan_clear(plans + i);
         if (models != NULL) ttc_model_destroy(models[i]);

@@ -9,7 +9,7 @@
 
 enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k',
        OPTION_CHALLENGE = 'c', OPTION_SEED = 's', OPTION_VERBOSE = 'v',
-       OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u' };
+       OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u', OPTION_KEEP = 'K' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
 #define EFFORT_OPTION { "effort", OPTION_EFFORT, "EFFORT", 0, "How long to look for short programs: quick (the default) or full", 0 }
@@ -35,6 +35,8 @@ static const struct argp_option show_options[] = {
 static const struct argp_option generate_options[] = {
     { "out", OPTION_OUT, "DIR", 0, "Folder for the generated files; made when it is missing", 0 },
     EFFORT_OPTION,
+    { "keep", OPTION_KEEP, NULL, 0, "Leave kernels in DIR as they are where its manifest.tsv names the very table they are of; "
+                                    "for the same ttc and options alone", 0 },
     { "unproved", OPTION_UNPROVED, NULL, 0, "Write also kernels that rest on claims which are not proved, marked as such", 0 },
     END_OF_OPTIONS
 };
@@ -105,6 +107,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case OPTION_SEED:
         options->seed = parse_number(argument, 0, UINT64_MAX, state);
+        return 0;
+    case OPTION_KEEP:
+        options->keep = true;
         return 0;
     case OPTION_UNPROVED:
         options->unproved = true;

@@ -2,6 +2,8 @@
 
 #include "emit/emit.h"
 
+#include <string.h>
+
 void ttc_emit_registry_header(ttc_text *text)
 {
     ttc_text_add(text, "/** All descriptors, those of a model together, the general field of each first. Written by ttc; do not edit. */\n"
@@ -16,40 +18,102 @@ void ttc_emit_registry_header(ttc_text *text)
                        "#endif\n");
 }
 
-static void add_list(ttc_text *text, const ttc_plan *plans, size_t count, const char *type, const char *prefix,
-                     const char *registry, bool balls)
+/* The columns of one row, not terminated. */
+typedef struct {
+    const char *model, *variant, *hash, *file;
+    int model_length, variant_length, hash_length, file_length;
+} row;
+
+/* Read the row at `line`, and step to the next one; false at the end of the list. Columns that are missing are empty. */
+static bool next_row(const char **line, row *out)
+{
+    const char *columns[6] = { 0 };
+    int lengths[6] = { 0 };
+    const char *at = *line;
+    if (*at == '\0') return false;
+    size_t length = strcspn(at, "\n");
+    const char *end = at + length;
+    for (int i = 0; i < 6 && at <= end; i++) {
+        const char *tab = memchr(at, '\t', (size_t)(end - at));
+        const char *stop = tab == NULL ? end : tab;
+        columns[i] = at;
+        lengths[i] = (int)(stop - at);
+        at = stop + 1;
+    }
+    *out = (row){ columns[0], columns[1], columns[4], columns[5], lengths[0], lengths[1], lengths[4], lengths[5] };
+    *line = *end == '\0' ? end : end + 1;
+    return true;
+}
+
+/* MODEL_STEM of a row MODEL/STEM.c; false for a field without files. */
+static bool add_name(ttc_text *name, const row *r)
+{
+    int stem = r->file_length - r->model_length - 3;
+    if (stem <= 0 || r->file[r->model_length] != '/' || strncmp(r->file, "none:", 5) == 0) return false;
+    ttc_text_format(name, "%.*s_%.*s", r->model_length, r->model, stem, r->file + r->model_length + 1);
+    return true;
+}
+
+static void add_list(ttc_text *text, const char *manifest, const char *type, const char *prefix, const char *registry, bool balls)
 {
     ttc_text entries = { 0 };
     size_t number = 0;
-    for (size_t i = 0; i < count; i++)
-        for (size_t k = 0; k < plans[i].count; k++) {
-            const ttc_planned *planned = plans[i].fields + k;
-            if (planned->kernels == NULL || (balls && planned->variant != NULL)) continue;
-            ttc_text name = { 0 };
-            ttc_text_format(&name, "%s_%s_", prefix, plans[i].model->name);
-            ttc_emit_stem(&name, planned->kernels->field);
-            ttc_text_format(text, "extern const %s %s;\n", type, ttc_text_string(&name));
-            ttc_text_format(&entries, "    &%s,\n", ttc_text_string(&name));
-            text->failed |= name.failed;
-            ttc_text_clear(&name);
-            number++;
-        }
+    row r;
+    for (bool title = true; next_row(&manifest, &r); title = false) {
+        bool is_variant = r.variant_length != 1 || *r.variant != '-';
+        ttc_text name = { 0 };
+        if (title || (balls && is_variant) || !add_name(&name, &r)) continue;
+        ttc_text_format(text, "extern const %s %s_%s;\n", type, prefix, ttc_text_string(&name));
+        ttc_text_format(&entries, "    &%s_%s,\n", prefix, ttc_text_string(&name));
+        text->failed |= name.failed;
+        ttc_text_clear(&name);
+        number++;
+    }
     ttc_text_format(text, "\nconst %s *const %s[] = {\n%s};\n\nconst unsigned %s_count = %zu;\n", type, registry,
                     ttc_text_string(&entries), registry, number);
     text->failed |= entries.failed;
     ttc_text_clear(&entries);
 }
 
-void ttc_emit_registry(ttc_text *text, const ttc_plan *plans, size_t count)
+static bool is_named(const row *r, const char *model)
 {
-    ttc_text_add(text, "/* Written by ttc; do not edit. */\n#include \"registry.h\"\n\n");
-    add_list(text, plans, count, "jlt_descriptor", "jlt_kernels", "jlt_registry", false);
+    return (size_t)r->model_length == strlen(model) && memcmp(r->model, model, (size_t)r->model_length) == 0;
 }
 
-void ttc_emit_ball_registry(ttc_text *text, const ttc_plan *plans, size_t count)
+size_t ttc_copy_rows(ttc_text *text, const char *list, const char *model)
+{
+    size_t count = 0;
+    row r;
+    for (const char *line = list, *start = line; next_row(&line, &r); start = line) {
+        if (!is_named(&r, model)) continue;
+        ttc_text_add_bytes(text, start, (size_t)(line - start));
+        count++;
+    }
+    return count;
+}
+
+bool ttc_manifest_has(const char *manifest, const ttc_model *model)
+{
+    size_t count = 0;
+    row r;
+    while (next_row(&manifest, &r)) {
+        if (!is_named(&r, model->name)) continue;
+        if ((size_t)r.hash_length != strlen(model->sha256) || memcmp(r.hash, model->sha256, (size_t)r.hash_length) != 0) return false;
+        count++;
+    }
+    return count > 0;
+}
+
+void ttc_emit_registry(ttc_text *text, const char *manifest)
+{
+    ttc_text_add(text, "/* Written by ttc; do not edit. */\n#include \"registry.h\"\n\n");
+    add_list(text, manifest, "jlt_descriptor", "jlt_kernels", "jlt_registry", false);
+}
+
+void ttc_emit_ball_registry(ttc_text *text, const char *manifest)
 {
     ttc_text_add(text, "/* Written by ttc; do not edit. */\n#include \"kernel_ball.h\"\n\n");
-    add_list(text, plans, count, "jlt_ball_table", "jlt_balls", "jlt_ball_registry", true);
+    add_list(text, manifest, "jlt_ball_table", "jlt_balls", "jlt_ball_registry", true);
     ttc_text_add(text, "\nvoid jlt_ball_rational(arb_t out, const char *digits, slong prec)\n"
                        "{\n"
                        "    fmpq_t q;\n"
@@ -70,22 +134,22 @@ static void add_key(ttc_text *text, const ttc_plan *plan, const ttc_planned *pla
                     name_or_dash(planned->elimination == NULL ? NULL : planned->elimination->name));
 }
 
-void ttc_emit_manifest(ttc_text *text, const ttc_plan *plans, size_t count)
+void ttc_emit_manifest_titles(ttc_text *text) { ttc_text_add(text, "model\tvariant\ttime\telimination\tsha256\tfile\n"); }
+
+void ttc_emit_manifest_rows(ttc_text *text, const ttc_plan *plan)
 {
-    ttc_text_add(text, "model\tvariant\ttime\telimination\tsha256\tfile\n");
-    for (size_t i = 0; i < count; i++)
-        for (size_t k = 0; k < plans[i].count; k++) {
-            const ttc_planned *planned = plans[i].fields + k;
-            add_key(text, plans + i, planned);
-            ttc_text_format(text, "\t%s\t", plans[i].model->sha256);
-            if (planned->kernels == NULL) {
-                ttc_text_add(text, "none: divides by zero identically\n");
-                continue;
-            }
-            ttc_text_format(text, "%s/", plans[i].model->name);
-            ttc_emit_stem(text, planned->kernels->field);
-            ttc_text_add(text, ".c\n");
+    for (size_t k = 0; k < plan->count; k++) {
+        const ttc_planned *planned = plan->fields + k;
+        add_key(text, plan, planned);
+        ttc_text_format(text, "\t%s\t", plan->model->sha256);
+        if (planned->kernels == NULL) {
+            ttc_text_add(text, "none: divides by zero identically\n");
+            continue;
         }
+        ttc_text_format(text, "%s/", plan->model->name);
+        ttc_emit_stem(text, planned->kernels->field);
+        ttc_text_add(text, ".c\n");
+    }
 }
 
 static void add_counts(ttc_text *text, ttc_count c)
@@ -94,7 +158,7 @@ static void add_counts(ttc_text *text, ttc_count c)
                     c.root, c.elementary, c.depth, c.live);
 }
 
-void ttc_emit_counts(ttc_text *text, const ttc_plan *plans, size_t count)
+void ttc_emit_counts_titles(ttc_text *text)
 {
     static const char *const columns[] = { "flops", "add", "mul", "fma", "div", "sqrt", "elementary", "depth", "live" };
     ttc_text_add(text, "model\tvariant\ttime\telimination\tkernel");
@@ -102,15 +166,18 @@ void ttc_emit_counts(ttc_text *text, const ttc_plan *plans, size_t count)
         for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
             ttc_text_format(text, "\t%s%s", side == 0 ? "" : "naive_", columns[i]);
     ttc_text_add(text, "\n");
-    for (size_t i = 0; i < count; i++)
-        for (size_t k = 0; k < plans[i].count; k++)
-            for (int kind = 0; plans[i].fields[k].kernels != NULL && kind < TTC_KERNEL_KINDS; kind++) {
-                const ttc_kernel *kernel = plans[i].fields[k].kernels->kernels + kind;
-                if (kernel->count == 0) continue;
-                add_key(text, plans + i, plans[i].fields + k);
-                ttc_text_format(text, "\t%s", ttc_kernel_name((ttc_kernel_kind)kind));
-                add_counts(text, ttc_program_count(kernel->optimized));
-                add_counts(text, ttc_program_count(kernel->naive));
-                ttc_text_add(text, "\n");
-            }
+}
+
+void ttc_emit_counts_rows(ttc_text *text, const ttc_plan *plan)
+{
+    for (size_t k = 0; k < plan->count; k++)
+        for (int kind = 0; plan->fields[k].kernels != NULL && kind < TTC_KERNEL_KINDS; kind++) {
+            const ttc_kernel *kernel = plan->fields[k].kernels->kernels + kind;
+            if (kernel->count == 0) continue;
+            add_key(text, plan, plan->fields + k);
+            ttc_text_format(text, "\t%s", ttc_kernel_name((ttc_kernel_kind)kind));
+            add_counts(text, ttc_program_count(kernel->optimized));
+            add_counts(text, ttc_program_count(kernel->naive));
+            ttc_text_add(text, "\n");
+        }
 }

@@ -6,9 +6,21 @@
 #include "base/text.h"
 
 void ttc_emit_registry_header(ttc_text *text);
-void ttc_emit_registry(ttc_text *text, const ttc_plan *plans, size_t count);
-void ttc_emit_ball_registry(ttc_text *text, const ttc_plan *plans, size_t count);
-void ttc_emit_manifest(ttc_text *text, const ttc_plan *plans, size_t count);
-void ttc_emit_counts(ttc_text *text, const ttc_plan *plans, size_t count);
+
+/* Manifest and counts: a line of titles, then the rows of one model after the other. */
+void ttc_emit_manifest_titles(ttc_text *text);
+void ttc_emit_manifest_rows(ttc_text *text, const ttc_plan *plan);
+void ttc_emit_counts_titles(ttc_text *text);
+void ttc_emit_counts_rows(ttc_text *text, const ttc_plan *plan);
+
+/* The registries of what a manifest lists. */
+void ttc_emit_registry(ttc_text *text, const char *manifest);
+void ttc_emit_ball_registry(ttc_text *text, const char *manifest);
+
+/* Append the rows of a model from an older list, whose first column names the model. Returns how many there were. */
+size_t ttc_copy_rows(ttc_text *text, const char *list, const char *model);
+
+/* True when an older manifest says that a model's files were written from this very table. */
+bool ttc_manifest_has(const char *manifest, const ttc_model *model);
 
 #endif

@@ -1,20 +1,21 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
- *  Variant:    balanced_equal: a3 = 0, I3 = I1
- *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
+ *  Variant:    balanced_equal: a3 = 0, I1 = I3
+ *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   15    3    1    1    0      9    5   (61)
- *  jacobian            8   25    5    1    1    0     10    7   (143)
- *  rhs_jacobian        13   29    6    1    1    0     10    8   (186)
+ *  jacobian            8   26    4    1    1    0      9    6   (143)
+ *  rhs_jacobian        11   31    5    1    1    0     10   10   (186)
  *  divergence          2    7    1    1    1    0      7    5   (25)
- *  integral_values     2   10    7    0    1    0      8    4   (42)
- *  integral_gradients  2   14    6    1    1    0      8    4   (53)
+ *  integral_values     2   10    7    0    1    0      8    5   (42)
+ *  integral_gradients  2   14    6    1    1    0      7    5   (53)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -38,8 +39,8 @@ static void impose(const double *restrict x, const double *restrict params, doub
     out[1] = params[1];
     out[2] = params[2];
     out[3] = 0.0;
-    out[4] = params[4];
-    out[5] = params[4];
+    out[4] = params[5];
+    out[5] = params[5];
 }
 
 static void prepare(const double *restrict params, double *restrict out)
@@ -50,42 +51,41 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = params[1]*params[1]; /* R*R */
-    const double t1 = params[0]*t0; /* m*R*R */
-    out[17] = t1;
-    const double t2 = t1*params[4]; /* m*R*R*I1 */
-    out[8] = t2;
-    const double t3 = params[4]*params[4]; /* I1*I1 */
-    const double t4 = t2 + t3; /* m*R*R*I1 + I1*I1 */
+    const double t0 = params[5]*params[5]; /* I3*I3 */
+    const double t1 = params[1]*params[1]; /* R*R */
+    out[14] = t1;
+    const double t2 = params[0]*t1; /* m*R*R */
+    out[17] = t2;
+    const double t3 = params[5]*t2; /* I3*m*R*R */
+    out[9] = t3;
+    const double t4 = t0 + t3; /* I3*I3 + I3*m*R*R */
     out[6] = t4;
     const double t5 = params[0]*params[1]; /* m*R */
-    const double t6 = params[4]*t5; /* I1*m*R */
+    const double t6 = params[5]*t5; /* I3*m*R */
     out[7] = t6;
-    const double t7 = -t6; /* -I1*m*R */
-    out[9] = t7;
-    const double t8 = -t2; /* -m*R*R*I1 */
+    const double t7 = -t6; /* -I3*m*R */
+    out[8] = t7;
+    const double t8 = -t3; /* -I3*m*R*R */
     out[10] = t8;
-    const double t9 = t4*t6; /* (m*R*R*I1 + I1*I1)*I1*m*R */
-    const double t10 = -t9; /* -(m*R*R*I1 + I1*I1)*I1*m*R */
+    const double t9 = t4*t6; /* (I3*I3 + I3*m*R*R)*I3*m*R */
+    const double t10 = -t9; /* -(I3*I3 + I3*m*R*R)*I3*m*R */
     out[11] = t10;
-    const double t11 = params[4]/2.0; /* I1/2 */
+    const double t11 = params[0]/2.0; /* m/2 */
     out[12] = t11;
-    const double t12 = params[0]/params[4]; /* m/I1 */
+    const double t12 = params[5]/params[0]; /* I3/m */
     out[13] = t12;
-    const double t13 = t1/params[4]; /* m*R*R/I1 */
-    out[14] = t13;
-    const double t14 = params[1]*params[4]; /* R*I1 */
+    const double t13 = params[5]*params[1]; /* I3*R */
+    out[18] = t13;
+    const double t14 = -t13; /* -I3*R */
     out[15] = t14;
-    const double t15 = params[0]*t3; /* m*I1*I1 */
+    const double t15 = t0*params[0]; /* I3*I3*m */
     out[16] = t15;
-    const double t16 = -t14; /* -R*I1 */
-    out[18] = t16;
-    const double t17 = params[0]*2.0; /* m*2 */
-    const double t18 = t3*t17; /* I1*I1*m*2 */
-    out[19] = t18;
-    const double t19 = params[1]*t17; /* R*m*2 */
-    const double t20 = t3*t19; /* I1*I1*R*m*2 */
-    out[20] = t20;
+    const double t16 = params[0]*2.0; /* m*2 */
+    const double t17 = t0*t16; /* I3*I3*m*2 */
+    out[19] = t17;
+    const double t18 = params[1]*t16; /* R*m*2 */
+    const double t19 = t0*t18; /* I3*I3*R*m*2 */
+    out[20] = t19;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -96,29 +96,29 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     const double t4 = x[2]*t3; /* omega_tau*s */
     out[0] = t4;
-    const double t5 = t2*p[6]; /* s^2*(m*R^2*I1 + I1^2) */
-    const double t6 = 1.0/t5; /* 1/(s^2*(m*R^2*I1 + I1^2)) */
-    const double t7 = x[0]*p[6]; /* gamma3*(m*R^2*I1 + I1^2) */
-    const double t8 = x[3]*t7; /* omega_n*gamma3*(m*R^2*I1 + I1^2) */
-    const double t9 = t6*t8; /* 1/(s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2) */
-    const double t10 = t3*t9; /* s*1/(s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2) */
-    const double t11 = x[4] + t10; /* omega3 + s*1/(s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2) */
+    const double t5 = t2*p[6]; /* s^2*(I3^2 + m*R^2*I3) */
+    const double t6 = 1.0/t5; /* 1/(s^2*(I3^2 + m*R^2*I3)) */
+    const double t7 = x[0]*p[6]; /* gamma3*(I3^2 + m*R^2*I3) */
+    const double t8 = x[3]*t7; /* omega_n*gamma3*(I3^2 + m*R^2*I3) */
+    const double t9 = t6*t8; /* 1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
+    const double t10 = t3*t9; /* s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
+    const double t11 = x[4] + t10; /* omega3 + s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
     const double t12 = x[3]*t11; /* omega_n*t11 */
     const double t13 = p[1]*t12; /* R*omega_n*t11 */
     out[1] = t13;
     const double t14 = -t12; /* -omega_n*t11 */
     out[2] = t14;
-    const double t15 = t2*t6; /* 1/Theta = s^2*1/(s^2*(m*R^2*I1 + I1^2)) */
-    const double t16 = x[4]*p[6]; /* omega3*(m*R^2*I1 + I1^2) */
-    const double t17 = JLT_FMA(t15, t16, t10); /* 1/Theta*omega3*(m*R^2*I1 + I1^2) + s*1/(s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2) */
+    const double t15 = t2*t6; /* 1/Theta = s^2*1/(s^2*(I3^2 + m*R^2*I3)) */
+    const double t16 = x[4]*p[6]; /* omega3*(I3^2 + m*R^2*I3) */
+    const double t17 = JLT_FMA(t15, t16, t10); /* 1/Theta*omega3*(I3^2 + m*R^2*I3) + s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
     const double t18 = x[2]*t17; /* omega_tau*t17 */
     const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t20 = p[7]*t19; /* m*R*I1*V */
-    const double t21 = t15*t20; /* 1/Theta*m*R*I1*V */
-    const double t22 = JLT_FNMA(t10, t21, t18); /* omega_tau*t17 - s*1/(s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2)*1/Theta*m*R*I1*V */
+    const double t20 = p[7]*t19; /* m*R*I3*V */
+    const double t21 = t15*t20; /* 1/Theta*m*R*I3*V */
+    const double t22 = JLT_FNMA(t10, t21, t18); /* omega_tau*t17 - s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3)*1/Theta*m*R*I3*V */
     out[3] = t22;
-    const double t23 = x[3]*t21; /* omega_n*1/Theta*m*R*I1*V */
-    const double t24 = -t23; /* -omega_n*1/Theta*m*R*I1*V */
+    const double t23 = x[3]*t21; /* omega_n*1/Theta*m*R*I3*V */
+    const double t24 = -t23; /* -omega_n*1/Theta*m*R*I3*V */
     out[4] = t24;
 }
 
@@ -140,59 +140,98 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t3 = x[0] + 1.0; /* gamma3 + 1 */
     const double t4 = t2*t3; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = p[6]*t4; /* (m*R^2*I1 + I1^2)*s^2 */
-    const double t6 = 1.0/t5; /* 1/((m*R^2*I1 + I1^2)*s^2) */
+    const double t5 = p[6]*t4; /* (I3^2 + m*R^2*I3)*s^2 */
+    const double t6 = 1.0/t5; /* 1/((I3^2 + m*R^2*I3)*s^2) */
     const double t7 = sqrt(t4); /* s = sqrt(s^2) */
     out[2] = t7;
-    const double t8 = p[6]*t7; /* (m*R^2*I1 + I1^2)*s */
-    const double t9 = t6*t8; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t10 = t4*t6; /* 1/Theta = s^2*1/((m*R^2*I1 + I1^2)*s^2) */
-    const double t11 = x[3]*t9; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t12 = x[0]*t11; /* gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t13 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t14 = p[7]*t10; /* m*R*I1*1/Theta */
-    const double t15 = t13*t14; /* V*m*R*I1*1/Theta */
-    const double t16 = t12*t14; /* gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*m*R*I1*1/Theta */
-    const double t17 = -t16; /* -t16 */
-    out[16] = t17;
-    const double t18 = -t15; /* -V*m*R*I1*1/Theta */
-    out[23] = t18;
-    const double t19 = x[2]*t9; /* omega_tau*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t20 = JLT_FNMA(t9, t15, t19); /* omega_tau*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s - 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*V*m*R*I1*1/Theta */
-    const double t21 = t9*t11; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t22 = x[0]*t19; /* gamma3*omega_tau*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t23 = -t22; /* -t22 */
-    out[0] = t23;
-    const double t24 = t11*t21; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t21 */
-    const double t25 = t20*t21; /* t20*t21 */
-    out[15] = t25;
-    const double t26 = x[0]*t20; /* gamma3*t20 */
-    out[18] = t26;
-    const double t27 = p[1]*t24; /* R*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t21 */
-    out[5] = t27;
-    const double t28 = -t24; /* -omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t21 */
-    out[10] = t28;
-    const double t29 = p[8]*t12; /* m*R^2*I1*gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t30 = JLT_FMS(p[6], x[4], t29); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (m*R^2*I1 + I1^2)*omega3 - t29 */
-    const double t31 = JLT_FMA(t10, t30, t12); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    out[17] = t31;
-    const double t32 = JLT_FMA(2.0, t12, x[4]); /* 2*gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s + omega3 */
-    const double t33 = p[1]*t32; /* R*t32 */
-    out[8] = t33;
-    const double t34 = -t32; /* -t32 */
-    out[13] = t34;
-    const double t35 = x[2]*p[6]; /* omega_tau*(m*R^2*I1 + I1^2) */
-    const double t36 = t10*t35; /* 1/Theta*omega_tau*(m*R^2*I1 + I1^2) */
-    out[19] = t36;
-    const double t37 = x[3]*t10; /* omega_n*1/Theta */
-    const double t38 = p[9]*t37; /* (-m*R*I1)*omega_n*1/Theta */
-    out[21] = t38;
-    const double t39 = p[10]*t37; /* (-m*R^2*I1)*omega_n*1/Theta */
-    out[22] = t39;
+    const double t8 = p[6]*t7; /* (I3^2 + m*R^2*I3)*s */
+    const double t9 = t6*t8; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t10 = t4*t6; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t12 = p[7]*t11; /* m*R*I3*V */
+    const double t13 = t10*t12; /* 1/Theta*m*R*I3*V */
+    const double t14 = -t13; /* -1/Theta*m*R*I3*V */
+    out[23] = t14;
+    const double t15 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t16 = x[0]*t9; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t17 = t15*t16; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    out[18] = t17;
+    const double t18 = t9*t15; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t19 = x[3]*t9; /* omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t20 = t9*t19; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t21 = t18*t20; /* t18*t20 */
+    out[15] = t21;
+    const double t22 = t19*t20; /* omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t20 */
+    const double t23 = p[1]*t22; /* R*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t20 */
+    out[5] = t23;
+    const double t24 = -t22; /* -omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t20 */
+    out[10] = t24;
+    const double t25 = x[3]*t16; /* omega_n*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t26 = x[3]*t10; /* omega_n*1/Theta */
+    const double t27 = p[6]*t10; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t28 = x[2]*t27; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[19] = t28;
+    const double t29 = JLT_FMA(x[4], t27, t25); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + omega_n*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t30 = JLT_FMA(2.0, t25, x[4]); /* 2*omega_n*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s + omega3 */
+    const double t31 = p[1]*t30; /* R*t30 */
+    out[8] = t31;
+    const double t32 = -t30; /* -t30 */
+    out[13] = t32;
+    const double t33 = p[8]*t26; /* (-m*R*I3)*omega_n*1/Theta */
+    out[21] = t33;
+    const double t34 = p[10]*t26; /* (-m*R^2*I3)*omega_n*1/Theta */
+    out[22] = t34;
+    const double t35 = t16*t26; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*omega_n*1/Theta */
+    const double t36 = JLT_FNMA(p[9], t35, t29); /* t29 - m*R^2*I3*t35 */
+    out[17] = t36;
+    const double t37 = p[8]*t35; /* (-m*R*I3)*t35 */
+    out[16] = t37;
+    const double t38 = x[2]*t16; /* omega_tau*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t39 = -t38; /* -t38 */
+    out[0] = t39;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    out[7] = t3;
+    const double t4 = x[2]*t3; /* omega_tau*s */
+    out[0] = t4;
+    const double t5 = t2*p[6]; /* s^2*(I3^2 + m*R^2*I3) */
+    const double t6 = 1.0/t5; /* 1/(s^2*(I3^2 + m*R^2*I3)) */
+    const double t7 = t3*p[6]; /* s*(I3^2 + m*R^2*I3) */
+    const double t8 = t6*t7; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t9 = x[3]*t8; /* omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t10 = x[0]*t9; /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t11 = x[4] + t10; /* omega3 + gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t12 = x[3]*p[1]; /* omega_n*R */
+    out[14] = t12;
+    const double t13 = t11*t12; /* t11*omega_n*R */
+    out[1] = t13;
+    const double t14 = x[3]*t11; /* omega_n*t11 */
+    const double t15 = -t14; /* -omega_n*t11 */
+    out[2] = t15;
+    const double t16 = t2*t6; /* 1/Theta = s^2*1/(s^2*(I3^2 + m*R^2*I3)) */
+    const double t17 = p[6]*t16; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t18 = x[2]*t17; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[24] = t18;
+    const double t19 = x[4]*t18; /* omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t21 = p[7]*t20; /* m*R*I3*V */
+    const double t22 = t16*t21; /* 1/Theta*m*R*I3*V */
+    const double t23 = x[2] - t22; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t24 = JLT_FMA(t10, t23, t19); /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*(omega_tau - 1/Theta*m*R*I3*V) + omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[3] = t24;
+    const double t25 = x[3]*t22; /* omega_n*1/Theta*m*R*I3*V */
+    const double t26 = -t25; /* -omega_n*1/Theta*m*R*I3*V */
+    out[4] = t26;
+    const double t27 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t28 = t8*t27; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*omega_tau*gamma3 */
+    const double t29 = -t28; /* -t28 */
+    out[5] = t29;
     out[6] = 0.0;
     out[8] = 0.0;
     out[9] = 0.0;
@@ -202,77 +241,37 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[17] = 0.0;
     out[25] = 0.0;
     out[29] = 0.0;
-    const double t0 = p[1]*x[3]; /* R*omega_n */
-    out[14] = t0;
-    const double t1 = -x[3]; /* -omega_n */
-    out[19] = t1;
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = t2*t3; /* s^2 = (1 - gamma3)*(1 + gamma3) */
-    const double t5 = p[6]*t4; /* (m*R^2*I1 + I1^2)*s^2 */
-    const double t6 = 1.0/t5; /* 1/((m*R^2*I1 + I1^2)*s^2) */
-    const double t7 = sqrt(t4); /* s = sqrt(s^2) */
-    out[7] = t7;
-    const double t8 = t4*t6; /* 1/Theta = s^2*1/((m*R^2*I1 + I1^2)*s^2) */
-    const double t9 = x[2]*t7; /* omega_tau*s */
-    out[0] = t9;
-    const double t10 = p[6]*t7; /* (m*R^2*I1 + I1^2)*s */
-    const double t11 = t6*t10; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t12 = x[3]*t11; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t13 = x[0]*t12; /* gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t14 = p[6]*t8; /* (m*R^2*I1 + I1^2)*1/Theta */
-    const double t15 = x[2]*t14; /* omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
-    out[24] = t15;
-    const double t16 = JLT_FMA(x[4], t14, t13); /* omega3*(m*R^2*I1 + I1^2)*1/Theta + gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t17 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t18 = p[7]*t8; /* m*R*I1*1/Theta */
-    const double t19 = t17*t18; /* V*m*R*I1*1/Theta */
-    const double t20 = p[8]*t8; /* m*R^2*I1*1/Theta */
-    const double t21 = JLT_FNMA(t13, t20, t16); /* t16 - gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*m*R^2*I1*1/Theta */
-    out[22] = t21;
-    const double t22 = x[2]*t16; /* omega_tau*t16 */
-    const double t23 = JLT_FNMA(t13, t19, t22); /* omega_tau*t16 - gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*V*m*R*I1*1/Theta */
-    out[3] = t23;
-    const double t24 = x[3]*t20; /* omega_n*m*R^2*I1*1/Theta */
-    const double t25 = -t24; /* -omega_n*m*R^2*I1*1/Theta */
-    out[27] = t25;
-    const double t26 = -t19; /* -V*m*R*I1*1/Theta */
-    out[28] = t26;
-    const double t27 = x[4] + t13; /* omega3 + gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t28 = x[3]*t27; /* omega_n*t27 */
-    const double t29 = p[1]*t28; /* R*omega_n*t27 */
-    out[1] = t29;
-    const double t30 = -t28; /* -omega_n*t27 */
-    out[2] = t30;
-    const double t31 = x[2]*t11; /* omega_tau*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t32 = t11*t12; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t33 = t12*t32; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t32 */
-    const double t34 = JLT_FNMA(t11, t19, t31); /* omega_tau*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s - 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*V*m*R*I1*1/Theta */
-    const double t35 = t32*t34; /* t32*t34 */
-    out[20] = t35;
-    const double t36 = x[0]*t34; /* gamma3*t34 */
-    out[23] = t36;
-    const double t37 = x[3]*t19; /* omega_n*V*m*R*I1*1/Theta */
-    const double t38 = -t37; /* -omega_n*V*m*R*I1*1/Theta */
-    out[4] = t38;
-    const double t39 = x[0]*t31; /* gamma3*omega_tau*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
-    const double t40 = -t39; /* -t39 */
-    out[5] = t40;
-    const double t41 = p[1]*t33; /* R*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t32 */
-    out[10] = t41;
-    const double t42 = -t33; /* -omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t32 */
-    out[15] = t42;
-    const double t43 = JLT_FMA(2.0, t13, x[4]); /* 2*gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s + omega3 */
-    const double t44 = t13*t18; /* gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*m*R*I1*1/Theta */
-    const double t45 = -t44; /* -t44 */
-    out[21] = t45;
-    const double t46 = x[3]*t18; /* omega_n*m*R*I1*1/Theta */
-    const double t47 = -t46; /* -omega_n*m*R*I1*1/Theta */
-    out[26] = t47;
-    const double t48 = p[1]*t43; /* R*t43 */
-    out[13] = t48;
-    const double t49 = -t43; /* -t43 */
-    out[18] = t49;
+    const double t30 = t8*t9; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t31 = t9*t30; /* omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*t30 */
+    const double t32 = p[1]*t31; /* R*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*t30 */
+    out[10] = t32;
+    const double t33 = JLT_FMA(t10, 2.0, x[4]); /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*2 + omega3 */
+    const double t34 = p[1]*t33; /* R*t33 */
+    out[13] = t34;
+    const double t35 = -t31; /* -omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*t30 */
+    out[15] = t35;
+    const double t36 = -t33; /* -t33 */
+    out[18] = t36;
+    const double t37 = -x[3]; /* -omega_n */
+    out[19] = t37;
+    const double t38 = t8*t23; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t39 = t30*t38; /* t30*t38 */
+    out[20] = t39;
+    const double t40 = t10*t16; /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t41 = p[8]*t40; /* (-m*R*I3)*t40 */
+    out[21] = t41;
+    const double t42 = JLT_FMA(x[4], t17, t10); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
+    const double t43 = JLT_FNMA(t40, p[9], t42); /* t42 - t40*m*R^2*I3 */
+    out[22] = t43;
+    const double t44 = x[0]*t38; /* gamma3*t38 */
+    out[23] = t44;
+    const double t45 = x[3]*t16; /* omega_n*1/Theta */
+    const double t46 = p[8]*t45; /* (-m*R*I3)*omega_n*1/Theta */
+    out[26] = t46;
+    const double t47 = t45*p[10]; /* omega_n*1/Theta*(-m*R^2*I3) */
+    out[27] = t47;
+    const double t48 = -t22; /* -1/Theta*m*R*I3*V */
+    out[28] = t48;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -282,13 +281,13 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t5 = t3*p[6]; /* s*(m*R^2*I1 + I1^2) */
-    const double t6 = 1.0/t5; /* 1/(s*(m*R^2*I1 + I1^2)) */
-    const double t7 = p[11]*x[0]; /* (-m*R*I1*(m*R^2*I1 + I1^2))*gamma3 */
-    const double t8 = t4*t7; /* V*(-m*R*I1*(m*R^2*I1 + I1^2))*gamma3 */
-    const double t9 = t3*t8; /* s*V*(-m*R*I1*(m*R^2*I1 + I1^2))*gamma3 */
-    const double t10 = t6*t9; /* 1/(s*(m*R^2*I1 + I1^2))*s*V*(-m*R*I1*(m*R^2*I1 + I1^2))*gamma3 */
-    const double t11 = t6*t10; /* 1/(s*(m*R^2*I1 + I1^2))*t10 */
+    const double t5 = t3*p[6]; /* s*(I3^2 + m*R^2*I3) */
+    const double t6 = 1.0/t5; /* 1/(s*(I3^2 + m*R^2*I3)) */
+    const double t7 = p[11]*x[0]; /* (-m*R*I3*(I3^2 + m*R^2*I3))*gamma3 */
+    const double t8 = t4*t7; /* V*(-m*R*I3*(I3^2 + m*R^2*I3))*gamma3 */
+    const double t9 = t3*t8; /* s*V*(-m*R*I3*(I3^2 + m*R^2*I3))*gamma3 */
+    const double t10 = t6*t9; /* 1/(s*(I3^2 + m*R^2*I3))*s*V*(-m*R*I3*(I3^2 + m*R^2*I3))*gamma3 */
+    const double t11 = t6*t10; /* 1/(s*(I3^2 + m*R^2*I3))*t10 */
     out[0] = t11;
 }
 
@@ -298,31 +297,56 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t5 = JLT_FMA(x[2], x[2], t4); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t6 = JLT_FMA(x[4], x[4], t5); /* omega3*omega3 + omega_tau*omega_tau + omega_n*omega_n */
+    const double t4 = x[4]*x[4]; /* omega3*omega3 */
+    const double t5 = JLT_FMA(x[3], x[3], t4); /* omega_n*omega_n + omega3*omega3 */
+    const double t6 = JLT_FMA(x[2], x[2], t5); /* omega_tau*omega_tau + omega_n*omega_n + omega3*omega3 */
     const double t7 = x[4]*t3; /* omega3*s */
     const double t8 = JLT_FMA(x[3], x[0], t7); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t9 = x[3]*t3; /* omega_n*s */
-    const double t10 = JLT_FNMA(x[4], x[0], t9); /* omega_n*s - omega3*gamma3 */
-    const double t11 = p[15]*t10; /* R*I1*(omega_n*s - omega3*gamma3) */
-    out[1] = t11;
-    const double t12 = p[13]*x[1]; /* m/I1*v_nu */
-    const double t13 = JLT_FMA(x[1], t12, t6); /* v_nu*m/I1*v_nu + omega3*omega3 + omega_tau*omega_tau + omega_n*omega_n */
-    const double t14 = p[14]*t8; /* m*R^2/I1*v_tau/R */
-    const double t15 = JLT_FMA(t8, t14, t13); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t13 */
-    const double t16 = p[12]*t15; /* 1/2*I1*energy/(1/2*I1) */
-    out[0] = t16;
+    const double t9 = x[1]*x[1]; /* v_nu*v_nu */
+    const double t10 = JLT_FMA(p[13], t6, t9); /* I3/m*(omega_tau*omega_tau + omega_n*omega_n + omega3*omega3) + v_nu*v_nu */
+    const double t11 = p[14]*t8; /* R^2*v_tau/R */
+    const double t12 = JLT_FMA(t8, t11, t10); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + t10 */
+    const double t13 = p[12]*t12; /* 1/2*m*energy/(1/2*m) */
+    out[0] = t13;
+    const double t14 = x[4]*x[0]; /* omega3*gamma3 */
+    const double t15 = JLT_FNMA(x[3], t3, t14); /* omega3*gamma3 - omega_n*s */
+    const double t16 = p[15]*t15; /* (-R*I3)*(omega3*gamma3 - omega_n*s) */
+    out[1] = t16;
     const double t17 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     out[3] = t17;
-    const double t18 = p[16]*t17; /* m*I1^2*(omega_tau*R + v_nu) */
-    const double t19 = t17*t18; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
+    const double t18 = p[16]*t17; /* m*I3^2*(omega_tau*R + v_nu) */
+    const double t19 = t17*t18; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
     out[2] = t19;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[16] = 1.0;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t4 = x[0]/t2; /* gamma3/s^2 */
+    const double t5 = t3*t4; /* s*gamma3/s^2 */
+    const double t6 = JLT_FNMA(x[4], t5, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
+    const double t7 = x[4]*t3; /* omega3*s */
+    const double t8 = JLT_FMA(x[3], x[0], t7); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t9 = p[17]*t8; /* m*R^2*v_tau/R */
+    const double t10 = t6*t9; /* d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R */
+    out[0] = t10;
+    const double t11 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t11;
+    const double t12 = p[5]*x[2]; /* I3*omega_tau */
+    out[2] = t12;
+    const double t13 = x[3]*p[5]; /* omega_n*I3 */
+    const double t14 = JLT_FMA(x[0], t9, t13); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau/R + omega_n*I3 */
+    out[3] = t14;
+    const double t15 = x[4]*p[5]; /* omega3*I3 */
+    const double t16 = JLT_FMA(t3, t9, t15); /* d(energy)/d(omega3) = s*m*R^2*v_tau/R + omega3*I3 */
+    out[4] = t16;
+    const double t17 = JLT_FMA(x[3], t5, x[4]); /* omega_n*s*gamma3/s^2 + omega3 */
+    const double t18 = p[15]*t17; /* (-R*I3)*(omega_n*s*gamma3/s^2 + omega3) */
+    out[5] = t18;
     out[6] = 0.0;
     out[7] = 0.0;
     out[10] = 0.0;
@@ -331,40 +355,15 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[15] = 0.0;
     out[18] = 0.0;
     out[19] = 0.0;
+    const double t19 = t3*p[18]; /* s*R*I3 */
+    out[8] = t19;
+    const double t20 = x[0]*p[15]; /* gamma3*(-R*I3) */
+    out[9] = t20;
     out[17] = p[1];
-    const double t0 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t0;
-    const double t1 = p[4]*x[2]; /* I1*omega_tau */
-    out[2] = t1;
-    const double t2 = x[0]*p[18]; /* gamma3*(-R*I1) */
-    out[9] = t2;
-    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t4 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t5 = t3*t4; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = sqrt(t5); /* s = sqrt(s^2) */
-    const double t7 = x[0]/t5; /* gamma3/s^2 */
-    const double t8 = t6*t7; /* s*gamma3/s^2 */
-    const double t9 = p[15]*t6; /* R*I1*s */
-    out[8] = t9;
-    const double t10 = x[4]*t6; /* omega3*s */
-    const double t11 = JLT_FMA(x[3], x[0], t10); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t12 = p[17]*t11; /* m*R^2*v_tau/R */
-    const double t13 = t6*t12; /* s*m*R^2*v_tau/R */
-    const double t14 = JLT_FMA(x[4], p[4], t13); /* d(energy)/d(omega3) = omega3*I1 + s*m*R^2*v_tau/R */
-    out[4] = t14;
-    const double t15 = JLT_FNMA(x[4], t8, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
-    const double t16 = t12*t15; /* m*R^2*v_tau/R*d(v_tau)/d(gamma3)/R */
-    out[0] = t16;
-    const double t17 = JLT_FMA(x[3], t8, x[4]); /* omega_n*s*gamma3/s^2 + omega3 */
-    const double t18 = p[18]*t17; /* (-R*I1)*(omega_n*s*gamma3/s^2 + omega3) */
-    out[5] = t18;
-    const double t19 = x[3]*p[4]; /* omega_n*I1 */
-    const double t20 = JLT_FMA(x[0], t12, t19); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau/R + omega_n*I1 */
-    out[3] = t20;
     const double t21 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t22 = p[19]*t21; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t22 = p[19]*t21; /* 2*m*I3^2*(omega_tau*R + v_nu) */
     out[11] = t22;
-    const double t23 = p[20]*t21; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
+    const double t23 = t21*p[20]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
     out[12] = t23;
 }
 
@@ -454,10 +453,10 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[1] = (v_omega_n*v_omega_n*v_b/v_s)
         + (v_R*v_omega_n*v_omega3);
     const double v_m = params[0];
-    const double v_I1 = params[4];
+    const double v_I3 = params[5];
+    const double v_I1 = (v_I3);
     const double complex v_D = (v_I1 + v_m*v_a3*v_a3*v_s*v_s);
     const double v_g = params[2];
-    const double v_I3 = (v_I1);
     out[2] = (v_m*v_a3*v_a3*v_gamma3*v_omega_tau*v_omega_tau*v_s/v_D)
         + (-v_m*v_g*v_a3*v_s/v_D)
         + (-v_I1*v_gamma3*v_omega_n*v_omega_n/(v_s*v_D))
@@ -501,26 +500,26 @@ static void family0_point(const double *restrict x, const double *restrict param
 static void family0_trace(const double *restrict x, const double *restrict params, double *restrict out)
 {
     const double t0 = params[0]*params[1]; /* m*R */
-    const double t1 = t0*params[4]; /* m*R*I1 */
-    const double t2 = t1*x[0]; /* m*R*I1*gamma3 */
-    const double t3 = t2*x[1]; /* m*R*I1*gamma3*v_nu */
+    const double t1 = t0*params[5]; /* m*R*I3 */
+    const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
+    const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
     const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t6 = t4*t5; /* (1 - gamma3)*(1 + gamma3) */
     const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t8 = params[1]*params[1]; /* R*R */
-    const double t9 = params[0]*t8; /* m*R*R */
-    const double t10 = params[4]*t9; /* I1*m*R*R */
-    const double t11 = t7*t7; /* s*s */
-    const double t12 = t10*t11; /* I1*m*R*R*s*s */
-    const double t13 = params[4]*params[4]; /* I1*I1 */
-    const double t14 = t12 + t13; /* I1*m*R*R*s*s + I1*I1 */
-    const double t15 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t16 = t10*t15; /* I1*m*R*R*gamma3*gamma3 */
-    const double t17 = t14 + t16; /* Theta = I1*m*R*R*s*s + I1*I1 + I1*m*R*R*gamma3*gamma3 */
+    const double t8 = params[5]*params[5]; /* I3*I3 */
+    const double t9 = params[1]*params[1]; /* R*R */
+    const double t10 = params[0]*t9; /* m*R*R */
+    const double t11 = params[5]*t10; /* I3*m*R*R */
+    const double t12 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t13 = t11*t12; /* I3*m*R*R*gamma3*gamma3 */
+    const double t14 = t8 + t13; /* I3*I3 + I3*m*R*R*gamma3*gamma3 */
+    const double t15 = t7*t7; /* s*s */
+    const double t16 = t11*t15; /* I3*m*R*R*s*s */
+    const double t17 = t14 + t16; /* Theta = I3*I3 + I3*m*R*R*gamma3*gamma3 + I3*m*R*R*s*s */
     const double t18 = t7*t17; /* s*Theta */
-    const double t19 = t3/t18; /* m*R*I1*gamma3*v_nu/(s*Theta) */
-    const double t20 = -t19; /* -m*R*I1*gamma3*v_nu/(s*Theta) */
+    const double t19 = t3/t18; /* m*R*I3*gamma3*v_nu/(s*Theta) */
+    const double t20 = -t19; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
     out[0] = t20;
 }
 
@@ -530,32 +529,32 @@ static void family0_charpoly(const double *restrict x, const double *restrict pa
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = params[4]*t3; /* I1*s */
+    const double t4 = params[5]*t3; /* I3*s */
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
-    const double t5 = params[1]*params[1]; /* R*R */
-    const double t6 = params[0]*t5; /* m*R*R */
-    const double t7 = params[4]*t6; /* I1*m*R*R */
-    const double t8 = t3*t3; /* s*s */
-    const double t9 = t7*t8; /* I1*m*R*R*s*s */
-    const double t10 = params[4]*params[4]; /* I1*I1 */
-    const double t11 = t9 + t10; /* I1*m*R*R*s*s + I1*I1 */
-    const double t12 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t13 = t7*t12; /* I1*m*R*R*gamma3*gamma3 */
-    const double t14 = t11 + t13; /* Theta = I1*m*R*R*s*s + I1*I1 + I1*m*R*R*gamma3*gamma3 */
-    const double t15 = t4*t14; /* I1*s*Theta */
+    const double t5 = params[5]*params[5]; /* I3*I3 */
+    const double t6 = params[1]*params[1]; /* R*R */
+    const double t7 = params[0]*t6; /* m*R*R */
+    const double t8 = params[5]*t7; /* I3*m*R*R */
+    const double t9 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t10 = t8*t9; /* I3*m*R*R*gamma3*gamma3 */
+    const double t11 = t5 + t10; /* I3*I3 + I3*m*R*R*gamma3*gamma3 */
+    const double t12 = t3*t3; /* s*s */
+    const double t13 = t8*t12; /* I3*m*R*R*s*s */
+    const double t14 = t11 + t13; /* Theta = I3*I3 + I3*m*R*R*gamma3*gamma3 + I3*m*R*R*s*s */
+    const double t15 = t4*t14; /* I3*s*Theta */
     out[0] = t15;
     const double t16 = params[0]*params[1]; /* m*R */
-    const double t17 = t10*t16; /* I1*I1*m*R */
-    const double t18 = x[0]*t17; /* gamma3*I1*I1*m*R */
-    const double t19 = t18*x[1]; /* gamma3*I1*I1*m*R*v_nu */
+    const double t17 = t5*t16; /* I3*I3*m*R */
+    const double t18 = x[0]*t17; /* gamma3*I3*I3*m*R */
+    const double t19 = t18*x[1]; /* gamma3*I3*I3*m*R*v_nu */
     out[1] = t19;
     const double t20 = x[4]*x[4]; /* omega3*omega3 */
-    const double t21 = t10*t20; /* I1*I1*omega3*omega3 */
-    const double t22 = t3*t21; /* s*I1*I1*omega3*omega3 */
-    const double t23 = params[4] + t6; /* I1 + m*R*R */
-    const double t24 = t22*t23; /* s*I1*I1*omega3*omega3*(I1 + m*R*R) */
+    const double t21 = t5*t20; /* I3*I3*omega3*omega3 */
+    const double t22 = t3*t21; /* s*I3*I3*omega3*omega3 */
+    const double t23 = params[5] + t7; /* I3 + m*R*R */
+    const double t24 = t22*t23; /* s*I3*I3*omega3*omega3*(I3 + m*R*R) */
     out[2] = t24;
 }
 
@@ -589,32 +588,32 @@ static void family0_matrix(const double *restrict x, const double *restrict para
     out[8] = t4;
     const double t5 = -x[4]; /* -omega3 */
     out[13] = t5;
-    const double t6 = x[4]*params[4]; /* omega3*I1 */
-    const double t7 = params[1]*params[1]; /* R*R */
-    const double t8 = params[0]*t7; /* m*R*R */
-    const double t9 = params[4]*t8; /* I1*m*R*R */
-    const double t10 = t3*t3; /* s*s */
-    const double t11 = t9*t10; /* I1*m*R*R*s*s */
-    const double t12 = params[4]*params[4]; /* I1*I1 */
-    const double t13 = t11 + t12; /* I1*m*R*R*s*s + I1*I1 */
-    const double t14 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t15 = t9*t14; /* I1*m*R*R*gamma3*gamma3 */
-    const double t16 = t13 + t15; /* Theta = I1*m*R*R*s*s + I1*I1 + I1*m*R*R*gamma3*gamma3 */
-    const double t17 = params[4] + t8; /* I1 + m*R*R */
-    const double t18 = t6*t17; /* omega3*I1*(I1 + m*R*R) */
-    const double t19 = t18/t16; /* omega3*I1*(I1 + m*R*R)/Theta */
+    const double t6 = x[4]*params[5]; /* omega3*I3 */
+    const double t7 = params[5]*params[5]; /* I3*I3 */
+    const double t8 = params[1]*params[1]; /* R*R */
+    const double t9 = params[0]*t8; /* m*R*R */
+    const double t10 = params[5]*t9; /* I3*m*R*R */
+    const double t11 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t12 = t10*t11; /* I3*m*R*R*gamma3*gamma3 */
+    const double t13 = t7 + t12; /* I3*I3 + I3*m*R*R*gamma3*gamma3 */
+    const double t14 = t3*t3; /* s*s */
+    const double t15 = t10*t14; /* I3*m*R*R*s*s */
+    const double t16 = t13 + t15; /* Theta = I3*I3 + I3*m*R*R*gamma3*gamma3 + I3*m*R*R*s*s */
+    const double t17 = params[5] + t9; /* I3 + m*R*R */
+    const double t18 = t6*t17; /* omega3*I3*(I3 + m*R*R) */
+    const double t19 = t18/t16; /* omega3*I3*(I3 + m*R*R)/Theta */
     out[17] = t19;
     const double t20 = params[1]*params[0]; /* R*m */
-    const double t21 = params[4]*t20; /* I1*R*m */
-    const double t22 = x[0]*t21; /* gamma3*I1*R*m */
-    const double t23 = t22*x[1]; /* gamma3*I1*R*m*v_nu */
+    const double t21 = params[5]*t20; /* I3*R*m */
+    const double t22 = x[0]*t21; /* gamma3*I3*R*m */
+    const double t23 = t22*x[1]; /* gamma3*I3*R*m*v_nu */
     const double t24 = t3*t16; /* s*Theta */
-    const double t25 = t23/t24; /* gamma3*I1*R*m*v_nu/(s*Theta) */
-    const double t26 = -t25; /* -gamma3*I1*R*m*v_nu/(s*Theta) */
+    const double t25 = t23/t24; /* gamma3*I3*R*m*v_nu/(s*Theta) */
+    const double t26 = -t25; /* -gamma3*I3*R*m*v_nu/(s*Theta) */
     out[18] = t26;
-    const double t27 = t21*x[1]; /* I1*R*m*v_nu */
-    const double t28 = t27/t16; /* I1*R*m*v_nu/Theta */
-    const double t29 = -t28; /* -I1*R*m*v_nu/Theta */
+    const double t27 = t21*x[1]; /* I3*R*m*v_nu */
+    const double t28 = t27/t16; /* I3*R*m*v_nu/Theta */
+    const double t29 = -t28; /* -I3*R*m*v_nu/Theta */
     out[23] = t29;
 }
 
@@ -645,28 +644,28 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t14 = x[0]*t13; /* gamma3*m*R */
     const double t15 = t5*t14; /* d(energy)/d(omega_n) = v_tau*gamma3*m*R */
     out[3] = t15;
-    const double t16 = t4*t13; /* s*m*R */
-    const double t17 = t5*t16; /* v_tau*s*m*R */
-    const double t18 = x[4]*params[4]; /* omega3*I1 */
-    const double t19 = t17 + t18; /* d(energy)/d(omega3) = v_tau*s*m*R + omega3*I1 */
+    const double t16 = x[4]*params[5]; /* omega3*I3 */
+    const double t17 = t4*t13; /* s*m*R */
+    const double t18 = t5*t17; /* v_tau*s*m*R */
+    const double t19 = t16 + t18; /* d(energy)/d(omega3) = omega3*I3 + v_tau*s*m*R */
     out[4] = t19;
-    const double t20 = params[1]*params[4]; /* R*I1 */
-    const double t21 = x[0]*t20; /* gamma3*R*I1 */
-    const double t22 = x[4]*t20; /* omega3*R*I1 */
-    const double t23 = -t22; /* -omega3*R*I1 */
-    out[5] = t23;
-    const double t24 = t4*t20; /* s*R*I1 */
+    const double t20 = params[1]*params[5]; /* R*I3 */
+    const double t21 = x[4]*t20; /* omega3*R*I3 */
+    const double t22 = -t21; /* -omega3*R*I3 */
+    out[5] = t22;
+    const double t23 = x[0]*t20; /* gamma3*R*I3 */
+    const double t24 = t4*t20; /* s*R*I3 */
     out[8] = t24;
-    const double t25 = -t21; /* -gamma3*R*I1 */
+    const double t25 = -t23; /* -gamma3*R*I3 */
     out[9] = t25;
     const double t26 = params[0]*2.0; /* m*2 */
-    const double t27 = params[4]*params[4]; /* I1*I1 */
-    const double t28 = t26*t27; /* m*2*I1*I1 */
-    const double t29 = x[1]*t28; /* v_nu*m*2*I1*I1 */
+    const double t27 = params[5]*params[5]; /* I3*I3 */
+    const double t28 = t26*t27; /* m*2*I3*I3 */
+    const double t29 = x[1]*t28; /* v_nu*m*2*I3*I3 */
     out[11] = t29;
     const double t30 = params[1]*t26; /* R*m*2 */
-    const double t31 = t27*t30; /* I1*I1*R*m*2 */
-    const double t32 = x[1]*t31; /* v_nu*I1*I1*R*m*2 */
+    const double t31 = t27*t30; /* I3*I3*R*m*2 */
+    const double t32 = x[1]*t31; /* v_nu*I3*I3*R*m*2 */
     out[12] = t32;
 }
 
@@ -720,7 +719,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
+    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
     .state_count = 5, .param_count = 6, .block_count = 21,
@@ -728,17 +727,17 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 5, 15, 3, 1, 1, 0, 9, 5 }, { 11, 42, 0, 7, 1, 0, 12, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 25, { 8, 25, 5, 1, 1, 0, 10, 7 }, { 24, 95, 0, 23, 1, 0, 12, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 13, 29, 6, 1, 1, 0, 10, 8 }, { 31, 124, 0, 30, 1, 0, 12, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .divergence = { divergence, 1, { 2, 7, 1, 1, 1, 0, 7, 5 }, { 5, 18, 0, 1, 1, 0, 10, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_values = { integral_values, 4, { 2, 10, 7, 0, 1, 0, 8, 4 }, { 9, 32, 0, 0, 1, 0, 11, 5 },
+    .rhs = { rhs, 5, { 5, 15, 3, 1, 1, 0, 9, 5 }, { 11, 42, 0, 7, 1, 0, 10, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+    .jacobian = { jacobian, 25, { 8, 26, 4, 1, 1, 0, 9, 6 }, { 24, 95, 0, 23, 1, 0, 10, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 11, 31, 5, 1, 1, 0, 10, 10 }, { 31, 124, 0, 30, 1, 0, 10, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+    .divergence = { divergence, 1, { 2, 7, 1, 1, 1, 0, 7, 5 }, { 5, 18, 0, 1, 1, 0, 9, 6 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+    .integral_values = { integral_values, 4, { 2, 10, 7, 0, 1, 0, 8, 5 }, { 9, 32, 0, 0, 1, 0, 11, 5 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 20, { 2, 14, 6, 1, 1, 0, 8, 4 }, { 10, 40, 0, 2, 1, 0, 7, 6 },
+    .integral_gradients = { integral_gradients, 20, { 2, 14, 6, 1, 1, 0, 7, 5 }, { 10, 40, 0, 2, 1, 0, 7, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

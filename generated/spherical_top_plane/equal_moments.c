@@ -1,8 +1,8 @@
 /* Balanced sphere with one nonholonomic constraint, on a level of all three integrals
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
- *  Variant:    equal_moments: I3 = I1
- *  Table:      spherical_top_plane, SHA-256 f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8
+ *  Variant:    equal_moments: I1 = I3
+ *  Table:      spherical_top_plane, SHA-256 a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -13,6 +13,7 @@
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -34,8 +35,8 @@ static void impose(const double *restrict x, const double *restrict params, doub
     (void)x;
     out[0] = params[0];
     out[1] = params[1];
-    out[2] = params[2];
-    out[3] = params[2];
+    out[2] = params[3];
+    out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
@@ -52,38 +53,38 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = params[6];
     const double t0 = params[1]*params[1]; /* R*R */
     const double t1 = params[0]*t0; /* m*R*R */
-    const double t2 = params[2] + t1; /* J1 = I1 + m*R*R */
+    const double t2 = params[3] + t1; /* J1 = I3 + m*R*R */
     const double t3 = 1.0/t2; /* 1/J1 */
     out[7] = t3;
     const double t4 = params[0]*params[1]; /* m*R */
-    const double t5 = params[2]*params[2]; /* I1*I1 */
-    const double t6 = params[0]*t5; /* m*I1*I1 */
-    const double t7 = params[6]/t6; /* F0/(m*I1*I1) */
-    const double t8 = sqrt(t7); /* v_slip = sqrt(F0/(m*I1*I1)) */
+    const double t5 = params[3]*params[3]; /* I3*I3 */
+    const double t6 = params[0]*t5; /* m*I3*I3 */
+    const double t7 = params[6]/t6; /* F0/(m*I3*I3) */
+    const double t8 = sqrt(t7); /* v_slip = sqrt(F0/(m*I3*I3)) */
     const double t9 = t4*t8; /* m*R*v_slip */
     out[8] = t9;
     const double t10 = t2*params[4]; /* J1*G */
     const double t11 = t10/params[1]; /* J1*G/R */
     out[9] = t11;
-    const double t12 = params[2]*params[5]; /* I1*M */
+    const double t12 = params[3]*params[5]; /* I3*M */
     out[10] = t12;
-    const double t13 = params[2]*t1; /* I1*m*R*R */
-    const double t14 = t5 + t13; /* I1*I1 + I1*m*R*R */
+    const double t13 = params[3]*t1; /* I3*m*R*R */
+    const double t14 = t5 + t13; /* I3*I3 + I3*m*R*R */
     out[11] = t14;
     const double t15 = (-1.0)/t2; /* (-1)/J1 */
     out[12] = t15;
     const double t16 = params[5]/t2; /* M/J1 */
     const double t17 = -t16; /* -M/J1 */
     out[13] = t17;
-    const double t18 = -params[2]; /* -I1 */
-    const double t19 = -t12; /* -I1*M */
+    const double t18 = -params[3]; /* -I3 */
+    const double t19 = -t12; /* -I3*M */
     out[14] = t19;
-    const double t20 = t5/t1; /* I1*I1/(m*R*R) */
-    const double t21 = t18 - t20; /* -I1 - I1*I1/(m*R*R) */
+    const double t20 = t5/t1; /* I3*I3/(m*R*R) */
+    const double t21 = t18 - t20; /* -I3 - I3*I3/(m*R*R) */
     out[15] = t21;
-    const double t22 = t12/t1; /* I1*M/(m*R*R) */
+    const double t22 = t12/t1; /* I3*M/(m*R*R) */
     out[16] = t22;
-    const double t23 = params[2] + t20; /* I1 + I1*I1/(m*R*R) */
+    const double t23 = params[3] + t20; /* I3 + I3*I3/(m*R*R) */
     out[17] = t23;
 }
 
@@ -100,10 +101,10 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     out[0] = t7;
     const double t8 = t3*p[9]; /* s*G*J3/R */
     const double t9 = cos(x[1]); /* C = cos(psi) */
-    const double t10 = x[0]*p[10]; /* gamma3*I1*M */
-    const double t11 = JLT_FMA(t9, t10, t8); /* C*gamma3*I1*M + s*G*J3/R */
-    const double t12 = t3*p[11]; /* s*(m*R^2*I1 + I1^2) */
-    const double t13 = t11/t12; /* (C*gamma3*I1*M + s*G*J3/R)/(s*(m*R^2*I1 + I1^2)) */
+    const double t10 = x[0]*p[10]; /* gamma3*I3*M */
+    const double t11 = JLT_FMA(t9, t10, t8); /* C*gamma3*I3*M + s*G*J3/R */
+    const double t12 = t3*p[11]; /* s*(m*R^2*I3 + I3^2) */
+    const double t13 = t11/t12; /* (C*gamma3*I3*M + s*G*J3/R)/(s*(m*R^2*I3 + I3^2)) */
     out[1] = t13;
 }
 
@@ -113,26 +114,26 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = p[11]*t3; /* (m*R^2*I1 + I1^2)*s */
-    const double t5 = 1.0/t4; /* 1/((m*R^2*I1 + I1^2)*s) */
+    const double t4 = p[11]*t3; /* (m*R^2*I3 + I3^2)*s */
+    const double t5 = 1.0/t4; /* 1/((m*R^2*I3 + I3^2)*s) */
     const double t6 = cos(x[1]); /* C = cos(psi) */
-    const double t7 = p[10]*t6; /* I1*M*C */
+    const double t7 = p[10]*t6; /* I3*M*C */
     const double t8 = p[9]*t3; /* G*J3/R*s */
-    const double t9 = JLT_FMA(x[0], t7, t8); /* gamma3*I1*M*C + G*J3/R*s */
+    const double t9 = JLT_FMA(x[0], t7, t8); /* gamma3*I3*M*C + G*J3/R*s */
     const double t10 = p[13]*t3; /* (-M/J1)*s */
     const double t11 = t6*t10; /* C*(-M/J1)*s */
     out[1] = t11;
-    const double t12 = p[11]*t5; /* 1/s = (m*R^2*I1 + I1^2)*1/((m*R^2*I1 + I1^2)*s) */
-    const double t13 = JLT_FNMA(t9, t12, p[9]); /* G*J3/R - (gamma3*I1*M*C + G*J3/R*s)*1/s */
+    const double t12 = p[11]*t5; /* 1/s = (m*R^2*I3 + I3^2)*1/((m*R^2*I3 + I3^2)*s) */
+    const double t13 = JLT_FNMA(t9, t12, p[9]); /* G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s */
     const double t14 = x[0]*t12; /* gamma3*1/s */
-    const double t15 = JLT_FNMA(t13, t14, t7); /* I1*M*C - (G*J3/R - (gamma3*I1*M*C + G*J3/R*s)*1/s)*gamma3*1/s */
-    const double t16 = t5*t15; /* 1/((m*R^2*I1 + I1^2)*s)*t15 */
+    const double t15 = JLT_FNMA(t13, t14, t7); /* I3*M*C - (G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s)*gamma3*1/s */
+    const double t16 = t5*t15; /* 1/((m*R^2*I3 + I3^2)*s)*t15 */
     out[2] = t16;
     const double t17 = p[12]*t14; /* (-1/J1)*gamma3*1/s */
     const double t18 = sin(x[1]); /* S = sin(psi) */
-    const double t19 = x[0]*p[14]; /* gamma3*(-I1*M) */
-    const double t20 = t5*t19; /* 1/((m*R^2*I1 + I1^2)*s)*gamma3*(-I1*M) */
-    const double t21 = t18*t20; /* S*1/((m*R^2*I1 + I1^2)*s)*gamma3*(-I1*M) */
+    const double t19 = x[0]*p[14]; /* gamma3*(-I3*M) */
+    const double t20 = t5*t19; /* 1/((m*R^2*I3 + I3^2)*s)*gamma3*(-I3*M) */
+    const double t21 = t18*t20; /* S*1/((m*R^2*I3 + I3^2)*s)*gamma3*(-I3*M) */
     out[3] = t21;
     const double t22 = JLT_FNMA(p[5], t18, p[8]); /* m*R*v_slip - M*S */
     const double t23 = t17*t22; /* (-1/J1)*gamma3*1/s*(m*R*v_slip - M*S) */
@@ -145,14 +146,14 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = p[11]*t3; /* (m*R^2*I1 + I1^2)*s */
-    const double t5 = 1.0/t4; /* 1/((m*R^2*I1 + I1^2)*s) */
+    const double t4 = p[11]*t3; /* (m*R^2*I3 + I3^2)*s */
+    const double t5 = 1.0/t4; /* 1/((m*R^2*I3 + I3^2)*s) */
     const double t6 = cos(x[1]); /* C = cos(psi) */
     const double t7 = sin(x[1]); /* S = sin(psi) */
     const double t8 = p[9]*t3; /* G*J3/R*s */
-    const double t9 = p[10]*t6; /* I1*M*C */
-    const double t10 = JLT_FMA(x[0], t9, t8); /* gamma3*I1*M*C + G*J3/R*s */
-    const double t11 = t5*t10; /* 1/((m*R^2*I1 + I1^2)*s)*(gamma3*I1*M*C + G*J3/R*s) */
+    const double t9 = p[10]*t6; /* I3*M*C */
+    const double t10 = JLT_FMA(x[0], t9, t8); /* gamma3*I3*M*C + G*J3/R*s */
+    const double t11 = t5*t10; /* 1/((m*R^2*I3 + I3^2)*s)*(gamma3*I3*M*C + G*J3/R*s) */
     out[1] = t11;
     const double t12 = JLT_FNMA(p[5], t7, p[8]); /* m*R*v_slip - M*S */
     const double t13 = p[7]*t12; /* 1/J1*(m*R*v_slip - M*S) */
@@ -161,18 +162,18 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t15 = p[13]*t3; /* (-M/J1)*s */
     const double t16 = t6*t15; /* C*(-M/J1)*s */
     out[3] = t16;
-    const double t17 = p[11]*t5; /* 1/s = (m*R^2*I1 + I1^2)*1/((m*R^2*I1 + I1^2)*s) */
-    const double t18 = JLT_FNMA(t10, t17, p[9]); /* G*J3/R - (gamma3*I1*M*C + G*J3/R*s)*1/s */
+    const double t17 = p[11]*t5; /* 1/s = (m*R^2*I3 + I3^2)*1/((m*R^2*I3 + I3^2)*s) */
+    const double t18 = JLT_FNMA(t10, t17, p[9]); /* G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s */
     const double t19 = x[0]*t17; /* gamma3*1/s */
-    const double t20 = JLT_FNMA(t18, t19, t9); /* I1*M*C - (G*J3/R - (gamma3*I1*M*C + G*J3/R*s)*1/s)*gamma3*1/s */
+    const double t20 = JLT_FNMA(t18, t19, t9); /* I3*M*C - (G*J3/R - (gamma3*I3*M*C + G*J3/R*s)*1/s)*gamma3*1/s */
     const double t21 = t13*t19; /* 1/J1*(m*R*v_slip - M*S)*gamma3*1/s */
     const double t22 = -t21; /* -1/J1*(m*R*v_slip - M*S)*gamma3*1/s */
     out[2] = t22;
-    const double t23 = t5*t20; /* 1/((m*R^2*I1 + I1^2)*s)*t20 */
+    const double t23 = t5*t20; /* 1/((m*R^2*I3 + I3^2)*s)*t20 */
     out[4] = t23;
-    const double t24 = x[0]*p[14]; /* gamma3*(-I1*M) */
-    const double t25 = t5*t24; /* 1/((m*R^2*I1 + I1^2)*s)*gamma3*(-I1*M) */
-    const double t26 = t7*t25; /* S*1/((m*R^2*I1 + I1^2)*s)*gamma3*(-I1*M) */
+    const double t24 = x[0]*p[14]; /* gamma3*(-I3*M) */
+    const double t25 = t5*t24; /* 1/((m*R^2*I3 + I3^2)*s)*gamma3*(-I3*M) */
+    const double t26 = t7*t25; /* S*1/((m*R^2*I3 + I3^2)*s)*gamma3*(-I3*M) */
     out[5] = t26;
 }
 
@@ -185,14 +186,14 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t4 = x[0] + 1.0; /* gamma3 + 1 */
     const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
     const double t6 = sqrt(t5); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t7 = t6*p[17]; /* s*(I1 + I1^2/(m*R^2)) */
-    const double t8 = 1.0/t7; /* 1/(s*(I1 + I1^2/(m*R^2))) */
-    const double t9 = p[16]*t6; /* I1*M/(m*R^2)*s */
-    const double t10 = t8*t9; /* 1/(s*(I1 + I1^2/(m*R^2)))*I1*M/(m*R^2)*s */
-    const double t11 = JLT_FMA(t0, t10, t2); /* S*1/(s*(I1 + I1^2/(m*R^2)))*I1*M/(m*R^2)*s + 1/J1*(m*R*v_slip - M*S) */
-    const double t12 = p[15]*x[0]; /* (-I1 - I1^2/(m*R^2))*gamma3 */
-    const double t13 = t8*t12; /* 1/(s*(I1 + I1^2/(m*R^2)))*(-I1 - I1^2/(m*R^2))*gamma3 */
-    const double t14 = t11*t13; /* t11*1/(s*(I1 + I1^2/(m*R^2)))*(-I1 - I1^2/(m*R^2))*gamma3 */
+    const double t7 = t6*p[17]; /* s*(I3 + I3^2/(m*R^2)) */
+    const double t8 = 1.0/t7; /* 1/(s*(I3 + I3^2/(m*R^2))) */
+    const double t9 = p[16]*t6; /* I3*M/(m*R^2)*s */
+    const double t10 = t8*t9; /* 1/(s*(I3 + I3^2/(m*R^2)))*I3*M/(m*R^2)*s */
+    const double t11 = JLT_FMA(t0, t10, t2); /* S*1/(s*(I3 + I3^2/(m*R^2)))*I3*M/(m*R^2)*s + 1/J1*(m*R*v_slip - M*S) */
+    const double t12 = p[15]*x[0]; /* (-I3 - I3^2/(m*R^2))*gamma3 */
+    const double t13 = t8*t12; /* 1/(s*(I3 + I3^2/(m*R^2)))*(-I3 - I3^2/(m*R^2))*gamma3 */
+    const double t14 = t11*t13; /* t11*1/(s*(I3 + I3^2/(m*R^2)))*(-I3 - I3^2/(m*R^2))*gamma3 */
     out[0] = t14;
 }
 
@@ -245,12 +246,12 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
 {
     const double complex v_gamma3 = x[0];
     const double complex v_s = csqrt(1.0 - v_gamma3*v_gamma3);
-    const double v_I1 = params[2];
+    const double v_I3 = params[3];
+    const double v_I1 = (v_I3);
     const double v_m = params[0];
     const double v_R = params[1];
     const double complex v_J1 = (v_I1 + v_m*v_R*v_R);
     const double v_F0 = params[6];
-    const double v_I3 = (v_I1);
     const double complex v_Theta = (v_I1*v_I3 + v_m*v_R*v_R*(v_I1*v_s*v_s + v_I3*v_gamma3*v_gamma3));
     const double v_M = params[5];
     const double complex v_psi = x[1];
@@ -288,7 +289,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8",
+    .sha256 = "a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane,
     .state_count = 2, .param_count = 7, .block_count = 18,
@@ -297,13 +298,13 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 2, { 2, 6, 2, 1, 1, 2, 6, 5 }, { 7, 25, 0, 4, 2, 2, 10, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .jacobian = { jacobian, 4, { 2, 14, 4, 1, 1, 2, 9, 6 }, { 12, 41, 0, 8, 2, 2, 11, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .rhs_jacobian = { rhs_jacobian, 6, { 3, 16, 4, 1, 1, 2, 9, 8 }, { 14, 51, 0, 11, 2, 2, 11, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .divergence = { divergence, 1, { 2, 8, 2, 1, 1, 1, 8, 5 }, { 7, 22, 0, 3, 2, 1, 11, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },
     .measure_values = { .loses_digits = "" },

@@ -1,5 +1,6 @@
 #include "cli/command.h"
 
+#include "kernel/descriptor.h"
 #include "report/file.h"
 
 #include <errno.h>
@@ -19,6 +20,14 @@ jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...)
     va_end(arguments);
     fputc('\n', stderr);
     return code;
+}
+
+void jlt_command_warn_unproved(const char *model)
+{
+    char claims[1024];
+
+    if (!jlt_descriptor_unproved(claims, sizeof claims, model)) return;
+    fprintf(stderr, "jellett: warning: kernels of %s rest on claims that are not proved: %s\n", model, claims);
 }
 
 jlt_exit jlt_command_no_memory(void)

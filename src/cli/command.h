@@ -56,6 +56,9 @@ __attribute__((format(printf, 2, 3)))
 jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...);
 
 /* Messages of every command. */
+/* One line on standard error when kernels of a model rest on claims that are not proved. */
+void jlt_command_warn_unproved(const char *model);
+
 jlt_exit jlt_command_no_memory(void);
 jlt_exit jlt_command_cannot_write(const char *path); /* the reason is errno */
 

@@ -104,6 +104,7 @@ static json_t *descriptor_json(const jlt_descriptor *d)
     json_t *object = json_pack("{s:s,s:s,s:s,s:s,s:s,s:s,s:s}", "model", d->model, "variant", d->variant, "time", d->time,
                                "elimination", d->elimination, "title", d->title, "sha256", d->sha256, "generator",
                                d->generator);
+    json_object_set_new(object, "unproved", d->unproved == NULL ? json_null() : json_string(d->unproved));
     json_t *counts = json_object();
 
     list_kernels(kernels, d);
@@ -154,6 +155,7 @@ static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
             total(&d->jacobian.optimized), total(&d->rhs_jacobian.optimized));
     for (unsigned i = 0; i < d->integral_count; i++) fprintf(stream, " %s", d->integrals[i].name);
     for (unsigned i = 0; i < d->measure_count; i++) fprintf(stream, " %s", d->measures[i].name);
+    if (d->unproved != NULL) fprintf(stream, "  UNPROVED: rests on %s", d->unproved);
     fputc('\n', stream);
 }
 

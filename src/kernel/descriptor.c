@@ -3,6 +3,7 @@
 #include "registry.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { PARAMS_MAX = 256 };
@@ -69,6 +70,32 @@ const jlt_descriptor *jlt_descriptor_choose(const char *model, const char *time,
         if (serves(d, params) && (best == NULL || more_special(d, best))) best = d;
     }
     return best;
+}
+
+/* Add those of `more` that are not there yet; both are lists joined with ", ". */
+static void join_claims(char *claims, size_t size, const char *more)
+{
+    while (*more != '\0') {
+        const size_t length = strcspn(more, ",");
+        bool known = false;
+        for (const char *c = claims; *c != '\0' && !known; c += strspn(c, ", ")) {
+            known = strcspn(c, ",") == length && strncmp(c, more, length) == 0;
+            c += strcspn(c, ",");
+        }
+        const size_t used = strlen(claims);
+        if (!known) snprintf(claims + used, size - used, "%s%.*s", used > 0 ? ", " : "", (int)length, more);
+        more += length;
+        more += strspn(more, ", ");
+    }
+}
+
+bool jlt_descriptor_unproved(char *claims, size_t size, const char *model)
+{
+    claims[0] = '\0';
+    for (size_t i = 0; i < jlt_registry_count; i++)
+        if (same(jlt_registry[i]->model, model) && jlt_registry[i]->unproved != NULL)
+            join_claims(claims, size, jlt_registry[i]->unproved);
+    return claims[0] != '\0';
 }
 
 static bool position(const jlt_quantity *quantities, unsigned count, const char *name, size_t *index)

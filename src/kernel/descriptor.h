@@ -22,6 +22,10 @@ const jlt_descriptor *jlt_descriptor_find(const char *model, const char *variant
 const jlt_descriptor *jlt_descriptor_choose(const char *model, const char *time, const char *elimination,
                                             const double *params);
 
+/** The claims that kernels of a model rest on without a proof, all its descriptors taken together: "KIND NAME, ...", cut to
+ *  `size` bytes. False, and "", when everything is proved, or there is no such model. */
+bool jlt_descriptor_unproved(char *claims, size_t size, const char *model);
+
 /* Position of a name; false when there is none. */
 bool jlt_descriptor_state(const jlt_descriptor *descriptor, const char *name, size_t *index);
 bool jlt_descriptor_param(const jlt_descriptor *descriptor, const char *name, size_t *index);

@@ -3,7 +3,7 @@
 # and has to be made known by regenerating that file.
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
-LC_ALL=C ttc cost codegen/models/*.tt | awk -F'\t' '
+LC_ALL=C ttc cost --effort full codegen/models/*.tt | awk -F'\t' '
     NR == FNR { if (FNR > 1) known[$1 FS $2 FS $3 FS $4 FS $5] = $6; next }
     FNR > 1 {
         key = $1 FS $2 FS $3 FS $4 FS $5

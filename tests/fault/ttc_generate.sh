@@ -30,6 +30,28 @@ if [ "$(id -u)" -ne 0 ]; then
     expect 5 "output folder without permission" ttc generate "$model" --out "$scratch/readonly/out"
 fi
 
+# One place that cannot be written to: everything stays, or comes back to, what it was, and folders that were made go again.
+blocked() { # TITLE PATH
+    rm -rf "$scratch/blocked" "$scratch/as_before"
+    cp -r "$scratch/whole" "$scratch/blocked"
+    find "$scratch/blocked" -type f -exec sh -c 'for f; do echo old > "$f"; done' sh {} +
+    rm -rf "$scratch/blocked/lanes.h" "$scratch/blocked/$2"
+    mkdir -p "$scratch/blocked/$2/folder"
+    cp -r "$scratch/blocked" "$scratch/as_before"
+    expect 5 "$1" ttc generate "$model" --out "$scratch/blocked"
+    grep -q "nothing was changed" "$scratch/err" || fail "$1: says $(cat "$scratch/err")"
+    diff -r "$scratch/blocked" "$scratch/as_before" || fail "$1: something was changed"
+}
+for file in counts.tsv registry.c kernel_abi.h chaplygin_sleigh/general.c chaplygin_sleigh/table.c; do
+    blocked "a folder in place of $file" $file
+    # What fails only after other files are in their places.
+    blocked "a folder in place of what $file was" $file.old
+    blocked "a folder in place of what $file will be" $file.new
+done
+mkdir -p "$scratch/new/manifest.tsv"
+expect 5 "a folder in place of a file of a new set" ttc generate "$model" --out "$scratch/new"
+[ "$(cd "$scratch/new" && find .)" = "$(printf '.\n./manifest.tsv')" ] || fail "a new set: leaves $(ls "$scratch/new")"
+
 # A full disk, played by a limit on the size of files.
 full() { (ulimit -f 4; trap '' XFSZ; ttc generate "$model" --out "$1"); }
 expect 5 "disk full" full "$scratch/full"

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# What generate, cost and prove --kernels cannot do they say with FILE:LINE:COLUMN and the true cause; in JSON a table that is
+# wrong is an object with its problems, in every command that speaks JSON.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+status=0
+fail() { echo "$*"; status=1; }
+
+expect() { # STATUS WORDS COMMAND...
+    local want=$1 words=$2 code
+    shift 2
+    "$@" > out 2> err
+    code=$?
+    [ $code -eq "$want" ] || fail "$*: status $code, not $want"
+    [ -z "$words" ] || grep -qE -- "$words" err || fail "$*: says '$(head -2 err)', not '$words'"
+}
+
+printf 'model wide\nstate x\neq x =\n    + x\n    - 1e500*x^2\n' > wide.tt
+expect 3 '^wide.tt:5:5: error: a number is beyond double precision' ttc generate --out folder wide.tt
+printf 'model tiny\nparam k\nstate x\nlet h = 1e-400*k + x\neq x = h\n' > tiny.tt
+expect 3 '^tiny.tt:4:5: error: a number is beyond double precision' ttc generate --out folder tiny.tt
+printf 'model twice\nparam k\nstate x\neq x = k*x\nvariant general : k = 1\n' > twice.tt
+expect 3 "^twice.tt:5:9: error: 'twice/general.c' would be written twice" ttc generate --out folder twice.tt
+# A derivative whose powers pass the limit of the graph, 256.
+printf 'model power\nstate x\nlet a = x^64\nlet b = a^4\neq x = b*x\ntime u : 1/(1 + x^2)\n' > power.tt
+for command in "generate --out folder" cost "prove --kernels"; do
+    # shellcheck disable=SC2086
+    expect 3 '^power.tt:[0-9]+:[0-9]+: error: .*power passes 256' ttc $command power.tt
+done
+[ ! -e folder ] || fail "files are written"
+
+printf 'model broken\nstate x\neq x = y\n' > broken.tt
+for command in check prove cost; do
+    expect 3 '' ttc $command --json broken.tt
+    python3 - $command << 'PYTHON' || fail "$command --json does not say what is wrong"
+import json, sys
+said = json.load(open("out"))
+table = said[0] if isinstance(said, list) else said
+assert table["file"] == "broken.tt" and table["ok"] is False, table
+problem, = table["problems"]
+assert (problem["file"], problem["line"], problem["column"], problem["severity"]) == ("broken.tt", 3, 8, "error"), problem
+assert "unknown name 'y'" in problem["message"], problem
+PYTHON
+    expect 5 '' ttc $command --json missing.tt
+    python3 -c 'import json; s = json.load(open("out")); s = s[0] if isinstance(s, list) else s; assert "cannot open" in s["problems"][0]["message"]' ||
+        fail "$command --json does not say that the file is missing"
+done
+exit $status
