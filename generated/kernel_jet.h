@@ -1,4 +1,4 @@
-/** Coefficients of order k of products, quotients, roots, cosines and sines of power series whose operands are known to
+/** Coefficients of order k of products, quotients, roots and elementary functions of power series whose operands are known to
  *  order k, and whose result is known below k. Cost: k + 1 products. Written by ttc; do not edit.
  *
  *  A coefficient is a double, or, where JLT_LANES is defined, a vector: every lane does what a double does. */
@@ -13,11 +13,15 @@ typedef jlt_lanes jlt_coefficient;
 #define JLT_JET_ROOT jlt_lanes_root
 #define JLT_JET_COSINE jlt_lanes_cosine
 #define JLT_JET_SINE jlt_lanes_sine
+#define JLT_JET_EXP jlt_lanes_exp
+#define JLT_JET_LOG jlt_lanes_log
 #else
 typedef double jlt_coefficient;
 #define JLT_JET_ROOT sqrt
 #define JLT_JET_COSINE cos
 #define JLT_JET_SINE sin
+#define JLT_JET_EXP exp
+#define JLT_JET_LOG log
 #endif
 
 static inline jlt_coefficient jlt_jet_product(const jlt_coefficient *a, const jlt_coefficient *b, unsigned k)
@@ -62,6 +66,21 @@ static inline jlt_coefficient jlt_jet_sine(const jlt_coefficient *a, jlt_coeffic
 {
     c[k] = k == 0 ? JLT_JET_COSINE(a[0]) : -jlt_jet_slope(a, s, k);
     return k == 0 ? JLT_JET_SINE(a[0]) : jlt_jet_slope(a, c, k);
+}
+
+/* e = exp(a): e' = a' e. */
+static inline jlt_coefficient jlt_jet_exp(const jlt_coefficient *a, const jlt_coefficient *e, unsigned k)
+{
+    return k == 0 ? JLT_JET_EXP(a[0]) : jlt_jet_slope(a, e, k);
+}
+
+/* l = log(a): a l' = a'. */
+static inline jlt_coefficient jlt_jet_log(const jlt_coefficient *a, const jlt_coefficient *l, unsigned k)
+{
+    jlt_coefficient sum = { 0 };
+    if (k == 0) return JLT_JET_LOG(a[0]);
+    for (unsigned j = 1; j < k; j++) sum += (double)j * l[j] * a[k - j];
+    return (a[k] - sum / (double)k) / a[0];
 }
 
 #endif

@@ -88,6 +88,18 @@ static inline jlt_lanes jlt_lanes_sine(jlt_lanes a)
     return a;
 }
 
+static inline jlt_lanes jlt_lanes_exp(jlt_lanes a)
+{
+    for (int lane = 0; lane < JLT_LANES; lane++) a[lane] = exp(a[lane]);
+    return a;
+}
+
+static inline jlt_lanes jlt_lanes_log(jlt_lanes a)
+{
+    for (int lane = 0; lane < JLT_LANES; lane++) a[lane] = log(a[lane]);
+    return a;
+}
+
 /* Bit j is set where lane j of the mask is true. */
 static inline unsigned jlt_lanes_bits(jlt_lane_mask mask)
 {

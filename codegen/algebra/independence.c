@@ -73,8 +73,15 @@ static void coefficient_of(const ttc_ring *ring, fmpz_mpoly_t coefficient, const
     fmpz_mpoly_get_coeff_vars_ui(coefficient, polynomial, variables, exponents, count, ring->context);
 }
 
-/* Free variables are independent over the numbers, so that one coefficient that is not zero is enough; a product of numbers
- * none of which is zero is not zero. */
+/* A product of numbers none of which is zero, or a linear form in pi and logarithms, see independence.h. */
+static bool is_simple(const ttc_ring *ring, const usage *u, const fmpz_mpoly_t coefficient)
+{
+    if (u->count[TTC_TRUST_NONE] > 0) return false;
+    return fmpz_mpoly_length(coefficient, ring->context) == 1
+           || (u->count[TTC_TRUST_ALGEBRAIC] == 0 && fmpz_mpoly_total_degree_si(coefficient, ring->context) <= 1);
+}
+
+/* Free variables are independent over the numbers, so that one coefficient that is not zero is enough. */
 static bool has_settled_coefficient(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
 {
     slong *variables = calloc(ring->variable_count + 1, sizeof *variables);
@@ -85,8 +92,7 @@ static bool has_settled_coefficient(const ttc_ring *ring, const fmpz_mpoly_t pol
     for (slong i = 0; variables != NULL && exponents != NULL && !settled && i < fmpz_mpoly_length(polynomial, ring->context); i++) {
         usage u;
         coefficient_of(ring, coefficient, polynomial, i, variables, exponents);
-        settled = survey(&u, ring, coefficient)
-                  && (decides(&u) || (fmpz_mpoly_length(coefficient, ring->context) == 1 && u.count[TTC_TRUST_NONE] == 0));
+        settled = survey(&u, ring, coefficient) && (decides(&u) || is_simple(ring, &u, coefficient));
     }
     fmpz_mpoly_clear(coefficient, ring->context);
     free(exponents);
