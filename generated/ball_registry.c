@@ -24,6 +24,7 @@ extern const jlt_ball_table jlt_balls_spherical_top_plane_general;
 extern const jlt_ball_table jlt_balls_spherical_top_plane_general_in_regular;
 extern const jlt_ball_table jlt_balls_spherical_top_track_general;
 extern const jlt_ball_table jlt_balls_spherical_top_track_general_in_regular;
+extern const jlt_ball_table jlt_balls_toda_general;
 
 const jlt_ball_table *const jlt_ball_registry[] = {
     &jlt_balls_chaplygin_sleigh_general,
@@ -49,9 +50,10 @@ const jlt_ball_table *const jlt_ball_registry[] = {
     &jlt_balls_spherical_top_plane_general_in_regular,
     &jlt_balls_spherical_top_track_general,
     &jlt_balls_spherical_top_track_general_in_regular,
+    &jlt_balls_toda_general,
 };
 
-const unsigned jlt_ball_registry_count = 23;
+const unsigned jlt_ball_registry_count = 24;
 
 void jlt_ball_rational(arb_t out, const char *digits, slong prec)
 {

@@ -55,6 +55,7 @@ extern const jlt_descriptor jlt_kernels_spherical_top_track_balanced;
 extern const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular;
 extern const jlt_descriptor jlt_kernels_spherical_top_track_rod;
 extern const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular;
+extern const jlt_descriptor jlt_kernels_toda_general;
 
 const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_chaplygin_sleigh_general,
@@ -111,6 +112,7 @@ const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_spherical_top_track_balanced_in_regular,
     &jlt_kernels_spherical_top_track_rod,
     &jlt_kernels_spherical_top_track_rod_in_regular,
+    &jlt_kernels_toda_general,
 };
 
-const unsigned jlt_registry_count = 54;
+const unsigned jlt_registry_count = 55;
