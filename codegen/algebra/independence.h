@@ -28,8 +28,10 @@ bool ttc_ring_settles(const ttc_ring *ring, const fmpz_mpoly_t polynomial);
  *  functions. basis, shape (count,): free angles, or free exponents and logarithms. parameter: a variable that stands in none. */
 ttc_trust ttc_ring_trust(ttc_ring *ring, const ttc_ratio *angle, const ttc_ratio *basis, size_t count, slong parameter);
 
-/* Whether a polynomial uses a variable that is not free but no number, directly or in the square of a generator. */
-bool ttc_ring_uses_doubtful(const ttc_ring *ring, const fmpz_mpoly_t polynomial);
+/* Whether the variables of some ratios, shape (count,), are known to be independent, numbers or free: the ratios are then equal, or
+ * linearly or multiplicatively dependent, only where they are so in form. */
+bool ttc_ring_settles_all(const ttc_ring *ring, const ttc_ratio *ratios, size_t count);
+
 bool ttc_ring_is_constant(const ttc_ring *ring, const fmpz_mpoly_t polynomial); /* uses numbers alone */
 
 #endif

@@ -95,8 +95,7 @@ static bool in_some_transcendental(ttc_task *task, const fmpz_mpoly_t factor, sl
     for (uint32_t i = 0; i < model->symbol_count; i++) {
         if (model->symbols[i].kind != TTC_EXP && model->symbols[i].kind != TTC_LOG) continue;
         if (fmpz_mpoly_degree_si(factor, ttc_valuation_variable(task->field, i), task->ring->context) < 1) continue;
-        if (symbol == i || (symbol < model->symbol_count && ttc_model_depends(model, model->symbols[i].node, (uint32_t)symbol)))
-            return true;
+        if (symbol < model->symbol_count && ttc_model_depends(model, model->symbols[i].node, (uint32_t)symbol)) return true;
     }
     return false;
 }

@@ -113,6 +113,26 @@ static void functions_of_shifted_exponentials_are_not_taken_for_independent(void
     expect(table, "equal", "nested", TTC_MEANINGLESS, NULL);
 }
 
+/* Nobody knows that exp(1) log(2) is not pi: then exp(pi z) would be exp(e l z), and so with angles and arguments. */
+static void functions_of_numbers_that_may_be_equal_are_not_taken_for_independent(void **state)
+{
+    (void)state;
+    const char *table = HEAD "exp e = exp(1)\nlog l = log(2)\nexp p = exp(pi*z)\nexp q = exp(e*l*z)\nlog lp = log(x + pi)\n"
+                             "log lq = log(x + e*l)\nangle c s = cos(pi*z) sin(pi*z)\nangle d t = cos(e*l*z) sin(e*l*z)\n"
+                             "equal powers : p = q\nequal sums : lp = lq\nequal circles : c = d\n";
+    expect(table, "equal", "powers", TTC_MEANINGLESS, "independence");
+    expect(table, "equal", "sums", TTC_MEANINGLESS, "independence");
+    expect(table, "equal", "circles", TTC_MEANINGLESS, "independence");
+    const char *shifted = HEAD "log l = log(x)\nlog m = log(2*x)\nlog n = log(pi*x)\nequal rational : m - l = 2/3\n"
+                               "equal circle : n - l = 8/7\nequal twice : n - l = 8/7 + n - l\n";
+    expect(shifted, "equal", "rational", TTC_REFUTED, "m");
+    expect(shifted, "equal", "circle", TTC_MEANINGLESS, "independence");
+    expect(shifted, "equal", "twice", TTC_REFUTED, "8");
+    expect(HEAD "exp p = exp(pi*z)\nequal alone : p = x\n", "equal", "alone", TTC_REFUTED, "p");
+    expect(HEAD "log p = log(x + pi)\nequal alone : p = x\n", "equal", "alone", TTC_REFUTED, "p");
+    expect(HEAD "angle c s = cos(pi*z) sin(pi*z)\nequal alone : c = s\n", "equal", "alone", TTC_REFUTED, "c");
+}
+
 /* log(r - z) = -log(r + z), as (r - z)(r + z) = 1: seen; log of (r + z)^2: not seen, and so neither proved nor refuted. */
 static void a_logarithm_of_roots_is_never_refuted(void **state)
 {
@@ -170,6 +190,7 @@ int main(void)
         cmocka_unit_test(an_argument_that_is_not_positive_is_an_error),
         cmocka_unit_test(a_relation_of_numbers_is_refuted_only_where_it_is_known_to_fail),
         cmocka_unit_test(functions_of_shifted_exponentials_are_not_taken_for_independent),
+        cmocka_unit_test(functions_of_numbers_that_may_be_equal_are_not_taken_for_independent),
         cmocka_unit_test(a_logarithm_of_roots_is_never_refuted),
         cmocka_unit_test(angles_turn_by_quarters_of_two_pi_and_no_other_part),
         cmocka_unit_test(zero_levels_with_exponentials_are_solved_or_refused),
