@@ -3,6 +3,8 @@
 
 extern const jlt_ball_table jlt_balls_chaplygin_sleigh_general;
 extern const jlt_ball_table jlt_balls_lorenz_general;
+extern const jlt_ball_table jlt_balls_lotka_volterra_general;
+extern const jlt_ball_table jlt_balls_nose_hoover_general;
 extern const jlt_ball_table jlt_balls_restricted_three_body_general;
 extern const jlt_ball_table jlt_balls_roessler_general;
 extern const jlt_ball_table jlt_balls_routh_sphere_general;
@@ -22,10 +24,13 @@ extern const jlt_ball_table jlt_balls_spherical_top_plane_general;
 extern const jlt_ball_table jlt_balls_spherical_top_plane_general_in_regular;
 extern const jlt_ball_table jlt_balls_spherical_top_track_general;
 extern const jlt_ball_table jlt_balls_spherical_top_track_general_in_regular;
+extern const jlt_ball_table jlt_balls_toda_general;
 
 const jlt_ball_table *const jlt_ball_registry[] = {
     &jlt_balls_chaplygin_sleigh_general,
     &jlt_balls_lorenz_general,
+    &jlt_balls_lotka_volterra_general,
+    &jlt_balls_nose_hoover_general,
     &jlt_balls_restricted_three_body_general,
     &jlt_balls_roessler_general,
     &jlt_balls_routh_sphere_general,
@@ -45,9 +50,10 @@ const jlt_ball_table *const jlt_ball_registry[] = {
     &jlt_balls_spherical_top_plane_general_in_regular,
     &jlt_balls_spherical_top_track_general,
     &jlt_balls_spherical_top_track_general_in_regular,
+    &jlt_balls_toda_general,
 };
 
-const unsigned jlt_ball_registry_count = 21;
+const unsigned jlt_ball_registry_count = 24;
 
 void jlt_ball_rational(arb_t out, const char *digits, slong prec)
 {

@@ -4,6 +4,8 @@
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_general;
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced;
 extern const jlt_descriptor jlt_kernels_lorenz_general;
+extern const jlt_descriptor jlt_kernels_lotka_volterra_general;
+extern const jlt_descriptor jlt_kernels_nose_hoover_general;
 extern const jlt_descriptor jlt_kernels_restricted_three_body_general;
 extern const jlt_descriptor jlt_kernels_roessler_general;
 extern const jlt_descriptor jlt_kernels_routh_sphere_general;
@@ -53,11 +55,14 @@ extern const jlt_descriptor jlt_kernels_spherical_top_track_balanced;
 extern const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular;
 extern const jlt_descriptor jlt_kernels_spherical_top_track_rod;
 extern const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular;
+extern const jlt_descriptor jlt_kernels_toda_general;
 
 const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_chaplygin_sleigh_general,
     &jlt_kernels_chaplygin_sleigh_balanced,
     &jlt_kernels_lorenz_general,
+    &jlt_kernels_lotka_volterra_general,
+    &jlt_kernels_nose_hoover_general,
     &jlt_kernels_restricted_three_body_general,
     &jlt_kernels_roessler_general,
     &jlt_kernels_routh_sphere_general,
@@ -107,6 +112,7 @@ const jlt_descriptor *const jlt_registry[] = {
     &jlt_kernels_spherical_top_track_balanced_in_regular,
     &jlt_kernels_spherical_top_track_rod,
     &jlt_kernels_spherical_top_track_rod_in_regular,
+    &jlt_kernels_toda_general,
 };
 
-const unsigned jlt_registry_count = 52;
+const unsigned jlt_registry_count = 55;

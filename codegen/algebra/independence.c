@@ -73,8 +73,15 @@ static void coefficient_of(const ttc_ring *ring, fmpz_mpoly_t coefficient, const
     fmpz_mpoly_get_coeff_vars_ui(coefficient, polynomial, variables, exponents, count, ring->context);
 }
 
-/* Free variables are independent over the numbers, so that one coefficient that is not zero is enough; a product of numbers
- * none of which is zero is not zero. */
+/* A product of numbers none of which is zero, or a linear form in pi and logarithms, see independence.h. */
+static bool is_simple(const ttc_ring *ring, const usage *u, const fmpz_mpoly_t coefficient)
+{
+    if (u->count[TTC_TRUST_NONE] > 0) return false;
+    return fmpz_mpoly_length(coefficient, ring->context) == 1
+           || (u->count[TTC_TRUST_ALGEBRAIC] == 0 && fmpz_mpoly_total_degree_si(coefficient, ring->context) <= 1);
+}
+
+/* Free variables are independent over the numbers, so that one coefficient that is not zero is enough. */
 static bool has_settled_coefficient(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
 {
     slong *variables = calloc(ring->variable_count + 1, sizeof *variables);
@@ -85,8 +92,7 @@ static bool has_settled_coefficient(const ttc_ring *ring, const fmpz_mpoly_t pol
     for (slong i = 0; variables != NULL && exponents != NULL && !settled && i < fmpz_mpoly_length(polynomial, ring->context); i++) {
         usage u;
         coefficient_of(ring, coefficient, polynomial, i, variables, exponents);
-        settled = survey(&u, ring, coefficient)
-                  && (decides(&u) || (fmpz_mpoly_length(coefficient, ring->context) == 1 && u.count[TTC_TRUST_NONE] == 0));
+        settled = survey(&u, ring, coefficient) && (decides(&u) || is_simple(ring, &u, coefficient));
     }
     fmpz_mpoly_clear(coefficient, ring->context);
     free(exponents);
@@ -105,10 +111,23 @@ bool ttc_ring_settles(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
     return !u.doubtful && !u.nested && !u.generators && has_settled_coefficient(ring, polynomial);
 }
 
-bool ttc_ring_uses_doubtful(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
+bool ttc_ring_settles_all(const ttc_ring *ring, const ttc_ratio *ratios, size_t count)
 {
+    bool settled = true;
+    fmpz_mpoly_t sum, variable;
+    fmpz_mpoly_init(sum, ring->context);
+    fmpz_mpoly_init(variable, ring->context);
+    for (slong v = 0; v < (slong)ring->variable_count; v++) {
+        bool used = false;
+        for (size_t i = 0; i < count && !used; i++) used = ttc_ratio_uses(ring, ratios + i, v);
+        fmpz_mpoly_gen(variable, v, ring->context);
+        if (used) fmpz_mpoly_add(sum, sum, variable, ring->context);
+    }
     usage u;
-    return !survey(&u, ring, polynomial) || u.doubtful;
+    settled = survey(&u, ring, sum) && !u.doubtful && decides(&u);
+    fmpz_mpoly_clear(variable, ring->context);
+    fmpz_mpoly_clear(sum, ring->context);
+    return settled;
 }
 
 bool ttc_ring_is_constant(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
@@ -162,7 +181,12 @@ static ttc_trust trust_along(ttc_ring *ring, const ttc_ratio *slopes, ttc_ratio 
 ttc_trust ttc_ring_trust(ttc_ring *ring, const ttc_ratio *angle, const ttc_ratio *basis, size_t count, slong parameter)
 {
     ttc_trust trust = TTC_TRUST_NONE;
-    if (ttc_ring_uses_doubtful(ring, angle->numerator) || ttc_ring_uses_doubtful(ring, angle->denominator)) return trust;
+    ttc_ratio *all = malloc((count + 1) * sizeof *all); /* borrowed */
+    bool settled = all != NULL;
+    for (size_t i = 0; settled && i <= count; i++) all[i] = i < count ? basis[i] : *angle;
+    settled = settled && ttc_ring_settles_all(ring, all, count + 1);
+    free(all);
+    if (!settled) return trust;
     ttc_ratio *slopes = malloc((ring->variable_count + 1) * sizeof *slopes), *rates = malloc((count + 1) * sizeof *rates);
     fmpq *weights = _fmpq_vec_init((slong)count + 1);
     if (slopes == NULL || rates == NULL) {

@@ -220,12 +220,23 @@ static bool rest_is_rational(comparison *c)
     return rational;
 }
 
+/* Whether the argument and the items taken are made of what is known to be independent. */
+static bool is_settled(const comparison *c, const bool *taken)
+{
+    size_t count = 0;
+    ttc_ratio *all = malloc((c->count + 1) * sizeof *all); /* borrowed */
+    if (all == NULL) return false;
+    for (size_t i = 0; i <= c->count; i++)
+        if (i == c->count || taken[i]) all[count++] = c->items[i].product;
+    bool settled = ttc_ring_settles_all(c->v->ring, all, count);
+    free(all);
+    return settled;
+}
+
 /* An argument that no product equals exactly may still equal one but for a number. */
 static ttc_trust trust_of(comparison *c, const bool *taken, const bool *constant)
 {
-    const ttc_ratio *argument = &c->items[c->count].product;
-    if (ttc_ring_uses_doubtful(c->v->ring, argument->numerator) || ttc_ring_uses_doubtful(c->v->ring, argument->denominator))
-        return TTC_TRUST_NONE;
+    if (!is_settled(c, taken)) return TTC_TRUST_NONE;
     if (!weigh(c, taken, constant)) return TTC_TRUST_FREE;
     ttc_trust trust = rest_is_rational(c) ? TTC_TRUST_SINGLE : TTC_TRUST_NONE;
     bool number = true;

@@ -250,6 +250,52 @@ static void every_kind_of_claim(void **unused)
     ttc_model_destroy(model);
 }
 
+static void maps_send_all_states_at_once(void **unused)
+{
+    (void)unused;
+    ttc_model *model = parse("model t\nparam a\nstate x\nstate y\neq x = a*y\neq y = x\nreversor x -> y + a, y -> x - a when a = 0\n"
+                             "symmetry x -> -x, y -> -y\nsymmetry turn : x -> y,\n    y -> -x\n");
+    const ttc_claim *turn = claim(model, "turn");
+    prints(model, claim(model, "reversor")->bindings.items[0].expression, "a + y");
+    assert_int_equal(claim(model, "reversor")->when.count, 1);
+    assert_int_equal(claim(model, "symmetry")->kind, TTC_CLAIM_SYMMETRY);
+    assert_int_equal(turn->kind, TTC_CLAIM_SYMMETRY);
+    assert_int_equal(turn->bindings.count, 2);
+    prints(model, turn->bindings.items[1].expression, "-x");
+    assert_int_equal(turn->place.line, 9);
+    ttc_model_destroy(model);
+}
+
+static void exponentials_logarithms_and_pi(void **unused)
+{
+    (void)unused;
+    ttc_model *model = parse("model t\nstate x in (-pi, 2*pi)\nexp e = exp(-x^2/2)\nlog l = log(1 + e)\neq x = l*pi\n");
+    const ttc_symbol_entry *e = model->symbols + symbol(model, "e"), *l = model->symbols + symbol(model, "l");
+    assert_int_equal(e->kind, TTC_EXP);
+    assert_int_equal(l->kind, TTC_LOG);
+    assert_int_equal(model->symbols[symbol(model, "pi")].kind, TTC_PI);
+    prints(model, model->symbols[symbol(model, "x")].high, "2*pi");
+    prints(model, e->definition, "-x^2/2");
+    prints(model, ttc_model_partial(model, e->node, symbol(model, "x")), "-x*e");
+    prints(model, ttc_model_partial(model, l->node, symbol(model, "x")), "-x*e/(e + 1)");
+    assert_int_equal(model->param_count, 0);
+    ttc_model_destroy(model);
+}
+
+/* Tables written before these words had a meaning stay what they were. */
+static void later_words_may_be_names_of_the_table(void **unused)
+{
+    (void)unused;
+    ttc_model *model = parse("model t\nparam exp\nparam log > 0\nlet pi = exp + 2\nstate symmetry\n"
+                             "eq symmetry = exp*log\n    + pi*symmetry\n    - exp\n    + log\nintegral S = symmetry - log\n"
+                             "  when exp = 1,\n  log = 2\n");
+    assert_int_equal(model->symbols[symbol(model, "exp")].kind, TTC_PARAM);
+    assert_int_equal(model->symbols[symbol(model, "pi")].kind, TTC_LET);
+    assert_int_equal(model->equations[0].term_count, 4);
+    assert_int_equal(claim(model, "S")->when.count, 2);
+    ttc_model_destroy(model);
+}
+
 static void lambda_may_be_a_name_of_the_table(void **unused)
 {
     (void)unused;
@@ -356,6 +402,9 @@ int main(void)
         cmocka_unit_test(kernels_of_their_own),
         cmocka_unit_test(every_kind_of_claim),
         cmocka_unit_test(lambda_may_be_a_name_of_the_table),
+        cmocka_unit_test(maps_send_all_states_at_once),
+        cmocka_unit_test(exponentials_logarithms_and_pi),
+        cmocka_unit_test(later_words_may_be_names_of_the_table),
         cmocka_unit_test(words_of_later_records_remain_free_as_names),
         cmocka_unit_test(expansion_opens_lets_and_nothing_else),
         cmocka_unit_test(partial_derivatives_go_through_definitions),
