@@ -66,11 +66,13 @@ unsigned char *ttc_domain_support(const ttc_task *task)
     return support;
 }
 
+/* With a root or logarithm in question are those after it, which do not vouch for it. */
 static bool is_tested(const ttc_task *task, uint32_t symbol)
 {
+    ttc_symbol_kind kind = task->model->symbols[symbol].kind;
     for (size_t i = 0; task->tested != NULL && i < task->tested->count; i++)
         if (task->tested->items[i].symbol == symbol) return true;
-    return task->tested_root != 0 && task->tested_root == symbol;
+    return task->tested_root != 0 && symbol >= task->tested_root && (kind == TTC_ROOT || kind == TTC_LOG);
 }
 
 static bool depends_on_tested(const ttc_task *task, ttc_id id)

@@ -205,7 +205,7 @@ static void descend_apart(cover *c, const ttc_branch *b)
 
 /* factor = 0 solved; and, where what the solution divides by can vanish, that it vanishes as well. The goal stays: its norm
  * vanished, which says that some conjugate did. */
-static void follow(cover *c, const ttc_branch *b, const fmpz_mpoly_t factor)
+static void follow(cover *c, const ttc_branch *b, const fmpz_mpoly_t factor, bool is_alone)
 {
     ttc_branch solved = *b, degenerate = *b;
     ttc_id lead;
@@ -219,10 +219,13 @@ static void follow(cover *c, const ttc_branch *b, const fmpz_mpoly_t factor)
     degenerate.is_degenerate = true;
     degenerate.is_orphan |= c->task->kept == kept;
     if (lead == TTC_NONE || ttc_kind_of(c->task->model->graph, lead) == TTC_NUMBER || c->task->status == TTC_REFUTED) return;
-    if (degenerate.goal_count == sizeof degenerate.goals / sizeof *degenerate.goals) {
+    ttc_id itself = ttc_branch_expression(c->task, factor);
+    if (degenerate.goal_count + 2 > sizeof degenerate.goals / sizeof *degenerate.goals) {
         ttc_task_unsettle(c->task, "the zero level falls into too many cases");
         return;
     }
+    /* The goal stays for its sign; of several factors of its norm this is the one that vanishes. */
+    if (itself != TTC_NONE && !is_alone) degenerate.goals[degenerate.goal_count++] = itself;
     degenerate.goals[degenerate.goal_count++] = lead;
     descend_apart(c, &degenerate);
 }
@@ -249,7 +252,7 @@ static void follow_factors(cover *c, const ttc_branch *b, const fmpz_mpoly_t nor
         if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_SIGN_ZERO)) continue;
         ttc_branch one = *b;
         if (is_invariant(task) && b->goal_count == 1 && !b->own_solved) one.apart = others_of(task, factors, i);
-        follow(c, &one, factors->poly + i);
+        follow(c, &one, factors->poly + i, factors->num == 1);
     }
     fmpz_mpoly_factor_clear(factors, task->ring->context);
 }
@@ -269,7 +272,8 @@ static void meet(cover *c, const ttc_branch *b)
         c->why_empty = ttc_ring_status_text(status);
     } else if (status != TTC_RING_OK) {
         ttc_task_unsettle(task, "on the zero level, %s", ttc_ring_status_text(status));
-    } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !ttc_task_moves(task, &value)) {
+    } else if (is_invariant(task) && b->goal_count == 1 && !b->own_solved && !b->is_degenerate
+               && !ttc_task_moves(task, &value)) {
         ttc_task_unsettle(task, "%s does not depend on the states, or is zero wherever its conditions hold: that says nothing",
                           task->claim->name);
     } else if (ttc_ratio_is_zero(task->ring, &value)) {
