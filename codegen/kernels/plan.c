@@ -12,6 +12,14 @@ static bool plan_field(ttc_planned *planned, const ttc_model *model)
     return planned->kernels != NULL;
 }
 
+/* After all fields are there: what one of them gains adds nodes to the graph, on whose ids the others' programs rest. */
+static bool keep_digits(ttc_plan *plan)
+{
+    for (size_t i = 0; i < plan->count; i++)
+        if (plan->fields[i].kernels != NULL && !ttc_kernels_keep_digits(plan->fields[i].kernels)) return false;
+    return true;
+}
+
 bool ttc_plan_create(ttc_plan *plan, const ttc_model *model)
 {
     size_t most = (model->variant_count + 1) * (model->time_count + 1) * (model->elimination_count + 1);
@@ -29,7 +37,9 @@ bool ttc_plan_create(ttc_plan *plan, const ttc_model *model)
                     return false;
                 }
             }
-    return true;
+    if (keep_digits(plan)) return true;
+    ttc_plan_clear(plan);
+    return false;
 }
 
 void ttc_plan_clear(ttc_plan *plan)

@@ -322,6 +322,7 @@ static void extract_terms(extractor *e, const place *where)
     const ttc_polynomial *p = &system->variables[where->variable].definition;
     binomial wanted, found;
     int sign = 1;
+    bool is_grouping = false;
     if (!normal_binomial(e, &wanted, &sign, p->cubes + where->first, p->cubes + where->second)) return;
     uint32_t unit = ttc_system_add_variable(system, TTC_VARIABLE_UNIT, 0);
     for (uint32_t v = 0; v < unit && !system->failed; v++) {
@@ -332,11 +333,13 @@ static void extract_terms(extractor *e, const place *where)
                 if (!same_binomial(&wanted, &found) || !ttc_cube_multiply(&found.common, unit)) continue;
                 sum->cubes[i] = found.common;
                 ttc_polynomial_remove(sum, j);
+                is_grouping |= sum->count == 1 && !system->variables[v].is_extracted && !system->variables[v].is_output;
                 break;
             }
     }
     if (system->failed) return;
-    system->variables[unit].is_extracted = true;
+    /* What was a sum of the table's, or one side of a difference of squares, may not be multiplied out later. */
+    system->variables[unit].is_extracted = !(is_grouping && system->field->keeps_digits);
     ttc_polynomial_add(system, &system->variables[unit].definition, &wanted.rest_a);
     ttc_polynomial_add(system, &system->variables[unit].definition, &wanted.rest_b);
 }
