@@ -1,4 +1,4 @@
-/* Where terms of a kernel's sums may nearly cancel, named for a reader: by labels, by the outputs they are, or as formulas. */
+/* Where terms of a kernel's sums may nearly cancel, named for a reader: by labels, as outputs, or as formulas. */
 #include "emit/emit.h"
 
 #include "optimize/program_cancel.h"
@@ -28,7 +28,9 @@ static bool is_sum(ttc_op op)
 static bool is_term_of(const survey *s, ttc_value value, ttc_value user)
 {
     const ttc_instruction *i = ttc_program_at(s->program, user);
-    return is_sum(i->op) && (ttc_op_arity(i->op) == 2 ? i->a == value || i->b == value : i->c == value && i->a != value && i->b != value);
+    if (!is_sum(i->op)) return false;
+    if (ttc_op_arity(i->op) == 2) return i->a == value || i->b == value;
+    return i->c == value && i->a != value && i->b != value;
 }
 
 /* The whole of the sum that an addition is a part of. */

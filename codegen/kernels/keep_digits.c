@@ -77,7 +77,8 @@ static bool replace_all(ttc_kernels *k, bool *changed)
                      ttc_kernel_purpose((ttc_kernel_kind)kind), changed);
     }
     ttc_id *outputs = ok ? ttc_kernels_jet_outputs(k) : NULL;
-    ok = outputs != NULL && replace(k, &k->jet, outputs, NULL, k->field->state_count + (k->field->time != NULL), TTC_FOR_JETS, changed);
+    size_t count = k->field->state_count + (k->field->time != NULL);
+    ok = outputs != NULL && replace(k, &k->jet, outputs, NULL, count, TTC_FOR_JETS, changed);
     free(outputs);
     return ok;
 }

@@ -48,8 +48,13 @@ static fact product_fact(const fact *a, const fact *b, ttc_extent extent, uint64
         bool from_a = j == b->count || (i < a->count && a->odd[i] < b->odd[j]);
         f.odd[f.count++] = from_a ? a->odd[i++] : b->odd[j++];
     }
-    if (f.count == 0) f.extent = ttc_extent_meet(extent, ttc_extent_of_signs(TTC_SIGN_ZERO | (f.sign > 0 ? TTC_SIGN_POSITIVE : TTC_SIGN_NEGATIVE)));
-    return f.count == 0 ? f : ttc_extent_is_nonnegative(extent) || ttc_extent_is_nonpositive(extent) ? atom_fact(extent, atom, false) : f;
+    if (f.count > 0) {
+        bool has_sign = ttc_extent_is_nonnegative(extent) || ttc_extent_is_nonpositive(extent);
+        return has_sign ? atom_fact(extent, atom, false) : f;
+    }
+    ttc_extent signed_values = ttc_extent_of_signs(TTC_SIGN_ZERO | (f.sign > 0 ? TTC_SIGN_POSITIVE : TTC_SIGN_NEGATIVE));
+    f.extent = ttc_extent_meet(extent, signed_values);
+    return f;
 }
 
 static bool is_power_of_two(const fact *f)
@@ -107,7 +112,8 @@ static fact expression_fact(ttc_field *field, ttc_id id)
     const ttc_graph *graph = field->graph;
     if (ttc_kind_of(graph, id) == TTC_NUMBER) return number_fact(ttc_coefficient(graph, id));
     if (ttc_kind_of(graph, id) != TTC_PRODUCT) {
-        bool is_input = ttc_kind_of(graph, id) == TTC_SYMBOL && field->symbols[ttc_symbol_of(graph, id)].role <= TTC_ROLE_STATE;
+        bool is_symbol = ttc_kind_of(graph, id) == TTC_SYMBOL;
+        bool is_input = is_symbol && field->symbols[ttc_symbol_of(graph, id)].role <= TTC_ROLE_STATE;
         return atom_fact(ttc_field_extent(field, id), id, is_input);
     }
     fact f = number_fact(ttc_coefficient(graph, id));
