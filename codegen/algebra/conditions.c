@@ -24,74 +24,74 @@ static const ttc_generator *generator_of(const ttc_ring *ring, slong variable)
 
 static unsigned signs_above(const ttc_graph *graph, ttc_id low)
 {
-    if (low == TTC_NONE || ttc_kind_of(graph, low) != TTC_NUMBER) return TTC_SIGN_ANY;
-    return fmpq_sgn(ttc_coefficient(graph, low)) >= 0 ? TTC_SIGN_POSITIVE : TTC_SIGN_ANY;
+    if (low == TTC_NONE || ttc_kind_of(graph, low) != TTC_NUMBER) return TTC_CAN_BE_ANY;
+    return fmpq_sgn(ttc_coefficient(graph, low)) >= 0 ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_ANY;
 }
 
 static unsigned signs_below(const ttc_graph *graph, ttc_id high)
 {
-    if (high == TTC_NONE || ttc_kind_of(graph, high) != TTC_NUMBER) return TTC_SIGN_ANY;
-    return fmpq_sgn(ttc_coefficient(graph, high)) <= 0 ? TTC_SIGN_NEGATIVE : TTC_SIGN_ANY;
+    if (high == TTC_NONE || ttc_kind_of(graph, high) != TTC_NUMBER) return TTC_CAN_BE_ANY;
+    return fmpq_sgn(ttc_coefficient(graph, high)) <= 0 ? TTC_CAN_BE_NEGATIVE : TTC_CAN_BE_ANY;
 }
 
 static unsigned signs_of_variable(const ttc_conditions *c, slong variable)
 {
     const ttc_generator *generator = generator_of(c->ring, variable);
-    if (generator != NULL) return generator->positive ? TTC_SIGN_POSITIVE : TTC_SIGN_ANY;
+    if (generator != NULL) return generator->positive ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_ANY;
     const ttc_model *model = ttc_valuation_model(c->valuation);
     size_t symbol = ttc_valuation_symbol(c->valuation, variable);
-    if (symbol >= model->symbol_count) return TTC_SIGN_ANY;
+    if (symbol >= model->symbol_count) return TTC_CAN_BE_ANY;
     const ttc_symbol_entry *entry = &model->symbols[symbol];
-    if (entry->kind == TTC_ROOT || entry->kind == TTC_EXP || entry->kind == TTC_PI) return TTC_SIGN_POSITIVE;
+    if (entry->kind == TTC_ROOT || entry->kind == TTC_EXP || entry->kind == TTC_PI) return TTC_CAN_BE_POSITIVE;
     if (entry->kind == TTC_STATE) return signs_above(model->graph, entry->low) & signs_below(model->graph, entry->high);
-    if (entry->kind != TTC_PARAM) return TTC_SIGN_ANY;
+    if (entry->kind != TTC_PARAM) return TTC_CAN_BE_ANY;
     switch (entry->sign) {
-    case TTC_POSITIVE: return TTC_SIGN_POSITIVE;
-    case TTC_NONNEGATIVE: return TTC_SIGN_POSITIVE | TTC_SIGN_ZERO;
-    case TTC_NONZERO: return TTC_SIGN_POSITIVE | TTC_SIGN_NEGATIVE;
-    default: return TTC_SIGN_ANY;
+    case TTC_POSITIVE: return TTC_CAN_BE_POSITIVE;
+    case TTC_NONNEGATIVE: return TTC_CAN_BE_POSITIVE | TTC_CAN_BE_ZERO;
+    case TTC_NONZERO: return TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE;
+    default: return TTC_CAN_BE_ANY;
     }
 }
 
 static unsigned opposite(unsigned signs)
 {
-    return (signs & TTC_SIGN_ZERO) | (signs & TTC_SIGN_POSITIVE ? (unsigned)TTC_SIGN_NEGATIVE : 0u)
-           | (signs & TTC_SIGN_NEGATIVE ? (unsigned)TTC_SIGN_POSITIVE : 0u);
+    return (signs & TTC_CAN_BE_ZERO) | (signs & TTC_CAN_BE_POSITIVE ? (unsigned)TTC_CAN_BE_NEGATIVE : 0u)
+           | (signs & TTC_CAN_BE_NEGATIVE ? (unsigned)TTC_CAN_BE_POSITIVE : 0u);
 }
 
 static unsigned product(unsigned a, unsigned b)
 {
-    unsigned signs = (a | b) & TTC_SIGN_ZERO;
-    if (b & TTC_SIGN_POSITIVE) signs |= a & ~(unsigned)TTC_SIGN_ZERO;
-    if (b & TTC_SIGN_NEGATIVE) signs |= opposite(a) & ~(unsigned)TTC_SIGN_ZERO;
+    unsigned signs = (a | b) & TTC_CAN_BE_ZERO;
+    if (b & TTC_CAN_BE_POSITIVE) signs |= a & ~(unsigned)TTC_CAN_BE_ZERO;
+    if (b & TTC_CAN_BE_NEGATIVE) signs |= opposite(a) & ~(unsigned)TTC_CAN_BE_ZERO;
     return signs;
 }
 
 /* A sum of terms none of which is negative is not negative, and positive with any that is. */
 static unsigned sum(unsigned a, unsigned b)
 {
-    if (a == TTC_SIGN_ZERO) return b;
-    if (b == TTC_SIGN_ZERO) return a;
+    if (a == TTC_CAN_BE_ZERO) return b;
+    if (b == TTC_CAN_BE_ZERO) return a;
     unsigned both = a | b;
-    if (!(both & TTC_SIGN_NEGATIVE)) return a == TTC_SIGN_POSITIVE || b == TTC_SIGN_POSITIVE ? (unsigned)TTC_SIGN_POSITIVE : both;
-    if (!(both & TTC_SIGN_POSITIVE)) return a == TTC_SIGN_NEGATIVE || b == TTC_SIGN_NEGATIVE ? (unsigned)TTC_SIGN_NEGATIVE : both;
-    return TTC_SIGN_ANY;
+    if (!(both & TTC_CAN_BE_NEGATIVE)) return a == TTC_CAN_BE_POSITIVE || b == TTC_CAN_BE_POSITIVE ? (unsigned)TTC_CAN_BE_POSITIVE : both;
+    if (!(both & TTC_CAN_BE_POSITIVE)) return a == TTC_CAN_BE_NEGATIVE || b == TTC_CAN_BE_NEGATIVE ? (unsigned)TTC_CAN_BE_NEGATIVE : both;
+    return TTC_CAN_BE_ANY;
 }
 
 static unsigned power(unsigned signs, ulong exponent)
 {
     if (exponent % 2 == 1) return signs;
-    return (signs & TTC_SIGN_ZERO) | (signs & ~(unsigned)TTC_SIGN_ZERO ? (unsigned)TTC_SIGN_POSITIVE : 0u);
+    return (signs & TTC_CAN_BE_ZERO) | (signs & ~(unsigned)TTC_CAN_BE_ZERO ? (unsigned)TTC_CAN_BE_POSITIVE : 0u);
 }
 
 unsigned ttc_conditions_signs(const ttc_conditions *c, const fmpz_mpoly_t polynomial)
 {
-    unsigned signs = TTC_SIGN_ZERO;
+    unsigned signs = TTC_CAN_BE_ZERO;
     fmpz_t coefficient;
     fmpz_init(coefficient);
-    for (slong i = 0; i < fmpz_mpoly_length(polynomial, c->ring->context) && signs != TTC_SIGN_ANY; i++) {
+    for (slong i = 0; i < fmpz_mpoly_length(polynomial, c->ring->context) && signs != TTC_CAN_BE_ANY; i++) {
         fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, i, c->ring->context);
-        unsigned term = fmpz_sgn(coefficient) > 0 ? TTC_SIGN_POSITIVE : TTC_SIGN_NEGATIVE;
+        unsigned term = fmpz_sgn(coefficient) > 0 ? TTC_CAN_BE_POSITIVE : TTC_CAN_BE_NEGATIVE;
         for (slong v = 0; v < (slong)c->ring->variable_count; v++) {
             ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, c->ring->context);
             if (exponent > 0) term = product(term, power(signs_of_variable(c, v), exponent));
@@ -131,12 +131,12 @@ static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relatio
 static unsigned allowed(ttc_relation relation)
 {
     switch (relation) {
-    case TTC_IS_POSITIVE: return TTC_SIGN_POSITIVE;
-    case TTC_IS_NONNEGATIVE: return TTC_SIGN_POSITIVE | TTC_SIGN_ZERO;
-    case TTC_IS_NONZERO: return TTC_SIGN_POSITIVE | TTC_SIGN_NEGATIVE;
+    case TTC_IS_POSITIVE: return TTC_CAN_BE_POSITIVE;
+    case TTC_IS_NONNEGATIVE: return TTC_CAN_BE_POSITIVE | TTC_CAN_BE_ZERO;
+    case TTC_IS_NONZERO: return TTC_CAN_BE_POSITIVE | TTC_CAN_BE_NEGATIVE;
     case TTC_IS_ZERO: break;
     }
-    return TTC_SIGN_ZERO;
+    return TTC_CAN_BE_ZERO;
 }
 
 static void require(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation)
@@ -155,13 +155,13 @@ static void add(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation relation
     unsigned below = ttc_conditions_signs(c, ratio->denominator);
     if (relation == TTC_IS_POSITIVE || relation == TTC_IS_NONNEGATIVE) {
         /* By the sign of the denominator where that is evident, for the sake of the degree. */
-        if (below == TTC_SIGN_NEGATIVE) negative = !negative;
-        else if (below != TTC_SIGN_POSITIVE)
+        if (below == TTC_CAN_BE_NEGATIVE) negative = !negative;
+        else if (below != TTC_CAN_BE_POSITIVE)
             fmpz_mpoly_mul(polynomial, polynomial, ratio->denominator, c->ring->context);
     }
     if (negative) fmpz_mpoly_neg(polynomial, polynomial, c->ring->context);
     require(c, polynomial, relation);
-    if (below & TTC_SIGN_ZERO) require(c, ratio->denominator, TTC_IS_NONZERO);
+    if (below & TTC_CAN_BE_ZERO) require(c, ratio->denominator, TTC_IS_NONZERO);
     fmpz_mpoly_clear(polynomial, c->ring->context);
 }
 

@@ -41,9 +41,12 @@ void ttc_emit_function(ttc_text *text, const char *name, const ttc_program *prog
 /* The unsimplified field in complex arithmetic, a function named rhs_complex. */
 void ttc_emit_complex(ttc_text *text, ttc_field *field);
 
-/* Where a kernel loses digits, from the denominators and roots it evaluates, item by item; nothing when nowhere. */
+/* Where a kernel loses digits, from the denominators, roots and sums it evaluates, item by item; nothing when nowhere. */
 #define TTC_LOSS_SEPARATOR "; "
-void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel);
+void ttc_emit_losses(ttc_text *text, ttc_kernels *kernels, ttc_kernel_kind kind);
+
+/* The part of this that is about sums, after what the text holds already. */
+void ttc_emit_cancellations(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind);
 
 /* Kernels and table of the equilibria served; the table is named `equilibria`. False: memory, or a claim's expression is
  * not of the form it must have. */

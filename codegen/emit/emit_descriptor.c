@@ -58,19 +58,36 @@ static void describe_field(ttc_text *text, ttc_field *field)
     text->failed |= line.failed;
 }
 
+/* A line of the header, broken after commas where it is long. */
+static void add_wrapped(ttc_text *text, char *line)
+{
+    enum { WIDTH = 112 };
+    for (bool is_first = true; line != NULL; is_first = false) {
+        char *end = strstr(line, ", "), *next = end;
+        while (next != NULL && (size_t)(next - line) < WIDTH && strlen(line) > WIDTH) {
+            end = next;
+            next = strstr(next + 2, ", ");
+        }
+        if (strlen(line) <= WIDTH) end = NULL;
+        if (end != NULL) end[1] = '\0';
+        ttc_text_add(text, is_first ? " *    " : " *      ");
+        ttc_text_add_comment(text, line);
+        ttc_text_add(text, "\n");
+        line = end == NULL ? NULL : end + 2;
+    }
+}
+
 /* Losses of the field and its Jacobian, one a line. */
 static void add_accuracy(ttc_text *text, ttc_kernels *k)
 {
     ttc_text losses = { 0 };
-    ttc_emit_losses(&losses, k->field, k->kernels + TTC_KERNEL_RHS_JACOBIAN);
+    ttc_emit_losses(&losses, k, TTC_KERNEL_RHS_JACOBIAN);
     ttc_text_add(text, " *\n *  Accuracy\n");
-    if (losses.length == 0) ttc_text_add(text, " *    no denominator or radicand of the field vanishes in the domain\n");
+    if (losses.length == 0) ttc_text_add(text, " *    no denominator or radicand of the field vanishes in the domain, and no terms cancel\n");
     for (char *line = losses.bytes, *end = line; line != NULL; line = end == NULL ? NULL : end + strlen(TTC_LOSS_SEPARATOR)) {
         end = strstr(line, TTC_LOSS_SEPARATOR);
         if (end != NULL) *end = '\0';
-        ttc_text_add(text, " *    ");
-        ttc_text_add_comment(text, line);
-        ttc_text_add(text, "\n");
+        add_wrapped(text, line);
     }
     text->failed |= losses.failed;
     ttc_text_clear(&losses);
@@ -202,7 +219,7 @@ static void add_kernel_member(ttc_text *text, ttc_kernels *k, ttc_kernel_kind ki
         ttc_text_format(text, "    .%s = { .loses_digits = \"\" },\n", ttc_kernel_name(kind));
         return;
     }
-    ttc_emit_losses(&losses, k->field, kernel);
+    ttc_emit_losses(&losses, k, kind);
     ttc_text_format(text, "    .%s = { %s, %zu, ", ttc_kernel_name(kind), ttc_kernel_name(kind), kernel->count);
     add_count(text, ttc_program_count(kernel->optimized));
     ttc_text_add(text, ", ");

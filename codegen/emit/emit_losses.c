@@ -1,46 +1,20 @@
-/* Where a kernel loses digits: what it divides by and takes roots of, and whether that can vanish. */
+/* Where a kernel loses digits: what it divides by and takes roots of, and whether that can vanish; then its sums. */
 #include "emit/emit.h"
 
 #include <stdlib.h>
 
-typedef enum { UNKNOWN, NONNEGATIVE, POSITIVE } sign;
+static bool is_nonnegative(ttc_field *field, ttc_id id) { return ttc_extent_is_nonnegative(ttc_field_extent(field, id)); }
 
-/* A lower bound on what is known of the sign, from the sign conditions of parameters, even powers, and roots. */
-static sign sign_of(const ttc_field *field, ttc_id id)
+/* True when no term of a sum is ever negative. */
+static bool has_nonnegative_terms(ttc_field *field, ttc_id sum)
 {
     const ttc_graph *graph = field->graph;
-    sign result = POSITIVE;
-    switch (ttc_kind_of(graph, id)) {
-    case TTC_NUMBER:
-        return fmpq_sgn(ttc_coefficient(graph, id)) > 0 ? POSITIVE : fmpq_is_zero(ttc_coefficient(graph, id)) ? NONNEGATIVE
-                                                                                                              : UNKNOWN;
-    case TTC_SYMBOL: {
-        const ttc_field_symbol *s = field->symbols + ttc_symbol_of(graph, id);
-        if (s->role == TTC_ROLE_PARAM) return s->sign == TTC_POSITIVE ? POSITIVE : s->sign == TTC_NONNEGATIVE ? NONNEGATIVE : UNKNOWN;
-        if (s->role == TTC_ROLE_UNIT) return sign_of(field, s->definition);
-        if (s->role == TTC_ROLE_EXP || s->role == TTC_ROLE_PI) return POSITIVE;
-        return s->role == TTC_ROLE_ROOT ? NONNEGATIVE : UNKNOWN;
+    if (ttc_kind_of(graph, sum) != TTC_SUM || fmpq_sgn(ttc_coefficient(graph, sum)) < 0) return false;
+    for (size_t i = 0; i < ttc_part_count(graph, sum); i++) {
+        ttc_part part = ttc_part_at(graph, sum, i);
+        if (fmpq_sgn(part.coefficient) < 0 || !is_nonnegative(field, part.id)) return false;
     }
-    case TTC_PRODUCT:
-        if (fmpq_sgn(ttc_coefficient(graph, id)) < 0) return UNKNOWN;
-        for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
-            ttc_part part = ttc_part_at(graph, id, i);
-            sign base = sign_of(field, part.id);
-            if (part.exponent % 2 == 0 && base == UNKNOWN) base = NONNEGATIVE;
-            if (base < result) result = base;
-        }
-        return result;
-    default:
-        result = fmpq_sgn(ttc_coefficient(graph, id)) > 0 ? POSITIVE : NONNEGATIVE;
-        if (fmpq_sgn(ttc_coefficient(graph, id)) < 0) return UNKNOWN;
-        for (size_t i = 0; i < ttc_part_count(graph, id); i++) {
-            ttc_part part = ttc_part_at(graph, id, i);
-            sign term = fmpq_sgn(part.coefficient) > 0 ? sign_of(field, part.id) : UNKNOWN;
-            if (term == UNKNOWN) return UNKNOWN;
-            if (term == POSITIVE) result = POSITIVE;
-        }
-        return result;
-    }
+    return true;
 }
 
 typedef struct {
@@ -84,14 +58,14 @@ static ttc_id definition_of(const ttc_field *field, ttc_id id)
 }
 
 /* A sum of non-negative terms one of which is a positive constant stays away from zero. */
-static bool is_bounded_below(const ttc_field *field, ttc_id sum)
+static bool is_bounded_below(ttc_field *field, ttc_id sum)
 {
     const ttc_graph *graph = field->graph;
-    if (ttc_kind_of(graph, sum) != TTC_SUM || sign_of(field, sum) != POSITIVE) return false;
-    if (fmpq_sgn(ttc_coefficient(graph, sum)) > 0) return true;
+    if (ttc_field_extent(field, sum).low > 0) return true;
+    if (!has_nonnegative_terms(field, sum)) return false;
     for (size_t i = 0; i < ttc_part_count(graph, sum); i++) {
-        ttc_id term = ttc_part_at(graph, sum, i).id;
-        if (ttc_field_is_constant(field, term) && sign_of(field, term) == POSITIVE) return true;
+        ttc_part part = ttc_part_at(graph, sum, i);
+        if (ttc_field_is_constant(field, part.id) && ttc_extent_is_positive(ttc_field_extent(field, part.id))) return true;
     }
     return false;
 }
@@ -101,8 +75,10 @@ static void separate(ttc_text *text)
     if (text->length > 0) ttc_text_add(text, TTC_LOSS_SEPARATOR);
 }
 
-void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel)
+void ttc_emit_losses(ttc_text *text, ttc_kernels *kernels, ttc_kernel_kind kind)
 {
+    ttc_field *field = kernels->field;
+    const ttc_kernel *kernel = kernels->kernels + kind;
     size_t n = ttc_graph_size(field->graph) + 1;
     survey s = { field, calloc(n, 1), calloc(n, 1), calloc(n, 1) };
     ttc_text losses = { 0 };
@@ -111,14 +87,14 @@ void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel)
         goto done;
     }
     for (size_t i = 0; i < kernel->count; i++) visit(&s, kernel->outputs[i]);
-    for (ttc_id id = 1; id < n; id++) {
+    for (ttc_id id = 1; id < n && ttc_emit_uses(kernel->optimized, TTC_OP_DIVIDE); id++) {
         if (!s.denominator[id] || ttc_field_is_constant(field, id)) continue;
         ttc_id sum = definition_of(field, id);
         if (is_bounded_below(field, sum)) continue;
         separate(&losses);
         ttc_text_add(&losses, "divides by ");
         ttc_emit_formula(&losses, field->graph, id, ttc_emit_symbol_name, field);
-        if (ttc_kind_of(field->graph, sum) == TTC_SUM && sign_of(field, sum) != UNKNOWN) {
+        if (has_nonnegative_terms(field, sum)) {
             ttc_text_add(&losses, ", small only where all of ");
             describe_terms(&losses, field, sum);
             ttc_text_add(&losses, " are");
@@ -126,7 +102,7 @@ void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel)
             ttc_text_add(&losses, ": values and rounding errors grow without bound where it vanishes");
         }
     }
-    for (ttc_id id = 1; id < n; id++) {
+    for (ttc_id id = 1; id < n && ttc_emit_uses(kernel->optimized, TTC_OP_ROOT); id++) {
         if (!s.radicand[id] || ttc_field_is_constant(field, id)) continue;
         separate(&losses);
         ttc_text_add(&losses, "takes ");
@@ -135,6 +111,7 @@ void ttc_emit_losses(ttc_text *text, ttc_field *field, const ttc_kernel *kernel)
         ttc_emit_formula(&losses, field->graph, field->symbols[ttc_symbol_of(field->graph, id)].definition, ttc_emit_symbol_name, field);
         ttc_text_add(&losses, "): rounding errors of the states grow without bound where it vanishes");
     }
+    ttc_emit_cancellations(&losses, kernels, kind);
     ttc_text_add(text, ttc_text_string(&losses));
     text->failed |= losses.failed;
 done:

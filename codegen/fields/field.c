@@ -1,5 +1,7 @@
 #include "fields/field.h"
 
+#include "fields/scratch.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -397,5 +399,7 @@ void ttc_field_destroy(ttc_field *field)
     free(field->states);
     free(field->params);
     free(field->rhs);
+    free(field->extents);
+    ttc_scratch_destroy(field->scratch);
     free(field);
 }

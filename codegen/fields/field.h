@@ -7,6 +7,7 @@
 #ifndef TTC_FIELD_H
 #define TTC_FIELD_H
 
+#include "fields/extent.h"
 #include "read/model.h"
 
 typedef enum {
@@ -48,6 +49,11 @@ typedef struct ttc_field {
     size_t param_count;
     ttc_id factor;    /* dt/dtau; the number 1 in the model's own time */
     ttc_id *rhs;      /* by state position */
+    ttc_extent *extents; /* by id, as far as they have been asked for */
+    size_t extent_capacity;
+    struct ttc_scratch *scratch; /* see scratch.h */
+    bool keeps_digits;   /* sums are written without cancellation, see simplify.h, where they become programs */
+    size_t form_count;   /* how often that gave another form */
     bool failed;      /* memory ran out, or the graph refused */
 } ttc_field;
 
@@ -84,6 +90,10 @@ ttc_id ttc_field_distribute(ttc_field *field, ttc_id sum, ttc_id factor);
 
 /* True when the expression holds parameters alone. */
 bool ttc_field_is_constant(const ttc_field *field, ttc_id expression);
+
+/* What is known of an expression's values: from sign conditions of parameters, intervals of states, and that roots are
+ * positive. Cost: one visit a node, remembered. */
+ttc_extent ttc_field_extent(ttc_field *field, ttc_id expression);
 
 /* True when the substitutions of the variant make this condition on parameters hold identically; a condition on states,
  * or one modulo claims, is never implied. */

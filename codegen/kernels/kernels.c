@@ -151,14 +151,23 @@ static bool add_measure_kernels(ttc_kernels *k)
     return !k->field->failed;
 }
 
+ttc_purpose ttc_kernel_purpose(ttc_kernel_kind kind) { return kind <= TTC_KERNEL_DIVERGENCE ? TTC_FOR_STEPS : TTC_FOR_POINTS; }
+
+ttc_id *ttc_kernels_jet_outputs(const ttc_kernels *kernels)
+{
+    size_t n = kernels->field->state_count;
+    ttc_id *outputs = malloc((n + 1) * sizeof *outputs);
+    if (outputs == NULL) return NULL;
+    memcpy(outputs, kernels->field->rhs, n * sizeof *outputs);
+    outputs[n] = kernels->field->factor;
+    return outputs;
+}
+
 static bool build_jet(ttc_kernels *k, ttc_effort effort)
 {
-    size_t n = k->field->state_count;
-    ttc_id *outputs = malloc((n + 1) * sizeof *outputs);
+    ttc_id *outputs = ttc_kernels_jet_outputs(k);
     if (outputs == NULL) return false;
-    memcpy(outputs, k->field->rhs, n * sizeof *outputs);
-    outputs[n] = k->field->factor;
-    k->jet = ttc_optimize(k->field, outputs, NULL, n + (k->field->time != NULL), TTC_FOR_JETS, effort, &k->block);
+    k->jet = ttc_optimize(k->field, outputs, NULL, k->field->state_count + (k->field->time != NULL), TTC_FOR_JETS, effort, &k->block);
     free(outputs);
     return k->jet != NULL;
 }
@@ -173,8 +182,8 @@ static bool build_programs(ttc_kernels *k, ttc_effort effort)
             if (kernel->outputs[i] == TTC_NONE) return false;
         kernel->naive = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ 0 });
         kernel->reference = ttc_lower(k->field, kernel->outputs, kernel->count, (ttc_lowering){ .share = true });
-        ttc_purpose purpose = kind <= TTC_KERNEL_DIVERGENCE ? TTC_FOR_STEPS : TTC_FOR_POINTS;
-        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count, purpose, effort, &k->block);
+        kernel->optimized = ttc_optimize(k->field, kernel->outputs, kernel->gathered, kernel->count,
+                                         ttc_kernel_purpose((ttc_kernel_kind)kind), effort, &k->block);
         if (kernel->naive == NULL || kernel->reference == NULL || kernel->optimized == NULL) return false;
     }
     if (!build_jet(k, effort)) return false;

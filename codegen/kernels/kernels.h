@@ -52,6 +52,17 @@ typedef struct {
 /** All kernels of a field, which then belongs to the result (also on failure). NULL when memory is out or an
  *  expression grows beyond the graph's limits. */
 ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort);
+
+/** Every kernel once more, its sums written without cancellation (see fields/simplify.h), and kept where digits are lost in
+ *  fewer outputs, or in as many for no more operations. To be called once. False, and the kernels are of no
+ *  more use, when memory is out. */
+bool ttc_kernels_keep_digits(ttc_kernels *kernels, ttc_effort effort);
+
+/* What a kernel's program is for. */
+ttc_purpose ttc_kernel_purpose(ttc_kernel_kind kind);
+
+/* Outputs of the program for jets, for the caller to free; NULL: memory. */
+ttc_id *ttc_kernels_jet_outputs(const ttc_kernels *kernels);
 void ttc_kernels_destroy(ttc_kernels *kernels); /* legal on NULL */
 
 const char *ttc_kernel_name(ttc_kernel_kind kind); /* as in the descriptor */

@@ -26,6 +26,14 @@ static const char *reason_of(const ttc_model *model)
     return error != TTC_GRAPH_OK ? ttc_graph_status_text(error) : "memory is out, or a number is divided by zero";
 }
 
+/* After all fields are there: what one of them gains adds nodes to the graph, on whose ids the others' programs rest. */
+static bool keep_digits(ttc_plan *plan, ttc_effort effort)
+{
+    for (size_t i = 0; i < plan->count; i++)
+        if (plan->fields[i].kernels != NULL && !ttc_kernels_keep_digits(plan->fields[i].kernels, effort)) return false;
+    return true;
+}
+
 bool ttc_plan_create(ttc_plan *plan, const ttc_model *model, ttc_effort effort)
 {
     size_t most = (model->variant_count + 1) * (model->time_count + 1) * (model->elimination_count + 1);
@@ -44,7 +52,11 @@ bool ttc_plan_create(ttc_plan *plan, const ttc_model *model, ttc_effort effort)
                 *plan = failed;
                 return false;
             }
-    return true;
+    if (keep_digits(plan, effort)) return true;
+    ttc_plan failed = { .failed_at = ttc_plan_place(&plan->fields[0], model), .failure = reason_of(model) };
+    ttc_plan_clear(plan);
+    *plan = failed;
+    return false;
 }
 
 void ttc_plan_clear(ttc_plan *plan)

@@ -102,6 +102,9 @@ ttc_program *ttc_program_schedule(const ttc_program *program);
 /** A new program without the values that no output needs. NULL: memory. */
 ttc_program *ttc_program_trim(const ttc_program *program);
 
+/* A new program of the same values, parameter i being numbers[i]. NULL: memory. */
+ttc_program *ttc_program_renumber(const ttc_program *program, const uint32_t *numbers);
+
 /* reached, shape (size,), zeroed: 1 for the values that outputs need. */
 void ttc_program_mark(const ttc_program *program, unsigned char *reached);
 

@@ -104,42 +104,82 @@ static void fill(converter *c, uint32_t unit, ttc_id id)
     }
 }
 
-/* The square root of a cube whose scale is 1, or a square number; false when it has none. */
-static bool square_root(converter *c, ttc_cube *out, const ttc_cube *cube)
+/* The square root of an expression in parameters: of a square number, and, where digits are to be kept, of even powers;
+ * TTC_NONE: it has none. */
+static ttc_id scale_root(const ttc_field *field, ttc_id scale)
 {
-    ttc_graph *graph = c->field->graph;
-    *out = ttc_cube_one(c->system);
-    if (ttc_kind_of(graph, cube->scale) != TTC_NUMBER || cube->count % 2 != 0) return false;
-    for (unsigned i = 0; i < cube->count; i += 2) {
-        if (cube->factors[i] != cube->factors[i + 1]) return false;
-        ttc_cube_multiply(out, cube->factors[i]);
-    }
-    const fmpq *q = ttc_coefficient(graph, cube->scale);
-    if (!fmpz_is_square(fmpq_numref(q)) || !fmpz_is_square(fmpq_denref(q))) return false;
+    ttc_graph *graph = field->graph;
+    ttc_kind kind = ttc_kind_of(graph, scale);
+    if (kind != TTC_NUMBER && (kind != TTC_PRODUCT || !field->keeps_digits)) return TTC_NONE;
+    const fmpq *q = ttc_coefficient(graph, scale);
+    if (!fmpz_is_square(fmpq_numref(q)) || !fmpz_is_square(fmpq_denref(q))) return TTC_NONE;
     fmpq_t root;
     fmpq_init(root);
     fmpz_sqrt(fmpq_numref(root), fmpq_numref(q));
     fmpz_sqrt(fmpq_denref(root), fmpq_denref(q));
-    out->scale = ttc_number(graph, root);
+    ttc_id result = ttc_number(graph, root);
     fmpq_clear(root);
+    for (size_t i = 0; i < ttc_part_count(graph, scale) && result != TTC_NONE; i++) {
+        ttc_part part = ttc_part_at(graph, scale, i);
+        result = part.exponent % 2 != 0 ? TTC_NONE : ttc_multiply(graph, result, ttc_power(graph, part.id, part.exponent / 2));
+    }
+    return result;
+}
+
+/* The square root of a cube; false when it has none. */
+static bool square_root(converter *c, ttc_cube *out, const ttc_cube *cube)
+{
+    *out = ttc_cube_one(c->system);
+    if (cube->count % 2 != 0) return false;
+    for (unsigned i = 0; i < cube->count; i += 2) {
+        if (cube->factors[i] != cube->factors[i + 1]) return false;
+        ttc_cube_multiply(out, cube->factors[i]);
+    }
+    out->scale = scale_root(c->field, cube->scale);
     return out->scale != TTC_NONE;
 }
 
-/* A^2 - B^2 = (A - B)(A + B): no digits are lost where A is near B, as they are in the difference of the squares. */
+/* What two cubes share and is no square is taken from both: x y^2 and x z^2 leave y^2 and z^2. */
+static ttc_cube take_common(converter *c, ttc_cube *a, ttc_cube *b)
+{
+    ttc_cube common = ttc_cube_one(c->system);
+    if (!c->field->keeps_digits) return common;
+    if (a->scale == b->scale && scale_root(c->field, a->scale) == TTC_NONE) {
+        common.scale = a->scale;
+        a->scale = b->scale = c->system->one;
+    }
+    for (unsigned i = 0; i < a->count;) {
+        uint32_t factor = a->factors[i];
+        if (ttc_cube_power(a, factor) % 2 == 1 && ttc_cube_power(b, factor) % 2 == 1) {
+            ttc_cube_multiply(&common, factor);
+            ttc_cube_remove(a, factor);
+            ttc_cube_remove(b, factor);
+        } else {
+            i++;
+        }
+    }
+    return common;
+}
+
+/* C A^2 - C B^2 = C (A - B)(A + B): no digits are lost where A is near B, as they are in the difference of the squares. */
 static void split_squares(converter *c, uint32_t unit)
 {
     ttc_polynomial *p = &c->system->variables[unit].definition;
     ttc_cube a, b;
     if (p->count != 2 || p->cubes[0].sign == p->cubes[1].sign) return;
     unsigned positive = p->cubes[0].sign > 0 ? 0 : 1;
-    if (!square_root(c, &a, p->cubes + positive) || !square_root(c, &b, p->cubes + 1 - positive)) return;
-    ttc_cube product = ttc_cube_one(c->system);
+    ttc_cube plus = p->cubes[positive], minus = p->cubes[1 - positive], product = take_common(c, &plus, &minus);
+    bool is_plain = product.count == 0 && product.scale == c->system->one && ttc_kind_of(c->field->graph, plus.scale) == TTC_NUMBER
+                    && ttc_kind_of(c->field->graph, minus.scale) == TTC_NUMBER;
+    if (product.count + 2 > TTC_CUBE_LIMIT || !square_root(c, &a, &plus) || !square_root(c, &b, &minus)) return;
+    c->field->form_count += !is_plain;
     for (int8_t sign = -1; sign <= 1; sign = (int8_t)(sign + 2)) {
         uint32_t side = ttc_system_add_variable(c->system, TTC_VARIABLE_UNIT, 0);
         if (c->system->failed) return;
         b.sign = sign;
         ttc_polynomial_add(c->system, &c->system->variables[side].definition, &a);
         ttc_polynomial_add(c->system, &c->system->variables[side].definition, &b);
+        if (sign < 0 && c->field->keeps_digits && !c->system->failed) split_squares(c, side);
         ttc_cube_multiply(&product, side);
     }
     p = &c->system->variables[unit].definition;
@@ -153,6 +193,7 @@ static uint32_t new_unit(converter *c, ttc_id definition, const char *label)
     if (c->system->failed) return 0;
     c->system->variables[unit].label = label;
     if (definition >= c->id_count || !c->below_root[definition]) definition = ttc_simplify_roots(c->field, definition);
+    if (c->field->keeps_digits) definition = ttc_write_without_cancellation(c->field, definition);
     c->system->failed |= definition == TTC_NONE;
     if (c->system->failed) return 0;
     fill(c, unit, definition);

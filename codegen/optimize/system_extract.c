@@ -304,6 +304,14 @@ static void extract_factors(extractor *e, uint32_t a, uint32_t b)
     if (!system->failed) define_unit(e, unit, &product, 1);
 }
 
+/* One term is left; taken ones have no sign. */
+static bool is_single(const ttc_polynomial *p)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < p->count; i++) count += p->cubes[i].sign != 0;
+    return count == 1;
+}
+
 /* The sum of two terms becomes a unit wherever it stands. */
 static void extract_terms(extractor *e, uint32_t group)
 {
@@ -311,6 +319,7 @@ static void extract_terms(extractor *e, uint32_t group)
     uint32_t count = e->binomials.groups[group].size;
     ttc_term_pair *places = malloc((count + 1) * sizeof *places);
     ttc_binomial wanted, found;
+    bool is_grouping = false;
     system->failed |= places == NULL;
     uint32_t unit = system->failed ? 0 : add_unit(e);
     if (!system->failed) ttc_extract_index_places(&e->binomials, group, places);
@@ -325,10 +334,13 @@ static void extract_terms(extractor *e, uint32_t group)
         retract(e, at->variable, at->second);
         p->cubes[at->first] = found.common;
         p->cubes[at->second].sign = 0;
+        is_grouping |= is_single(p) && !system->variables[at->variable].is_extracted && !system->variables[at->variable].is_output;
         if (!system->failed) note_occurrence(e, unit, at->variable, at->first);
     }
     free(places);
     const ttc_cube rests[] = { wanted.rest_a, wanted.rest_b };
+    /* What was a sum of the table's, or one side of a difference of squares, may not be multiplied out later. */
+    if (!system->failed && is_grouping && system->field->keeps_digits) system->variables[unit].is_extracted = false;
     if (!system->failed) define_unit(e, unit, rests, 2);
 }
 

@@ -85,7 +85,7 @@ static slong choose_variable(ttc_task *task, const fmpz_mpoly_t factor, ulong *d
         if (in_some_radicand(task, factor, v) || in_some_transcendental(task, factor, v)) continue;
         ulong exponent = (ulong)d;
         fmpz_mpoly_get_coeff_vars_ui(leading, factor, &v, &exponent, 1, task->ring->context);
-        bool safe = !(ttc_conditions_signs(&task->domain, leading) & TTC_SIGN_ZERO);
+        bool safe = !(ttc_conditions_signs(&task->domain, leading) & TTC_CAN_BE_ZERO);
         slong cost = price + (safe ? d - 1 : 10 + 2 * fmpz_mpoly_length(leading, task->ring->context) + d - 1);
         if (cost < best_cost) {
             best = v;
@@ -138,7 +138,7 @@ bool ttc_branch_solve(ttc_branch *b, ttc_id *lead_out, ttc_task *task, const fmp
     fmpz_mpoly_t leading;
     fmpz_mpoly_init(leading, task->ring->context);
     fmpz_mpoly_get_coeff_vars_ui(leading, factor, &variable, &degree, 1, task->ring->context);
-    *lead_out = ttc_conditions_signs(&task->domain, leading) & TTC_SIGN_ZERO ? lead : ttc_integer(graph, 1);
+    *lead_out = ttc_conditions_signs(&task->domain, leading) & TTC_CAN_BE_ZERO ? lead : ttc_integer(graph, 1);
     fmpz_mpoly_clear(leading, task->ring->context);
     return true;
 }

@@ -249,7 +249,7 @@ static void follow_factors(cover *c, const ttc_branch *b, const fmpz_mpoly_t nor
     fmpz_mpoly_factor_init(factors, task->ring->context);
     if (!fmpz_mpoly_factor(factors, norm, task->ring->context)) ttc_task_unsettle(task, "the zero level could not be factored");
     for (slong i = 0; i < factors->num && task->status != TTC_REFUTED; i++) {
-        if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_SIGN_ZERO)) continue;
+        if (!(ttc_conditions_signs(&task->domain, factors->poly + i) & TTC_CAN_BE_ZERO)) continue;
         ttc_branch one = *b;
         if (is_invariant(task) && b->goal_count == 1 && !b->own_solved) one.apart = others_of(task, factors, i);
         follow(c, &one, factors->poly + i, factors->num == 1);

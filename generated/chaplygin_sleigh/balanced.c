@@ -16,7 +16,7 @@
  *  measure_divergences 0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy
- *    no denominator or radicand of the field vanishes in the domain
+ *    no denominator or radicand of the field vanishes in the domain, and no terms cancel
  *    
  */
 #include "kernel_abi.h"

@@ -13,7 +13,7 @@
  *  integral_gradients  0    2    0    0    0    0      1    1   (5)
  *
  *  Accuracy
- *    no denominator or radicand of the field vanishes in the domain
+ *    no denominator or radicand of the field vanishes in the domain, and no terms cancel
  *    
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN

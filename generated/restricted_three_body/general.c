@@ -19,6 +19,10 @@
  *    divides by r2: values and rounding errors grow without bound where it vanishes
  *    takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes
  *    takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in -3 + 3*mu, x + -1 + mu,
+ *      1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2,
+ *      1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 - 1/r2^2*1/r2^2*r2*(3*mu)*1/r2^2, d(d(vy)/dt)/d(y), d(d(vx)/dt)/d(x),
+ *      a part of d(d(vx)/dt)/d(y) and of d(d(vy)/dt)/d(x), d(vy)/dt, d(vx)/dt
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -366,17 +370,17 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 4, { 3, 8, 7, 1, 2, 0, 9, 6 }, { 16, 18, 0, 4, 2, 0, 10, 7 },
-        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in x + -1 + mu, d(vx)/dt, a part of d(vy)/dt, d(vy)/dt" },
     .jacobian = { jacobian, 16, { 4, 15, 7, 1, 2, 0, 11, 8 }, { 30, 60, 0, 12, 2, 0, 13, 7 },
-        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -3 + 3*mu, -1 + mu + x, (-1 + mu)*1/r1^2*r1*1/r1^2 + 1 - mu*1/r2^2*1/r2^2*r2, 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 - 1/r2^2*1/r2^2*r2*(3*mu)*1/r2^2, d(d(vy)/dt)/d(y), d(d(vx)/dt)/d(x), a part of d(d(vx)/dt)/d(y) and of d(d(vy)/dt)/d(x)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 4, 17, 11, 1, 2, 0, 12, 10 }, { 41, 74, 0, 16, 2, 0, 13, 7 },
-        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -3 + 3*mu, x + -1 + mu, 1 + (-1 + mu)*1/r1^2*r1*1/r1^2 - mu*1/r2^2*1/r2^2*r2, 1/r1^2*r1*1/r1^2*(-3 + 3*mu)*1/r1^2 - 1/r2^2*1/r2^2*r2*(3*mu)*1/r2^2, d(d(vy)/dt)/d(y), d(d(vx)/dt)/d(x), a part of d(d(vx)/dt)/d(y) and of d(d(vy)/dt)/d(x), d(vy)/dt, d(vx)/dt" },
     .divergence = { divergence, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .integral_values = { integral_values, 1, { 2, 3, 7, 1, 2, 0, 7, 5 }, { 11, 12, 0, 2, 2, 0, 8, 4 },
-        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in x*x + y*y - vx*vx - vy*vy, x + -1 + mu, r2*((-1 + mu)/mu) - r1, jacobi" },
     .integral_gradients = { integral_gradients, 4, { 3, 3, 5, 2, 2, 0, 7, 6 }, { 14, 16, 0, 4, 2, 0, 10, 7 },
-        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by r1: values and rounding errors grow without bound where it vanishes; divides by r2: values and rounding errors grow without bound where it vanishes; takes r1 = sqrt((mu + x)^2 + y^2): rounding errors of the states grow without bound where it vanishes; takes r2 = sqrt(y^2 + (-1 + mu + x)^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in x + -1 + mu, d(jacobi)/d(x), a part of d(jacobi)/d(y), d(jacobi)/d(y)" },
     .measure_values = { measure_values, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .measure_divergences = { measure_divergences, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

@@ -11,8 +11,7 @@
  *  divergence          1    0    0    0    0    0      1    1   (2)
  *
  *  Accuracy
- *    no denominator or radicand of the field vanishes in the domain
- *    
+ *    digits are lost where terms nearly cancel in d(y)/dt, d(z)/dt
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -214,13 +213,13 @@ const jlt_descriptor jlt_kernels_roessler_general = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 3, { 3, 0, 2, 0, 0, 0, 2, 2 }, { 5, 3, 0, 0, 0, 0, 3, 3 },
-        "" },
+        "digits are lost where terms nearly cancel in d(y)/dt, d(z)/dt" },
     .jacobian = { jacobian, 9, { 1, 0, 0, 0, 0, 0, 1, 1 }, { 1, 0, 0, 0, 0, 0, 1, 1 },
         "" },
     .rhs_jacobian = { rhs_jacobian, 12, { 4, 0, 2, 0, 0, 0, 2, 2 }, { 6, 3, 0, 0, 0, 0, 3, 3 },
-        "" },
+        "digits are lost where terms nearly cancel in d(y)/dt, d(z)/dt" },
     .divergence = { divergence, 1, { 1, 0, 0, 0, 0, 0, 1, 1 }, { 2, 0, 0, 0, 0, 0, 2, 2 },
-        "" },
+        "digits are lost where terms nearly cancel in the divergence" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },
     .measure_values = { .loses_digits = "" },

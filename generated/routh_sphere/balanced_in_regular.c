@@ -8,8 +8,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   11    4    1    0    0      5    5   (67)
- *  jacobian            5   32    8    1    0    0      8   10   (241)
- *  rhs_jacobian        10   36    9    1    0    0      8   11   (287)
+ *  jacobian            8   30    7    1    0    0      8   12   (241)
+ *  rhs_jacobian        11   36    9    1    0    0      9   13   (287)
  *  divergence          1    5    1    1    0    0      4    4   (22)
  *  integral_values     0   10    8    0    1    0      5    4   (44)
  *  integral_gradients  0   16    5    1    1    0      6    5   (62)
@@ -17,6 +17,11 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
+ *    digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + s*omega3,
+ *      s*omega3*(I3/K) + (m*R^2/K)*v_tau/R, (I1/K)*omega_n*gamma3 + s*omega3*(I3/K) + (m*R^2/K)*v_tau/R,
+ *      d(omega_n)/dtau, omega_n*gamma3*(2*I1/K + m*R^2/K) + s*omega3*(I3/K) + (m*R^2/K)*v_tau/R,
+ *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s),
+ *      d(d(omega3)/dtau)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -53,26 +58,26 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[1]*params[1]; /* R*R */
     const double t1 = params[0]*t0; /* m*R*R */
-    out[38] = t1;
+    out[32] = t1;
     const double t2 = params[4] + t1; /* K = I1 + m*R*R */
-    out[39] = t2;
+    out[33] = t2;
     const double t3 = params[4]/t2; /* I1/K */
-    out[27] = t3;
+    out[20] = t3;
     const double t4 = t1/t2; /* m*R*R/K */
-    out[26] = t4;
+    out[21] = t4;
     const double t5 = t3 + t4; /* I1/K + m*R*R/K */
     out[6] = t5;
     const double t6 = params[5]/t2; /* I3/K */
-    out[25] = t6;
+    out[22] = t6;
     const double t7 = t4 + t6; /* m*R*R/K + I3/K */
     out[7] = t7;
     const double t8 = params[4]*t1; /* I1*m*R*R */
-    out[17] = t8;
+    out[30] = t8;
     const double t9 = params[5]*params[5]; /* I3*I3 */
     const double t10 = t1*params[5]; /* m*R*R*I3 */
-    out[18] = t10;
+    out[31] = t10;
     const double t11 = t9 + t10; /* I3*I3 + m*R*R*I3 */
-    out[19] = t11;
+    out[35] = t11;
     const double t12 = t11/t8; /* (I3*I3 + m*R*R*I3)/(I1*m*R*R) */
     out[8] = t12;
     const double t13 = params[5]/t1; /* I3/(m*R*R) */
@@ -87,73 +92,55 @@ static void prepare(const double *restrict params, double *restrict out)
     out[12] = t18;
     const double t19 = t3*2.0; /* I1/K*2 */
     const double t20 = -t19; /* -I1/K*2 */
-    const double t21 = t4*2.0; /* m*R*R/K*2 */
-    const double t22 = t20 - t21; /* -I1/K*2 - m*R*R/K*2 */
-    out[13] = t22;
-    const double t23 = -t6; /* -I3/K */
-    const double t24 = t23 - t4; /* -I3/K - m*R*R/K */
-    out[14] = t24;
-    const double t25 = params[0]*2.0; /* m*2 */
-    const double t26 = t0*t25; /* R*R*m*2 */
-    const double t27 = params[5]*t26; /* I3*R*R*m*2 */
-    const double t28 = t11*t27; /* (I3*I3 + m*R*R*I3)*I3*R*R*m*2 */
-    out[15] = t28;
-    const double t29 = params[4]*params[5]; /* I1*I3 */
-    out[16] = t29;
-    const double t30 = params[4]*t26; /* I1*R*R*m*2 */
-    out[20] = t30;
-    const double t31 = t1*t15; /* m*R*R*(I1 - I3) */
-    out[21] = t31;
-    const double t32 = params[0]*params[0]; /* m*m */
-    const double t33 = 2.0*t32; /* 2*m*m */
-    const double t34 = t0*t0; /* R*R*R*R */
-    const double t35 = t33*t34; /* 2*m*m*R*R*R*R */
-    const double t36 = params[5]*t35; /* I3*2*m*m*R*R*R*R */
-    const double t37 = t15*t36; /* (I1 - I3)*I3*2*m*m*R*R*R*R */
-    out[22] = t37;
-    const double t38 = t15*t26; /* (I1 - I3)*R*R*m*2 */
-    out[23] = t38;
-    const double t39 = params[4]*t35; /* I1*2*m*m*R*R*R*R */
-    const double t40 = t15*t39; /* (I1 - I3)*I1*2*m*m*R*R*R*R */
-    out[24] = t40;
-    const double t41 = t4 + t19; /* m*R*R/K + I1/K*2 */
-    out[28] = t41;
-    const double t42 = t32*t34; /* m*m*R*R*R*R */
-    const double t43 = params[4]*params[4]; /* I1*I1 */
-    const double t44 = t42*t43; /* m*m*R*R*R*R*I1*I1 */
-    const double t45 = params[5]*t9; /* I3*I3*I3 */
-    const double t46 = t1*t45; /* m*R*R*I3*I3*I3 */
-    const double t47 = t9*t42; /* I3*I3*m*m*R*R*R*R */
-    const double t48 = t46 + t47; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
-    const double t49 = 2.0*t48; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
-    const double t50 = t49/t44; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
-    out[29] = t50;
-    const double t51 = t8*t9; /* I1*m*R*R*I3*I3 */
-    const double t52 = params[4]*t42; /* I1*m*m*R*R*R*R */
-    const double t53 = params[5]*t52; /* I3*I1*m*m*R*R*R*R */
-    const double t54 = t51 + t53; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
-    const double t55 = 2.0*t54; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
-    const double t56 = t55/t44; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
-    out[30] = t56;
-    const double t57 = params[5]*2.0; /* I3*2 */
-    const double t58 = t15*t57; /* (I1 - I3)*I3*2 */
-    const double t59 = t58/t43; /* (I1 - I3)*I3*2/(I1*I1) */
-    out[31] = t59;
-    const double t60 = t15*(-2.0); /* (I1 - I3)*(-2) */
-    const double t61 = t60/params[4]; /* (I1 - I3)*(-2)/I1 */
-    out[32] = t61;
-    const double t62 = params[4]/2.0; /* I1/2 */
-    out[33] = t62;
-    const double t63 = params[5]/2.0; /* I3/2 */
-    out[34] = t63;
-    const double t64 = t1/2.0; /* m*R*R/2 */
-    out[35] = t64;
-    const double t65 = params[4]*params[1]; /* I1*R */
-    out[36] = t65;
-    const double t66 = params[1]*params[5]; /* R*I3 */
-    out[37] = t66;
-    const double t67 = -t66; /* -R*I3 */
-    out[40] = t67;
+    const double t21 = t20 - t4; /* -I1/K*2 - m*R*R/K */
+    out[13] = t21;
+    const double t22 = -t6; /* -I3/K */
+    out[14] = t22;
+    const double t23 = -t4; /* -m*R*R/K */
+    out[15] = t23;
+    const double t24 = params[0]*params[0]; /* m*m */
+    const double t25 = t0*t0; /* R*R*R*R */
+    const double t26 = t24*t25; /* m*m*R*R*R*R */
+    const double t27 = params[4]*params[4]; /* I1*I1 */
+    const double t28 = t26*t27; /* m*m*R*R*R*R*I1*I1 */
+    const double t29 = params[5]*t9; /* I3*I3*I3 */
+    const double t30 = t1*t29; /* m*R*R*I3*I3*I3 */
+    const double t31 = t9*t26; /* I3*I3*m*m*R*R*R*R */
+    const double t32 = t30 + t31; /* m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R */
+    const double t33 = 2.0*t32; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R) */
+    const double t34 = t33/t28; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
+    out[16] = t34;
+    const double t35 = t8*t9; /* I1*m*R*R*I3*I3 */
+    const double t36 = params[4]*t26; /* I1*m*m*R*R*R*R */
+    const double t37 = params[5]*t36; /* I3*I1*m*m*R*R*R*R */
+    const double t38 = t35 + t37; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
+    const double t39 = 2.0*t38; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
+    const double t40 = t39/t28; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(m*m*R*R*R*R*I1*I1) */
+    out[17] = t40;
+    const double t41 = params[5]*2.0; /* I3*2 */
+    const double t42 = t15*t41; /* (I1 - I3)*I3*2 */
+    const double t43 = t42/t27; /* (I1 - I3)*I3*2/(I1*I1) */
+    out[18] = t43;
+    const double t44 = params[4]/t1; /* I1/(m*R*R) */
+    out[19] = t44;
+    const double t45 = t4 + t19; /* m*R*R/K + I1/K*2 */
+    out[23] = t45;
+    const double t46 = params[4]/2.0; /* I1/2 */
+    out[24] = t46;
+    const double t47 = params[5]/2.0; /* I3/2 */
+    out[25] = t47;
+    const double t48 = t1/2.0; /* m*R*R/2 */
+    out[26] = t48;
+    const double t49 = params[4]*params[1]; /* I1*R */
+    out[27] = t49;
+    const double t50 = params[1]*params[5]; /* R*I3 */
+    out[28] = t50;
+    const double t51 = params[4]*params[5]; /* I1*I3 */
+    out[29] = t51;
+    const double t52 = -t50; /* -R*I3 */
+    out[34] = t52;
+    const double t53 = t1*t15; /* m*R*R*(I1 - I3) */
+    out[36] = t53;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -201,60 +188,60 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t4 = x[2]*t3; /* omega_n*(-I1/K - m*R^2/K)*omega_n */
     out[5] = t4;
     const double t5 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t6 = p[13]*t5; /* (-2*I1/K - 2*m*R^2/K)*omega_n*gamma3 */
+    const double t6 = p[13]*t5; /* (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
     const double t7 = x[4]*x[3]; /* s*omega3 */
-    const double t8 = JLT_FMA(p[14], t7, t6); /* (-I3/K - m*R^2/K)*s*omega3 + (-2*I1/K - 2*m*R^2/K)*omega_n*gamma3 */
-    out[7] = t8;
-    const double t9 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
-    const double t10 = x[4]*t9; /* s*omega_n*(I3/K + m*R^2/K) */
-    const double t11 = -t10; /* -s*omega_n*(I3/K + m*R^2/K) */
-    out[8] = t11;
-    const double t12 = x[3]*t9; /* omega3*omega_n*(I3/K + m*R^2/K) */
-    const double t13 = -t12; /* -omega3*omega_n*(I3/K + m*R^2/K) */
-    out[9] = t13;
-    const double t14 = x[1]*x[2]; /* omega_tau*omega_n */
-    const double t15 = x[0]*p[18]; /* gamma3*m*R^2*I3 */
-    const double t16 = JLT_FMA(t0, p[17], p[16]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t17 = JLT_FMA(x[0], t15, t16); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t18 = 1.0/t17; /* 1/Theta */
-    const double t19 = t1*t18; /* s*omega_tau*1/Theta */
-    const double t20 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t21 = t19*t20; /* s*omega_tau*1/Theta*gamma3*omega3 */
-    const double t22 = p[15]*t18; /* 2*m*R^2*I3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t23 = JLT_FNMA(t21, t22, t14); /* omega_tau*omega_n - s*omega_tau*1/Theta*gamma3*omega3*2*m*R^2*I3*(I3^2 + m*R^2*I3)*1/Theta */
-    out[10] = t23;
-    const double t24 = t18*p[19]; /* 1/Theta*(I3^2 + m*R^2*I3) */
-    const double t25 = JLT_FMA(t7, t24, t5); /* s*omega3*1/Theta*(I3^2 + m*R^2*I3) + omega_n*gamma3 */
-    out[11] = t25;
-    const double t26 = x[1]*x[0]; /* omega_tau*gamma3 */
-    out[12] = t26;
-    const double t27 = t1*t24; /* s*omega_tau*1/Theta*(I3^2 + m*R^2*I3) */
-    out[13] = t27;
-    const double t28 = x[1]*x[3]; /* omega_tau*omega3 */
-    const double t29 = t7*t19; /* s*omega3*s*omega_tau*1/Theta */
-    const double t30 = JLT_FNMA(p[20], t29, t28); /* omega_tau*omega3 - 2*m*R^2*I1*s*omega3*s*omega_tau*1/Theta */
-    const double t31 = t24*t30; /* 1/Theta*(I3^2 + m*R^2*I3)*(omega_tau*omega3 - 2*m*R^2*I1*s*omega3*s*omega_tau*1/Theta) */
-    out[14] = t31;
-    const double t32 = t29*p[21]; /* s*omega3*s*omega_tau*1/Theta*m*R^2*(I1 - I3) */
-    const double t33 = x[4]*x[0]; /* s*gamma3 */
-    const double t34 = t18*t33; /* 1/Theta*s*gamma3 */
-    const double t35 = p[22]*t34; /* 2*m^2*R^4*I3*(I1 - I3)*1/Theta*s*gamma3 */
-    const double t36 = JLT_FNMA(t21, t35, t32); /* s*omega3*s*omega_tau*1/Theta*m*R^2*(I1 - I3) - s*omega_tau*1/Theta*gamma3*omega3*2*m^2*R^4*I3*(I1 - I3)*1/Theta*s*gamma3 */
-    out[15] = t36;
-    const double t37 = p[21]*t34; /* m*R^2*(I1 - I3)*1/Theta*s*gamma3 */
-    const double t38 = t7*t37; /* s*omega3*m*R^2*(I1 - I3)*1/Theta*s*gamma3 */
-    out[16] = t38;
-    const double t39 = t1*t37; /* s*omega_tau*m*R^2*(I1 - I3)*1/Theta*s*gamma3 */
-    out[18] = t39;
-    const double t40 = t21*p[23]; /* s*omega_tau*1/Theta*gamma3*omega3*2*m*R^2*(I1 - I3) */
-    const double t41 = t34*p[24]; /* 1/Theta*s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
-    const double t42 = JLT_FNMA(t29, t41, t40); /* s*omega_tau*1/Theta*gamma3*omega3*2*m*R^2*(I1 - I3) - s*omega3*s*omega_tau*1/Theta*1/Theta*s*gamma3*2*m^2*R^4*I1*(I1 - I3) */
+    const double t8 = t5 + t7; /* v_tau/R = omega_n*gamma3 + s*omega3 */
+    const double t9 = JLT_FMA(p[14], t7, t6); /* (-I3/K)*s*omega3 + (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
+    const double t10 = JLT_FMA(p[15], t8, t9); /* (-m*R^2/K)*v_tau/R + (-I3/K)*s*omega3 + (-2*I1/K - m*R^2/K)*omega_n*gamma3 */
+    out[7] = t10;
+    const double t11 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
+    const double t12 = x[4]*t11; /* s*omega_n*(I3/K + m*R^2/K) */
+    const double t13 = -t12; /* -s*omega_n*(I3/K + m*R^2/K) */
+    out[8] = t13;
+    const double t14 = x[3]*t11; /* omega3*omega_n*(I3/K + m*R^2/K) */
+    const double t15 = -t14; /* -omega3*omega_n*(I3/K + m*R^2/K) */
+    out[9] = t15;
+    const double t16 = x[1]*x[2]; /* omega_tau*omega_n */
+    const double t17 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t18 = t0 + p[9]; /* s*s + I3/(m*R^2) */
+    const double t19 = JLT_FMA(p[10], t17, t18); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
+    const double t20 = 1.0/t19; /* 1/(Theta/(m*R^2*I1)) */
+    const double t21 = x[1]*x[3]; /* omega_tau*omega3 */
+    const double t22 = t20*t21; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t23 = x[4]*x[0]; /* s*gamma3 */
+    const double t24 = t20*t23; /* 1/(Theta/(m*R^2*I1))*s*gamma3 */
+    const double t25 = t22*t24; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*1/(Theta/(m*R^2*I1))*s*gamma3 */
+    const double t26 = JLT_FNMA(p[16], t25, t16); /* omega_tau*omega_n - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*t25 */
+    out[10] = t26;
+    const double t27 = t20*p[8]; /* 1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t28 = JLT_FMA(t7, t27, t5); /* s*omega3*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 */
+    out[11] = t28;
+    const double t29 = x[1]*x[0]; /* omega_tau*gamma3 */
+    out[12] = t29;
+    const double t30 = t1*t27; /* s*omega_tau*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[13] = t30;
+    const double t31 = t22*p[8]; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t32 = t0*t22; /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3 */
+    const double t33 = t20*p[17]; /* 1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) */
+    const double t34 = JLT_FNMA(t32, t33, t31); /* t31 - s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*t33 */
+    out[14] = t34;
+    const double t35 = t32*p[11]; /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 */
+    const double t36 = t25*p[18]; /* t25*2*I3*(I1 - I3)/I1^2 */
+    const double t37 = JLT_FNMA(t23, t36, t35); /* s*s*1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I1 - I3)/I1 - s*gamma3*t25*2*I3*(I1 - I3)/I1^2 */
+    out[15] = t37;
+    const double t38 = t24*p[11]; /* 1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 */
+    const double t39 = t7*t38; /* s*omega3*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 */
+    out[16] = t39;
+    const double t40 = t1*t38; /* s*omega_tau*1/(Theta/(m*R^2*I1))*s*gamma3*(I1 - I3)/I1 */
+    out[18] = t40;
+    const double t41 = t17 + p[19]; /* gamma3*gamma3 + I1/(m*R^2) */
+    const double t42 = t36*t41; /* t25*2*I3*(I1 - I3)/I1^2*(gamma3*gamma3 + I1/(m*R^2)) */
     out[19] = t42;
     const double t43 = -t1; /* -s*omega_tau */
     out[20] = t43;
-    const double t44 = -t33; /* -s*gamma3 */
+    const double t44 = -t23; /* -s*gamma3 */
     out[21] = t44;
-    const double t45 = -t26; /* -omega_tau*gamma3 */
+    const double t45 = -t29; /* -omega_tau*gamma3 */
     out[24] = t45;
 }
 
@@ -263,35 +250,34 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t0 = x[4]*x[1]; /* s*omega_tau */
     const double t1 = x[4]*t0; /* s*s*omega_tau */
     out[0] = t1;
-    const double t2 = x[4]*x[3]; /* s*omega3 */
-    const double t3 = p[25]*t2; /* I3/K*s*omega3 */
-    const double t4 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t5 = t2 + t4; /* v_tau/R = s*omega3 + omega_n*gamma3 */
-    const double t6 = JLT_FMA(p[26], t5, t3); /* m*R^2/K*v_tau/R + I3/K*s*omega3 */
-    const double t7 = JLT_FMA(t4, p[27], t6); /* omega_n*gamma3*I1/K + m*R^2/K*v_tau/R + I3/K*s*omega3 */
-    const double t8 = x[2]*t7; /* omega_n*(omega_n*gamma3*I1/K + m*R^2/K*v_tau/R + I3/K*s*omega3) */
+    const double t2 = x[2]*x[0]; /* omega_n*gamma3 */
+    const double t3 = x[4]*x[3]; /* s*omega3 */
+    const double t4 = t2 + t3; /* v_tau/R = omega_n*gamma3 + s*omega3 */
+    const double t5 = p[21]*t4; /* m*R^2/K*v_tau/R */
+    const double t6 = JLT_FMA(t3, p[22], t5); /* s*omega3*I3/K + m*R^2/K*v_tau/R */
+    const double t7 = JLT_FMA(p[20], t2, t6); /* I1/K*omega_n*gamma3 + s*omega3*I3/K + m*R^2/K*v_tau/R */
+    const double t8 = x[2]*t7; /* omega_n*(I1/K*omega_n*gamma3 + s*omega3*I3/K + m*R^2/K*v_tau/R) */
     const double t9 = -t8; /* -t8 */
     out[1] = t9;
-    const double t10 = x[4]*x[4]; /* s*s */
-    out[6] = t10;
-    const double t11 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t12 = p[9] + t10; /* I3/(m*R^2) + s*s */
-    const double t13 = JLT_FMA(p[10], t11, t12); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
-    const double t14 = 1.0/t13; /* 1/(Theta/(m*R^2*I1)) */
-    const double t15 = t2*t14; /* s*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t16 = JLT_FMA(p[8], t15, t4); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 */
-    out[16] = t16;
-    const double t17 = x[1]*t16; /* omega_tau*t16 */
-    out[2] = t17;
-    const double t18 = x[4]*x[0]; /* s*gamma3 */
-    const double t19 = p[11]*t18; /* (I1 - I3)/I1*s*gamma3 */
-    const double t20 = t15*t19; /* s*omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
-    out[21] = t20;
-    const double t21 = x[1]*t20; /* omega_tau*s*omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
-    out[3] = t21;
-    const double t22 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t23 = -t22; /* -s*omega_tau*gamma3 */
-    out[4] = t23;
+    const double t10 = x[1]*t2; /* omega_tau*omega_n*gamma3 */
+    const double t11 = x[3]*p[8]; /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t12 = x[4]*x[4]; /* s*s */
+    out[6] = t12;
+    const double t13 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t14 = p[9] + t12; /* I3/(m*R^2) + s*s */
+    const double t15 = JLT_FMA(p[10], t13, t14); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
+    const double t16 = 1.0/t15; /* 1/(Theta/(m*R^2*I1)) */
+    const double t17 = t0*t16; /* s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t18 = JLT_FMA(t11, t17, t10); /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega_tau*1/(Theta/(m*R^2*I1)) + omega_tau*omega_n*gamma3 */
+    out[2] = t18;
+    const double t19 = x[3]*t17; /* omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t20 = x[4]*x[0]; /* s*gamma3 */
+    const double t21 = p[11]*t20; /* (I1 - I3)/I1*s*gamma3 */
+    const double t22 = t19*t21; /* omega3*s*omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
+    out[3] = t22;
+    const double t23 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t24 = -t23; /* -s*omega_tau*gamma3 */
+    out[4] = t24;
     out[5] = 0.0;
     out[7] = 0.0;
     out[8] = 0.0;
@@ -299,53 +285,55 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[22] = 0.0;
     out[27] = 0.0;
     out[28] = 0.0;
-    const double t24 = t0*2.0; /* s*omega_tau*2 */
-    out[9] = t24;
-    const double t25 = x[2]*p[12]; /* omega_n*(-I1/K - m*R^2/K) */
-    const double t26 = x[2]*t25; /* omega_n*omega_n*(-I1/K - m*R^2/K) */
-    out[10] = t26;
-    const double t27 = JLT_FMA(t4, p[28], t6); /* omega_n*gamma3*(2*I1/K + m*R^2/K) + m*R^2/K*v_tau/R + I3/K*s*omega3 */
-    const double t28 = -t27; /* -t27 */
-    out[12] = t28;
-    const double t29 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
-    const double t30 = x[4]*t29; /* s*omega_n*(I3/K + m*R^2/K) */
-    const double t31 = -t30; /* -s*omega_n*(I3/K + m*R^2/K) */
-    out[13] = t31;
-    const double t32 = x[3]*t29; /* omega3*omega_n*(I3/K + m*R^2/K) */
-    const double t33 = -t32; /* -omega3*omega_n*(I3/K + m*R^2/K) */
-    out[14] = t33;
-    const double t34 = x[1]*x[2]; /* omega_tau*omega_n */
-    const double t35 = x[1]*x[0]; /* omega_tau*gamma3 */
-    out[17] = t35;
-    const double t36 = t15*t35; /* s*omega3*1/(Theta/(m*R^2*I1))*omega_tau*gamma3 */
-    const double t37 = t14*p[29]; /* 1/(Theta/(m*R^2*I1))*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2) */
-    const double t38 = JLT_FNMA(t36, t37, t34); /* omega_tau*omega_n - s*omega3*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*t37 */
+    const double t25 = t0*2.0; /* s*omega_tau*2 */
+    out[9] = t25;
+    const double t26 = x[2]*p[12]; /* omega_n*(-I1/K - m*R^2/K) */
+    const double t27 = x[2]*t26; /* omega_n*omega_n*(-I1/K - m*R^2/K) */
+    out[10] = t27;
+    const double t28 = JLT_FMA(t2, p[23], t6); /* omega_n*gamma3*(2*I1/K + m*R^2/K) + s*omega3*I3/K + m*R^2/K*v_tau/R */
+    const double t29 = -t28; /* -t28 */
+    out[12] = t29;
+    const double t30 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
+    const double t31 = x[4]*t30; /* s*omega_n*(I3/K + m*R^2/K) */
+    const double t32 = -t31; /* -s*omega_n*(I3/K + m*R^2/K) */
+    out[13] = t32;
+    const double t33 = x[3]*t30; /* omega3*omega_n*(I3/K + m*R^2/K) */
+    const double t34 = -t33; /* -omega3*omega_n*(I3/K + m*R^2/K) */
+    out[14] = t34;
+    const double t35 = x[1]*x[2]; /* omega_tau*omega_n */
+    const double t36 = x[0]*t16; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t37 = t19*t36; /* omega3*s*omega_tau*1/(Theta/(m*R^2*I1))*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t38 = JLT_FNMA(p[16], t37, t35); /* omega_tau*omega_n - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*t37 */
     out[15] = t38;
-    const double t39 = t0*t14; /* s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t40 = p[8]*t39; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[18] = t40;
-    const double t41 = x[1]*p[8]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t42 = x[3]*t41; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t43 = t14*t42; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t44 = t15*t39; /* s*omega3*1/(Theta/(m*R^2*I1))*s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t45 = JLT_FNMA(p[30], t44, t43); /* t43 - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*t44 */
-    out[19] = t45;
-    const double t46 = t0*p[11]; /* s*omega_tau*(I1 - I3)/I1 */
-    const double t47 = t15*t46; /* s*omega3*1/(Theta/(m*R^2*I1))*s*omega_tau*(I1 - I3)/I1 */
-    const double t48 = t11*p[31]; /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
-    const double t49 = JLT_FNMA(t44, t48, t47); /* s*omega3*1/(Theta/(m*R^2*I1))*s*omega_tau*(I1 - I3)/I1 - t44*gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t39 = t3*t16; /* s*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t40 = JLT_FMA(p[8], t39, t2); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 */
+    out[16] = t40;
+    const double t41 = x[1]*x[0]; /* omega_tau*gamma3 */
+    out[17] = t41;
+    const double t42 = p[8]*t17; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[18] = t42;
+    const double t43 = x[1]*t11; /* omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t44 = t3*t17; /* s*omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t45 = JLT_FNMA(p[17], t44, t43); /* omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*s*omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t46 = t16*t45; /* 1/(Theta/(m*R^2*I1))*t45 */
+    out[19] = t46;
+    const double t47 = p[11]*t44; /* (I1 - I3)/I1*s*omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t48 = t37*p[18]; /* t37*2*I3*(I1 - I3)/I1^2 */
+    const double t49 = JLT_FNMA(t20, t48, t47); /* (I1 - I3)/I1*s*omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) - s*gamma3*t37*2*I3*(I1 - I3)/I1^2 */
     out[20] = t49;
-    const double t50 = t19*t39; /* (I1 - I3)/I1*s*gamma3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[23] = t50;
-    const double t51 = JLT_FMS(t18, t44, t36); /* s*gamma3*t44 - s*omega3*1/(Theta/(m*R^2*I1))*omega_tau*gamma3 */
-    const double t52 = p[32]*t51; /* (-2*(I1 - I3)/I1)*t51 */
-    out[24] = t52;
-    const double t53 = -t0; /* -s*omega_tau */
-    out[25] = t53;
-    const double t54 = -t18; /* -s*gamma3 */
-    out[26] = t54;
-    const double t55 = -t35; /* -omega_tau*gamma3 */
-    out[29] = t55;
+    const double t50 = t21*t39; /* (I1 - I3)/I1*s*gamma3*s*omega3*1/(Theta/(m*R^2*I1)) */
+    out[21] = t50;
+    const double t51 = t17*t21; /* s*omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
+    out[23] = t51;
+    const double t52 = t13 + p[19]; /* gamma3*gamma3 + I1/(m*R^2) */
+    const double t53 = t48*t52; /* t37*2*I3*(I1 - I3)/I1^2*(gamma3*gamma3 + I1/(m*R^2)) */
+    out[24] = t53;
+    const double t54 = -t0; /* -s*omega_tau */
+    out[25] = t54;
+    const double t55 = -t20; /* -s*gamma3 */
+    out[26] = t55;
+    const double t56 = -t41; /* -omega_tau*gamma3 */
+    out[29] = t56;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -363,26 +351,26 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*p[17]; /* s*m*R^2*I1 */
-    const double t1 = JLT_FMA(x[4], t0, p[16]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t2 = x[0]*p[18]; /* gamma3*m*R^2*I3 */
+    const double t0 = x[4]*p[30]; /* s*m*R^2*I1 */
+    const double t1 = JLT_FMA(x[4], t0, p[29]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t2 = x[0]*p[31]; /* gamma3*m*R^2*I3 */
     const double t3 = JLT_FMA(x[0], t2, t1); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t4 = sqrt(t3); /* h = sqrt(Theta) */
     const double t5 = x[3]*t4; /* omega3*h */
     out[2] = t5;
     const double t6 = x[1]*x[1]; /* omega_tau*omega_tau */
     const double t7 = JLT_FMA(x[2], x[2], t6); /* omega_n*omega_n + omega_tau*omega_tau */
-    const double t8 = p[33]*t7; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
+    const double t8 = p[24]*t7; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
     const double t9 = x[3]*x[4]; /* omega3*s */
     const double t10 = JLT_FMA(x[2], x[0], t9); /* v_tau/R = omega_n*gamma3 + omega3*s */
     const double t11 = JLT_FMA(t10, t10, t6); /* v_tau/R*v_tau/R + omega_tau*omega_tau */
-    const double t12 = p[34]*x[3]; /* 1/2*I3*omega3 */
+    const double t12 = p[25]*x[3]; /* 1/2*I3*omega3 */
     const double t13 = JLT_FMA(x[3], t12, t8); /* omega3*1/2*I3*omega3 + 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t14 = JLT_FMA(p[35], t11, t13); /* 1/2*m*R^2*(v_tau/R*v_tau/R + omega_tau*omega_tau) + t13 */
+    const double t14 = JLT_FMA(p[26], t11, t13); /* 1/2*m*R^2*(v_tau/R*v_tau/R + omega_tau*omega_tau) + t13 */
     out[0] = t14;
-    const double t15 = x[2]*p[36]; /* omega_n*R*I1 */
+    const double t15 = x[2]*p[27]; /* omega_n*R*I1 */
     const double t16 = x[4]*t15; /* s*omega_n*R*I1 */
-    const double t17 = x[3]*p[37]; /* omega3*R*I3 */
+    const double t17 = x[3]*p[28]; /* omega3*R*I3 */
     const double t18 = JLT_FNMA(x[0], t17, t16); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
     out[1] = t18;
 }
@@ -391,10 +379,10 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 {
     const double t0 = x[3]*x[4]; /* omega3*s */
     const double t1 = JLT_FMA(x[2], x[0], t0); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t2 = p[38]*t1; /* m*R^2*v_tau/R */
+    const double t2 = p[32]*t1; /* m*R^2*v_tau/R */
     const double t3 = x[2]*t2; /* omega_n*m*R^2*v_tau/R */
     out[0] = t3;
-    const double t4 = p[39]*x[1]; /* (I1 + m*R^2)*omega_tau */
+    const double t4 = p[33]*x[1]; /* (I1 + m*R^2)*omega_tau */
     out[1] = t4;
     const double t5 = x[2]*p[4]; /* omega_n*I1 */
     const double t6 = JLT_FMA(x[0], t2, t5); /* gamma3*m*R^2*v_tau/R + omega_n*I1 */
@@ -404,20 +392,20 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[3] = t8;
     const double t9 = x[3]*t2; /* omega3*m*R^2*v_tau/R */
     out[4] = t9;
-    const double t10 = x[3]*p[40]; /* omega3*(-R*I3) */
+    const double t10 = x[3]*p[34]; /* omega3*(-R*I3) */
     out[5] = t10;
     out[6] = 0.0;
     out[11] = 0.0;
     out[12] = 0.0;
-    const double t11 = x[4]*p[36]; /* s*R*I1 */
+    const double t11 = x[4]*p[27]; /* s*R*I1 */
     out[7] = t11;
-    const double t12 = x[0]*p[40]; /* gamma3*(-R*I3) */
+    const double t12 = x[0]*p[34]; /* gamma3*(-R*I3) */
     out[8] = t12;
-    const double t13 = x[2]*p[36]; /* omega_n*R*I1 */
+    const double t13 = x[2]*p[27]; /* omega_n*R*I1 */
     out[9] = t13;
-    const double t14 = x[0]*p[18]; /* gamma3*m*R^2*I3 */
-    const double t15 = x[4]*p[17]; /* s*m*R^2*I1 */
-    const double t16 = JLT_FMA(x[4], t15, p[16]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t14 = x[0]*p[31]; /* gamma3*m*R^2*I3 */
+    const double t15 = x[4]*p[30]; /* s*m*R^2*I1 */
+    const double t16 = JLT_FMA(x[4], t15, p[29]); /* s*s*m*R^2*I1 + I1*I3 */
     const double t17 = JLT_FMA(x[0], t14, t16); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t18 = sqrt(t17); /* h = sqrt(Theta) */
     out[13] = t18;
@@ -469,9 +457,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[4] = x4[0] = x[4];
     coefficients[5] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t12[k] = x4[k]*p[17];
-        t13[k] = jlt_jet_product(x4, t12, k) + (k == 0 ? p[16] : 0);
-        t14[k] = x0[k]*p[18];
+        t12[k] = x4[k]*p[30];
+        t13[k] = jlt_jet_product(x4, t12, k) + (k == 0 ? p[29] : 0);
+        t14[k] = x0[k]*p[31];
         t15[k] = jlt_jet_product(x0, t14, k) + t13[k];
         t16[k] = jlt_jet_product(x4, x3, k);
         t17[k] = jlt_jet_quotient(t16[k], t15, t17, k);
@@ -480,9 +468,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t20[k] = jlt_jet_product(x4, t19, k);
         t21[k] = jlt_jet_product(x0, t19, k);
         t22[k] = -t21[k];
-        t23[k] = p[21]*t21[k];
+        t23[k] = p[36]*t21[k];
         t24[k] = jlt_jet_product(t17, t23, k);
-        t25[k] = p[19]*t17[k] + t18[k];
+        t25[k] = p[35]*t17[k] + t18[k];
         t26[k] = jlt_jet_product(x1, t25, k);
         t27[k] = p[6]*t18[k];
         t28[k] = p[7]*t16[k] + t27[k];
@@ -563,23 +551,23 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular = {
     .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_routh_sphere,
-    .state_count = 5, .param_count = 6, .block_count = 41,
+    .state_count = 5, .param_count = 6, .block_count = 37,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 2, 11, 4, 1, 0, 0, 5, 5 }, { 11, 50, 0, 6, 0, 0, 9, 6 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 25, { 5, 32, 8, 1, 0, 0, 8, 10 }, { 33, 182, 0, 26, 0, 0, 12, 6 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 10, 36, 9, 1, 0, 0, 8, 11 }, { 40, 215, 0, 32, 0, 0, 12, 8 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in a part of d(omega_n)/dtau, (I3/K + m*R^2/K)*s*omega3 + (I1/K + m*R^2/K)*omega_n*gamma3" },
+    .jacobian = { jacobian, 25, { 8, 30, 7, 1, 0, 0, 8, 12 }, { 33, 182, 0, 26, 0, 0, 12, 6 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + s*omega3, d(d(omega_tau)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 11, 36, 9, 1, 0, 0, 9, 13 }, { 40, 215, 0, 32, 0, 0, 12, 8 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + s*omega3, s*omega3*(I3/K) + (m*R^2/K)*v_tau/R, (I1/K)*omega_n*gamma3 + s*omega3*(I3/K) + (m*R^2/K)*v_tau/R, d(omega_n)/dtau, omega_n*gamma3*(2*I1/K + m*R^2/K) + s*omega3*(I3/K) + (m*R^2/K)*v_tau/R, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3)" },
     .divergence = { divergence, 1, { 1, 5, 1, 1, 0, 0, 4, 4 }, { 3, 18, 0, 1, 0, 0, 7, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .integral_values = { integral_values, 3, { 0, 10, 8, 0, 1, 0, 5, 4 }, { 8, 35, 0, 0, 1, 0, 8, 5 },
-        "takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
+        "takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, Jellett" },
     .integral_gradients = { integral_gradients, 15, { 0, 16, 5, 1, 1, 0, 6, 5 }, { 8, 51, 0, 2, 1, 0, 8, 5 },
-        "divides by h: values and rounding errors grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
+        "divides by h: values and rounding errors grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, d(E)/d(omega_n), d(E)/d(omega3)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

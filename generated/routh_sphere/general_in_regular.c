@@ -8,15 +8,24 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   21   11    1    0    0      9   10   (90)
  *  jacobian            8   48   23    1    0    0     12   15   (345)
- *  rhs_jacobian        10   57   26    1    0    0     11   15   (407)
+ *  rhs_jacobian        10   58   25    1    0    0     10   17   (407)
  *  divergence          2    7    4    1    0    0      6    6   (41)
  *  integral_values     0   13   12    0    1    0      6    7   (54)
- *  integral_gradients  0   25   12    1    1    0      6    8   (77)
+ *  integral_gradients  0   25   12    1    1    0      6    7   (77)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    divides by K: values and rounding errors grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in b = R*gamma3 + a3, gamma3*(2*R*a3) + R^2 + a3^2,
+ *      K = m*(gamma3*(2*R*a3) + R^2 + a3^2) + I1, v_tau = R*s*omega3 + omega_n*b, e = a3*gamma3 + R,
+ *      (I3/m)*s*omega3 + v_tau*e, I3/(m*R) + e, (I1/m)*omega_n*gamma3 + (I3/m)*s*omega3 + v_tau*e,
+ *      b*omega_n*e + (2*I1/m)*omega_n*gamma3 + (I3/m)*s*omega3 + v_tau*e,
+ *      (a3/R)*v_tau + omega_n*(I1/(m*R)) + omega_n*e,
+ *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3),
+ *      gamma3*(R*(I1 - I3)) - (a3*I3), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_tau),
+ *      a3 - 1/Theta*(I3/(m*R) + e)*(2*m*R*I3)*b, omega_tau*omega3 - (2*m*R^2*I1)*s*omega3*1/Theta*s*omega_tau,
+ *      d(omega_n)/dtau, d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -56,20 +65,20 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t8 = params[5]/params[4]; /* I3/I1 */
     out[11] = t8;
     const double t9 = params[3]*params[3]; /* a3*a3 */
-    out[57] = t9;
+    out[54] = t9;
     const double t10 = t0 + t9; /* R*R + a3*a3 */
-    out[41] = t10;
+    out[40] = t10;
     const double t11 = t7 + t10; /* I1/m + R*R + a3*a3 */
     out[12] = t11;
     const double t12 = params[1]*2.0; /* R*2 */
     const double t13 = params[3]*t12; /* a3*R*2 */
     out[13] = t13;
     const double t14 = params[1]*params[4]; /* R*I1 */
-    out[60] = t14;
+    out[57] = t14;
     const double t15 = params[5]/t14; /* I3/(R*I1) */
     out[14] = t15;
     const double t16 = params[0]*params[1]; /* m*R */
-    out[43] = t16;
+    out[42] = t16;
     const double t17 = params[5]/t16; /* I3/(m*R) */
     out[15] = t17;
     const double t18 = 1.0/t14; /* 1/(R*I1) */
@@ -121,70 +130,70 @@ static void prepare(const double *restrict params, double *restrict out)
     out[33] = t46;
     const double t47 = 2.0/t14; /* 2/(R*I1) */
     out[34] = t47;
-    const double t48 = params[0]/params[4]; /* m/I1 */
+    const double t48 = params[3]*t16; /* a3*m*R */
     out[35] = t48;
-    const double t49 = params[3]*t16; /* a3*m*R */
-    out[36] = t49;
-    const double t50 = params[0]*params[2]; /* m*g */
-    const double t51 = params[3]*t50; /* a3*m*g */
+    const double t49 = params[0]*params[2]; /* m*g */
+    const double t50 = params[3]*t49; /* a3*m*g */
+    out[36] = t50;
+    const double t51 = params[5]*params[4]; /* I3*I1 */
     out[37] = t51;
-    const double t52 = params[5]*params[4]; /* I3*I1 */
+    const double t52 = t1*params[4]; /* m*R*R*I1 */
     out[38] = t52;
-    const double t53 = t1*params[4]; /* m*R*R*I1 */
+    const double t53 = params[0]*params[5]; /* m*I3 */
     out[39] = t53;
-    const double t54 = params[0]*params[5]; /* m*I3 */
-    out[40] = t54;
-    const double t55 = params[5]*t16; /* I3*m*R */
-    out[42] = t55;
-    const double t56 = params[0]*params[3]; /* m*a3 */
-    out[44] = t56;
+    const double t54 = params[5]*t16; /* I3*m*R */
+    out[41] = t54;
+    const double t55 = -params[0]; /* -m */
+    out[45] = t55;
+    const double t56 = -t16; /* -m*R */
+    out[43] = t56;
     const double t57 = params[0]*2.0; /* m*2 */
     const double t58 = params[1]*t57; /* R*m*2 */
-    out[53] = t58;
     const double t59 = params[3]*t58; /* a3*R*m*2 */
-    out[45] = t59;
-    const double t60 = -params[0]; /* -m */
-    out[46] = t60;
-    const double t61 = params[2]*t57; /* g*m*2 */
-    const double t62 = params[3]*t61; /* a3*g*m*2 */
+    out[44] = t59;
+    const double t60 = params[2]*t57; /* g*m*2 */
+    const double t61 = params[3]*t60; /* a3*g*m*2 */
+    out[46] = t61;
+    const double t62 = params[5]*t58; /* I3*R*m*2 */
     out[47] = t62;
-    const double t63 = params[5]*t49; /* I3*a3*m*R */
-    out[48] = t63;
-    const double t64 = params[5]*t58; /* I3*R*m*2 */
-    out[49] = t64;
-    const double t65 = t0*t57; /* R*R*m*2 */
-    const double t66 = params[4]*t65; /* I1*R*R*m*2 */
-    out[50] = t66;
-    const double t67 = t1*t19; /* m*R*R*(I1 - I3) */
-    out[51] = t67;
-    const double t68 = params[0]*params[0]; /* m*m */
-    const double t69 = 2.0*t68; /* 2*m*m */
-    const double t70 = t0*t69; /* R*R*2*m*m */
-    const double t71 = params[5]*t70; /* I3*R*R*2*m*m */
-    out[52] = t71;
-    const double t72 = params[1]*t0; /* R*R*R */
-    const double t73 = t69*t72; /* 2*m*m*R*R*R */
-    const double t74 = params[4]*t73; /* I1*2*m*m*R*R*R */
-    out[54] = t74;
-    const double t75 = params[3]*t29; /* a3*R*R*2 */
-    const double t76 = params[4]*t75; /* I1*a3*R*R*2 */
-    out[55] = t76;
-    const double t77 = params[0]/2.0; /* m/2 */
-    out[56] = t77;
-    const double t78 = params[4]/2.0; /* I1/2 */
-    out[58] = t78;
-    const double t79 = params[5]/2.0; /* I3/2 */
-    out[59] = t79;
-    const double t80 = params[1]*params[5]; /* R*I3 */
-    const double t81 = -t80; /* -R*I3 */
+    const double t63 = t0*t57; /* R*R*m*2 */
+    const double t64 = params[4]*t63; /* I1*R*R*m*2 */
+    out[48] = t64;
+    const double t65 = t1*t19; /* m*R*R*(I1 - I3) */
+    out[49] = t65;
+    const double t66 = params[0]*params[0]; /* m*m */
+    const double t67 = 2.0*t66; /* 2*m*m */
+    const double t68 = t0*t67; /* R*R*2*m*m */
+    const double t69 = params[5]*t68; /* I3*R*R*2*m*m */
+    out[50] = t69;
+    const double t70 = params[1]*t67; /* R*2*m*m */
+    const double t71 = params[5]*t70; /* I3*R*2*m*m */
+    out[51] = t71;
+    const double t72 = params[3]*t29; /* a3*R*R*2 */
+    const double t73 = params[4]*t72; /* I1*a3*R*R*2 */
+    out[52] = t73;
+    const double t74 = params[0]/2.0; /* m/2 */
+    out[53] = t74;
+    const double t75 = params[4]/2.0; /* I1/2 */
+    out[55] = t75;
+    const double t76 = params[5]/2.0; /* I3/2 */
+    out[56] = t76;
+    const double t77 = params[0]*t9; /* m*a3*a3 */
+    out[58] = t77;
+    const double t78 = t9/params[1]; /* a3*a3/R */
+    out[59] = t78;
+    const double t79 = params[1]*params[5]; /* R*I3 */
+    const double t80 = -t79; /* -R*I3 */
+    out[60] = t80;
+    const double t81 = -params[5]; /* -I3 */
     out[61] = t81;
-    const double t82 = -params[5]; /* -I3 */
+    const double t82 = -t7; /* -I1/m */
     out[62] = t82;
-    const double t83 = -t7; /* -I1/m */
+    const double t83 = t48/params[4]; /* a3*m*R/I1 */
     out[63] = t83;
-    const double t84 = t49/params[4]; /* a3*m*R/I1 */
+    const double t84 = params[0]/params[4]; /* m/I1 */
     out[64] = t84;
-    const double t85 = t51/params[4]; /* a3*m*g/I1 */
+    const double t85 = t50/params[4]; /* a3*m*g/I1 */
     out[65] = t85;
 }
 
@@ -351,121 +360,121 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[22] = 0.0;
     out[27] = 0.0;
     out[28] = 0.0;
-    const double t0 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
+    const double t0 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t1 = x[4]*x[4]; /* s*s */
     out[6] = t1;
-    const double t2 = p[40]*t0; /* m*I3*b */
-    const double t3 = JLT_FMA(p[39], t1, p[38]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t4 = JLT_FMA(t0, t2, t3); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
-    const double t5 = JLT_FMA(x[0], p[13], p[41]); /* gamma3*2*R*a3 + R^2 + a3^2 */
-    const double t6 = JLT_FMA(p[0], t5, p[4]); /* K = m*(gamma3*2*R*a3 + R^2 + a3^2) + I1 */
-    const double t7 = t4*t6; /* Theta*K */
-    const double t8 = 1.0/t7; /* 1/(Theta*K) */
-    const double t9 = t6*t8; /* 1/Theta = K*1/(Theta*K) */
-    const double t10 = t4*t8; /* 1/K = Theta*1/(Theta*K) */
-    const double t11 = x[2]*t0; /* omega_n*b */
-    const double t12 = x[4]*x[3]; /* s*omega3 */
-    const double t13 = x[4]*x[1]; /* s*omega_tau */
-    const double t14 = x[4]*t13; /* s*s*omega_tau */
-    out[0] = t14;
-    const double t15 = 2.0*t13; /* 2*s*omega_tau */
-    out[9] = t15;
-    const double t16 = -t13; /* -s*omega_tau */
-    out[25] = t16;
-    const double t17 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t18 = JLT_FMA(p[1], t12, t11); /* v_tau = R*s*omega3 + omega_n*b */
-    const double t19 = t17*t18; /* e*v_tau */
-    const double t20 = JLT_FMA(p[28], t12, t19); /* I3/m*s*omega3 + e*v_tau */
-    const double t21 = p[36]*t13; /* m*R*a3*s*omega_tau */
-    const double t22 = t13*t21; /* s*omega_tau*m*R*a3*s*omega_tau */
-    const double t23 = JLT_FMA(p[37], t1, t22); /* m*g*a3*s*s + s*omega_tau*m*R*a3*s*omega_tau */
-    const double t24 = x[0]*x[2]; /* gamma3*omega_n */
-    const double t25 = x[2]*p[4]; /* omega_n*I1 */
-    const double t26 = x[2]*p[43]; /* omega_n*m*R */
-    const double t27 = JLT_FMA(p[35], t20, t24); /* m/I1*(I3/m*s*omega3 + e*v_tau) + gamma3*omega_n */
-    const double t28 = JLT_FMA(t25, t27, t23); /* omega_n*I1*(m/I1*(I3/m*s*omega3 + e*v_tau) + gamma3*omega_n) + m*g*a3*s*s + s*omega_tau*m*R*a3*s*omega_tau */
-    const double t29 = JLT_FMA(t17, t26, t25); /* e*omega_n*m*R + omega_n*I1 */
-    const double t30 = JLT_FMA(p[44], t18, t29); /* m*a3*v_tau + e*omega_n*m*R + omega_n*I1 */
-    const double t31 = t10*t28; /* 1/K*t28 */
-    const double t32 = x[2]*t30; /* omega_n*(m*a3*v_tau + e*omega_n*m*R + omega_n*I1) */
-    const double t33 = JLT_FMA(p[27], t24, t20); /* 2*I1/m*gamma3*omega_n + I3/m*s*omega3 + e*v_tau */
-    const double t34 = JLT_FMA(t11, t17, t33); /* omega_n*b*e + 2*I1/m*gamma3*omega_n + I3/m*s*omega3 + e*v_tau */
-    const double t35 = p[15] + t17; /* I3/(m*R) + e */
-    const double t36 = t26*t35; /* omega_n*m*R*(I3/(m*R) + e) */
-    const double t37 = p[42]*t35; /* m*R*I3*(I3/(m*R) + e) */
-    const double t38 = JLT_FNMA(p[45], t31, t32); /* omega_n*(m*a3*v_tau + e*omega_n*m*R + omega_n*I1) - 2*m*R*a3*1/K*t28 */
-    const double t39 = -t31; /* -1/K*t28 */
-    out[1] = t39;
-    const double t40 = t10*t38; /* 1/K*t38 */
-    const double t41 = -t40; /* -1/K*t38 */
-    out[10] = t41;
-    const double t42 = p[46]*t34; /* (-m)*t34 */
-    const double t43 = t10*t42; /* 1/K*(-m)*t34 */
-    out[12] = t43;
-    const double t44 = p[45]*t13; /* 2*m*R*a3*s*omega_tau */
-    const double t45 = t9*t13; /* 1/Theta*s*omega_tau */
-    const double t46 = x[0]*t13; /* gamma3*s*omega_tau */
-    const double t47 = -t46; /* -gamma3*s*omega_tau */
-    out[4] = t47;
-    const double t48 = t37*t45; /* m*R*I3*(I3/(m*R) + e)*1/Theta*s*omega_tau */
-    out[18] = t48;
-    const double t49 = x[1]*t44; /* omega_tau*2*m*R*a3*s*omega_tau */
-    const double t50 = JLT_FMA(x[4], p[47], t49); /* s*2*m*g*a3 + omega_tau*2*m*R*a3*s*omega_tau */
-    const double t51 = JLT_FMA(x[3], t36, t50); /* omega3*omega_n*m*R*(I3/(m*R) + e) + s*2*m*g*a3 + omega_tau*2*m*R*a3*s*omega_tau */
-    const double t52 = t10*t51; /* 1/K*t51 */
-    const double t53 = -t52; /* -1/K*t51 */
-    out[14] = t53;
-    const double t54 = x[4]*t10; /* s*1/K */
-    const double t55 = t44*t54; /* 2*m*R*a3*s*omega_tau*s*1/K */
-    const double t56 = t36*t54; /* omega_n*m*R*(I3/(m*R) + e)*s*1/K */
-    const double t57 = -t55; /* -2*m*R*a3*s*omega_tau*s*1/K */
-    out[11] = t57;
-    const double t58 = -t56; /* -omega_n*m*R*(I3/(m*R) + e)*s*1/K */
-    out[13] = t58;
-    const double t59 = x[3]*t45; /* omega3*1/Theta*s*omega_tau */
-    const double t60 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
-    const double t61 = x[3]*t37; /* omega3*m*R*I3*(I3/(m*R) + e) */
-    const double t62 = t37*t59; /* m*R*I3*(I3/(m*R) + e)*omega3*1/Theta*s*omega_tau */
-    const double t63 = JLT_FMA(x[1], t24, t62); /* omega_tau*gamma3*omega_n + m*R*I3*(I3/(m*R) + e)*omega3*1/Theta*s*omega_tau */
-    out[2] = t63;
-    const double t64 = p[43]*t60; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t65 = t59*t60; /* omega3*1/Theta*s*omega_tau*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t66 = t12*t64; /* s*omega3*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t67 = x[4]*t64; /* s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t68 = t45*t67; /* 1/Theta*s*omega_tau*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    out[23] = t68;
-    const double t69 = t45*t66; /* 1/Theta*s*omega_tau*s*omega3*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
-    out[3] = t69;
-    const double t70 = x[1]*x[2]; /* omega_tau*omega_n */
-    const double t71 = JLT_FMA(p[48], t59, t70); /* m*R*a3*I3*omega3*1/Theta*s*omega_tau + omega_tau*omega_n */
-    const double t72 = p[49]*t0; /* 2*m*R*I3*b */
-    const double t73 = t9*t72; /* 1/Theta*2*m*R*I3*b */
-    const double t74 = JLT_FNMA(t62, t73, t71); /* m*R*a3*I3*omega3*1/Theta*s*omega_tau + omega_tau*omega_n - m*R*I3*(I3/(m*R) + e)*omega3*1/Theta*s*omega_tau*1/Theta*2*m*R*I3*b */
-    out[15] = t74;
-    const double t75 = p[52]*t0; /* 2*m^2*R^2*I3*b */
-    const double t76 = x[4]*t9; /* s*1/Theta */
-    const double t77 = JLT_FMA(t61, t76, t24); /* omega3*m*R*I3*(I3/(m*R) + e)*s*1/Theta + gamma3*omega_n */
-    out[16] = t77;
-    const double t78 = t66*t76; /* s*omega3*m*R*(gamma3*R*(I1 - I3) - a3*I3)*s*1/Theta */
-    out[21] = t78;
-    const double t79 = x[1]*t61; /* omega_tau*omega3*m*R*I3*(I3/(m*R) + e) */
-    const double t80 = t9*t79; /* 1/Theta*omega_tau*omega3*m*R*I3*(I3/(m*R) + e) */
-    const double t81 = x[4]*p[51]; /* s*m*R^2*(I1 - I3) */
-    const double t82 = t59*t81; /* omega3*1/Theta*s*omega_tau*s*m*R^2*(I1 - I3) */
-    const double t83 = x[1]*x[0]; /* omega_tau*gamma3 */
-    out[17] = t83;
-    const double t84 = -t83; /* -omega_tau*gamma3 */
-    out[29] = t84;
-    const double t85 = p[50]*t76; /* 2*m*R^2*I1*s*1/Theta */
-    const double t86 = JLT_FNMA(t62, t85, t80); /* 1/Theta*omega_tau*omega3*m*R*I3*(I3/(m*R) + e) - m*R*I3*(I3/(m*R) + e)*omega3*1/Theta*s*omega_tau*2*m*R^2*I1*s*1/Theta */
-    out[19] = t86;
-    const double t87 = t65*t76; /* omega3*1/Theta*s*omega_tau*(gamma3*R*(I1 - I3) - a3*I3)*s*1/Theta */
-    const double t88 = JLT_FNMA(t75, t87, t82); /* omega3*1/Theta*s*omega_tau*s*m*R^2*(I1 - I3) - 2*m^2*R^2*I3*b*t87 */
-    out[20] = t88;
-    const double t89 = p[53]*t65; /* 2*m*R*omega3*1/Theta*s*omega_tau*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t90 = x[4]*p[54]; /* s*2*m^2*R^3*I1 */
-    const double t91 = JLT_FNMA(t87, t90, t89); /* t89 - t87*s*2*m^2*R^3*I1 */
-    out[24] = t91;
+    const double t2 = t0*t0; /* b*b */
+    const double t3 = JLT_FMA(p[38], t1, p[37]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t4 = JLT_FMA(p[39], t2, t3); /* Theta = m*I3*b*b + m*R^2*I1*s*s + I1*I3 */
+    const double t5 = p[10] + t2; /* I1/m + b*b */
+    const double t6 = p[51]*t5; /* 2*m^2*R*I3*(I1/m + b*b) */
+    const double t7 = JLT_FMA(x[0], p[13], p[40]); /* gamma3*2*R*a3 + R^2 + a3^2 */
+    const double t8 = JLT_FMA(p[0], t7, p[4]); /* K = m*(gamma3*2*R*a3 + R^2 + a3^2) + I1 */
+    const double t9 = t4*t8; /* Theta*K */
+    const double t10 = 1.0/t9; /* 1/(Theta*K) */
+    const double t11 = t8*t10; /* 1/Theta = K*1/(Theta*K) */
+    const double t12 = t4*t10; /* 1/K = Theta*1/(Theta*K) */
+    const double t13 = x[2]*t0; /* omega_n*b */
+    const double t14 = x[4]*x[3]; /* s*omega3 */
+    const double t15 = JLT_FMA(p[1], t14, t13); /* v_tau = R*s*omega3 + omega_n*b */
+    const double t16 = x[4]*x[1]; /* s*omega_tau */
+    const double t17 = x[4]*t16; /* s*s*omega_tau */
+    out[0] = t17;
+    const double t18 = 2.0*t16; /* 2*s*omega_tau */
+    out[9] = t18;
+    const double t19 = -t16; /* -s*omega_tau */
+    out[25] = t19;
+    const double t20 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t21 = t15*t20; /* v_tau*e */
+    const double t22 = JLT_FMA(p[28], t14, t21); /* I3/m*s*omega3 + v_tau*e */
+    const double t23 = p[35]*t16; /* m*R*a3*s*omega_tau */
+    const double t24 = t16*t23; /* s*omega_tau*m*R*a3*s*omega_tau */
+    const double t25 = JLT_FMA(p[36], t1, t24); /* m*g*a3*s*s + s*omega_tau*m*R*a3*s*omega_tau */
+    const double t26 = x[2]*x[0]; /* omega_n*gamma3 */
+    const double t27 = x[2]*t20; /* omega_n*e */
+    const double t28 = p[15] + t20; /* I3/(m*R) + e */
+    const double t29 = p[44]*t16; /* 2*m*R*a3*s*omega_tau */
+    const double t30 = JLT_FMA(p[10], t26, t22); /* I1/m*omega_n*gamma3 + I3/m*s*omega3 + v_tau*e */
+    const double t31 = JLT_FMA(p[27], t26, t22); /* 2*I1/m*omega_n*gamma3 + I3/m*s*omega3 + v_tau*e */
+    const double t32 = JLT_FMA(t0, t27, t31); /* b*omega_n*e + 2*I1/m*omega_n*gamma3 + I3/m*s*omega3 + v_tau*e */
+    const double t33 = JLT_FMA(x[2], p[22], t27); /* omega_n*I1/(m*R) + omega_n*e */
+    const double t34 = JLT_FMA(p[23], t15, t33); /* a3/R*v_tau + omega_n*I1/(m*R) + omega_n*e */
+    const double t35 = x[2]*t34; /* omega_n*(a3/R*v_tau + omega_n*I1/(m*R) + omega_n*e) */
+    const double t36 = p[45]*t32; /* (-m)*t32 */
+    const double t37 = t12*t36; /* 1/K*(-m)*t32 */
+    out[12] = t37;
+    const double t38 = p[0]*x[2]; /* m*omega_n */
+    const double t39 = JLT_FMA(t30, t38, t25); /* (I1/m*omega_n*gamma3 + I3/m*s*omega3 + v_tau*e)*m*omega_n + m*g*a3*s*s + s*omega_tau*m*R*a3*s*omega_tau */
+    const double t40 = t12*t39; /* 1/K*t39 */
+    const double t41 = JLT_FNMA(p[19], t40, t35); /* omega_n*(a3/R*v_tau + omega_n*I1/(m*R) + omega_n*e) - 2*a3*1/K*t39 */
+    const double t42 = -t40; /* -1/K*t39 */
+    out[1] = t42;
+    const double t43 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
+    const double t44 = x[2]*p[42]; /* omega_n*m*R */
+    const double t45 = t28*t44; /* (I3/(m*R) + e)*omega_n*m*R */
+    const double t46 = t11*t28; /* 1/Theta*(I3/(m*R) + e) */
+    const double t47 = x[1]*t29; /* omega_tau*2*m*R*a3*s*omega_tau */
+    const double t48 = JLT_FMA(x[4], p[46], t47); /* s*2*m*g*a3 + omega_tau*2*m*R*a3*s*omega_tau */
+    const double t49 = JLT_FMA(x[3], t45, t48); /* omega3*(I3/(m*R) + e)*omega_n*m*R + s*2*m*g*a3 + omega_tau*2*m*R*a3*s*omega_tau */
+    const double t50 = t12*t49; /* 1/K*t49 */
+    const double t51 = -t50; /* -1/K*t49 */
+    out[14] = t51;
+    const double t52 = p[42]*t43; /* m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t53 = t11*t43; /* 1/Theta*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t54 = t6*t53; /* 2*m^2*R*I3*(I1/m + b*b)*1/Theta*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t55 = t11*t16; /* 1/Theta*s*omega_tau */
+    const double t56 = p[41]*t46; /* m*R*I3*1/Theta*(I3/(m*R) + e) */
+    const double t57 = JLT_FMA(t14, t56, t26); /* s*omega3*m*R*I3*1/Theta*(I3/(m*R) + e) + omega_n*gamma3 */
+    out[16] = t57;
+    const double t58 = x[1]*t26; /* omega_tau*omega_n*gamma3 */
+    const double t59 = t14*t55; /* s*omega3*1/Theta*s*omega_tau */
+    const double t60 = t52*t59; /* m*R*(gamma3*R*(I1 - I3) - a3*I3)*s*omega3*1/Theta*s*omega_tau */
+    out[3] = t60;
+    const double t61 = x[4]*t52; /* s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t62 = t14*t61; /* s*omega3*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    const double t63 = t11*t62; /* 1/Theta*s*omega3*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    out[21] = t63;
+    const double t64 = t55*t61; /* 1/Theta*s*omega_tau*s*m*R*(gamma3*R*(I1 - I3) - a3*I3) */
+    out[23] = t64;
+    const double t65 = x[3]*t55; /* omega3*1/Theta*s*omega_tau */
+    const double t66 = t54*t65; /* 2*m^2*R*I3*(I1/m + b*b)*1/Theta*(gamma3*R*(I1 - I3) - a3*I3)*omega3*1/Theta*s*omega_tau */
+    out[24] = t66;
+    const double t67 = p[41]*t65; /* m*R*I3*omega3*1/Theta*s*omega_tau */
+    const double t68 = x[4]*t12; /* s*1/K */
+    const double t69 = p[43]*t12; /* (-m*R)*1/K */
+    const double t70 = t41*t69; /* t41*(-m*R)*1/K */
+    out[10] = t70;
+    const double t71 = t29*t68; /* 2*m*R*a3*s*omega_tau*s*1/K */
+    const double t72 = t45*t68; /* (I3/(m*R) + e)*omega_n*m*R*s*1/K */
+    const double t73 = -t71; /* -2*m*R*a3*s*omega_tau*s*1/K */
+    out[11] = t73;
+    const double t74 = -t72; /* -(I3/(m*R) + e)*omega_n*m*R*s*1/K */
+    out[13] = t74;
+    const double t75 = p[47]*t0; /* 2*m*R*I3*b */
+    const double t76 = JLT_FNMA(t46, t75, p[3]); /* a3 - 1/Theta*(I3/(m*R) + e)*2*m*R*I3*b */
+    const double t77 = p[50]*t0; /* 2*m^2*R^2*I3*b */
+    const double t78 = t53*t77; /* 1/Theta*(gamma3*R*(I1 - I3) - a3*I3)*2*m^2*R^2*I3*b */
+    const double t79 = x[1]*x[3]; /* omega_tau*omega3 */
+    const double t80 = JLT_FNMA(p[48], t59, t79); /* omega_tau*omega3 - 2*m*R^2*I1*s*omega3*1/Theta*s*omega_tau */
+    const double t81 = t56*t80; /* m*R*I3*1/Theta*(I3/(m*R) + e)*(omega_tau*omega3 - 2*m*R^2*I1*s*omega3*1/Theta*s*omega_tau) */
+    out[19] = t81;
+    const double t82 = t16*t56; /* s*omega_tau*m*R*I3*1/Theta*(I3/(m*R) + e) */
+    out[18] = t82;
+    const double t83 = JLT_FMA(x[3], t82, t58); /* omega3*s*omega_tau*m*R*I3*1/Theta*(I3/(m*R) + e) + omega_tau*omega_n*gamma3 */
+    out[2] = t83;
+    const double t84 = x[0]*t16; /* gamma3*s*omega_tau */
+    const double t85 = -t84; /* -gamma3*s*omega_tau */
+    out[4] = t85;
+    const double t86 = x[1]*x[2]; /* omega_tau*omega_n */
+    const double t87 = JLT_FMA(t67, t76, t86); /* m*R*I3*omega3*1/Theta*s*omega_tau*(a3 - 1/Theta*(I3/(m*R) + e)*2*m*R*I3*b) + omega_tau*omega_n */
+    out[15] = t87;
+    const double t88 = x[1]*x[0]; /* omega_tau*gamma3 */
+    out[17] = t88;
+    const double t89 = -t88; /* -omega_tau*gamma3 */
+    out[29] = t89;
+    const double t90 = p[49]*t59; /* m*R^2*(I1 - I3)*s*omega3*1/Theta*s*omega_tau */
+    const double t91 = JLT_FNMA(t59, t78, t90); /* m*R^2*(I1 - I3)*s*omega3*1/Theta*s*omega_tau - s*omega3*1/Theta*s*omega_tau*1/Theta*(gamma3*R*(I1 - I3) - a3*I3)*2*m^2*R^2*I3*b */
+    out[20] = t91;
     const double t92 = x[4]*x[0]; /* s*gamma3 */
     const double t93 = -t92; /* -s*gamma3 */
     out[26] = t93;
@@ -482,7 +491,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t6 = t1*t5; /* K/m*Theta/(m*R^2*I1) */
     const double t7 = JLT_FMS(x[0], p[17], p[18]); /* gamma3*R*(I1 - I3) - a3*I3 */
     const double t8 = t1*t7; /* K/m*(gamma3*R*(I1 - I3) - a3*I3) */
-    const double t9 = JLT_FNMA(t5, p[55], t8); /* K/m*(gamma3*R*(I1 - I3) - a3*I3) - Theta/(m*R^2*I1)*2*R^2*a3*I1 */
+    const double t9 = JLT_FNMA(t5, p[52], t8); /* K/m*(gamma3*R*(I1 - I3) - a3*I3) - Theta/(m*R^2*I1)*2*R^2*a3*I1 */
     const double t10 = p[16]*x[1]; /* 1/(R*I1)*omega_tau */
     const double t11 = t0*t10; /* s*s*1/(R*I1)*omega_tau */
     const double t12 = t9*t11; /* t9*s*s*1/(R*I1)*omega_tau */
@@ -494,16 +503,16 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 {
     const double t0 = x[4]*x[4]; /* s*s */
     const double t1 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t2 = p[40]*t1; /* m*I3*b */
-    const double t3 = JLT_FMA(p[39], t0, p[38]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t2 = p[39]*t1; /* m*I3*b */
+    const double t3 = JLT_FMA(p[38], t0, p[37]); /* m*R^2*I1*s*s + I1*I3 */
     const double t4 = JLT_FMA(t1, t2, t3); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
     const double t5 = sqrt(t4); /* h = sqrt(Theta) */
     const double t6 = x[3]*t5; /* omega3*h */
     out[2] = t6;
     const double t7 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t8 = t7*t7; /* e*e */
-    const double t9 = JLT_FMA(p[57], t0, t8); /* a3^2*s*s + e*e */
-    const double t10 = p[37]*x[0]; /* m*g*a3*gamma3 */
+    const double t9 = JLT_FMA(p[54], t0, t8); /* a3^2*s*s + e*e */
+    const double t10 = p[36]*x[0]; /* m*g*a3*gamma3 */
     const double t11 = x[1]*x[1]; /* omega_tau*omega_tau */
     const double t12 = t9*t11; /* (a3^2*s*s + e*e)*omega_tau*omega_tau */
     const double t13 = JLT_FMA(x[2], x[2], t11); /* omega_n*omega_n + omega_tau*omega_tau */
@@ -511,12 +520,12 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t15 = p[1]*x[3]; /* R*omega3 */
     const double t16 = JLT_FMA(x[4], t15, t14); /* v_tau = s*R*omega3 + omega_n*b */
     const double t17 = JLT_FMA(t16, t16, t12); /* v_tau*v_tau + (a3^2*s*s + e*e)*omega_tau*omega_tau */
-    const double t18 = x[3]*p[59]; /* omega3*1/2*I3 */
+    const double t18 = x[3]*p[56]; /* omega3*1/2*I3 */
     const double t19 = JLT_FMA(x[3], t18, t10); /* omega3*omega3*1/2*I3 + m*g*a3*gamma3 */
-    const double t20 = JLT_FMA(p[58], t13, t19); /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) + omega3*omega3*1/2*I3 + m*g*a3*gamma3 */
-    const double t21 = JLT_FMA(p[56], t17, t20); /* 1/2*m*(v_tau*v_tau + (a3^2*s*s + e*e)*omega_tau*omega_tau) + t20 */
+    const double t20 = JLT_FMA(p[55], t13, t19); /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) + omega3*omega3*1/2*I3 + m*g*a3*gamma3 */
+    const double t21 = JLT_FMA(p[53], t17, t20); /* 1/2*m*(v_tau*v_tau + (a3^2*s*s + e*e)*omega_tau*omega_tau) + t20 */
     out[0] = t21;
-    const double t22 = x[2]*p[60]; /* omega_n*R*I1 */
+    const double t22 = x[2]*p[57]; /* omega_n*R*I1 */
     const double t23 = x[4]*t22; /* s*omega_n*R*I1 */
     const double t24 = x[3]*p[5]; /* omega3*I3 */
     const double t25 = JLT_FNMA(t1, t24, t23); /* s*omega_n*R*I1 - b*omega3*I3 */
@@ -534,47 +543,47 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t6 = p[1]*x[3]; /* R*omega3 */
     const double t7 = JLT_FMA(x[4], t6, t5); /* v_tau = s*R*omega3 + omega_n*b */
     const double t8 = JLT_FMA(x[2], t7, t3); /* omega_n*v_tau + e*a3/R*omega_tau*omega_tau */
-    const double t9 = JLT_FMA(p[43], t8, p[37]); /* m*R*(omega_n*v_tau + e*a3/R*omega_tau*omega_tau) + m*g*a3 */
+    const double t9 = JLT_FMA(p[42], t8, p[36]); /* m*R*(omega_n*v_tau + e*a3/R*omega_tau*omega_tau) + m*g*a3 */
     out[0] = t9;
-    const double t10 = t0*t0; /* e*e */
-    const double t11 = x[4]*p[57]; /* s*a3^2 */
-    const double t12 = JLT_FMA(x[4], t11, t10); /* s*s*a3^2 + e*e */
-    const double t13 = x[1]*p[0]; /* omega_tau*m */
-    const double t14 = t12*t13; /* (s*s*a3^2 + e*e)*omega_tau*m */
-    const double t15 = JLT_FMA(x[1], p[4], t14); /* omega_tau*I1 + (s*s*a3^2 + e*e)*omega_tau*m */
-    out[1] = t15;
-    const double t16 = t4*p[0]; /* b*m */
-    const double t17 = t7*t16; /* v_tau*b*m */
-    const double t18 = JLT_FMA(x[2], p[4], t17); /* omega_n*I1 + v_tau*b*m */
-    out[2] = t18;
-    const double t19 = x[3]*p[5]; /* omega3*I3 */
-    const double t20 = p[43]*x[4]; /* m*R*s */
-    const double t21 = JLT_FMA(t7, t20, t19); /* v_tau*m*R*s + omega3*I3 */
-    out[3] = t21;
-    const double t22 = t1*t11; /* omega_tau*omega_tau*s*a3^2 */
-    const double t23 = JLT_FMA(t6, t7, t22); /* R*omega3*v_tau + omega_tau*omega_tau*s*a3^2 */
-    const double t24 = p[0]*t23; /* m*(R*omega3*v_tau + omega_tau*omega_tau*s*a3^2) */
+    const double t10 = t0*p[0]; /* e*m */
+    const double t11 = x[4]*p[58]; /* s*m*a3^2 */
+    const double t12 = JLT_FMA(x[4], t11, p[4]); /* s*s*m*a3^2 + I1 */
+    const double t13 = JLT_FMA(t0, t10, t12); /* e*e*m + s*s*m*a3^2 + I1 */
+    const double t14 = x[1]*t13; /* omega_tau*(e*e*m + s*s*m*a3^2 + I1) */
+    out[1] = t14;
+    const double t15 = t4*p[0]; /* b*m */
+    const double t16 = t7*t15; /* v_tau*b*m */
+    const double t17 = JLT_FMA(x[2], p[4], t16); /* omega_n*I1 + v_tau*b*m */
+    out[2] = t17;
+    const double t18 = x[3]*p[5]; /* omega3*I3 */
+    const double t19 = p[42]*x[4]; /* m*R*s */
+    const double t20 = JLT_FMA(t7, t19, t18); /* v_tau*m*R*s + omega3*I3 */
+    out[3] = t20;
+    const double t21 = x[4]*p[59]; /* s*a3^2/R */
+    const double t22 = t1*t21; /* omega_tau*omega_tau*s*a3^2/R */
+    const double t23 = JLT_FMA(x[3], t7, t22); /* omega3*v_tau + omega_tau*omega_tau*s*a3^2/R */
+    const double t24 = p[42]*t23; /* m*R*(omega3*v_tau + omega_tau*omega_tau*s*a3^2/R) */
     out[4] = t24;
-    const double t25 = x[3]*p[61]; /* omega3*(-R*I3) */
+    const double t25 = x[3]*p[60]; /* omega3*(-R*I3) */
     out[5] = t25;
     out[6] = 0.0;
     out[11] = 0.0;
     out[12] = 0.0;
-    const double t26 = x[4]*p[60]; /* s*R*I1 */
+    const double t26 = x[4]*p[57]; /* s*R*I1 */
     out[7] = t26;
-    const double t27 = t4*p[62]; /* b*(-I3) */
+    const double t27 = t4*p[61]; /* b*(-I3) */
     out[8] = t27;
-    const double t28 = x[2]*p[60]; /* omega_n*R*I1 */
+    const double t28 = x[2]*p[57]; /* omega_n*R*I1 */
     out[9] = t28;
-    const double t29 = x[4]*p[39]; /* s*m*R^2*I1 */
-    const double t30 = t4*p[40]; /* b*m*I3 */
-    const double t31 = JLT_FMA(x[4], t29, p[38]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t29 = x[4]*p[38]; /* s*m*R^2*I1 */
+    const double t30 = t4*p[39]; /* b*m*I3 */
+    const double t31 = JLT_FMA(x[4], t29, p[37]); /* s*s*m*R^2*I1 + I1*I3 */
     const double t32 = JLT_FMA(t4, t30, t31); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t33 = sqrt(t32); /* h = sqrt(Theta) */
     out[13] = t33;
     const double t34 = x[3]/t32; /* omega3/Theta */
     const double t35 = t33*t34; /* h*omega3/Theta */
-    const double t36 = t4*p[42]; /* b*m*R*I3 */
+    const double t36 = t4*p[41]; /* b*m*R*I3 */
     const double t37 = t35*t36; /* h*omega3/Theta*b*m*R*I3 */
     out[10] = t37;
     const double t38 = t29*t35; /* s*m*R^2*I1*h*omega3/Theta */
@@ -648,7 +657,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t28[k] = x0[k]*p[13] + (k == 0 ? p[12] : 0);
         t29[k] = jlt_jet_product(t26, t28, k);
         t30[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t29, t30, k);
-        t31[k] = p[63]*t26[k];
+        t31[k] = p[62]*t26[k];
         t32[k] = jlt_jet_product(t30, t31, k);
         t33[k] = jlt_jet_product(x4, x3, k);
         t34[k] = p[1]*t33[k] + t27[k];
@@ -661,11 +670,11 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t41[k] = p[28]*t33[k] + t40[k];
         t42[k] = (k == 0 ? p[15] : 0) + t39[k];
         t43[k] = p[14]*t42[k];
-        t44[k] = p[64]*t37[k];
+        t44[k] = p[63]*t37[k];
         t45[k] = jlt_jet_product(t37, t44, k);
         t46[k] = p[65]*t22[k] + t45[k];
         t47[k] = jlt_jet_product(x0, x2, k);
-        t48[k] = p[35]*t41[k] + t47[k];
+        t48[k] = p[64]*t41[k] + t47[k];
         t49[k] = jlt_jet_product(x2, t48, k) + t46[k];
         t50[k] = jlt_jet_product(t32, t49, k);
         t51[k] = jlt_jet_product(t36, t43, k) + t47[k];
@@ -756,17 +765,17 @@ const jlt_descriptor jlt_kernels_routh_sphere_general_in_regular = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 5, { 4, 21, 11, 1, 0, 0, 9, 10 }, { 18, 64, 0, 8, 0, 0, 12, 8 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, v_tau = R*s*omega3 + b*omega_n, s*omega3*(I3/I1) + gamma3*omega_n, (I1/m)*(s*omega3*(I3/I1) + gamma3*omega_n) + e*v_tau, a part of d(omega_tau)/dtau, K/m = gamma3*(2*R*a3) + R^2 + a3^2 + I1/m, e + I3/(m*R), a part of d(omega_n)/dtau, gamma3*(R*(I1 - I3)) - (a3*I3)" },
     .jacobian = { jacobian, 25, { 8, 48, 23, 1, 0, 0, 12, 15 }, { 50, 259, 0, 36, 0, 0, 16, 8 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 10, 57, 26, 1, 0, 0, 11, 15 }, { 60, 303, 0, 44, 0, 0, 16, 10 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, K/m = gamma3*(2*R*a3) + R^2 + a3^2 + I1/m, v_tau = R*s*omega3 + omega_n*b, 1/(K/m)*omega_n*b + 1/(K/m)*v_tau, omega_n - (2*a3)*1/(K/m)*v_tau, e = a3*gamma3 + R, a part of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(omega_n), I3/(m*R) + e, gamma3*(R*(I1 - I3)) - (a3*I3), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 10, 58, 25, 1, 0, 0, 10, 17 }, { 60, 303, 0, 44, 0, 0, 16, 10 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, gamma3*(2*R*a3) + R^2 + a3^2, K = m*(gamma3*(2*R*a3) + R^2 + a3^2) + I1, v_tau = R*s*omega3 + omega_n*b, e = a3*gamma3 + R, (I3/m)*s*omega3 + v_tau*e, I3/(m*R) + e, (I1/m)*omega_n*gamma3 + (I3/m)*s*omega3 + v_tau*e, b*omega_n*e + (2*I1/m)*omega_n*gamma3 + (I3/m)*s*omega3 + v_tau*e, (a3/R)*v_tau + omega_n*(I1/(m*R)) + omega_n*e, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3), gamma3*(R*(I1 - I3)) - (a3*I3), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_tau), a3 - 1/Theta*(I3/(m*R) + e)*(2*m*R*I3)*b, omega_tau*omega3 - (2*m*R^2*I1)*s*omega3*1/Theta*s*omega_tau, d(omega_n)/dtau, d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3)" },
     .divergence = { divergence, 1, { 2, 7, 4, 1, 0, 0, 6, 6 }, { 9, 30, 0, 2, 0, 0, 9, 6 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in K/m = (2*R*a3)*gamma3 + R^2 + a3^2 + I1/m, b/R = gamma3 + a3/R, gamma3*(R*(I1 - I3)) - (a3*I3), K/m*(gamma3*(R*(I1 - I3)) - (a3*I3)) - Theta/(m*R^2*I1)*(2*R^2*a3*I1)" },
     .integral_values = { integral_values, 3, { 0, 13, 12, 0, 1, 0, 6, 7 }, { 12, 41, 0, 0, 1, 0, 12, 6 },
-        "takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 15, { 0, 25, 12, 1, 1, 0, 6, 8 }, { 14, 60, 0, 2, 1, 0, 8, 8 },
-        "divides by h: values and rounding errors grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
+        "takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, v_tau = s*R*omega3 + omega_n*b, E, Jellett" },
+    .integral_gradients = { integral_gradients, 15, { 0, 25, 12, 1, 1, 0, 6, 7 }, { 14, 60, 0, 2, 1, 0, 8, 8 },
+        "divides by h: values and rounding errors grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in e = a3*gamma3 + R, b = R*gamma3 + a3, v_tau = s*R*omega3 + omega_n*b, omega_n*v_tau + e*(a3/R)*omega_tau*omega_tau, d(E)/d(gamma3), d(E)/d(omega_n), d(E)/d(omega3), omega3*v_tau + omega_tau*omega_tau*s*(a3^2/R)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

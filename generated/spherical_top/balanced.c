@@ -17,6 +17,13 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2),
+ *      2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1),
+ *      V/R = (1/R)*v_nu + omega_tau, d(omega3)/dt, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R,
+ *      a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(omega_n),
+ *      gamma3*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s, d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt,
+ *      d(d(omega3)/dt)/d(gamma3), omega3 + gamma3*omega_n*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s,
+ *      d(d(v_nu)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -893,17 +900,17 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 5, 18, 6, 1, 1, 0, 10, 7 }, { 12, 50, 0, 9, 1, 0, 11, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in ((1)/s^2*Theta/(m*R^2*I1))*gamma3*s*omega_n*Theta/(m*R^2*I1) + omega3, a part of d(omega_tau)/dt, V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(omega_n)/dt, d(omega3)/dt" },
     .jacobian = { jacobian, 25, { 6, 40, 13, 1, 1, 0, 13, 14 }, { 36, 168, 0, 34, 1, 0, 14, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in d(d(v_nu)/dt)/d(omega_n), d(d(omega_tau)/dt)/d(omega_n), 2*m*R^2*I1 - 2*m*R^2*I3, V/R = (1/R)*v_nu + omega_tau, a part of d(d(omega_n)/dt)/d(gamma3), omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), a part of d(d(omega3)/dt)/d(gamma3), gamma3*gamma3*((1)/s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) - s, d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 10, 44, 14, 1, 1, 0, 13, 14 }, { 44, 205, 0, 43, 1, 0, 14, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2), 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), V/R = (1/R)*v_nu + omega_tau, d(omega3)/dt, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(omega_n), gamma3*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s - s, d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(d(omega3)/dt)/d(gamma3), omega3 + gamma3*omega_n*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s, d(d(v_nu)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau)" },
     .divergence = { divergence, 1, { 3, 10, 3, 1, 1, 0, 8, 5 }, { 6, 24, 0, 2, 1, 0, 10, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 3, { 3, 14, 9, 0, 1, 0, 8, 8 }, { 12, 45, 0, 0, 1, 0, 10, 6 },
-        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, G, omega_tau*R + v_nu, F0" },
     .integral_gradients = { integral_gradients, 15, { 3, 20, 7, 1, 1, 0, 6, 7 }, { 15, 67, 0, 2, 1, 0, 9, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3), v_tau/R = omega3*s + omega_n*gamma3, d(G)/d(gamma3), d(v_tau)/d(gamma3)/R = omega_n - ((1)/s)*gamma3*omega3, d(E)/d(omega_n), d(E)/d(omega3), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

@@ -7,8 +7,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   15    3    1    1    0      9    5   (61)
- *  jacobian            8   26    4    1    1    0      9    6   (143)
- *  rhs_jacobian        11   31    5    1    1    0     10   10   (186)
+ *  jacobian            8   26    3    1    1    0      9    5   (143)
+ *  rhs_jacobian        11   32    4    1    1    0     10    9   (186)
  *  divergence          2    7    1    1    1    0      7    5   (25)
  *  integral_values     2   10    7    0    1    0      8    5   (42)
  *  integral_gradients  2   14    6    1    1    0      7    5   (53)
@@ -17,6 +17,10 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu,
+ *      omega3 + gamma3*omega_n*((1)/(I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s, omega_tau - 1/Theta*(m*R*I3)*V,
+ *      d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n),
+ *      d(d(omega_n)/dt)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -52,12 +56,12 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     const double t0 = params[5]*params[5]; /* I3*I3 */
+    out[9] = t0;
     const double t1 = params[1]*params[1]; /* R*R */
     out[14] = t1;
     const double t2 = params[0]*t1; /* m*R*R */
     out[17] = t2;
     const double t3 = params[5]*t2; /* I3*m*R*R */
-    out[9] = t3;
     const double t4 = t0 + t3; /* I3*I3 + I3*m*R*R */
     out[6] = t4;
     const double t5 = params[0]*params[1]; /* m*R */
@@ -133,105 +137,65 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[12] = 0.0;
     out[20] = 0.0;
     out[24] = 0.0;
-    const double t0 = p[1]*x[3]; /* R*omega_n */
-    out[9] = t0;
-    const double t1 = -x[3]; /* -omega_n */
-    out[14] = t1;
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t4 = t2*t3; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t5 = p[6]*t4; /* (I3^2 + m*R^2*I3)*s^2 */
-    const double t6 = 1.0/t5; /* 1/((I3^2 + m*R^2*I3)*s^2) */
-    const double t7 = sqrt(t4); /* s = sqrt(s^2) */
-    out[2] = t7;
-    const double t8 = p[6]*t7; /* (I3^2 + m*R^2*I3)*s */
-    const double t9 = t6*t8; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t10 = t4*t6; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
-    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t12 = p[7]*t11; /* m*R*I3*V */
-    const double t13 = t10*t12; /* 1/Theta*m*R*I3*V */
-    const double t14 = -t13; /* -1/Theta*m*R*I3*V */
-    out[23] = t14;
-    const double t15 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t16 = x[0]*t9; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t17 = t15*t16; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    out[18] = t17;
-    const double t18 = t9*t15; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t19 = x[3]*t9; /* omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t20 = t9*t19; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t21 = t18*t20; /* t18*t20 */
-    out[15] = t21;
-    const double t22 = t19*t20; /* omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t20 */
-    const double t23 = p[1]*t22; /* R*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t20 */
-    out[5] = t23;
-    const double t24 = -t22; /* -omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t20 */
-    out[10] = t24;
-    const double t25 = x[3]*t16; /* omega_n*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t26 = x[3]*t10; /* omega_n*1/Theta */
-    const double t27 = p[6]*t10; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t28 = x[2]*t27; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[19] = t28;
-    const double t29 = JLT_FMA(x[4], t27, t25); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + omega_n*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t30 = JLT_FMA(2.0, t25, x[4]); /* 2*omega_n*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s + omega3 */
-    const double t31 = p[1]*t30; /* R*t30 */
-    out[8] = t31;
-    const double t32 = -t30; /* -t30 */
-    out[13] = t32;
-    const double t33 = p[8]*t26; /* (-m*R*I3)*omega_n*1/Theta */
-    out[21] = t33;
-    const double t34 = p[10]*t26; /* (-m*R^2*I3)*omega_n*1/Theta */
-    out[22] = t34;
-    const double t35 = t16*t26; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*omega_n*1/Theta */
-    const double t36 = JLT_FNMA(p[9], t35, t29); /* t29 - m*R^2*I3*t35 */
-    out[17] = t36;
-    const double t37 = p[8]*t35; /* (-m*R*I3)*t35 */
-    out[16] = t37;
-    const double t38 = x[2]*t16; /* omega_tau*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t39 = -t38; /* -t38 */
-    out[0] = t39;
+    const double t0 = -x[3]; /* -omega_n */
+    out[14] = t0;
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t4 = p[6]*t3; /* (I3^2 + m*R^2*I3)*s^2 */
+    const double t5 = 1.0/t4; /* 1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t6 = sqrt(t3); /* s = sqrt(s^2) */
+    out[2] = t6;
+    const double t7 = t3*t5; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t8 = p[6]*t5; /* 1/s^2 = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t9 = t6*t8; /* s*1/s^2 */
+    const double t10 = x[3]*t8; /* omega_n*1/s^2 */
+    const double t11 = t9*t10; /* s*1/s^2*omega_n*1/s^2 */
+    const double t12 = x[0]*t9; /* gamma3*s*1/s^2 */
+    const double t13 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t14 = p[7]*t13; /* m*R*I3*V */
+    const double t15 = t7*t14; /* 1/Theta*m*R*I3*V */
+    const double t16 = -t15; /* -1/Theta*m*R*I3*V */
+    out[23] = t16;
+    const double t17 = x[2] - t15; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t18 = t11*t17; /* s*1/s^2*omega_n*1/s^2*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[15] = t18;
+    const double t19 = t12*t17; /* gamma3*s*1/s^2*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[18] = t19;
+    const double t20 = x[3]*2.0; /* omega_n*2 */
+    const double t21 = JLT_FMA(t12, t20, x[4]); /* gamma3*s*1/s^2*omega_n*2 + omega3 */
+    const double t22 = p[1]*t21; /* R*(gamma3*s*1/s^2*omega_n*2 + omega3) */
+    out[8] = t22;
+    const double t23 = -t21; /* -(gamma3*s*1/s^2*omega_n*2 + omega3) */
+    out[13] = t23;
+    const double t24 = x[3]*t7; /* omega_n*1/Theta */
+    const double t25 = p[6]*t7; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t26 = x[2]*t25; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[19] = t26;
+    const double t27 = x[4]*t25; /* omega3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t28 = p[8]*t24; /* (-m*R*I3)*omega_n*1/Theta */
+    out[21] = t28;
+    const double t29 = p[10]*t24; /* (-m*R^2*I3)*omega_n*1/Theta */
+    out[22] = t29;
+    const double t30 = t12*t24; /* gamma3*s*1/s^2*omega_n*1/Theta */
+    const double t31 = JLT_FMA(p[9], t30, t27); /* I3^2*gamma3*s*1/s^2*omega_n*1/Theta + omega3*(I3^2 + m*R^2*I3)*1/Theta */
+    out[17] = t31;
+    const double t32 = p[8]*t30; /* (-m*R*I3)*gamma3*s*1/s^2*omega_n*1/Theta */
+    out[16] = t32;
+    const double t33 = x[2]*t12; /* omega_tau*gamma3*s*1/s^2 */
+    const double t34 = -t33; /* -omega_tau*gamma3*s*1/s^2 */
+    out[0] = t34;
+    const double t35 = p[1]*x[3]; /* R*omega_n */
+    out[9] = t35;
+    const double t36 = t11*t35; /* s*1/s^2*omega_n*1/s^2*R*omega_n */
+    out[5] = t36;
+    const double t37 = x[3]*t11; /* omega_n*s*1/s^2*omega_n*1/s^2 */
+    const double t38 = -t37; /* -omega_n*s*1/s^2*omega_n*1/s^2 */
+    out[10] = t38;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
-    out[7] = t3;
-    const double t4 = x[2]*t3; /* omega_tau*s */
-    out[0] = t4;
-    const double t5 = t2*p[6]; /* s^2*(I3^2 + m*R^2*I3) */
-    const double t6 = 1.0/t5; /* 1/(s^2*(I3^2 + m*R^2*I3)) */
-    const double t7 = t3*p[6]; /* s*(I3^2 + m*R^2*I3) */
-    const double t8 = t6*t7; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
-    const double t9 = x[3]*t8; /* omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
-    const double t10 = x[0]*t9; /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
-    const double t11 = x[4] + t10; /* omega3 + gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
-    const double t12 = x[3]*p[1]; /* omega_n*R */
-    out[14] = t12;
-    const double t13 = t11*t12; /* t11*omega_n*R */
-    out[1] = t13;
-    const double t14 = x[3]*t11; /* omega_n*t11 */
-    const double t15 = -t14; /* -omega_n*t11 */
-    out[2] = t15;
-    const double t16 = t2*t6; /* 1/Theta = s^2*1/(s^2*(I3^2 + m*R^2*I3)) */
-    const double t17 = p[6]*t16; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t18 = x[2]*t17; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[24] = t18;
-    const double t19 = x[4]*t18; /* omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t20 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t21 = p[7]*t20; /* m*R*I3*V */
-    const double t22 = t16*t21; /* 1/Theta*m*R*I3*V */
-    const double t23 = x[2] - t22; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t24 = JLT_FMA(t10, t23, t19); /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*(omega_tau - 1/Theta*m*R*I3*V) + omega3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[3] = t24;
-    const double t25 = x[3]*t22; /* omega_n*1/Theta*m*R*I3*V */
-    const double t26 = -t25; /* -omega_n*1/Theta*m*R*I3*V */
-    out[4] = t26;
-    const double t27 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t28 = t8*t27; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*omega_tau*gamma3 */
-    const double t29 = -t28; /* -t28 */
-    out[5] = t29;
     out[6] = 0.0;
     out[8] = 0.0;
     out[9] = 0.0;
@@ -241,37 +205,76 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[17] = 0.0;
     out[25] = 0.0;
     out[29] = 0.0;
-    const double t30 = t8*t9; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
-    const double t31 = t9*t30; /* omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*t30 */
-    const double t32 = p[1]*t31; /* R*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*t30 */
-    out[10] = t32;
-    const double t33 = JLT_FMA(t10, 2.0, x[4]); /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*2 + omega3 */
-    const double t34 = p[1]*t33; /* R*t33 */
-    out[13] = t34;
-    const double t35 = -t31; /* -omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*t30 */
+    const double t0 = -x[3]; /* -omega_n */
+    out[19] = t0;
+    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(1 + gamma3) */
+    const double t4 = p[6]*t3; /* (I3^2 + m*R^2*I3)*s^2 */
+    const double t5 = 1.0/t4; /* 1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t6 = sqrt(t3); /* s = sqrt(s^2) */
+    out[7] = t6;
+    const double t7 = t3*t5; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t8 = x[2]*t6; /* omega_tau*s */
+    out[0] = t8;
+    const double t9 = p[6]*t6; /* (I3^2 + m*R^2*I3)*s */
+    const double t10 = t5*t9; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t12 = p[7]*t11; /* m*R*I3*V */
+    const double t13 = t7*t12; /* 1/Theta*m*R*I3*V */
+    const double t14 = -t13; /* -1/Theta*m*R*I3*V */
+    out[28] = t14;
+    const double t15 = x[3]*t10; /* omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t16 = x[0]*t15; /* gamma3*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t17 = x[4] + t16; /* omega3 + gamma3*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t18 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t19 = x[3]*t13; /* omega_n*1/Theta*m*R*I3*V */
+    const double t20 = -t19; /* -omega_n*1/Theta*m*R*I3*V */
+    out[4] = t20;
+    const double t21 = p[6]*t7; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t22 = x[2]*t21; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[24] = t22;
+    const double t23 = x[4]*t21; /* omega3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t24 = x[0]*t10; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t25 = t18*t24; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    out[23] = t25;
+    const double t26 = x[2]*t24; /* omega_tau*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t27 = -t26; /* -t26 */
+    out[5] = t27;
+    const double t28 = t10*t15; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t29 = t15*t28; /* omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t28 */
+    const double t30 = t10*t18; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t31 = t28*t30; /* t28*t30 */
+    out[20] = t31;
+    const double t32 = t16*t18; /* gamma3*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t33 = JLT_FMA(x[2], t23, t32); /* omega_tau*omega3*(I3^2 + m*R^2*I3)*1/Theta + t32 */
+    out[3] = t33;
+    const double t34 = p[1]*t29; /* R*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t28 */
+    out[10] = t34;
+    const double t35 = -t29; /* -omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t28 */
     out[15] = t35;
-    const double t36 = -t33; /* -t33 */
-    out[18] = t36;
-    const double t37 = -x[3]; /* -omega_n */
-    out[19] = t37;
-    const double t38 = t8*t23; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t39 = t30*t38; /* t30*t38 */
-    out[20] = t39;
-    const double t40 = t10*t16; /* gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t41 = p[8]*t40; /* (-m*R*I3)*t40 */
-    out[21] = t41;
-    const double t42 = JLT_FMA(x[4], t17, t10); /* omega3*(I3^2 + m*R^2*I3)*1/Theta + gamma3*omega_n*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
-    const double t43 = JLT_FNMA(t40, p[9], t42); /* t42 - t40*m*R^2*I3 */
-    out[22] = t43;
-    const double t44 = x[0]*t38; /* gamma3*t38 */
-    out[23] = t44;
-    const double t45 = x[3]*t16; /* omega_n*1/Theta */
-    const double t46 = p[8]*t45; /* (-m*R*I3)*omega_n*1/Theta */
-    out[26] = t46;
-    const double t47 = t45*p[10]; /* omega_n*1/Theta*(-m*R^2*I3) */
-    out[27] = t47;
-    const double t48 = -t22; /* -1/Theta*m*R*I3*V */
-    out[28] = t48;
+    const double t36 = x[3]*p[1]; /* omega_n*R */
+    out[14] = t36;
+    const double t37 = t17*t36; /* t17*omega_n*R */
+    out[1] = t37;
+    const double t38 = x[3]*t17; /* omega_n*t17 */
+    const double t39 = -t38; /* -omega_n*t17 */
+    out[2] = t39;
+    const double t40 = JLT_FMA(2.0, t16, x[4]); /* 2*gamma3*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s + omega3 */
+    const double t41 = t7*t16; /* 1/Theta*gamma3*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t42 = JLT_FMA(p[9], t41, t23); /* I3^2*t41 + omega3*(I3^2 + m*R^2*I3)*1/Theta */
+    out[22] = t42;
+    const double t43 = p[8]*t41; /* (-m*R*I3)*t41 */
+    out[21] = t43;
+    const double t44 = x[3]*t7; /* omega_n*1/Theta */
+    const double t45 = p[1]*t40; /* R*t40 */
+    out[13] = t45;
+    const double t46 = -t40; /* -t40 */
+    out[18] = t46;
+    const double t47 = p[8]*t44; /* (-m*R*I3)*omega_n*1/Theta */
+    out[26] = t47;
+    const double t48 = p[10]*t44; /* (-m*R^2*I3)*omega_n*1/Theta */
+    out[27] = t48;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -728,17 +731,17 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 5, 15, 3, 1, 1, 0, 9, 5 }, { 11, 42, 0, 7, 1, 0, 10, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 25, { 8, 26, 4, 1, 1, 0, 9, 6 }, { 24, 95, 0, 23, 1, 0, 10, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 31, 5, 1, 1, 0, 10, 10 }, { 31, 124, 0, 30, 1, 0, 10, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3 + s*((1)/s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3), a part of d(omega_n)/dt, V = omega_tau*R + v_nu, d(omega_n)/dt" },
+    .jacobian = { jacobian, 25, { 8, 26, 3, 1, 1, 0, 9, 5 }, { 24, 95, 0, 23, 1, 0, 10, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I3)*V, gamma3*s*1/s^2*omega_n*(2) + omega3, d(d(omega_n)/dt)/d(omega_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 11, 32, 4, 1, 1, 0, 10, 9 }, { 31, 124, 0, 30, 1, 0, 10, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, omega3 + gamma3*omega_n*((1)/(I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s, omega_tau - 1/Theta*(m*R*I3)*V, d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau)" },
     .divergence = { divergence, 1, { 2, 7, 1, 1, 1, 0, 7, 5 }, { 5, 18, 0, 1, 1, 0, 9, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu" },
     .integral_values = { integral_values, 4, { 2, 10, 7, 0, 1, 0, 8, 5 }, { 9, 32, 0, 0, 1, 0, 11, 5 },
-        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, omega3*gamma3 - omega_n*s, F_linear" },
     .integral_gradients = { integral_gradients, 20, { 2, 14, 6, 1, 1, 0, 7, 5 }, { 10, 40, 0, 2, 1, 0, 7, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in d(v_tau)/d(gamma3)/R = omega_n - omega3*s*(gamma3/s^2), v_tau/R = omega_n*gamma3 + omega3*s, d(E)/d(omega_n), d(E)/d(omega3), omega_n*s*(gamma3/s^2) + omega3, omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

@@ -17,6 +17,12 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
+ *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu,
+ *      numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V,
+ *      d(omega_n)/dtau, d(d(omega_n)/dtau)/d(s), s*omega3 + omega_n*gamma3, omega_tau - ((1)/Theta)*(m*R*I3)*V,
+ *      d(d(omega3)/dtau)/d(s), (2)*omega_n*gamma3 + s*omega3,
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3,
+ *      d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -581,17 +587,17 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 6, { 4, 14, 5, 1, 0, 0, 7, 6 }, { 11, 48, 0, 4, 0, 0, 10, 6 },
-        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in omega_n*gamma3 + s*omega3, ((1)/Theta)*s*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3, V = omega_tau*R + v_nu, d(omega_n)/dtau" },
     .jacobian = { jacobian, 36, { 7, 36, 12, 1, 0, 0, 8, 9 }, { 30, 190, 0, 22, 0, 0, 12, 6 },
-        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V, d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), (2)*omega_n*gamma3 + s*omega3, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n)" },
     .rhs_jacobian = { rhs_jacobian, 42, { 12, 44, 11, 1, 0, 0, 8, 10 }, { 38, 226, 0, 26, 0, 0, 12, 6 },
-        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V, d(omega_n)/dtau, d(d(omega_n)/dtau)/d(s), s*omega3 + omega_n*gamma3, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(d(omega3)/dtau)/d(s), (2)*omega_n*gamma3 + s*omega3, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(gamma3)" },
     .divergence = { divergence, 1, { 0, 3, 3, 1, 0, 0, 4, 4 }, { 4, 16, 0, 1, 0, 0, 8, 5 },
-        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu" },
     .integral_values = { integral_values, 4, { 0, 9, 7, 0, 0, 0, 6, 4 }, { 8, 31, 0, 0, 0, 0, 9, 4 },
-        "" },
+        "digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, omega3*gamma3 - omega_n*s, F_linear" },
     .integral_gradients = { integral_gradients, 24, { 0, 14, 4, 0, 0, 0, 4, 3 }, { 7, 39, 0, 0, 0, 0, 5, 4 },
-        "" },
+        "digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, d(E)/d(omega_n), d(E)/d(omega3), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

@@ -20,6 +20,11 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
+ *    digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, V = omega_tau*R + v_nu,
+ *      omega3 + 1/s*(omega3*gamma3*(R*I3) + G_level)*1/s*gamma3*(2/(R*I3)),
+ *      a part of d(v_nu)/dtau and of d(omega_tau)/dtau,
+ *      a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3),
+ *      a part of d(d(v_nu)/dtau)/d(omega3) and of d(d(omega_tau)/dtau)/d(omega3), d(d(omega3)/dtau)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -562,23 +567,23 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 15, 6, 1, 0, 0, 10, 6 }, { 9, 36, 0, 2, 0, 0, 10, 5 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in omega3*(R*I3)*gamma3 + G_level, d(v_nu)/dtau, d(omega_tau)/dtau, V = omega_tau*R + v_nu" },
     .jacobian = { jacobian, 25, { 6, 30, 8, 1, 0, 0, 12, 6 }, { 32, 131, 0, 17, 0, 0, 11, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in omega3*(R*I3)*gamma3 + G_level, gamma3*1/s*(2/(R*I3))*1/s*(omega3*(R*I3)*gamma3 + G_level) + omega3, V = omega_tau*R + v_nu, a part of d(d(v_nu)/dtau)/d(omega3) and of d(d(omega_tau)/dtau)/d(omega3), a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 10, 36, 8, 1, 0, 0, 12, 7 }, { 37, 150, 0, 18, 0, 0, 11, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, V = omega_tau*R + v_nu, omega3 + 1/s*(omega3*gamma3*(R*I3) + G_level)*1/s*gamma3*(2/(R*I3)), a part of d(v_nu)/dtau and of d(omega_tau)/dtau, a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(v_nu)/dtau)/d(omega3) and of d(d(omega_tau)/dtau)/d(omega3), d(d(omega3)/dtau)/d(gamma3)" },
     .divergence = { divergence, 1, { 2, 3, 3, 1, 0, 0, 7, 3 }, { 5, 17, 0, 1, 0, 0, 8, 6 },
-        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, omega_tau + (m*R*I3)*V/Theta" },
     .integral_values = { integral_values, 3, { 0, 9, 7, 1, 0, 0, 8, 4 }, { 8, 30, 0, 1, 0, 0, 13, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3*(R*I3) + G_level, v_tau/R = gamma3*omega_n + omega3*s, F_linear" },
     .integral_gradients = { integral_gradients, 15, { 0, 15, 10, 1, 0, 0, 7, 8 }, { 13, 52, 0, 7, 0, 0, 10, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*(R*I3)*gamma3 + G_level, d(v_tau)/d(gamma3)/R, v_tau/R = gamma3*((1)/s)*(omega3*(R*I3)*gamma3 + G_level)*(1/(R*I3)) + omega3*s, d(E)/d(gamma3), d(E)/d(omega3), d(v_tau)/d(s)/R, d(E)/d(s), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { eliminated, 1, { 0, 2, 1, 1, 0, 0, 4, 2 }, { 1, 5, 0, 1, 0, 0, 5, 3 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*(R*I3)*gamma3 + G_level" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -20,6 +20,16 @@
  *  Accuracy
  *    divides by gamma3: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
+ *    digits are lost where terms nearly cancel in G_level - (R*I3)*s*omega_n,
+ *      (1/(R*I3))*1/gamma3*(G_level - (R*I3)*s*omega_n) - 1/gamma3*s*omega_n, V = omega_tau*R + v_nu,
+ *      a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s),
+ *      a part of d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau,
+ *      (1/(R*I3))*s*1/gamma3*(G_level - (R*I3)*s*omega_n) - omega_n*gamma3,
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/gamma3*(I3^2 + m*R^2*I3)*s*s*omega_tau - gamma3*(m*R*I3)*V,
+ *      d(numerator of d(omega_n)/dt over Theta)/d(gamma3),
+ *      (1/(R*I3))*1/gamma3*s*1/gamma3*(G_level - (R*I3)*s*omega_n) + omega_n, a part of d(d(omega_n)/dtau)/d(gamma3),
+ *      a part of d(d(omega_n)/dtau)/d(s), d(d(omega_tau)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(gamma3),
+ *      d(d(omega_n)/dtau)/d(omega_n)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -589,23 +599,23 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 17, 7, 1, 0, 0, 9, 6 }, { 11, 48, 0, 4, 0, 0, 11, 7 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in G_level - (R*I3)*s*omega_n, d(omega_tau)/dtau, V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I3)*V, d(omega_n)/dtau" },
     .jacobian = { jacobian, 25, { 5, 35, 14, 1, 0, 0, 12, 13 }, { 41, 210, 0, 27, 0, 0, 14, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in G_level - s*omega_n*(R*I3), a part of d(d(v_nu)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(gamma3), 1/gamma3*(1/(R*I3))*(G_level - s*omega_n*(R*I3)) - s*omega_n*1/gamma3, d(d(omega_tau)/dtau)/d(omega_n), V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I3)*V, a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 5, 39, 18, 1, 0, 0, 15, 10 }, { 48, 241, 0, 30, 0, 0, 14, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in G_level - (R*I3)*s*omega_n, (1/(R*I3))*1/gamma3*(G_level - (R*I3)*s*omega_n) - 1/gamma3*s*omega_n, V = omega_tau*R + v_nu, a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau, (1/(R*I3))*s*1/gamma3*(G_level - (R*I3)*s*omega_n) - omega_n*gamma3, d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/gamma3*(I3^2 + m*R^2*I3)*s*s*omega_tau - gamma3*(m*R*I3)*V, d(numerator of d(omega_n)/dt over Theta)/d(gamma3), (1/(R*I3))*1/gamma3*s*1/gamma3*(G_level - (R*I3)*s*omega_n) + omega_n, a part of d(d(omega_n)/dtau)/d(gamma3), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_tau)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n)" },
     .divergence = { divergence, 1, { 0, 9, 4, 1, 0, 0, 7, 5 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu, d(numerator of d(omega_n)/dt over Theta)/d(omega_n)" },
     .integral_values = { integral_values, 3, { 0, 9, 7, 1, 0, 0, 9, 4 }, { 8, 30, 0, 1, 0, 0, 14, 4 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level - s*(R*I3)*omega_n, v_tau/R = gamma3*omega_n - s*((1/(R*I3))*(G_level - s*(R*I3)*omega_n)/gamma3), F_linear" },
     .integral_gradients = { integral_gradients, 15, { 0, 15, 10, 1, 0, 0, 9, 7 }, { 13, 52, 0, 7, 0, 0, 12, 7 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level - s*omega_n*(R*I3), v_tau/R = omega_n*gamma3 - s*(1/(R*I3))*(G_level - s*omega_n*(R*I3))*((1)/gamma3), d(v_tau)/d(gamma3)/R, d(v_tau)/d(s)/R, d(E)/d(gamma3), d(E)/d(s), d(E)/d(omega_n), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { eliminated, 1, { 0, 2, 1, 1, 0, 0, 4, 2 }, { 1, 5, 0, 1, 0, 0, 5, 3 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level - s*(R*I3)*omega_n" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -12,13 +12,18 @@
  *  rhs_jacobian        9   29    5    1    1    0     12   10   (143)
  *  divergence          2    7    2    1    1    0      7    4   (28)
  *  integral_values     2   11    7    1    1    0      9    4   (42)
- *  integral_gradients  2   15    7    1    1    0     14    8   (68)
+ *  integral_gradients  2   14    6    1    1    0     10    5   (68)
  *  eliminated          2    3    1    1    1    0      4    3   (10)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, V = omega_tau*R + v_nu,
+ *      a part of d(v_nu)/dt and of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(omega3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3),
+ *      a part of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(omega3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -63,7 +68,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t3 = params[1]*params[1]; /* R*R */
     out[17] = t3;
     const double t4 = params[0]*t3; /* m*R*R */
-    out[19] = t4;
+    out[21] = t4;
     const double t5 = params[5]*t4; /* I3*m*R*R */
     const double t6 = t2 + t5; /* I3*I3 + I3*m*R*R */
     out[9] = t6;
@@ -86,13 +91,15 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t16 = t2*params[0]; /* I3*I3*m */
     out[18] = t16;
     const double t17 = 1.0/params[1]; /* 1/R */
-    out[20] = t17;
-    const double t18 = params[0]*2.0; /* m*2 */
-    const double t19 = t2*t18; /* I3*I3*m*2 */
-    out[21] = t19;
-    const double t20 = params[1]*t18; /* R*m*2 */
-    const double t21 = t2*t20; /* I3*I3*R*m*2 */
-    out[22] = t21;
+    out[19] = t17;
+    const double t18 = t8/params[5]; /* R*m/I3 */
+    out[20] = t18;
+    const double t19 = params[0]*2.0; /* m*2 */
+    const double t20 = t2*t19; /* I3*I3*m*2 */
+    out[22] = t20;
+    const double t21 = params[1]*t19; /* R*m*2 */
+    const double t22 = t2*t21; /* I3*I3*R*m*2 */
+    out[23] = t22;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -304,43 +311,41 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[9] = 1.0;
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
-    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = 1.0/t3; /* 1/s */
-    const double t5 = x[0]*p[8]; /* gamma3*R*I3 */
-    const double t6 = JLT_FMA(x[3], t5, p[6]); /* omega3*gamma3*R*I3 + G_level */
-    const double t7 = t4*t6; /* 1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t8 = p[7]*t7; /* 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t9 = x[0]*t8; /* gamma3*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t10 = JLT_FMA(t3, x[3], t9); /* s*omega3 + gamma3*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t11 = p[19]*t10; /* m*R^2*t10 */
-    const double t12 = t4*t11; /* 1/s*m*R^2*t10 */
-    const double t13 = x[0]*t9; /* gamma3*gamma3*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t14 = t12*t13; /* 1/s*m*R^2*t10*gamma3*gamma3*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) */
-    const double t15 = JLT_FMA(t4, t9, x[3]); /* 1/s*gamma3*1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level) + omega3 */
-    const double t16 = t7*p[20]; /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/R */
-    const double t17 = JLT_FMA(t15, t16, t14); /* t15*1/s*(omega3*gamma3*R*I3 + G_level)*1/R + t14 */
-    const double t18 = t4*t17; /* 1/s*(t15*1/s*(omega3*gamma3*R*I3 + G_level)*1/R + t14) */
-    const double t19 = JLT_FMA(t8, t11, t18); /* d(energy)/d(gamma3) = 1/(R*I3)*1/s*(omega3*gamma3*R*I3 + G_level)*m*R^2*t10 + 1/s*(t15*1/s*(omega3*gamma3*R*I3 + G_level)*1/R + t14) */
-    out[0] = t19;
-    const double t20 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t20;
-    const double t21 = p[5]*x[2]; /* I3*omega_tau */
-    out[2] = t21;
-    const double t22 = JLT_FMA(t15, p[5], t12); /* d(energy)/d(omega3) = t15*I3 + 1/s*m*R^2*t10 */
-    out[3] = t22;
     out[4] = 0.0;
     out[7] = 0.0;
     out[8] = 0.0;
     out[11] = 0.0;
     out[10] = p[1];
-    const double t23 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t24 = p[21]*t23; /* 2*m*I3^2*(omega_tau*R + v_nu) */
-    out[5] = t24;
-    const double t25 = t23*p[22]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
-    out[6] = t25;
+    const double t0 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t0;
+    const double t1 = p[5]*x[2]; /* I3*omega_tau */
+    out[2] = t1;
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
+    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t6 = x[0]*p[8]; /* gamma3*R*I3 */
+    const double t7 = JLT_FMA(x[3], t6, p[6]); /* omega3*gamma3*R*I3 + G_level */
+    const double t8 = 1.0/t5; /* 1/s */
+    const double t9 = t7*t8; /* (omega3*gamma3*R*I3 + G_level)*1/s */
+    const double t10 = x[0]*p[7]; /* gamma3*1/(R*I3) */
+    const double t11 = t9*t10; /* (omega3*gamma3*R*I3 + G_level)*1/s*gamma3*1/(R*I3) */
+    const double t12 = JLT_FMA(x[3], t5, t11); /* omega3*s + (omega3*gamma3*R*I3 + G_level)*1/s*gamma3*1/(R*I3) */
+    const double t13 = JLT_FMA(t8, t11, x[3]); /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/s*gamma3*1/(R*I3) + omega3 */
+    const double t14 = t8*t12; /* 1/s*t12 */
+    const double t15 = t8*t9; /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/s */
+    const double t16 = p[19]*t13; /* 1/R*t13 */
+    const double t17 = JLT_FMA(p[20], t14, t16); /* m*R/I3*1/s*t12 + 1/R*t13 */
+    const double t18 = t15*t17; /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/s*(m*R/I3*1/s*t12 + 1/R*t13) */
+    out[0] = t18;
+    const double t19 = p[5]*t13; /* I3*t13 */
+    const double t20 = JLT_FMA(p[21], t14, t19); /* d(energy)/d(omega3) = m*R^2*1/s*t12 + I3*t13 */
+    out[3] = t20;
+    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t22 = p[22]*t21; /* 2*m*I3^2*(omega_tau*R + v_nu) */
+    out[5] = t22;
+    const double t23 = p[23]*t21; /* 2*m*R*I3^2*(omega_tau*R + v_nu) */
+    out[6] = t23;
 }
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
@@ -486,28 +491,28 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G = {
     .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 23,
+    .state_count = 4, .param_count = 7, .block_count = 24,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 3, 15, 3, 1, 1, 0, 9, 5 }, { 9, 31, 0, 4, 1, 0, 10, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, omega_n*gamma3*((1)/s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) + omega3, V = omega_tau*R + v_nu" },
     .jacobian = { jacobian, 16, { 8, 24, 5, 1, 1, 0, 12, 8 }, { 24, 80, 0, 18, 1, 0, 13, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, V = omega_tau*R + v_nu, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(omega3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(omega3)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 9, 29, 5, 1, 1, 0, 12, 10 }, { 28, 93, 0, 21, 1, 0, 13, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, V = omega_tau*R + v_nu, a part of d(v_nu)/dt and of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(omega3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(omega3)" },
     .divergence = { divergence, 1, { 2, 7, 2, 1, 1, 0, 7, 4 }, { 6, 19, 0, 2, 1, 0, 9, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, ((1)/s*(I3^2 + m*R^2*I3))*s*(m*R*I3)*V + omega_tau" },
     .integral_values = { integral_values, 3, { 2, 11, 7, 1, 1, 0, 9, 4 }, { 9, 31, 0, 1, 1, 0, 13, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 12, { 2, 15, 7, 1, 1, 0, 14, 8 }, { 13, 48, 0, 6, 1, 0, 12, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3*(R*I3) + G_level, v_tau/R = gamma3*omega_n + omega3*s, F_linear" },
+    .integral_gradients = { integral_gradients, 12, { 2, 14, 6, 1, 1, 0, 10, 5 }, { 13, 48, 0, 6, 1, 0, 12, 9 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, omega3*s + (omega3*gamma3*(R*I3) + G_level)*((1)/s)*gamma3*(1/(R*I3)), a part of d(E)/d(gamma3) and of d(E)/d(omega3), a part of d(E)/d(gamma3), d(E)/d(omega3), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { eliminated, 1, { 2, 3, 1, 1, 1, 0, 4, 3 }, { 2, 6, 0, 1, 1, 0, 5, 3 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -8,8 +8,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   18    5    1    1    0     10    5   (62)
- *  jacobian            5   27   10    1    1    0     11    9   (171)
- *  rhs_jacobian        6   31   11    1    1    0     11   11   (208)
+ *  jacobian            5   28    9    1    1    0     11   10   (171)
+ *  rhs_jacobian        6   32   10    1    1    0     12   11   (208)
  *  divergence          2   11    2    1    1    0      9    6   (38)
  *  integral_values     2   10    7    1    1    0     10    4   (42)
  *  integral_gradients  2   18    9    1    1    0     13    8   (66)
@@ -20,6 +20,10 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in G_level - (R*I3)*omega_n*s, V = omega_tau*R + v_nu,
+ *      omega_tau - 1/Theta*(m*R*I3)*V, d(d(omega_tau)/dt)/d(omega_n), d(omega3)/d(gamma3),
+ *      a part of d(v_nu)/dt and of d(omega_tau)/dt, 1/s^2*1/s^2*omega_n*s + d(omega3)/d(gamma3),
+ *      d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -63,12 +67,12 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t2 = 1.0/t1; /* 1/(R*I3) */
     out[8] = t2;
     const double t3 = params[5]*params[5]; /* I3*I3 */
+    out[14] = t3;
     const double t4 = params[1]*params[1]; /* R*R */
     out[19] = t4;
     const double t5 = params[0]*t4; /* m*R*R */
     out[22] = t5;
     const double t6 = params[5]*t5; /* I3*m*R*R */
-    out[14] = t6;
     const double t7 = t3 + t6; /* I3*I3 + I3*m*R*R */
     out[9] = t7;
     const double t8 = t7/t1; /* (I3*I3 + I3*m*R*R)/(R*I3) */
@@ -162,40 +166,40 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t15 = t8*t13; /* s*1/gamma3 */
     const double t16 = x[0]*t7; /* 1/Theta = gamma3*s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
     const double t17 = x[3]*t12; /* omega_n*1/s^2*s */
-    const double t18 = x[0]*t12; /* gamma3*1/s^2*s */
-    const double t19 = JLT_FMS(t13, t14, t17); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s^2*s */
-    const double t20 = t6*t17; /* 1/s^2*omega_n*1/s^2*s */
-    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t22 = p[12]*t21; /* m*R*I3*V */
-    const double t23 = JLT_FNMA(t16, t22, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t24 = t19 + t20; /* d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s */
-    const double t25 = x[3]*t24; /* omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
-    const double t26 = t20*t23; /* 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t27 = t18*t23; /* gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t28 = p[1]*t25; /* R*omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
-    out[4] = t28;
-    const double t29 = -t25; /* -omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
-    out[8] = t29;
-    const double t30 = x[3]*t18; /* omega_n*gamma3*1/s^2*s */
-    const double t31 = x[2]*t18; /* omega_tau*gamma3*1/s^2*s */
-    const double t32 = -t31; /* -omega_tau*gamma3*1/s^2*s */
-    out[0] = t32;
+    const double t18 = JLT_FMS(t13, t14, t17); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s^2*s */
+    const double t19 = t6*t17; /* 1/s^2*omega_n*1/s^2*s */
+    const double t20 = x[0]*t12; /* gamma3*1/s^2*s */
+    const double t21 = x[0]*t17; /* gamma3*omega_n*1/s^2*s */
+    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t23 = p[12]*t22; /* m*R*I3*V */
+    const double t24 = JLT_FNMA(t16, t23, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t25 = t18 + t19; /* d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s */
+    const double t26 = x[3]*t25; /* omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
+    const double t27 = t19*t24; /* 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t28 = t20*t24; /* gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t29 = x[2]*t20; /* omega_tau*gamma3*1/s^2*s */
+    const double t30 = -t29; /* -omega_tau*gamma3*1/s^2*s */
+    out[0] = t30;
+    const double t31 = p[1]*t26; /* R*omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
+    out[4] = t31;
+    const double t32 = -t26; /* -omega_n*(d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s) */
+    out[8] = t32;
     const double t33 = JLT_FNMA(x[3], t15, t14); /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*s*1/gamma3 */
-    const double t34 = JLT_FNMA(2.0, t30, t33); /* t33 - 2*omega_n*gamma3*1/s^2*s */
+    const double t34 = JLT_FNMA(2.0, t21, t33); /* t33 - 2*gamma3*omega_n*1/s^2*s */
     out[11] = t34;
-    const double t35 = p[7]*t34; /* (-R)*(t33 - 2*omega_n*gamma3*1/s^2*s) */
+    const double t35 = p[7]*t34; /* (-R)*(t33 - 2*gamma3*omega_n*1/s^2*s) */
     out[7] = t35;
-    const double t36 = p[9]*t16; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t37 = t16*t30; /* 1/Theta*omega_n*gamma3*1/s^2*s */
-    const double t38 = JLT_FNMA(t14, t36, t30); /* omega_n*gamma3*1/s^2*s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t39 = JLT_FNMA(p[14], t37, t38); /* t38 - m*R^2*I3*1/Theta*omega_n*gamma3*1/s^2*s */
+    const double t36 = t16*t21; /* 1/Theta*gamma3*omega_n*1/s^2*s */
+    const double t37 = p[9]*t16; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t38 = t14*t37; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t39 = JLT_FMS(p[14], t36, t38); /* I3^2*1/Theta*gamma3*omega_n*1/s^2*s - t38 */
     out[14] = t39;
-    const double t40 = p[13]*t37; /* (-m*R*I3)*1/Theta*omega_n*gamma3*1/s^2*s */
+    const double t40 = p[13]*t36; /* (-m*R*I3)*1/Theta*gamma3*omega_n*1/s^2*s */
     out[13] = t40;
-    const double t41 = x[2]*t36; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t42 = JLT_FMA(t19, t41, t26); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t41 = x[2]*t37; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t42 = JLT_FMA(t18, t41, t27); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
     out[12] = t42;
-    const double t43 = JLT_FMA(t15, t41, t27); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t43 = JLT_FMA(t15, t41, t28); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
     out[15] = t43;
 }
 
@@ -214,63 +218,63 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t4 = t2*t3; /* s^2*gamma3*(I3^2 + m*R^2*I3) */
     const double t5 = 1.0/t4; /* 1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
     const double t6 = t3*t5; /* 1/s^2 = gamma3*(I3^2 + m*R^2*I3)*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
-    const double t7 = t2*t5; /* s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
+    const double t7 = t2*t5; /* 1/(gamma3*Theta) = s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
     const double t8 = sqrt(t2); /* s = sqrt(s^2) */
     out[6] = t8;
     const double t9 = x[2]*t8; /* omega_tau*s */
     out[0] = t9;
-    const double t10 = x[3]*p[10]; /* omega_n*R*I3 */
-    const double t11 = JLT_FNMA(t8, t10, p[6]); /* G_level - s*omega_n*R*I3 */
-    const double t12 = p[8]*t11; /* 1/(R*I3)*(G_level - s*omega_n*R*I3) */
-    const double t13 = p[9]*t7; /* 1/gamma3 = (I3^2 + m*R^2*I3)*s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
-    const double t14 = t12*t13; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 */
-    const double t15 = x[0]*t7; /* 1/Theta = gamma3*s^2*1/(s^2*gamma3*(I3^2 + m*R^2*I3)) */
-    const double t16 = t6*t8; /* 1/s^2*s */
-    const double t17 = t8*t13; /* s*1/gamma3 */
-    const double t18 = x[3]*t16; /* omega_n*1/s^2*s */
-    const double t19 = t6*t18; /* 1/s^2*omega_n*1/s^2*s */
-    const double t20 = JLT_FMS(t13, t14, t18); /* d(omega3)/d(gamma3) = 1/gamma3*1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*1/s^2*s */
-    const double t21 = x[0]*t18; /* gamma3*omega_n*1/s^2*s */
-    const double t22 = x[0]*t16; /* gamma3*1/s^2*s */
-    const double t23 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t24 = p[12]*t23; /* m*R*I3*V */
-    const double t25 = JLT_FNMA(t15, t24, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t26 = t14 - t21; /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - gamma3*omega_n*1/s^2*s */
-    const double t27 = x[3]*t26; /* omega_n*t26 */
-    out[2] = t27;
-    const double t28 = p[7]*t27; /* (-R)*omega_n*t26 */
-    out[1] = t28;
-    const double t29 = p[9]*t15; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t30 = t15*t21; /* 1/Theta*gamma3*omega_n*1/s^2*s */
-    const double t31 = p[13]*t30; /* (-m*R*I3)*1/Theta*gamma3*omega_n*1/s^2*s */
-    out[17] = t31;
-    const double t32 = t19 + t20; /* 1/s^2*omega_n*1/s^2*s + d(omega3)/d(gamma3) */
-    const double t33 = x[3]*t32; /* omega_n*(1/s^2*omega_n*1/s^2*s + d(omega3)/d(gamma3)) */
-    const double t34 = t19*t25; /* 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t35 = p[1]*t33; /* R*omega_n*(1/s^2*omega_n*1/s^2*s + d(omega3)/d(gamma3)) */
-    out[8] = t35;
-    const double t36 = -t33; /* -omega_n*(1/s^2*omega_n*1/s^2*s + d(omega3)/d(gamma3)) */
-    out[12] = t36;
-    const double t37 = JLT_FNMA(x[3], t17, t14); /* 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3 - omega_n*s*1/gamma3 */
-    const double t38 = JLT_FNMA(2.0, t21, t37); /* t37 - 2*gamma3*omega_n*1/s^2*s */
-    out[15] = t38;
-    const double t39 = p[7]*t38; /* (-R)*(t37 - 2*gamma3*omega_n*1/s^2*s) */
-    out[11] = t39;
-    const double t40 = t21*t25; /* gamma3*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t41 = JLT_FNMA(t14, t29, t21); /* gamma3*omega_n*1/s^2*s - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t42 = JLT_FNMA(p[14], t30, t41); /* t41 - m*R^2*I3*1/Theta*gamma3*omega_n*1/s^2*s */
-    out[18] = t42;
-    const double t43 = x[2]*t29; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t44 = JLT_FNMA(t14, t43, t40); /* gamma3*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) - 1/(R*I3)*(G_level - s*omega_n*R*I3)*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[3] = t44;
-    const double t45 = JLT_FMA(t20, t43, t34); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + 1/s^2*omega_n*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t10 = x[3]*t8; /* omega_n*s */
+    const double t11 = p[9]*t7; /* 1/gamma3 = (I3^2 + m*R^2*I3)*1/(gamma3*Theta) */
+    const double t12 = x[0]*t7; /* 1/Theta = gamma3*1/(gamma3*Theta) */
+    const double t13 = JLT_FNMA(p[10], t10, p[6]); /* G_level - R*I3*omega_n*s */
+    const double t14 = p[8]*t11; /* 1/(R*I3)*1/gamma3 */
+    const double t15 = t13*t14; /* (G_level - R*I3*omega_n*s)*1/(R*I3)*1/gamma3 */
+    const double t16 = t6*t10; /* 1/s^2*omega_n*s */
+    const double t17 = JLT_FNMA(t10, t11, t15); /* (G_level - R*I3*omega_n*s)*1/(R*I3)*1/gamma3 - omega_n*s*1/gamma3 */
+    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t19 = p[12]*t18; /* m*R*I3*V */
+    const double t20 = JLT_FNMA(t12, t19, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t21 = x[0]*t16; /* gamma3*1/s^2*omega_n*s */
+    const double t22 = JLT_FNMA(2.0, t21, t17); /* t17 - 2*gamma3*1/s^2*omega_n*s */
+    out[15] = t22;
+    const double t23 = p[7]*t22; /* (-R)*(t17 - 2*gamma3*1/s^2*omega_n*s) */
+    out[11] = t23;
+    const double t24 = x[0]*t8; /* gamma3*s */
+    const double t25 = t6*t24; /* 1/s^2*gamma3*s */
+    const double t26 = t6*t16; /* 1/s^2*1/s^2*omega_n*s */
+    const double t27 = JLT_FMS(t11, t15, t16); /* d(omega3)/d(gamma3) = 1/gamma3*(G_level - R*I3*omega_n*s)*1/(R*I3)*1/gamma3 - 1/s^2*omega_n*s */
+    const double t28 = t8*t11; /* s*1/gamma3 */
+    const double t29 = t15 - t21; /* (G_level - R*I3*omega_n*s)*1/(R*I3)*1/gamma3 - gamma3*1/s^2*omega_n*s */
+    const double t30 = x[3]*t29; /* omega_n*t29 */
+    out[2] = t30;
+    const double t31 = p[7]*t30; /* (-R)*omega_n*t29 */
+    out[1] = t31;
+    const double t32 = p[9]*t12; /* (I3^2 + m*R^2*I3)*1/Theta */
+    const double t33 = t12*t21; /* 1/Theta*gamma3*1/s^2*omega_n*s */
+    const double t34 = t20*t21; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s^2*omega_n*s */
+    const double t35 = p[13]*t33; /* (-m*R*I3)*1/Theta*gamma3*1/s^2*omega_n*s */
+    out[17] = t35;
+    const double t36 = t26 + t27; /* 1/s^2*1/s^2*omega_n*s + d(omega3)/d(gamma3) */
+    const double t37 = x[3]*t36; /* omega_n*(1/s^2*1/s^2*omega_n*s + d(omega3)/d(gamma3)) */
+    const double t38 = t20*t26; /* (omega_tau - 1/Theta*m*R*I3*V)*1/s^2*1/s^2*omega_n*s */
+    const double t39 = t20*t25; /* (omega_tau - 1/Theta*m*R*I3*V)*1/s^2*gamma3*s */
+    const double t40 = x[2]*t25; /* omega_tau*1/s^2*gamma3*s */
+    const double t41 = -t40; /* -omega_tau*1/s^2*gamma3*s */
+    out[4] = t41;
+    const double t42 = p[1]*t37; /* R*omega_n*(1/s^2*1/s^2*omega_n*s + d(omega3)/d(gamma3)) */
+    out[8] = t42;
+    const double t43 = -t37; /* -omega_n*(1/s^2*1/s^2*omega_n*s + d(omega3)/d(gamma3)) */
+    out[12] = t43;
+    const double t44 = x[2]*t32; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t45 = JLT_FMA(t27, t44, t38); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*1/s^2*1/s^2*omega_n*s */
     out[16] = t45;
-    const double t46 = t22*t25; /* gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t47 = JLT_FMA(t17, t43, t46); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + gamma3*1/s^2*s*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[19] = t47;
-    const double t48 = x[2]*t22; /* omega_tau*gamma3*1/s^2*s */
-    const double t49 = -t48; /* -omega_tau*gamma3*1/s^2*s */
-    out[4] = t49;
+    const double t46 = JLT_FMA(t28, t44, t39); /* s*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + (omega_tau - 1/Theta*m*R*I3*V)*1/s^2*gamma3*s */
+    out[19] = t46;
+    const double t47 = JLT_FNMA(t15, t44, t34); /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/s^2*omega_n*s - (G_level - R*I3*omega_n*s)*1/(R*I3)*1/gamma3*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
+    out[3] = t47;
+    const double t48 = t15*t32; /* (G_level - R*I3*omega_n*s)*1/(R*I3)*1/gamma3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t49 = JLT_FMS(p[14], t33, t48); /* I3^2*1/Theta*gamma3*1/s^2*omega_n*s - t48 */
+    out[18] = t49;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -530,22 +534,22 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3 
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 2, 18, 5, 1, 1, 0, 10, 5 }, { 11, 43, 0, 7, 1, 0, 11, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .jacobian = { jacobian, 16, { 5, 27, 10, 1, 1, 0, 11, 9 }, { 30, 113, 0, 27, 1, 0, 12, 9 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 6, 31, 11, 1, 1, 0, 11, 11 }, { 36, 138, 0, 33, 1, 0, 12, 9 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level - (R*I3)*omega_n*s, a part of d(v_nu)/dt and of d(omega_tau)/dt, V = omega_tau*R + v_nu, a part of d(omega_n)/dt, d(omega_n)/dt" },
+    .jacobian = { jacobian, 16, { 5, 28, 9, 1, 1, 0, 11, 10 }, { 30, 113, 0, 27, 1, 0, 12, 9 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level - s*omega_n*(R*I3), d(omega3)/d(gamma3), V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I3)*V, d(omega3)/d(gamma3) + 1/s^2*omega_n*1/s^2*s, d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 6, 32, 10, 1, 1, 0, 12, 11 }, { 36, 138, 0, 33, 1, 0, 12, 9 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level - (R*I3)*omega_n*s, V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I3)*V, d(d(omega_tau)/dt)/d(omega_n), d(omega3)/d(gamma3), a part of d(v_nu)/dt and of d(omega_tau)/dt, 1/s^2*1/s^2*omega_n*s + d(omega3)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau)" },
     .divergence = { divergence, 1, { 2, 11, 2, 1, 1, 0, 9, 6 }, { 6, 28, 0, 3, 1, 0, 10, 6 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu, d(numerator of d(omega_n)/dt over Theta)/d(omega_n)" },
     .integral_values = { integral_values, 3, { 2, 10, 7, 1, 1, 0, 10, 4 }, { 9, 31, 0, 1, 1, 0, 15, 5 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level - s*(R*I3)*omega_n, v_tau/R = gamma3*omega_n - s*(G_level - s*(R*I3)*omega_n)*((1/(R*I3))/gamma3), F_linear" },
     .integral_gradients = { integral_gradients, 12, { 2, 18, 9, 1, 1, 0, 13, 8 }, { 13, 46, 0, 6, 1, 0, 13, 9 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level - (R*I3)*omega_n*s, d(omega3)/d(gamma3), a part of d(E)/d(gamma3), d(v_tau)/d(gamma3)/R, v_tau/R = omega_n*gamma3 - s*(1/(R*I3))*(G_level - (R*I3)*omega_n*s)*1/gamma3, d(E)/d(gamma3), s*(G_level - (R*I3)*omega_n*s)*1/gamma3*(1/R) - (m*R^2)*v_tau/R, d(E)/d(omega_n), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { eliminated, 1, { 2, 3, 1, 1, 1, 0, 5, 3 }, { 2, 6, 0, 1, 1, 0, 6, 4 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level - s*(R*I3)*omega_n" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -9,7 +9,7 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3   16    7    1    0    0      7    7   (75)
  *  jacobian            7   47   16    1    0    0     10   15   (321)
- *  rhs_jacobian        11   51   19    1    0    0     10   18   (381)
+ *  rhs_jacobian        10   55   17    1    0    0      7   16   (381)
  *  divergence          1    5    3    1    0    0      5    4   (30)
  *  integral_values     0   13   10    0    0    0      6    6   (55)
  *  integral_gradients  0   21    6    0    0    0      4    4   (81)
@@ -17,6 +17,18 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
+ *    digits are lost where terms nearly cancel in omega_n*gamma3 + s*omega3, omega_n*gamma3 + s*omega3*(I3/I1),
+ *      V = omega_tau*R + v_nu,
+ *      numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V,
+ *      d(omega_n)/dtau,
+ *      numerator of d(omega3)/dt over Theta = s*omega_tau*gamma3*s*omega3*(m*R^2*(I1 - I3)) - s*omega_n*V*(m*R*I1),
+ *      d(d(v_nu)/dtau)/d(omega_n), omega_n*gamma3*(2) + s*omega3*(I3/I1), omega_tau - ((1)/Theta)*(m*R*I3)*V,
+ *      d(d(omega_n)/dtau)/d(gamma3),
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R^2*I3),
+ *      d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3),
+ *      d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*omega3*(m*R^2*(I1 - I3))*s*gamma3 - (m*R^2*I1)*s*omega_n,
+ *      d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*(2*m*R^2*(I1 - I3))*omega_tau*gamma3 - omega_n*V*(m*R*I1),
+ *      d(d(omega3)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -55,15 +67,18 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = t0;
     const double t1 = params[1]*params[1]; /* R*R */
     const double t2 = params[0]*t1; /* m*R*R */
-    out[29] = t2;
+    out[41] = t2;
     const double t3 = params[5]/t2; /* I3/(m*R*R) */
     out[7] = t3;
     const double t4 = 1.0/params[1]; /* 1/R */
     out[8] = t4;
     const double t5 = params[4]*t2; /* I1*m*R*R */
+    out[22] = t5;
     const double t6 = params[5]*params[5]; /* I3*I3 */
     const double t7 = params[5]*t2; /* I3*m*R*R */
+    out[23] = t7;
     const double t8 = t6 + t7; /* I3*I3 + I3*m*R*R */
+    out[24] = t8;
     const double t9 = t8/t5; /* (I3*I3 + I3*m*R*R)/(I1*m*R*R) */
     out[9] = t9;
     const double t10 = params[4] - params[5]; /* I1 - I3 */
@@ -89,9 +104,9 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t26 = t25/t20; /* 2*(m*R*R*I3*I3*I3 + I3*I3*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
     out[14] = t26;
     const double t27 = params[4]*params[1]; /* I1*R */
-    out[25] = t27;
+    out[37] = t27;
     const double t28 = params[5]/t27; /* I3/(I1*R) */
-    out[21] = t28;
+    out[33] = t28;
     const double t29 = -t28; /* -I3/(I1*R) */
     out[15] = t29;
     const double t30 = t5*t6; /* I1*m*R*R*I3*I3 */
@@ -112,33 +127,50 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t41 = t10*2.0; /* (I1 - I3)*2 */
     const double t42 = t41/params[4]; /* (I1 - I3)*2/I1 */
     out[20] = t42;
-    const double t43 = params[4]/2.0; /* I1/2 */
-    out[22] = t43;
-    const double t44 = params[0]/params[4]; /* m/I1 */
-    out[23] = t44;
-    const double t45 = t2/params[4]; /* m*R*R/I1 */
-    out[24] = t45;
-    const double t46 = params[5]*params[1]; /* I3*R */
+    const double t43 = params[4]*params[5]; /* I1*I3 */
+    out[21] = t43;
+    const double t44 = params[0]*params[1]; /* m*R */
+    const double t45 = params[5]*t44; /* I3*m*R */
+    out[25] = t45;
+    const double t46 = params[4]*t44; /* I1*m*R */
     out[26] = t46;
-    const double t47 = params[0]*t14; /* m*I1*I1 */
+    const double t47 = t2*t10; /* m*R*R*(I1 - I3) */
     out[27] = t47;
-    const double t48 = t5*t10; /* I1*m*R*R*(I1 - I3) */
-    out[28] = t48;
-    const double t49 = -t46; /* -I3*R */
-    out[30] = t49;
-    const double t50 = params[0]*2.0; /* m*2 */
-    const double t51 = t1*t50; /* R*R*m*2 */
-    const double t52 = params[5]*t51; /* I3*R*R*m*2 */
-    const double t53 = t10*t52; /* (I1 - I3)*I3*R*R*m*2 */
+    const double t48 = params[0]*2.0; /* m*2 */
+    const double t49 = t1*t48; /* R*R*m*2 */
+    const double t50 = params[5]*t49; /* I3*R*R*m*2 */
+    out[28] = t50;
+    const double t51 = -t45; /* -I3*m*R */
+    out[29] = t51;
+    const double t52 = params[4]*t49; /* I1*R*R*m*2 */
+    out[30] = t52;
+    const double t53 = -t46; /* -I1*m*R */
     out[31] = t53;
-    const double t54 = t14*t50; /* I1*I1*m*2 */
+    const double t54 = t10*t49; /* (I1 - I3)*R*R*m*2 */
     out[32] = t54;
-    const double t55 = params[1]*t50; /* R*m*2 */
-    const double t56 = t14*t55; /* I1*I1*R*m*2 */
-    out[33] = t56;
-    const double t57 = params[4]*t51; /* I1*R*R*m*2 */
-    const double t58 = t10*t57; /* (I1 - I3)*I1*R*R*m*2 */
-    out[34] = t58;
+    const double t55 = params[4]/2.0; /* I1/2 */
+    out[34] = t55;
+    const double t56 = params[0]/params[4]; /* m/I1 */
+    out[35] = t56;
+    const double t57 = t2/params[4]; /* m*R*R/I1 */
+    out[36] = t57;
+    const double t58 = params[5]*params[1]; /* I3*R */
+    out[38] = t58;
+    const double t59 = params[0]*t14; /* m*I1*I1 */
+    out[39] = t59;
+    const double t60 = t5*t10; /* I1*m*R*R*(I1 - I3) */
+    out[40] = t60;
+    const double t61 = -t58; /* -I3*R */
+    out[42] = t61;
+    const double t62 = t10*t50; /* (I1 - I3)*I3*R*R*m*2 */
+    out[43] = t62;
+    const double t63 = t14*t48; /* I1*I1*m*2 */
+    out[44] = t63;
+    const double t64 = params[1]*t48; /* R*m*2 */
+    const double t65 = t14*t64; /* I1*I1*R*m*2 */
+    out[45] = t65;
+    const double t66 = t10*t52; /* (I1 - I3)*I1*R*R*m*2 */
+    out[46] = t66;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -295,39 +327,40 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = x[5]*t0; /* s*s*omega_tau */
     out[0] = t1;
     const double t2 = p[1]*x[3]; /* R*omega_n */
-    const double t3 = x[5]*x[4]; /* s*omega3 */
-    const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t5 = t3 + t4; /* s*omega3 + omega_n*gamma3 */
-    const double t6 = t2*t5; /* R*omega_n*(s*omega3 + omega_n*gamma3) */
+    const double t3 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t4 = x[5]*x[4]; /* s*omega3 */
+    const double t5 = t3 + t4; /* omega_n*gamma3 + s*omega3 */
+    const double t6 = t2*t5; /* R*omega_n*(omega_n*gamma3 + s*omega3) */
     out[1] = t6;
-    const double t7 = x[3]*t4; /* omega_n*omega_n*gamma3 */
-    const double t8 = x[3]*p[6]; /* omega_n*I3/I1 */
-    const double t9 = JLT_FMA(t3, t8, t7); /* s*omega3*omega_n*I3/I1 + omega_n*omega_n*gamma3 */
-    const double t10 = -t9; /* -(s*omega3*omega_n*I3/I1 + omega_n*omega_n*gamma3) */
+    const double t7 = t4*p[6]; /* s*omega3*I3/I1 */
+    const double t8 = t3 + t7; /* omega_n*gamma3 + s*omega3*I3/I1 */
+    const double t9 = x[3]*t8; /* omega_n*(omega_n*gamma3 + s*omega3*I3/I1) */
+    const double t10 = -t9; /* -omega_n*(omega_n*gamma3 + s*omega3*I3/I1) */
     out[2] = t10;
     const double t11 = x[5]*x[5]; /* s*s */
     out[8] = t11;
-    const double t12 = x[0]*p[6]; /* gamma3*I3/I1 */
-    const double t13 = p[7] + t11; /* I3/(m*R^2) + s*s */
-    const double t14 = JLT_FMA(x[0], t12, t13); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s*s */
-    const double t15 = 1.0/t14; /* 1/(Theta/(m*R^2*I1)) */
-    const double t16 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t17 = t15*t16; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t18 = JLT_FNMA(p[6], t17, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t19 = t4*t18; /* omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t20 = x[5]*t15; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t21 = x[4]*t20; /* omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t22 = x[2]*t21; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t23 = JLT_FMA(p[9], t22, t19); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) + omega_n*gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[3] = t23;
-    const double t24 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t25 = t21*p[10]; /* omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t26 = t24*t25; /* s*omega_tau*gamma3*omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t27 = x[3]*t20; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t28 = JLT_FNMA(t16, t27, t26); /* t26 - V/R*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[4] = t28;
-    const double t29 = -t24; /* -s*omega_tau*gamma3 */
-    out[5] = t29;
+    const double t12 = x[0]*p[23]; /* gamma3*m*R^2*I3 */
+    const double t13 = JLT_FMA(p[22], t11, p[21]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t14 = JLT_FMA(x[0], t12, t13); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
+    const double t15 = 1.0/t14; /* 1/Theta */
+    const double t16 = x[2]*p[24]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t17 = t4*t16; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t19 = p[25]*t18; /* m*R*I3*V */
+    const double t20 = JLT_FNMA(t3, t19, t17); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
+    const double t21 = t15*t20; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t22 = JLT_FMA(x[2], t3, t21); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t22;
+    const double t23 = x[5]*x[3]; /* s*omega_n */
+    const double t24 = t18*p[26]; /* V*m*R*I1 */
+    const double t25 = t23*t24; /* s*omega_n*V*m*R*I1 */
+    const double t26 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t27 = t4*p[27]; /* s*omega3*m*R^2*(I1 - I3) */
+    const double t28 = JLT_FMS(t26, t27, t25); /* numerator of d(omega3)/dt over Theta = s*omega_tau*gamma3*s*omega3*m*R^2*(I1 - I3) - s*omega_n*V*m*R*I1 */
+    const double t29 = t15*t28; /* 1/Theta*numerator of d(omega3)/dt over Theta */
+    out[4] = t29;
+    const double t30 = -t26; /* -s*omega_tau*gamma3 */
+    out[5] = t30;
     out[6] = 0.0;
     out[7] = 0.0;
     out[9] = 0.0;
@@ -339,82 +372,82 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[37] = 0.0;
     out[39] = 0.0;
     out[40] = 0.0;
-    const double t30 = t0*2.0; /* s*omega_tau*2 */
-    out[11] = t30;
-    const double t31 = x[3]*t2; /* omega_n*R*omega_n */
-    out[12] = t31;
-    const double t32 = p[1]*t3; /* R*s*omega3 */
-    const double t33 = JLT_FMA(t4, p[11], t32); /* omega_n*gamma3*2*R + R*s*omega3 */
-    out[15] = t33;
-    const double t34 = x[5]*t2; /* s*R*omega_n */
-    out[16] = t34;
-    const double t35 = t2*x[4]; /* R*omega_n*omega3 */
-    out[17] = t35;
-    const double t36 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t37 = -t36; /* -omega_n*omega_n */
-    out[18] = t37;
-    const double t38 = t4*(-2.0); /* omega_n*gamma3*(-2) */
-    const double t39 = JLT_FMA(t3, p[12], t38); /* s*omega3*(-I3/I1) + omega_n*gamma3*(-2) */
-    out[21] = t39;
-    const double t40 = x[5]*t8; /* s*omega_n*I3/I1 */
-    const double t41 = -t40; /* -s*omega_n*I3/I1 */
+    const double t31 = t0*2.0; /* s*omega_tau*2 */
+    out[11] = t31;
+    const double t32 = x[3]*t2; /* omega_n*R*omega_n */
+    out[12] = t32;
+    const double t33 = p[1]*t4; /* R*s*omega3 */
+    const double t34 = JLT_FMA(t3, p[11], t33); /* omega_n*gamma3*2*R + R*s*omega3 */
+    out[15] = t34;
+    const double t35 = p[1]*t23; /* R*s*omega_n */
+    out[16] = t35;
+    const double t36 = t2*x[4]; /* R*omega_n*omega3 */
+    out[17] = t36;
+    const double t37 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t38 = -t37; /* -omega_n*omega_n */
+    out[18] = t38;
+    const double t39 = JLT_FMA(t3, 2.0, t7); /* omega_n*gamma3*2 + s*omega3*I3/I1 */
+    const double t40 = -t39; /* -(omega_n*gamma3*2 + s*omega3*I3/I1) */
+    out[21] = t40;
+    const double t41 = t23*p[12]; /* s*omega_n*(-I3/I1) */
     out[22] = t41;
-    const double t42 = x[4]*t8; /* omega3*omega_n*I3/I1 */
-    const double t43 = -t42; /* -omega3*omega_n*I3/I1 */
+    const double t42 = x[3]*p[12]; /* omega_n*(-I3/I1) */
+    const double t43 = x[4]*t42; /* omega3*omega_n*(-I3/I1) */
     out[23] = t43;
-    const double t44 = x[3]*t18; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t45 = t4*t17; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
-    const double t46 = x[0]*p[13]; /* gamma3*2*I3^2/I1^2 */
-    const double t47 = t45*t46; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*gamma3*2*I3^2/I1^2 */
-    const double t48 = x[0]*t22; /* gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t49 = JLT_FNMA(p[14], t48, t47); /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*gamma3*2*I3^2/I1^2 - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
-    const double t50 = JLT_FMA(t15, t49, t44); /* 1/(Theta/(m*R^2*I1))*t49 + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[24] = t50;
-    const double t51 = t4*t15; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t52 = p[15]*t51; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[25] = t52;
-    const double t53 = JLT_FNMA(p[6], t51, t4); /* omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t54 = JLT_FMA(p[9], t21, t53); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*s*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[26] = t54;
-    const double t55 = x[0]*t18; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[27] = t55;
-    const double t56 = x[2]*p[9]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t57 = t20*t56; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    out[28] = t57;
-    const double t58 = x[4]*t56; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t59 = t15*t58; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t60 = t45*p[17]; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t61 = JLT_FMS(t22, p[16], t60); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2) - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t62 = JLT_FNMA(t20, t61, t59); /* t59 - s*1/(Theta/(m*R^2*I1))*t61 */
-    out[29] = t62;
-    const double t63 = t0*t25; /* s*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 */
-    const double t64 = x[0]*p[18]; /* gamma3*2*I3*(I1 - I3)/I1^2 */
-    const double t65 = JLT_FMS(t48, t64, t60); /* gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*gamma3*2*I3*(I1 - I3)/I1^2 - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*2*I3/I1 */
-    const double t66 = JLT_FNMA(t20, t65, t63); /* s*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1 - s*1/(Theta/(m*R^2*I1))*t65 */
-    out[30] = t66;
-    const double t67 = t27*p[19]; /* omega_n*s*1/(Theta/(m*R^2*I1))*(-1/R) */
-    out[31] = t67;
-    const double t68 = x[5]*x[0]; /* s*gamma3 */
-    const double t69 = JLT_FMS(t25, t68, t27); /* omega3*s*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 - omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t44 = JLT_FNMA(t15, t19, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t45 = x[3]*t44; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t46 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
+    const double t47 = t15*t46; /* 1/Theta*gamma3*2*m*R^2*I3 */
+    const double t48 = JLT_FNMA(t21, t47, t45); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[24] = t48;
+    const double t49 = t3*p[29]; /* omega_n*gamma3*(-m*R*I3) */
+    const double t50 = t15*t49; /* 1/Theta*omega_n*gamma3*(-m*R*I3) */
+    out[25] = t50;
+    const double t51 = t4*p[24]; /* s*omega3*(I3^2 + m*R^2*I3) */
+    const double t52 = JLT_FNMA(t3, p[23], t51); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R^2*I3 */
+    const double t53 = JLT_FMA(t15, t52, t3); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[26] = t53;
+    const double t54 = x[0]*t44; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[27] = t54;
+    const double t55 = t0*t15; /* s*omega_tau*1/Theta */
+    const double t56 = p[24]*t55; /* (I3^2 + m*R^2*I3)*s*omega_tau*1/Theta */
+    out[28] = t56;
+    const double t57 = x[4]*t16; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t58 = t15*t57; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t59 = x[5]*t15; /* s*1/Theta */
+    const double t60 = p[30]*t59; /* 2*m*R^2*I1*s*1/Theta */
+    const double t61 = JLT_FNMA(t21, t60, t58); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[29] = t61;
+    const double t62 = t27*t55; /* s*omega3*m*R^2*(I1 - I3)*s*omega_tau*1/Theta */
+    const double t63 = JLT_FNMA(t29, t47, t62); /* s*omega3*m*R^2*(I1 - I3)*s*omega_tau*1/Theta - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[30] = t63;
+    const double t64 = t23*p[31]; /* s*omega_n*(-m*R*I1) */
+    const double t65 = t15*t64; /* 1/Theta*s*omega_n*(-m*R*I1) */
+    out[31] = t65;
+    const double t66 = x[5]*x[0]; /* s*gamma3 */
+    const double t67 = t27*t66; /* s*omega3*m*R^2*(I1 - I3)*s*gamma3 */
+    const double t68 = JLT_FNMA(p[22], t23, t67); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*omega3*m*R^2*(I1 - I3)*s*gamma3 - m*R^2*I1*s*omega_n */
+    const double t69 = t15*t68; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
     out[32] = t69;
-    const double t70 = t16*t20; /* V/R*s*1/(Theta/(m*R^2*I1)) */
-    const double t71 = -t70; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
+    const double t70 = t24*t59; /* V*m*R*I1*s*1/Theta */
+    const double t71 = -t70; /* -V*m*R*I1*s*1/Theta */
     out[33] = t71;
-    const double t72 = t24*p[10]; /* s*omega_tau*gamma3*(I1 - I3)/I1 */
-    const double t73 = t20*t72; /* s*1/(Theta/(m*R^2*I1))*s*omega_tau*gamma3*(I1 - I3)/I1 */
+    const double t72 = t26*p[27]; /* s*omega_tau*gamma3*m*R^2*(I1 - I3) */
+    const double t73 = t59*t72; /* s*1/Theta*s*omega_tau*gamma3*m*R^2*(I1 - I3) */
     out[34] = t73;
-    const double t74 = x[3]*t17; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t75 = t20*2.0; /* s*1/(Theta/(m*R^2*I1))*2 */
-    const double t76 = JLT_FMS(t48, p[20], t74); /* gamma3*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*2*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t77 = JLT_FNMA(t28, t75, t76); /* t76 - (t26 - V/R*omega_n*s*1/(Theta/(m*R^2*I1)))*s*1/(Theta/(m*R^2*I1))*2 */
-    out[35] = t77;
-    const double t78 = -t0; /* -s*omega_tau */
-    out[36] = t78;
-    const double t79 = -t68; /* -s*gamma3 */
-    out[38] = t79;
-    const double t80 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t81 = -t80; /* -omega_tau*gamma3 */
-    out[41] = t81;
+    const double t74 = x[3]*t24; /* omega_n*V*m*R*I1 */
+    const double t75 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t76 = p[32]*t75; /* 2*m*R^2*(I1 - I3)*omega_tau*gamma3 */
+    const double t77 = JLT_FMS(t4, t76, t74); /* d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*2*m*R^2*(I1 - I3)*omega_tau*gamma3 - omega_n*V*m*R*I1 */
+    const double t78 = t15*t77; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t79 = JLT_FNMA(t29, t60, t78); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[35] = t79;
+    const double t80 = -t0; /* -s*omega_tau */
+    out[36] = t80;
+    const double t81 = -t66; /* -s*gamma3 */
+    out[38] = t81;
+    const double t82 = -t75; /* -omega_tau*gamma3 */
+    out[41] = t82;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -426,7 +459,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t4 = p[10]*x[2]; /* (I1 - I3)/I1*omega_tau */
     const double t5 = t0*t4; /* s*s*(I1 - I3)/I1*omega_tau */
     const double t6 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t7 = JLT_FNMA(p[21], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
+    const double t7 = JLT_FNMA(p[33], t6, t5); /* s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V */
     const double t8 = x[0]*t7; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V) */
     const double t9 = t8/t3; /* gamma3*(s*s*(I1 - I3)/I1*omega_tau - I3/(R*I1)*V)/(Theta/(m*R^2*I1)) */
     out[0] = t9;
@@ -434,30 +467,30 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[23]*x[1]; /* m/I1*v_nu */
+    const double t0 = p[35]*x[1]; /* m/I1*v_nu */
     const double t1 = x[3]*x[3]; /* omega_n*omega_n */
     const double t2 = x[4]*x[4]; /* omega3*omega3 */
     const double t3 = x[4]*x[5]; /* omega3*s */
     const double t4 = JLT_FMA(x[3], x[0], t3); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t5 = p[24]*t4; /* m*R^2/I1*v_tau/R */
+    const double t5 = p[36]*t4; /* m*R^2/I1*v_tau/R */
     const double t6 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t7 = JLT_FMA(x[1], t0, t6); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t8 = JLT_FMA(p[6], t2, t7); /* I3/I1*omega3*omega3 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t9 = JLT_FMA(t4, t5, t8); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t8 */
-    const double t10 = p[22]*t9; /* 1/2*I1*energy/(1/2*I1) */
+    const double t10 = p[34]*t9; /* 1/2*I1*energy/(1/2*I1) */
     out[0] = t10;
-    const double t11 = x[3]*p[25]; /* omega_n*R*I1 */
+    const double t11 = x[3]*p[37]; /* omega_n*R*I1 */
     const double t12 = x[5]*t11; /* s*omega_n*R*I1 */
-    const double t13 = x[4]*p[26]; /* omega3*R*I3 */
+    const double t13 = x[4]*p[38]; /* omega3*R*I3 */
     const double t14 = JLT_FNMA(x[0], t13, t12); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
     out[1] = t14;
     const double t15 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t16 = p[27]*t15; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t16 = p[39]*t15; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t17 = t15*t16; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t18 = p[6]*x[0]; /* I3/I1*gamma3 */
     const double t19 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
     const double t20 = JLT_FMA(x[0], t18, t19); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + s*s + I3/(m*R^2) */
-    const double t21 = t2*p[28]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
+    const double t21 = t2*p[40]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
     const double t22 = JLT_FMA(t20, t21, t17); /* Theta/(m*R^2*I1)*omega3*omega3*m*R^2*I1*(I1 - I3) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[2] = t22;
 }
@@ -466,7 +499,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 {
     const double t0 = x[4]*x[5]; /* omega3*s */
     const double t1 = JLT_FMA(x[3], x[0], t0); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t2 = p[29]*t1; /* m*R^2*v_tau/R */
+    const double t2 = p[41]*t1; /* m*R^2*v_tau/R */
     const double t3 = x[3]*t2; /* omega_n*m*R^2*v_tau/R */
     out[0] = t3;
     const double t4 = p[0]*x[1]; /* m*v_nu */
@@ -481,30 +514,30 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[4] = t9;
     const double t10 = x[4]*t2; /* omega3*m*R^2*v_tau/R */
     out[5] = t10;
-    const double t11 = x[4]*p[30]; /* omega3*(-R*I3) */
+    const double t11 = x[4]*p[42]; /* omega3*(-R*I3) */
     out[6] = t11;
     out[7] = 0.0;
     out[8] = 0.0;
     out[15] = 0.0;
-    const double t12 = x[5]*p[25]; /* s*R*I1 */
+    const double t12 = x[5]*p[37]; /* s*R*I1 */
     out[9] = t12;
-    const double t13 = x[0]*p[30]; /* gamma3*(-R*I3) */
+    const double t13 = x[0]*p[42]; /* gamma3*(-R*I3) */
     out[10] = t13;
-    const double t14 = x[3]*p[25]; /* omega_n*R*I1 */
+    const double t14 = x[3]*p[37]; /* omega_n*R*I1 */
     out[11] = t14;
-    const double t15 = x[4]*p[31]; /* omega3*2*m*R^2*I3*(I1 - I3) */
+    const double t15 = x[4]*p[43]; /* omega3*2*m*R^2*I3*(I1 - I3) */
     const double t16 = x[4]*x[0]; /* omega3*gamma3 */
     const double t17 = t15*t16; /* omega3*2*m*R^2*I3*(I1 - I3)*omega3*gamma3 */
     out[12] = t17;
     const double t18 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t19 = p[32]*t18; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t19 = p[44]*t18; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[13] = t19;
-    const double t20 = t18*p[33]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t20 = t18*p[45]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[14] = t20;
     const double t21 = x[0]*p[6]; /* gamma3*I3/I1 */
     const double t22 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I3/(m*R^2) */
     const double t23 = JLT_FMA(x[0], t21, t22); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t24 = x[4]*p[34]; /* omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t24 = x[4]*p[46]; /* omega3*2*m*R^2*I1*(I1 - I3) */
     const double t25 = t23*t24; /* Theta/(m*R^2*I1)*omega3*2*m*R^2*I1*(I1 - I3) */
     out[16] = t25;
     const double t26 = t0*t24; /* omega3*s*omega3*2*m*R^2*I1*(I1 - I3) */
@@ -670,23 +703,23 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular = {
     .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
-    .state_count = 6, .param_count = 6, .block_count = 35,
+    .state_count = 6, .param_count = 6, .block_count = 47,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 6, { 3, 16, 7, 1, 0, 0, 7, 7 }, { 12, 57, 0, 6, 0, 0, 10, 6 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in omega_n*omega_n*gamma3 + omega3*s*omega_n, omega3*s*omega_n*(I3/I1) + omega_n*omega_n*gamma3, V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*((1)/Theta/(m*R^2*I1))*V/R, d(omega_n)/dtau, d(omega3)/dtau" },
     .jacobian = { jacobian, 36, { 7, 47, 16, 1, 0, 0, 10, 15 }, { 40, 250, 0, 31, 0, 0, 13, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 11, 51, 19, 1, 0, 0, 10, 18 }, { 49, 295, 0, 37, 0, 0, 13, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*((1)/Theta/(m*R^2*I1))*V/R, a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), 1 - s*s*((1)/Theta/(m*R^2*I1)), d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_tau), d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(omega_n), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(omega_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 42, { 10, 55, 17, 1, 0, 0, 7, 16 }, { 49, 295, 0, 37, 0, 0, 13, 7 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in omega_n*gamma3 + s*omega3, omega_n*gamma3 + s*omega3*(I3/I1), V = omega_tau*R + v_nu, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V, d(omega_n)/dtau, numerator of d(omega3)/dt over Theta = s*omega_tau*gamma3*s*omega3*(m*R^2*(I1 - I3)) - s*omega_n*V*(m*R*I1), d(d(v_nu)/dtau)/d(omega_n), omega_n*gamma3*(2) + s*omega3*(I3/I1), omega_tau - ((1)/Theta)*(m*R*I3)*V, d(d(omega_n)/dtau)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R^2*I3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*omega3*(m*R^2*(I1 - I3))*s*gamma3 - (m*R^2*I1)*s*omega_n, d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*(2*m*R^2*(I1 - I3))*omega_tau*gamma3 - omega_n*V*(m*R*I1), d(d(omega3)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 5, 3, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, s*s*((I1 - I3)/I1)*omega_tau - (I3/(R*I1))*V" },
     .integral_values = { integral_values, 3, { 0, 13, 10, 0, 0, 0, 6, 6 }, { 11, 44, 0, 0, 0, 0, 9, 6 },
-        "" },
+        "digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, G, omega_tau*R + v_nu, F0" },
     .integral_gradients = { integral_gradients, 18, { 0, 21, 6, 0, 0, 0, 4, 4 }, { 12, 69, 0, 0, 0, 0, 8, 5 },
-        "" },
+        "digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, d(E)/d(omega_n), d(E)/d(omega3), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

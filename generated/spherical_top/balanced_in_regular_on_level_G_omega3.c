@@ -13,13 +13,23 @@
  *  rhs_jacobian        8   42   19    1    0    0     16   14   (329)
  *  divergence          0   10    4    1    0    0      7    5   (36)
  *  integral_values     0   11   10    1    0    0      8    6   (55)
- *  integral_gradients  1   23   14    1    0    0      8    8   (138)
+ *  integral_gradients  0   25   13    1    0    0      8   11   (138)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *  eliminated          0    1    1    1    0    0      3    2   (7)
  *
  *  Accuracy
  *    divides by gamma3: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
+ *    digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, G_level/(R*I1) - s*omega_n - s*omega_n,
+ *      V = omega_tau*R + v_nu,
+ *      a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s),
+ *      a part of d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau,
+ *      d(numerator of d(omega_n)/dt over Theta)/d(gamma3), d(d(omega_tau)/dtau)/d(omega_n), d(d(v_nu)/dtau)/d(omega_n),
+ *      a part of d(d(omega_n)/dtau)/d(s),
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = (I1*I3 + m*R^2*I1)*s*1/gamma3*s*omega_tau - gamma3*(m*R*I3)*V,
+ *      a part of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3),
+ *      d(v_nu)/dtau, d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(gamma3),
+ *      d(d(omega_n)/dtau)/d(omega_n)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -154,22 +164,20 @@ static void prepare(const double *restrict params, double *restrict out)
     out[40] = t61;
     const double t62 = t34/params[5]; /* I1*m*R*R/I3 */
     out[41] = t62;
-    const double t63 = t25*t48; /* I1*I1*R*R*m*2 */
-    const double t64 = t59*t63; /* (I1 - I3)*I1*I1*R*R*m*2 */
-    const double t65 = t64/params[5]; /* (I1 - I3)*I1*I1*R*R*m*2/I3 */
-    out[42] = t65;
-    const double t66 = params[4]*t25; /* I1*I1*I1 */
-    const double t67 = t48*t66; /* R*R*m*2*I1*I1*I1 */
-    const double t68 = t59*t67; /* (I1 - I3)*R*R*m*2*I1*I1*I1 */
-    const double t69 = t68/t9; /* (I1 - I3)*R*R*m*2*I1*I1*I1/(I3*I3) */
+    const double t63 = params[0]*(-2.0); /* m*(-2) */
+    const double t64 = t3*t63; /* R*R*m*(-2) */
+    const double t65 = params[4]*t25; /* I1*I1*I1 */
+    const double t66 = t64*t65; /* R*R*m*(-2)*I1*I1*I1 */
+    const double t67 = t59*t66; /* (I1 - I3)*R*R*m*(-2)*I1*I1*I1 */
+    const double t68 = t67/t9; /* (I1 - I3)*R*R*m*(-2)*I1*I1*I1/(I3*I3) */
+    out[42] = t68;
+    const double t69 = t25*t47; /* I1*I1*m*2 */
     out[43] = t69;
-    const double t70 = t25*t47; /* I1*I1*m*2 */
-    out[44] = t70;
-    const double t71 = params[1]*t47; /* R*m*2 */
-    const double t72 = t25*t71; /* I1*I1*R*m*2 */
+    const double t70 = params[1]*t47; /* R*m*2 */
+    const double t71 = t25*t70; /* I1*I1*R*m*2 */
+    out[44] = t71;
+    const double t72 = -t56; /* -I1/I3 */
     out[45] = t72;
-    const double t73 = -t56; /* -I1/I3 */
-    out[46] = t73;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -454,55 +462,55 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t0;
-    const double t1 = p[4]*x[2]; /* I1*omega_tau */
-    out[2] = t1;
-    const double t2 = 1.0/x[0]; /* 1/gamma3 */
-    const double t3 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t4 = t2*t3; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t5 = x[4]*t4; /* s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t6 = x[0]*p[10]; /* gamma3*I3/I1 */
-    const double t7 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
-    const double t8 = JLT_FMA(x[0], t6, t7); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
-    const double t9 = p[43]*t8; /* 2*m*R^2*I1^3*(I1 - I3)/I3^2*Theta/(m*R^2*I1) */
-    const double t10 = x[4]*t2; /* s*1/gamma3 */
-    const double t11 = t2*t4; /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t12 = t9*t11; /* 2*m*R^2*I1^3*(I1 - I3)/I3^2*Theta/(m*R^2*I1)*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t13 = p[40]*t11; /* I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t14 = JLT_FMS(p[42], t3, t12); /* 2*m*R^2*I1^2*(I1 - I3)/I3*(G_level/(R*I1) - omega_n*s) - t12 */
-    const double t15 = t4*t14; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*(2*m*R^2*I1^2*(I1 - I3)/I3*(G_level/(R*I1) - omega_n*s) - t12) */
-    out[5] = t15;
-    const double t16 = p[35]*t5; /* I1/I3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t17 = JLT_FMS(x[3], x[0], t16); /* v_tau/R = omega_n*gamma3 - I1/I3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t18 = p[35]*t10; /* I1/I3*s*1/gamma3 */
-    const double t19 = JLT_FMS(x[3], t10, t4); /* omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t20 = p[41]*t19; /* m*R^2*I1/I3*(omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s)) */
-    const double t21 = t17*t20; /* v_tau/R*t20 */
-    const double t22 = JLT_FNMA(x[3], t13, t21); /* d(energy)/d(s) = v_tau/R*t20 - omega_n*I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    out[4] = t22;
-    const double t23 = p[39]*t17; /* m*R^2*v_tau/R */
-    const double t24 = JLT_FMA(t4, t18, x[3]); /* d(v_tau)/d(gamma3)/R = 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*s*1/gamma3 + omega_n */
-    const double t25 = t23*t24; /* m*R^2*v_tau/R*d(v_tau)/d(gamma3)/R */
-    const double t26 = JLT_FNMA(t4, t13, t25); /* d(energy)/d(gamma3) = m*R^2*v_tau/R*d(v_tau)/d(gamma3)/R - 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    out[0] = t26;
-    const double t27 = p[43]*t4; /* 2*m*R^2*I1^3*(I1 - I3)/I3^2*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t28 = t5*t27; /* s*1/gamma3*(G_level/(R*I1) - omega_n*s)*t27 */
-    const double t29 = JLT_FNMA(x[3], t12, t28); /* s*1/gamma3*(G_level/(R*I1) - omega_n*s)*t27 - omega_n*t12 */
-    out[9] = t29;
-    const double t30 = JLT_FMA(x[4], t18, x[0]); /* d(v_tau)/d(omega_n)/R = s*I1/I3*s*1/gamma3 + gamma3 */
-    const double t31 = x[4]*t12; /* s*t12 */
-    const double t32 = -t31; /* -s*t12 */
-    out[8] = t32;
-    const double t33 = x[3]*p[4]; /* omega_n*I1 */
-    const double t34 = JLT_FNMA(x[4], t13, t33); /* omega_n*I1 - s*I1^2/I3*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t35 = JLT_FMA(t23, t30, t34); /* d(energy)/d(omega_n) = m*R^2*v_tau/R*d(v_tau)/d(omega_n)/R + t34 */
-    out[3] = t35;
-    const double t36 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t37 = p[44]*t36; /* 2*m*I1^2*(omega_tau*R + v_nu) */
-    out[6] = t37;
-    const double t38 = p[45]*t36; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
-    out[7] = t38;
+    const double t0 = 1.0/x[0]; /* 1/gamma3 */
+    const double t1 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
+    const double t2 = t0*t1; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t3 = t0*t2; /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t4 = x[4]*t3; /* s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t5 = JLT_FMA(p[35], t4, x[3]); /* d(v_tau)/d(gamma3)/R = I1/I3*s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) + omega_n */
+    const double t6 = x[4]*t2; /* s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t7 = p[35]*t6; /* I1/I3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t8 = JLT_FMS(x[3], x[0], t7); /* v_tau/R = omega_n*gamma3 - I1/I3*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t9 = p[39]*t8; /* m*R^2*v_tau/R */
+    const double t10 = t5*t9; /* d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R */
+    const double t11 = t2*t3; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t12 = JLT_FNMA(p[40], t11, t10); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - I1^2/I3*t11 */
+    out[0] = t12;
+    const double t13 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t13;
+    const double t14 = p[4]*x[2]; /* I1*omega_tau */
+    out[2] = t14;
+    const double t15 = x[3]*p[4]; /* omega_n*I1 */
+    const double t16 = x[4]*t0; /* s*1/gamma3 */
+    const double t17 = p[35]*x[4]; /* I1/I3*s */
+    const double t18 = JLT_FMA(t16, t17, x[0]); /* d(v_tau)/d(omega_n)/R = s*1/gamma3*I1/I3*s + gamma3 */
+    const double t19 = JLT_FNMA(t4, p[40], t15); /* omega_n*I1 - s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*I1^2/I3 */
+    const double t20 = JLT_FMA(t9, t18, t19); /* d(energy)/d(omega_n) = m*R^2*v_tau/R*d(v_tau)/d(omega_n)/R + t19 */
+    out[3] = t20;
+    const double t21 = JLT_FMS(x[3], t16, t2); /* omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t22 = p[41]*t21; /* m*R^2*I1/I3*(omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s)) */
+    const double t23 = t8*t22; /* v_tau/R*t22 */
+    const double t24 = x[3]*t3; /* omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t25 = JLT_FNMA(p[40], t24, t23); /* d(energy)/d(s) = v_tau/R*t22 - I1^2/I3*omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    out[4] = t25;
+    const double t26 = JLT_FMA(x[4], x[4], p[9]); /* s*s + I3/(m*R^2) */
+    const double t27 = p[42]*t26; /* (-2*m*R^2*I1^3*(I1 - I3)/I3^2)*(s*s + I3/(m*R^2)) */
+    const double t28 = t11*t27; /* t11*(-2*m*R^2*I1^3*(I1 - I3)/I3^2)*(s*s + I3/(m*R^2)) */
+    out[5] = t28;
+    const double t29 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t30 = p[43]*t29; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    out[6] = t30;
+    const double t31 = t29*p[44]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    out[7] = t31;
+    const double t32 = x[0]*p[10]; /* gamma3*I3/I1 */
+    const double t33 = JLT_FMA(x[0], t32, t26); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s*s + I3/(m*R^2) */
+    const double t34 = p[42]*t33; /* (-2*m*R^2*I1^3*(I1 - I3)/I3^2)*Theta/(m*R^2*I1) */
+    const double t35 = t4*t34; /* s*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*(-2*m*R^2*I1^3*(I1 - I3)/I3^2)*Theta/(m*R^2*I1) */
+    out[8] = t35;
+    const double t36 = t24*t33; /* omega_n*1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s)*Theta/(m*R^2*I1) */
+    const double t37 = JLT_FNMA(t2, t6, t36); /* t36 - 1/gamma3*(G_level/(R*I1) - omega_n*s)*s*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t38 = p[42]*t37; /* (-2*m*R^2*I1^3*(I1 - I3)/I3^2)*t37 */
+    out[9] = t38;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -514,7 +522,7 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t1 = p[46]*t0; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
+    const double t1 = p[45]*t0; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
     const double t2 = t1/x[0]; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s)/gamma3 */
     out[0] = t2;
 }
@@ -666,29 +674,29 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G_om
     .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 47,
+    .state_count = 5, .param_count = 7, .block_count = 46,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 3, 17, 6, 1, 0, 0, 8, 7 }, { 11, 49, 0, 5, 0, 0, 11, 7 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, V = omega_tau*R + v_nu, omega_tau - 1/(Theta/(m*R^2*I1))*(I3/(R*I1))*V, d(omega_tau)/dtau, d(v_nu)/dtau, d(omega_n)/dtau" },
     .jacobian = { jacobian, 25, { 8, 38, 16, 1, 0, 0, 12, 14 }, { 41, 216, 0, 29, 0, 0, 15, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, G_level/(R*I1) - s*omega_n - s*omega_n, V = omega_tau*R + v_nu, (G_level/(R*I1) - s*omega_n)*s*1/gamma3 - s*s*omega_n*1/gamma3, a part of d(d(omega_n)/dtau)/d(s), d(d(omega_tau)/dtau)/d(omega_n), d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(omega_tau), omega_tau - (I3/(R*I1))*1/(Theta/(m*R^2*I1))*V, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), d(d(v_nu)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 8, 42, 19, 1, 0, 0, 16, 14 }, { 48, 248, 0, 33, 0, 0, 15, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, G_level/(R*I1) - s*omega_n - s*omega_n, V = omega_tau*R + v_nu, a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau, d(numerator of d(omega_n)/dt over Theta)/d(gamma3), d(d(omega_tau)/dtau)/d(omega_n), d(d(v_nu)/dtau)/d(omega_n), a part of d(d(omega_n)/dtau)/d(s), d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = (I1*I3 + m*R^2*I1)*s*1/gamma3*s*omega_tau - gamma3*(m*R*I3)*V, a part of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(v_nu)/dtau, d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n)" },
     .divergence = { divergence, 1, { 0, 10, 4, 1, 0, 0, 7, 5 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu, d(numerator of d(omega_n)/dt over Theta)/d(omega_n)" },
     .integral_values = { integral_values, 2, { 0, 11, 10, 1, 0, 0, 8, 6 }, { 11, 43, 0, 1, 0, 0, 13, 6 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 10, { 1, 23, 14, 1, 0, 0, 8, 8 }, { 23, 105, 0, 10, 0, 0, 12, 9 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, v_tau/R = omega_n*gamma3 - s*((I1/I3)*(G_level/(R*I1) - omega_n*s)/gamma3), omega_tau*R + v_nu, F0" },
+    .integral_gradients = { integral_gradients, 10, { 0, 25, 13, 1, 0, 0, 8, 11 }, { 23, 105, 0, 10, 0, 0, 12, 9 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, d(v_tau)/d(gamma3)/R, v_tau/R = omega_n*gamma3 - (I1/I3)*s*((1)/gamma3)*(G_level/(R*I1) - omega_n*s), d(E)/d(gamma3), d(E)/d(omega_n), omega_n*s*((1)/gamma3) - ((1)/gamma3)*(G_level/(R*I1) - omega_n*s), d(E)/d(s), omega_tau*R + v_nu, a part of d(F0)/d(s)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { eliminated, 1, { 0, 1, 1, 1, 0, 0, 3, 2 }, { 1, 5, 0, 1, 0, 0, 5, 3 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -19,6 +19,12 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), (R*I3)*gamma3*omega3 + G_level,
+ *      a part of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3),
+ *      d(d(omega3)/dt)/d(omega_tau), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3),
+ *      V/R = (1/R)*v_nu + omega_tau, d(omega3)/dt, d(d(omega3)/dt)/d(gamma3), a part of d(v_nu)/dt,
+ *      d(d(v_nu)/dt)/d(omega3), d(d(omega_tau)/dt)/d(omega3), d(d(omega3)/dt)/d(omega3), d(d(v_nu)/dt)/d(gamma3),
+ *      d(d(omega_tau)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -632,22 +638,22 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 5, 18, 5, 1, 1, 0, 12, 6 }, { 10, 39, 0, 6, 1, 0, 10, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in (R*I3)*gamma3*omega3 + G_level, a part of d(omega_tau)/dt, omega3 + omega_n*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s, V/R = (1/R)*v_nu + omega_tau, omega_tau*s*((I1 - I3)/I1)*gamma3*omega3 - omega_n*V/R" },
     .jacobian = { jacobian, 16, { 5, 37, 17, 1, 1, 0, 15, 12 }, { 33, 145, 0, 26, 1, 0, 13, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3*(R*I3) + G_level, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(omega3), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), V = omega_tau*R + v_nu, 2*(m*R^2*I1 - m*R^2*I3)/(m*R), a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega3)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 5, 41, 17, 1, 1, 0, 15, 14 }, { 38, 166, 0, 31, 1, 0, 13, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), (R*I3)*gamma3*omega3 + G_level, a part of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), V/R = (1/R)*v_nu + omega_tau, d(omega3)/dt, d(d(omega3)/dt)/d(gamma3), a part of d(v_nu)/dt, d(d(v_nu)/dt)/d(omega3), d(d(omega_tau)/dt)/d(omega3), d(d(omega3)/dt)/d(omega3), d(d(v_nu)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 3, 11, 4, 1, 1, 0, 11, 5 }, { 7, 25, 0, 3, 1, 0, 10, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, ((I1 - I3)/I1)*1/(Theta/(m*R^2*I1)) - 1/s^2, a part of the divergence" },
     .integral_values = { integral_values, 2, { 3, 14, 9, 1, 1, 0, 10, 6 }, { 12, 44, 0, 1, 1, 0, 12, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, s*omega3 + gamma3*omega_n, R*omega_tau + v_nu, F0" },
     .integral_gradients = { integral_gradients, 8, { 4, 23, 10, 1, 1, 0, 11, 10 }, { 18, 79, 0, 6, 1, 0, 12, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3), (R*I3)*gamma3*omega3 + G_level, v_tau/R = (1/(R*I1))*gamma3*((1)/s)*((R*I3)*gamma3*omega3 + G_level) + omega3*s, (R*I3)*omega3 + ((1)/s)*gamma3*((1)/s)*((R*I3)*gamma3*omega3 + G_level), d(v_tau)/d(gamma3)/(1/I1), d(E)/d(omega3), d(E)/d(gamma3), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { eliminated, 1, { 2, 3, 1, 1, 1, 0, 4, 3 }, { 2, 6, 0, 1, 1, 0, 5, 3 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -20,6 +20,12 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, G_level/(R*I1) - omega_n*s,
+ *      1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s, V = omega_tau*R + v_nu,
+ *      omega_tau - 1/Theta*(m*R*I3)*V, d(omega3)/d(gamma3), a part of d(omega_tau)/dt, d(d(omega_tau)/dt)/d(omega_n),
+ *      d(d(v_nu)/dt)/d(omega_n), a part of d(v_nu)/dt, d(omega_n)/dt, a part of d(d(omega_n)/dt)/d(gamma3),
+ *      d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -615,22 +621,22 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3 = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 4, 18, 6, 1, 1, 0, 11, 6 }, { 11, 44, 0, 8, 1, 0, 11, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, V = omega_tau*R + v_nu, omega_tau - 1/(Theta/(m*R^2*I1))*(I3/(R*I1))*V, d(omega_tau)/dt, d(v_nu)/dt, d(omega_n)/dt" },
     .jacobian = { jacobian, 16, { 7, 34, 15, 1, 1, 0, 13, 12 }, { 34, 149, 0, 32, 1, 0, 16, 11 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, G_level/(R*I1) - omega_n*s, V = omega_tau*R + v_nu, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(omega_n), omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 8, 39, 16, 1, 1, 0, 14, 15 }, { 40, 175, 0, 39, 1, 0, 16, 11 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, G_level/(R*I1) - omega_n*s, 1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s, V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I3)*V, d(omega3)/d(gamma3), a part of d(omega_tau)/dt, d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n), a part of d(v_nu)/dt, d(omega_n)/dt, a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 2, 11, 4, 1, 1, 0, 8, 6 }, { 6, 28, 0, 3, 1, 0, 11, 6 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, s^2*(I1*I3 + m*R^2*I1)*omega_tau - (m*R*I3)*gamma3*gamma3*V" },
     .integral_values = { integral_values, 2, { 3, 12, 9, 1, 1, 0, 10, 7 }, { 12, 44, 0, 1, 1, 0, 14, 6 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, v_tau/R = omega_n*gamma3 - s*(G_level/(R*I1) - omega_n*s)*((I1/I3)/gamma3), omega_tau*R + v_nu, F0" },
     .integral_gradients = { integral_gradients, 8, { 5, 27, 10, 1, 1, 0, 12, 10 }, { 20, 84, 0, 7, 1, 0, 13, 10 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3), G_level/(R*I1) - omega_n*s, d(omega3)/d(gamma3), v_tau/R = omega_n*gamma3 - s*(G_level/(R*I1) - omega_n*s)*(I1/I3)*1/gamma3, a part of d(E)/d(gamma3), d(v_tau)/d(gamma3)/R, d(energy)/d(omega_n)/I1, d(E)/d(gamma3), d(F0)/d(gamma3), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { eliminated, 1, { 2, 2, 1, 1, 1, 0, 5, 3 }, { 2, 6, 0, 1, 1, 0, 6, 4 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -16,6 +16,20 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, d(d(v_nu)/dt)/d(omega_n),
+ *      V = omega_tau*e + v_nu, (m*R)*e + I3, b*omega_n*1/s^2*s - R*omega3, b*omega_n*1/s^2*s + R*omega3,
+ *      I1*gamma3*omega_n*1/s^2*s + omega3*I3, numerator of d(omega_tau)/dt over D,
+ *      (2*I1)*gamma3*omega_n*1/s^2*s + omega3*I3,
+ *      numerator of d(omega_n)/dt over Theta = omega_tau*omega3*I3*((m*R)*e + I3) - V*(m*I3)*b*omega_n*1/s^2*s,
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*((m*R)*e + I3) - e*(m*I3)*b*omega_n*1/s^2*s,
+ *      d(d(omega_n)/dt)/d(omega_tau), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)),
+ *      a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), gamma3*1/s^2*s*omega_tau*gamma3 - omega_tau*s,
+ *      gamma3*(m*g*a3/I1) - omega_n*1/s^2*s*omega_n*1/s^2*s, d(numerator of d(omega_tau)/dt over D)/d(gamma3),
+ *      omega_tau*1/s^2 - (m*R*I3)*1/Theta*V, d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1),
+ *      a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3),
+ *      d(numerator of d(omega3)/dt over Theta)/d(gamma3),
+ *      s*omega3*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))) + e*omega_n*(m*R*I1), a part of d(d(omega3)/dt)/d(gamma3),
+ *      d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -1360,17 +1374,17 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 5, { 4, 26, 13, 1, 1, 0, 12, 10 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, a part of d(v_nu)/dt, e = gamma3*a3 + R, ((I1 - I3)/I1)*gamma3*omega_tau*s - (a3*I3/(R*I1))*omega_tau*s, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt, a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, d(omega_n)/dt, d(omega3)/dt" },
     .jacobian = { jacobian, 25, { 8, 52, 30, 1, 1, 0, 16, 21 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, gamma3*s*1/s^2*b*s*1/s^2*omega_n + R*omega_n, d(d(v_nu)/dt)/d(omega_n), s*1/(D/I1)*gamma3*(2*m*a3^2/I1) - gamma3*s*1/s^2, gamma3*(s*1/(D/I1)*gamma3*(2*m*a3^2/I1) - gamma3*s*1/s^2) + s, omega3*(I3/I1) + gamma3*s*1/s^2*omega_n, a part of d(d(omega_tau)/dt)/d(gamma3), omega3*(1/2*I3/I1) + gamma3*s*1/s^2*omega_n, e = gamma3*a3 + R, V = omega_tau*e + v_nu, omega_tau*1/s^2 - (m*R*I3)*V*1/Theta, d(Theta)/d(gamma3) = b*(2*m*R*I3) - gamma3*(2*m*R^2*I1), V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta, a part of d(d(omega_n)/dt)/d(gamma3), (m*R*I3)*e + I3^2, m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*((m*R*I3)*e + I3^2), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(omega_tau)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 11, 65, 33, 1, 1, 0, 18, 25 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, d(d(v_nu)/dt)/d(omega_n), V = omega_tau*e + v_nu, (m*R)*e + I3, b*omega_n*1/s^2*s - R*omega3, b*omega_n*1/s^2*s + R*omega3, I1*gamma3*omega_n*1/s^2*s + omega3*I3, numerator of d(omega_tau)/dt over D, (2*I1)*gamma3*omega_n*1/s^2*s + omega3*I3, numerator of d(omega_n)/dt over Theta = omega_tau*omega3*I3*((m*R)*e + I3) - V*(m*I3)*b*omega_n*1/s^2*s, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*((m*R)*e + I3) - e*(m*I3)*b*omega_n*1/s^2*s, d(d(omega_n)/dt)/d(omega_tau), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), gamma3*1/s^2*s*omega_tau*gamma3 - omega_tau*s, gamma3*(m*g*a3/I1) - omega_n*1/s^2*s*omega_n*1/s^2*s, d(numerator of d(omega_tau)/dt over D)/d(gamma3), omega_tau*1/s^2 - (m*R*I3)*1/Theta*V, d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(gamma3), s*omega3*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))) + e*omega_n*(m*R*I1), a part of d(d(omega3)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 2, 14, 9, 1, 1, 0, 11, 9 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of the divergence, a part of the divergence" },
     .integral_values = { integral_values, 2, { 2, 12, 9, 0, 1, 0, 7, 6 }, { 10, 32, 0, 0, 1, 0, 12, 6 },
-        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = s*omega3*R + omega_n*b, energy/(1/2*m), G" },
     .integral_gradients = { integral_gradients, 10, { 2, 16, 9, 1, 1, 0, 6, 7 }, { 12, 38, 0, 2, 1, 0, 8, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = s*omega3*R + omega_n*b, d(G)/d(gamma3), d(v_tau)/d(gamma3)/R = omega_n - omega3*s*(gamma3/s^2), d(E)/d(gamma3), d(E)/d(omega_n), d(E)/d(omega3)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

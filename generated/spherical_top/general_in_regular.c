@@ -7,7 +7,7 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   23   14    1    0    0      7   10   (105)
- *  jacobian            11   66   32    1    0    0     12   17   (480)
+ *  jacobian            10   66   30    1    0    0     12   20   (480)
  *  rhs_jacobian        12   70   34    1    0    0     11   26   (563)
  *  divergence          0    8    9    1    0    0      9    7   (53)
  *  integral_values     0   12    9    0    0    0      7    5   (40)
@@ -16,6 +16,21 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
+ *    digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu,
+ *      (m*R*I3)*e + I3^2,
+ *      numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b,
+ *      s*omega_tau*(m*a3^2)*s*omega_tau - omega_n*omega_n*I1,
+ *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s),
+ *      d(omega_n)/dtau, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)),
+ *      a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s),
+ *      d(numerator of d(omega_n)/dt over Theta)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3),
+ *      d(d(omega_n)/dtau)/d(gamma3),
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b,
+ *      d(d(omega_n)/dtau)/d(omega_tau), I3*s*omega3 + (2*I1)*omega_n*gamma3, a part of d(d(omega3)/dtau)/d(omega_tau),
+ *      d(numerator of d(omega3)/dt over Theta)/d(gamma3) = (m*R^2*(I1 - I3))*s*omega_tau*s*omega3 - s*omega_tau*omega_n*(m*R*a3*I1),
+ *      d(numerator of d(omega3)/dt over Theta)/d(s), a part of d(d(omega3)/dtau)/d(s),
+ *      a part of d(d(omega3)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(s), d(v_nu)/dtau,
+ *      d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_n)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -49,24 +64,24 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t4;
     const double t5 = params[3]*params[3]; /* a3*a3 */
     const double t6 = params[0]*t5; /* m*a3*a3 */
-    out[17] = t6;
+    out[38] = t6;
     const double t7 = t6/params[4]; /* m*a3*a3/I1 */
     out[9] = t7;
     const double t8 = params[5]/params[4]; /* I3/I1 */
     out[10] = t8;
     const double t9 = params[0]*params[2]; /* m*g */
     const double t10 = params[3]*t9; /* a3*m*g */
-    out[20] = t10;
+    out[39] = t10;
     const double t11 = t10/params[4]; /* a3*m*g/I1 */
     out[11] = t11;
     const double t12 = params[0]*params[1]; /* m*R */
-    out[38] = t12;
+    out[59] = t12;
     const double t13 = params[5]*t12; /* I3*m*R */
     out[12] = t13;
     const double t14 = params[5]/t12; /* I3/(m*R) */
     out[13] = t14;
     const double t15 = params[4]*t12; /* I1*m*R */
-    out[29] = t15;
+    out[41] = t15;
     const double t16 = -t15; /* -I1*m*R */
     out[14] = t16;
     const double t17 = params[5]*params[3]; /* I3*a3 */
@@ -76,55 +91,108 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t20 = params[1]*t19; /* R*(I1 - I3) */
     const double t21 = t20/params[4]; /* R*(I1 - I3)/I1 */
     out[16] = t21;
-    const double t22 = params[0]*2.0; /* m*2 */
-    const double t23 = t5*t22; /* a3*a3*m*2 */
+    const double t22 = params[1]*2.0; /* R*2 */
+    out[17] = t22;
+    const double t23 = params[3]/params[1]; /* a3/R */
     out[18] = t23;
-    const double t24 = params[4]*2.0; /* I1*2 */
+    const double t24 = params[5]/t2; /* I3/(m*R*R) */
     out[19] = t24;
-    const double t25 = params[2]*t22; /* g*m*2 */
-    const double t26 = params[3]*t25; /* a3*g*m*2 */
-    out[21] = t26;
-    const double t27 = params[3]*t12; /* a3*m*R */
-    const double t28 = params[5]*t27; /* I3*a3*m*R */
-    out[22] = t28;
-    const double t29 = params[0]*params[3]; /* m*a3 */
-    const double t30 = params[5]*t29; /* I3*m*a3 */
-    out[23] = t30;
-    const double t31 = params[5]*params[5]; /* I3*I3 */
-    out[24] = t31;
-    const double t32 = params[1]*t22; /* R*m*2 */
-    const double t33 = params[5]*t32; /* I3*R*m*2 */
-    out[25] = t33;
-    const double t34 = t1*t22; /* R*R*m*2 */
-    const double t35 = params[4]*t34; /* I1*R*R*m*2 */
-    out[26] = t35;
-    const double t36 = params[4]*t27; /* I1*a3*m*R */
-    out[27] = t36;
-    const double t37 = t2*t19; /* m*R*R*(I1 - I3) */
-    out[28] = t37;
-    const double t38 = t19*t34; /* (I1 - I3)*R*R*m*2 */
-    out[30] = t38;
-    const double t39 = params[3]*t32; /* a3*R*m*2 */
-    const double t40 = params[5]*t39; /* I3*a3*R*m*2 */
-    out[31] = t40;
-    const double t41 = params[0]/2.0; /* m/2 */
-    out[32] = t41;
-    const double t42 = params[2]*2.0; /* g*2 */
-    const double t43 = params[3]*t42; /* a3*g*2 */
-    out[33] = t43;
-    const double t44 = 1.0/params[0]; /* 1/m */
-    out[34] = t44;
-    const double t45 = params[4]/params[0]; /* I1/m */
-    out[35] = t45;
-    const double t46 = params[5]/params[0]; /* I3/m */
-    out[36] = t46;
-    const double t47 = params[4]*params[1]; /* I1*R */
-    out[37] = t47;
-    const double t48 = params[5]*params[1]; /* I3*R */
-    const double t49 = -t48; /* -I3*R */
-    out[39] = t49;
-    const double t50 = -params[5]; /* -I3 */
-    out[40] = t50;
+    const double t25 = params[0]*2.0; /* m*2 */
+    const double t26 = t5*t25; /* a3*a3*m*2 */
+    out[44] = t26;
+    const double t27 = t26/params[4]; /* a3*a3*m*2/I1 */
+    out[20] = t27;
+    const double t28 = -params[5]; /* -I3 */
+    out[61] = t28;
+    const double t29 = -t8; /* -I3/I1 */
+    out[21] = t29;
+    const double t30 = params[2]*t25; /* g*m*2 */
+    const double t31 = params[3]*t30; /* a3*g*m*2 */
+    out[46] = t31;
+    const double t32 = t31/params[4]; /* a3*g*m*2/I1 */
+    out[22] = t32;
+    const double t33 = params[4]*params[4]; /* I1*I1 */
+    const double t34 = params[5]*t26; /* I3*a3*a3*m*2 */
+    const double t35 = t34/t33; /* I3*a3*a3*m*2/(I1*I1) */
+    out[23] = t35;
+    const double t36 = params[4]*params[1]; /* I1*R */
+    out[58] = t36;
+    const double t37 = t17/t36; /* I3*a3/(I1*R) */
+    out[24] = t37;
+    const double t38 = params[5]/t36; /* I3/(I1*R) */
+    out[25] = t38;
+    const double t39 = params[1]*t33; /* R*I1*I1 */
+    const double t40 = params[5]*params[5]; /* I3*I3 */
+    out[40] = t40;
+    const double t41 = 2.0*t40; /* 2*I3*I3 */
+    const double t42 = t41/t39; /* 2*I3*I3/(R*I1*I1) */
+    out[26] = t42;
+    const double t43 = t2*t33; /* m*R*R*I1*I1 */
+    const double t44 = params[5]*t40; /* I3*I3*I3 */
+    const double t45 = 2.0*t44; /* 2*I3*I3*I3 */
+    const double t46 = t45/t43; /* 2*I3*I3*I3/(m*R*R*I1*I1) */
+    out[27] = t46;
+    const double t47 = -t38; /* -I3/(I1*R) */
+    out[28] = t47;
+    const double t48 = t40/t3; /* I3*I3/(I1*m*R*R) */
+    out[29] = t48;
+    const double t49 = params[5]*2.0; /* I3*2 */
+    const double t50 = t49/t36; /* I3*2/(I1*R) */
+    out[30] = t50;
+    const double t51 = t41/t3; /* 2*I3*I3/(I1*m*R*R) */
+    out[31] = t51;
+    const double t52 = params[3]*2.0; /* a3*2 */
+    const double t53 = t40*t52; /* I3*I3*a3*2 */
+    const double t54 = t53/t39; /* I3*I3*a3*2/(R*I1*I1) */
+    out[32] = t54;
+    const double t55 = t19*t49; /* (I1 - I3)*I3*2 */
+    const double t56 = t55/t33; /* (I1 - I3)*I3*2/(I1*I1) */
+    out[33] = t56;
+    const double t57 = t19/params[4]; /* (I1 - I3)/I1 */
+    out[34] = t57;
+    const double t58 = 1.0/params[1]; /* 1/R */
+    out[35] = t58;
+    const double t59 = (-1.0)/params[1]; /* (-1)/R */
+    out[36] = t59;
+    const double t60 = params[4]/t2; /* I1/(m*R*R) */
+    out[37] = t60;
+    const double t61 = params[3]*t12; /* a3*m*R */
+    const double t62 = params[5]*t61; /* I3*a3*m*R */
+    out[42] = t62;
+    const double t63 = t2*t19; /* m*R*R*(I1 - I3) */
+    out[43] = t63;
+    const double t64 = params[4]*2.0; /* I1*2 */
+    out[45] = t64;
+    const double t65 = params[0]*params[3]; /* m*a3 */
+    const double t66 = params[5]*t65; /* I3*m*a3 */
+    out[47] = t66;
+    const double t67 = params[1]*t25; /* R*m*2 */
+    const double t68 = params[5]*t67; /* I3*R*m*2 */
+    out[48] = t68;
+    const double t69 = t1*t25; /* R*R*m*2 */
+    const double t70 = params[4]*t69; /* I1*R*R*m*2 */
+    out[49] = t70;
+    const double t71 = params[4]*t61; /* I1*a3*m*R */
+    out[50] = t71;
+    const double t72 = t19*t69; /* (I1 - I3)*R*R*m*2 */
+    out[51] = t72;
+    const double t73 = params[3]*t67; /* a3*R*m*2 */
+    const double t74 = params[5]*t73; /* I3*a3*R*m*2 */
+    out[52] = t74;
+    const double t75 = params[0]/2.0; /* m/2 */
+    out[53] = t75;
+    const double t76 = params[2]*2.0; /* g*2 */
+    const double t77 = params[3]*t76; /* a3*g*2 */
+    out[54] = t77;
+    const double t78 = 1.0/params[0]; /* 1/m */
+    out[55] = t78;
+    const double t79 = params[4]/params[0]; /* I1/m */
+    out[56] = t79;
+    const double t80 = params[5]/params[0]; /* I3/m */
+    out[57] = t80;
+    const double t81 = params[5]*params[1]; /* I3*R */
+    const double t82 = -t81; /* -I3*R */
+    out[60] = t82;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -194,137 +262,134 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
     out[5] = t2;
-    const double t3 = x[3]*p[1]; /* omega_n*R */
-    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
+    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
     out[6] = t4;
-    const double t5 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t6 = x[3]*t5; /* omega_n*b */
-    const double t7 = 2.0*t6; /* 2*omega_n*b */
-    const double t8 = x[5]*x[4]; /* s*omega3 */
-    const double t9 = JLT_FMA(p[1], t8, t7); /* R*s*omega3 + 2*omega_n*b */
+    const double t5 = p[18] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t6 = x[3]*p[17]; /* omega_n*2*R */
+    const double t7 = t5*t6; /* b/R*omega_n*2*R */
+    const double t8 = x[5]*p[1]; /* s*R */
+    const double t9 = JLT_FMA(x[4], t8, t7); /* omega3*s*R + b/R*omega_n*2*R */
     out[9] = t9;
-    const double t10 = x[5]*t3; /* s*omega_n*R */
+    const double t10 = x[3]*t8; /* omega_n*s*R */
     out[10] = t10;
-    const double t11 = t3*x[4]; /* omega_n*R*omega3 */
-    out[11] = t11;
-    const double t12 = x[3]*p[4]; /* omega_n*I1 */
-    const double t13 = x[3]*t12; /* omega_n*omega_n*I1 */
-    const double t14 = t1*p[17]; /* s*omega_tau*m*a3^2 */
-    const double t15 = JLT_FNMA(t1, t14, t13); /* omega_n*omega_n*I1 - s*omega_tau*s*omega_tau*m*a3^2 */
-    const double t16 = t5*p[8]; /* b*m*I3 */
-    const double t17 = JLT_FMA(t0, p[7], p[6]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t18 = JLT_FMA(t5, t16, t17); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t19 = JLT_FMA(t0, p[17], p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t20 = t18*t19; /* Theta*D */
-    const double t21 = 1.0/t20; /* 1/(Theta*D) */
-    const double t22 = t18*t21; /* 1/D = Theta*1/(Theta*D) */
-    const double t23 = t15*t22; /* (omega_n*omega_n*I1 - s*omega_tau*s*omega_tau*m*a3^2)*1/D */
-    const double t24 = -t23; /* -(omega_n*omega_n*I1 - s*omega_tau*s*omega_tau*m*a3^2)*1/D */
+    const double t11 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t12 = p[1]*t11; /* R*omega_n*omega3 */
+    out[11] = t12;
+    const double t13 = t5*t5; /* b/R*b/R */
+    const double t14 = t0 + p[19]; /* s*s + I3/(m*R^2) */
+    const double t15 = JLT_FMA(p[10], t13, t14); /* Theta/(m*R^2*I1) = I3/I1*b/R*b/R + s*s + I3/(m*R^2) */
+    const double t16 = JLT_FMA(t0, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t17 = t15*t16; /* Theta/(m*R^2*I1)*D/I1 */
+    const double t18 = 1.0/t17; /* 1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t19 = t15*t18; /* 1/(D/I1) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t20 = x[5]*t19; /* s*1/(D/I1) */
+    const double t21 = t1*t20; /* s*omega_tau*s*1/(D/I1) */
+    const double t22 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
+    const double t23 = t21*t22; /* s*omega_tau*s*1/(D/I1)*omega_tau*m*a3^2/I1 */
+    const double t24 = JLT_FNMA(t3, t19, t23); /* s*omega_tau*s*1/(D/I1)*omega_tau*m*a3^2/I1 - omega_n*omega_n*1/(D/I1) */
     out[12] = t24;
-    const double t25 = x[5]*x[0]; /* s*gamma3 */
-    const double t26 = t1*p[18]; /* s*omega_tau*2*m*a3^2 */
-    const double t27 = t25*t26; /* s*gamma3*s*omega_tau*2*m*a3^2 */
-    const double t28 = t22*t27; /* 1/D*s*gamma3*s*omega_tau*2*m*a3^2 */
-    out[14] = t28;
-    const double t29 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t30 = p[19]*t29; /* 2*I1*omega_n*gamma3 */
-    const double t31 = JLT_FMA(t8, p[5], t30); /* s*omega3*I3 + 2*I1*omega_n*gamma3 */
-    const double t32 = t22*t31; /* 1/D*(s*omega3*I3 + 2*I1*omega_n*gamma3) */
-    const double t33 = -t32; /* -1/D*(s*omega3*I3 + 2*I1*omega_n*gamma3) */
-    out[15] = t33;
-    const double t34 = x[3]*p[5]; /* omega_n*I3 */
-    const double t35 = x[5]*t22; /* s*1/D */
-    const double t36 = t34*t35; /* omega_n*I3*s*1/D */
-    const double t37 = -t36; /* -omega_n*I3*s*1/D */
-    out[16] = t37;
-    const double t38 = t0*p[20]; /* s*s*m*g*a3 */
-    const double t39 = JLT_FMA(t8, t34, t38); /* s*omega3*omega_n*I3 + s*s*m*g*a3 */
-    const double t40 = JLT_FMA(x[0], t15, t39); /* gamma3*(omega_n*omega_n*I1 - s*omega_tau*s*omega_tau*m*a3^2) + s*omega3*omega_n*I3 + s*s*m*g*a3 */
-    const double t41 = p[18]*t40; /* 2*m*a3^2*t40 */
-    const double t42 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t43 = t26*t42; /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 */
-    const double t44 = JLT_FNMA(x[5], p[21], t43); /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 */
-    const double t45 = JLT_FNMA(x[4], t34, t44); /* d(numerator of d(omega_tau)/dt over D)/d(s) = s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 - omega3*omega_n*I3 */
-    const double t46 = JLT_FMA(t35, t41, t45); /* s*1/D*2*m*a3^2*t40 + d(numerator of d(omega_tau)/dt over D)/d(s) */
-    const double t47 = t22*t46; /* 1/D*t46 */
-    out[17] = t47;
-    const double t48 = t1*x[4]; /* s*omega_tau*omega3 */
-    const double t49 = p[22]*t48; /* m*R*a3*I3*s*omega_tau*omega3 */
-    const double t50 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t51 = JLT_FMA(x[2], t50, x[1]); /* V = omega_tau*e + v_nu */
-    const double t52 = x[3]*t51; /* omega_n*V */
-    const double t53 = x[2]*p[23]; /* omega_tau*m*a3*I3 */
-    const double t54 = JLT_FNMA(t6, t53, t49); /* m*R*a3*I3*s*omega_tau*omega3 - omega_n*b*omega_tau*m*a3*I3 */
-    const double t55 = JLT_FNMA(p[12], t52, t54); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*s*omega_tau*omega3 - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
-    const double t56 = t6*p[8]; /* omega_n*b*m*I3 */
-    const double t57 = t51*t56; /* V*omega_n*b*m*I3 */
-    const double t58 = JLT_FMA(p[12], t50, p[24]); /* m*R*I3*e + I3^2 */
-    const double t59 = JLT_FMS(t48, t58, t57); /* numerator of d(omega_n)/dt over Theta = s*omega_tau*omega3*(m*R*I3*e + I3^2) - V*omega_n*b*m*I3 */
-    const double t60 = t19*t21; /* 1/Theta = D*1/(Theta*D) */
-    const double t61 = t5*t60; /* b*1/Theta */
-    const double t62 = p[25]*t61; /* 2*m*R*I3*b*1/Theta */
-    const double t63 = JLT_FNMA(t59, t62, t55); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) - numerator of d(omega_n)/dt over Theta*2*m*R*I3*b*1/Theta */
-    const double t64 = t60*t63; /* 1/Theta*t63 */
-    const double t65 = JLT_FMA(x[2], x[3], t64); /* omega_tau*omega_n + 1/Theta*t63 */
-    out[18] = t65;
-    const double t66 = t56*t60; /* omega_n*b*m*I3*1/Theta */
-    const double t67 = -t66; /* -omega_n*b*m*I3*1/Theta */
-    out[19] = t67;
-    const double t68 = t50*t56; /* e*omega_n*b*m*I3 */
-    const double t69 = JLT_FMS(t8, t58, t68); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*omega_n*b*m*I3 */
-    const double t70 = JLT_FMA(t60, t69, t29); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[20] = t70;
-    const double t71 = p[8]*t51; /* m*I3*V */
-    const double t72 = JLT_FNMA(t61, t71, t42); /* omega_tau*gamma3 - b*1/Theta*m*I3*V */
-    out[21] = t72;
-    const double t73 = t1*t58; /* s*omega_tau*(m*R*I3*e + I3^2) */
-    const double t74 = t60*t73; /* 1/Theta*s*omega_tau*(m*R*I3*e + I3^2) */
-    out[22] = t74;
-    const double t75 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t76 = t58*t75; /* (m*R*I3*e + I3^2)*omega_tau*omega3 */
-    const double t77 = x[5]*t60; /* s*1/Theta */
-    const double t78 = p[26]*t77; /* 2*m*R^2*I1*s*1/Theta */
-    const double t79 = JLT_FNMA(t59, t78, t76); /* (m*R*I3*e + I3^2)*omega_tau*omega3 - numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    const double t80 = t60*t79; /* 1/Theta*t79 */
-    out[23] = t80;
-    const double t81 = x[3]*p[27]; /* omega_n*m*R*a3*I1 */
-    const double t82 = t1*t81; /* s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t83 = t1*t8; /* s*omega_tau*s*omega3 */
-    const double t84 = JLT_FMS(p[28], t83, t82); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = m*R^2*(I1 - I3)*s*omega_tau*s*omega3 - s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t85 = t52*p[29]; /* omega_n*V*m*R*I1 */
-    const double t86 = x[5]*t85; /* s*omega_n*V*m*R*I1 */
-    const double t87 = JLT_FNMA(x[0], p[28], p[22]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t88 = JLT_FMA(t83, t87, t86); /* s*omega_tau*s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*omega_n*V*m*R*I1 */
-    const double t89 = JLT_FMA(t62, t88, t84); /* 2*m*R*I3*b*1/Theta*t88 + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
-    const double t90 = t60*t89; /* 1/Theta*t89 */
-    out[24] = t90;
-    const double t91 = t77*p[29]; /* s*1/Theta*m*R*I1 */
-    const double t92 = x[3]*t91; /* omega_n*s*1/Theta*m*R*I1 */
-    const double t93 = -t92; /* -omega_n*s*1/Theta*m*R*I1 */
-    out[25] = t93;
-    const double t94 = t50*t92; /* e*omega_n*s*1/Theta*m*R*I1 */
-    const double t95 = t77*t87; /* s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t96 = JLT_FMA(t8, t95, t94); /* s*omega3*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*s*1/Theta*m*R*I1 */
-    const double t97 = -t96; /* -t96 */
-    out[26] = t97;
-    const double t98 = t51*t91; /* V*s*1/Theta*m*R*I1 */
-    const double t99 = -t98; /* -V*s*1/Theta*m*R*I1 */
-    out[27] = t99;
-    const double t100 = t1*t95; /* s*omega_tau*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t101 = -t100; /* -s*omega_tau*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[28] = t101;
-    const double t102 = x[0]*p[30]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t103 = JLT_FMS(t48, t102, t85); /* s*omega_tau*omega3*gamma3*2*m*R^2*(I1 - I3) - omega_n*V*m*R*I1 */
-    const double t104 = JLT_FNMA(t48, p[31], t103); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t103 - s*omega_tau*omega3*2*m*R*a3*I3 */
-    const double t105 = JLT_FMA(t78, t88, t104); /* 2*m*R^2*I1*s*1/Theta*t88 + d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t106 = t60*t105; /* 1/Theta*t105 */
-    out[29] = t106;
-    const double t107 = -t1; /* -s*omega_tau */
-    out[30] = t107;
-    const double t108 = -t25; /* -s*gamma3 */
-    out[32] = t108;
-    const double t109 = -t42; /* -omega_tau*gamma3 */
-    out[35] = t109;
+    const double t25 = x[0]*p[20]; /* gamma3*2*m*a3^2/I1 */
+    const double t26 = t21*t25; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[14] = t26;
+    const double t27 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t28 = (-2.0)*t27; /* (-2)*omega_n*gamma3 */
+    const double t29 = t19*t28; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
+    const double t30 = x[4]*t20; /* omega3*s*1/(D/I1) */
+    const double t31 = JLT_FMA(p[21], t30, t29); /* (-I3/I1)*omega3*s*1/(D/I1) + 1/(D/I1)*(-2)*omega_n*gamma3 */
+    out[15] = t31;
+    const double t32 = x[3]*t20; /* omega_n*s*1/(D/I1) */
+    const double t33 = p[21]*t32; /* (-I3/I1)*omega_n*s*1/(D/I1) */
+    out[16] = t33;
+    const double t34 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t35 = JLT_FNMA(t25, t34, p[22]); /* 2*m*g*a3/I1 - gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t36 = t20*t35; /* s*1/(D/I1)*t35 */
+    const double t37 = JLT_FMA(t11, p[10], t36); /* omega_n*omega3*I3/I1 + s*1/(D/I1)*t35 */
+    const double t38 = t19*t37; /* 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
+    const double t39 = t30*p[23]; /* omega3*s*1/(D/I1)*2*m*a3^2*I3/I1^2 */
+    const double t40 = JLT_FMS(t32, t39, t38); /* omega_n*s*1/(D/I1)*omega3*s*1/(D/I1)*2*m*a3^2*I3/I1^2 - 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
+    out[17] = t40;
+    const double t41 = t16*t18; /* 1/(Theta/(m*R^2*I1)) = D/I1*1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t42 = t5*t41; /* b/R*1/(Theta/(m*R^2*I1)) */
+    const double t43 = x[3]*t42; /* omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t44 = x[5]*t41; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t45 = x[2]*t44; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t46 = x[4]*t45; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t47 = JLT_FMS(x[2], t43, t46); /* omega_tau*omega_n*b/R*1/(Theta/(m*R^2*I1)) - omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t48 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t49 = JLT_FMA(x[2], t48, x[1]); /* V = omega_tau*e + v_nu */
+    const double t50 = p[25]*t49; /* I3/(R*I1)*V */
+    const double t51 = JLT_FNMA(t41, t50, x[2]); /* omega_tau - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
+    const double t52 = x[3]*t51; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V) */
+    const double t53 = t43*t49; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*V */
+    const double t54 = JLT_FMS(t46, t48, t53); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*e - omega_n*b/R*1/(Theta/(m*R^2*I1))*V */
+    const double t55 = t42*p[26]; /* b/R*1/(Theta/(m*R^2*I1))*2*I3^2/(R*I1^2) */
+    const double t56 = t42*p[27]; /* b/R*1/(Theta/(m*R^2*I1))*2*I3^3/(m*R^2*I1^2) */
+    const double t57 = JLT_FNMA(t46, t56, t52); /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V) - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*b/R*1/(Theta/(m*R^2*I1))*2*I3^3/(m*R^2*I1^2) */
+    const double t58 = JLT_FNMA(p[24], t47, t57); /* t57 - a3*I3/(R*I1)*t47 */
+    const double t59 = JLT_FNMA(t54, t55, t58); /* t57 - a3*I3/(R*I1)*t47 - t54*b/R*1/(Theta/(m*R^2*I1))*2*I3^2/(R*I1^2) */
+    out[18] = t59;
+    const double t60 = t43*p[28]; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*(-I3/(R*I1)) */
+    out[19] = t60;
+    const double t61 = p[25]*t48; /* I3/(R*I1)*e */
+    const double t62 = t61 + p[29]; /* I3/(R*I1)*e + I3^2/(m*R^2*I1) */
+    const double t63 = x[4]*t62; /* omega3*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
+    const double t64 = JLT_FMA(t44, t63, t27); /* s*1/(Theta/(m*R^2*I1))*omega3*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) + omega_n*gamma3 */
+    const double t65 = JLT_FNMA(t43, t61, t64); /* t64 - omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1)*e */
+    out[20] = t65;
+    const double t66 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t67 = JLT_FNMA(t42, t50, t66); /* omega_tau*gamma3 - b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
+    out[21] = t67;
+    const double t68 = t45*t62; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
+    out[22] = t68;
+    const double t69 = x[2]*t63; /* omega_tau*omega3*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
+    const double t70 = t41*t69; /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I3/(R*I1)*e + I3^2/(m*R^2*I1)) */
+    const double t71 = t44*p[30]; /* s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
+    const double t72 = t44*p[31]; /* s*1/(Theta/(m*R^2*I1))*2*I3^2/(m*R^2*I1) */
+    const double t73 = JLT_FNMA(t46, t72, t70); /* t70 - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*1/(Theta/(m*R^2*I1))*2*I3^2/(m*R^2*I1) */
+    const double t74 = JLT_FNMA(t54, t71, t73); /* t73 - t54*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
+    out[23] = t74;
+    const double t75 = JLT_FNMA(x[0], p[33], p[32]); /* 2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t76 = t5*t75; /* b/R*(2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2) */
+    const double t77 = t44*t76; /* s*1/(Theta/(m*R^2*I1))*b/R*(2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2) */
+    const double t78 = JLT_FMA(x[5], p[34], t77); /* s*(I1 - I3)/I1 + t77 */
+    const double t79 = t46*t78; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(s*(I1 - I3)/I1 + t77) */
+    const double t80 = x[3]*p[18]; /* omega_n*a3/R */
+    const double t81 = JLT_FNMA(t45, t80, t79); /* t79 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
+    const double t82 = JLT_FMA(t53, t71, t81); /* omega_n*b/R*1/(Theta/(m*R^2*I1))*V*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) + t79 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
+    out[24] = t82;
+    const double t83 = x[3]*p[35]; /* omega_n*1/R */
+    const double t84 = t44*t83; /* s*1/(Theta/(m*R^2*I1))*omega_n*1/R */
+    const double t85 = -t84; /* -s*1/(Theta/(m*R^2*I1))*omega_n*1/R */
+    out[25] = t85;
+    const double t86 = JLT_FNMA(x[0], p[34], p[24]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t87 = x[5]*t86; /* s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t88 = x[4]*t87; /* omega3*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t89 = t44*t88; /* s*1/(Theta/(m*R^2*I1))*omega3*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t90 = JLT_FMA(t48, t84, t89); /* e*s*1/(Theta/(m*R^2*I1))*omega_n*1/R + t89 */
+    const double t91 = -t90; /* -(e*s*1/(Theta/(m*R^2*I1))*omega_n*1/R + t89) */
+    out[26] = t91;
+    const double t92 = t44*t49; /* s*1/(Theta/(m*R^2*I1))*V */
+    const double t93 = p[36]*t92; /* (-1/R)*s*1/(Theta/(m*R^2*I1))*V */
+    out[27] = t93;
+    const double t94 = t45*t87; /* omega_tau*s*1/(Theta/(m*R^2*I1))*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t95 = -t94; /* -t94 */
+    out[28] = t95;
+    const double t96 = t49*t83; /* V*omega_n*1/R */
+    const double t97 = t13 + p[37]; /* b/R*b/R + I1/(m*R^2) */
+    const double t98 = t75*t97; /* (2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2)*(b/R*b/R + I1/(m*R^2)) */
+    const double t99 = JLT_FMA(t46, t98, t96); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t98 + V*omega_n*1/R */
+    const double t100 = t41*t99; /* 1/(Theta/(m*R^2*I1))*(omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t98 + V*omega_n*1/R) */
+    const double t101 = 2.0*t92; /* 2*s*1/(Theta/(m*R^2*I1))*V */
+    const double t102 = JLT_FMS(t84, t101, t100); /* s*1/(Theta/(m*R^2*I1))*omega_n*1/R*2*s*1/(Theta/(m*R^2*I1))*V - t100 */
+    out[29] = t102;
+    const double t103 = -t1; /* -s*omega_tau */
+    out[30] = t103;
+    const double t104 = x[5]*x[0]; /* s*gamma3 */
+    const double t105 = -t104; /* -s*gamma3 */
+    out[32] = t105;
+    const double t106 = -t66; /* -omega_tau*gamma3 */
+    out[35] = t106;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -345,8 +410,8 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t2 = p[8]*t0; /* m*I3*b */
     const double t3 = JLT_FMA(p[7], t1, p[6]); /* m*R^2*I1*s*s + I1*I3 */
     const double t4 = JLT_FMA(t0, t2, t3); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
-    const double t5 = JLT_FMA(p[17], t1, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t6 = p[20]*t1; /* m*g*a3*s*s */
+    const double t5 = JLT_FMA(p[38], t1, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t6 = p[39]*t1; /* m*g*a3*s*s */
     const double t7 = t4*t5; /* Theta*D */
     const double t8 = 1.0/t7; /* 1/(Theta*D) */
     const double t9 = t5*t8; /* 1/Theta = D*1/(Theta*D) */
@@ -359,29 +424,29 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t14 = -t11; /* -s*omega_tau */
     out[36] = t14;
     const double t15 = x[3]*t0; /* omega_n*b */
-    const double t16 = p[25]*t0; /* 2*m*R*I3*b */
+    const double t16 = p[48]*t0; /* 2*m*R*I3*b */
     const double t17 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
     const double t18 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
     const double t19 = t2*t18; /* m*I3*b*V */
     const double t20 = p[8]*t15; /* m*I3*omega_n*b */
     const double t21 = x[4]*t11; /* omega3*s*omega_tau */
-    const double t22 = x[3]*p[29]; /* omega_n*m*R*I1 */
+    const double t22 = x[3]*p[41]; /* omega_n*m*R*I1 */
     const double t23 = x[5]*x[4]; /* s*omega3 */
-    const double t24 = p[17]*t11; /* m*a3^2*s*omega_tau */
+    const double t24 = p[38]*t11; /* m*a3^2*s*omega_tau */
     const double t25 = t11*t24; /* s*omega_tau*m*a3^2*s*omega_tau */
     const double t26 = t18*t20; /* V*m*I3*omega_n*b */
-    const double t27 = JLT_FMA(p[12], t17, p[24]); /* m*R*I3*e + I3^2 */
+    const double t27 = JLT_FMA(p[12], t17, p[40]); /* m*R*I3*e + I3^2 */
     const double t28 = JLT_FMS(t21, t27, t26); /* numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*(m*R*I3*e + I3^2) - V*m*I3*omega_n*b */
     const double t29 = t9*t28; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
     const double t30 = t18*t22; /* V*omega_n*m*R*I1 */
     const double t31 = x[0]*t11; /* gamma3*s*omega_tau */
     const double t32 = -t31; /* -gamma3*s*omega_tau */
     out[5] = t32;
-    const double t33 = x[2]*p[18]; /* omega_tau*2*m*a3^2 */
+    const double t33 = x[2]*p[44]; /* omega_tau*2*m*a3^2 */
     const double t34 = t31*t33; /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 */
-    const double t35 = JLT_FNMA(x[5], p[21], t34); /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
-    const double t36 = p[22]*t21; /* m*R*a3*I3*omega3*s*omega_tau */
-    const double t37 = x[2]*p[23]; /* omega_tau*m*a3*I3 */
+    const double t35 = JLT_FNMA(x[5], p[46], t34); /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
+    const double t36 = p[42]*t21; /* m*R*a3*I3*omega3*s*omega_tau */
+    const double t37 = x[2]*p[47]; /* omega_tau*m*a3*I3 */
     const double t38 = JLT_FNMA(t15, t37, t36); /* m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 */
     const double t39 = x[3]*p[4]; /* omega_n*I1 */
     const double t40 = JLT_FNMA(x[3], t39, t25); /* s*omega_tau*m*a3^2*s*omega_tau - omega_n*omega_n*I1 */
@@ -395,7 +460,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t47 = JLT_FMA(x[2], t46, t29); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
     out[3] = t47;
     const double t48 = x[5]*t30; /* s*V*omega_n*m*R*I1 */
-    const double t49 = JLT_FNMA(x[0], p[28], p[22]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t49 = JLT_FNMA(x[0], p[43], p[42]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
     const double t50 = t11*t23; /* s*omega_tau*s*omega3 */
     const double t51 = JLT_FMA(t49, t50, t48); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*omega_tau*s*omega3 + s*V*omega_n*m*R*I1 */
     const double t52 = x[3]*p[12]; /* omega_n*m*R*I3 */
@@ -410,7 +475,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[33] = t59;
     const double t60 = t22*t58; /* omega_n*m*R*I1*s*1/Theta */
     const double t61 = t49*t58; /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta */
-    const double t62 = p[26]*t58; /* 2*m*R^2*I1*s*1/Theta */
+    const double t62 = p[49]*t58; /* 2*m*R^2*I1*s*1/Theta */
     const double t63 = -t60; /* -omega_n*m*R*I1*s*1/Theta */
     out[31] = t63;
     const double t64 = t17*t60; /* e*omega_n*m*R*I1*s*1/Theta */
@@ -421,7 +486,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t68 = JLT_FMS(t23, t27, t65); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*m*I3*omega_n*b */
     const double t69 = JLT_FMA(t9, t68, t46); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
     out[26] = t69;
-    const double t70 = p[19]*t46; /* 2*I1*omega_n*gamma3 */
+    const double t70 = p[45]*t46; /* 2*I1*omega_n*gamma3 */
     const double t71 = JLT_FMA(p[5], t23, t70); /* I3*s*omega3 + 2*I1*omega_n*gamma3 */
     const double t72 = t9*t27; /* 1/Theta*(m*R*I3*e + I3^2) */
     const double t73 = t10*t71; /* 1/D*(I3*s*omega3 + 2*I1*omega_n*gamma3) */
@@ -435,12 +500,12 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[34] = t78;
     const double t79 = t11*t72; /* s*omega_tau*1/Theta*(m*R*I3*e + I3^2) */
     out[28] = t79;
-    const double t80 = x[3]*p[27]; /* omega_n*m*R*a3*I1 */
+    const double t80 = x[3]*p[50]; /* omega_n*m*R*a3*I1 */
     const double t81 = t11*t80; /* s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t82 = JLT_FMS(p[28], t50, t81); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = m*R^2*(I1 - I3)*s*omega_tau*s*omega3 - s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t83 = x[0]*p[30]; /* gamma3*2*m*R^2*(I1 - I3) */
+    const double t82 = JLT_FMS(p[43], t50, t81); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = m*R^2*(I1 - I3)*s*omega_tau*s*omega3 - s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t83 = x[0]*p[51]; /* gamma3*2*m*R^2*(I1 - I3) */
     const double t84 = JLT_FMS(t21, t83, t30); /* omega3*s*omega_tau*gamma3*2*m*R^2*(I1 - I3) - V*omega_n*m*R*I1 */
-    const double t85 = JLT_FNMA(p[31], t21, t84); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t84 - 2*m*R*a3*I3*omega3*s*omega_tau */
+    const double t85 = JLT_FNMA(p[52], t21, t84); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t84 - 2*m*R*a3*I3*omega3*s*omega_tau */
     const double t86 = JLT_FMA(t51, t62, t85); /* t51*2*m*R^2*I1*s*1/Theta + d(numerator of d(omega3)/dt over Theta)/d(s) */
     const double t87 = t9*t86; /* 1/Theta*t86 */
     out[35] = t87;
@@ -454,7 +519,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t93 = t42*t92; /* omega_n*I3*s*1/D */
     const double t94 = -t93; /* -omega_n*I3*s*1/D */
     out[22] = t94;
-    const double t95 = p[18]*t92; /* 2*m*a3^2*s*1/D */
+    const double t95 = p[44]*t92; /* 2*m*a3^2*s*1/D */
     const double t96 = t31*t95; /* gamma3*s*omega_tau*2*m*a3^2*s*1/D */
     out[20] = t96;
     const double t97 = JLT_FMA(t44, t95, t45); /* t44*2*m*a3^2*s*1/D + d(numerator of d(omega_tau)/dt over D)/d(s) */
@@ -496,14 +561,14 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[2]*t0; /* omega_tau*s*s */
     const double t2 = x[0]*t1; /* gamma3*omega_tau*s*s */
     const double t3 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t4 = p[28]*t2; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s */
-    const double t5 = JLT_FNMA(p[22], t1, t4); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s - m*R*a3*I3*omega_tau*s*s */
-    const double t6 = p[18]*t2; /* 2*m*a3^2*gamma3*omega_tau*s*s */
+    const double t4 = p[43]*t2; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s */
+    const double t5 = JLT_FNMA(p[42], t1, t4); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s - m*R*a3*I3*omega_tau*s*s */
+    const double t6 = p[44]*t2; /* 2*m*a3^2*gamma3*omega_tau*s*s */
     const double t7 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
     const double t8 = JLT_FMA(x[2], t7, x[1]); /* V = omega_tau*e + v_nu */
     const double t9 = p[8]*t3; /* m*I3*b */
     const double t10 = JLT_FNMA(t8, t9, t5); /* t5 - V*m*I3*b */
-    const double t11 = JLT_FMA(p[17], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t11 = JLT_FMA(p[38], t0, p[4]); /* D = m*a3^2*s*s + I1 */
     const double t12 = JLT_FMA(p[7], t0, p[6]); /* m*R^2*I1*s*s + I1*I3 */
     const double t13 = JLT_FMA(t3, t9, t12); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
     const double t14 = t10*t11; /* (t5 - V*m*I3*b)*D */
@@ -515,15 +580,15 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[33]*x[0]; /* 2*g*a3*gamma3 */
+    const double t0 = p[54]*x[0]; /* 2*g*a3*gamma3 */
     const double t1 = JLT_FMA(x[1], x[1], t0); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t2 = p[35]*x[3]; /* I1/m*omega_n */
+    const double t2 = p[56]*x[3]; /* I1/m*omega_n */
     const double t3 = JLT_FMA(x[3], t2, t1); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t4 = p[17]*x[5]; /* m*a3^2*s */
+    const double t4 = p[38]*x[5]; /* m*a3^2*s */
     const double t5 = JLT_FMA(x[5], t4, p[4]); /* D = s*m*a3^2*s + I1 */
-    const double t6 = p[34]*x[2]; /* 1/m*omega_tau */
+    const double t6 = p[55]*x[2]; /* 1/m*omega_tau */
     const double t7 = x[2]*t6; /* omega_tau*1/m*omega_tau */
-    const double t8 = p[36]*x[4]; /* I3/m*omega3 */
+    const double t8 = p[57]*x[4]; /* I3/m*omega3 */
     const double t9 = JLT_FMA(x[4], t8, t3); /* omega3*I3/m*omega3 + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t10 = JLT_FMA(t5, t7, t9); /* D*omega_tau*1/m*omega_tau + t9 */
     const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
@@ -531,9 +596,9 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t13 = x[5]*p[1]; /* s*R */
     const double t14 = JLT_FMA(x[4], t13, t12); /* v_tau = omega3*s*R + omega_n*b */
     const double t15 = JLT_FMA(t14, t14, t10); /* energy/(1/2*m) = v_tau*v_tau + D*omega_tau*1/m*omega_tau + t9 */
-    const double t16 = p[32]*t15; /* 1/2*m*energy/(1/2*m) */
+    const double t16 = p[53]*t15; /* 1/2*m*energy/(1/2*m) */
     out[0] = t16;
-    const double t17 = x[5]*p[37]; /* s*R*I1 */
+    const double t17 = x[5]*p[58]; /* s*R*I1 */
     const double t18 = x[3]*t17; /* omega_n*s*R*I1 */
     const double t19 = x[4]*p[5]; /* omega3*I3 */
     const double t20 = JLT_FNMA(t11, t19, t18); /* omega_n*s*R*I1 - b*omega3*I3 */
@@ -546,29 +611,29 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[8] = 0.0;
     const double t0 = p[0]*x[1]; /* m*v_nu */
     out[1] = t0;
-    const double t1 = x[4]*p[39]; /* omega3*(-R*I3) */
+    const double t1 = x[4]*p[60]; /* omega3*(-R*I3) */
     out[6] = t1;
-    const double t2 = x[5]*p[37]; /* s*R*I1 */
+    const double t2 = x[5]*p[58]; /* s*R*I1 */
     out[9] = t2;
-    const double t3 = x[3]*p[37]; /* omega_n*R*I1 */
+    const double t3 = x[3]*p[58]; /* omega_n*R*I1 */
     out[11] = t3;
     const double t4 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t5 = p[40]*t4; /* (-I3)*b */
+    const double t5 = p[61]*t4; /* (-I3)*b */
     out[10] = t5;
     const double t6 = x[3]*t4; /* omega_n*b */
     const double t7 = p[0]*t4; /* m*b */
     const double t8 = p[1]*x[4]; /* R*omega3 */
     const double t9 = JLT_FMA(x[5], t8, t6); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t10 = x[5]*p[17]; /* s*m*a3^2 */
+    const double t10 = x[5]*p[38]; /* s*m*a3^2 */
     const double t11 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t12 = t10*t11; /* s*m*a3^2*omega_tau*omega_tau */
     const double t13 = JLT_FMA(x[5], t10, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t14 = x[2]*t13; /* omega_tau*D */
     out[2] = t14;
-    const double t15 = p[38]*t9; /* m*R*v_tau */
+    const double t15 = p[59]*t9; /* m*R*v_tau */
     const double t16 = JLT_FMA(x[4], t15, t12); /* d(energy)/d(s) = omega3*m*R*v_tau + s*m*a3^2*omega_tau*omega_tau */
     out[5] = t16;
-    const double t17 = JLT_FMA(x[3], t15, p[20]); /* d(energy)/d(gamma3) = omega_n*m*R*v_tau + m*g*a3 */
+    const double t17 = JLT_FMA(x[3], t15, p[39]); /* d(energy)/d(gamma3) = omega_n*m*R*v_tau + m*g*a3 */
     out[0] = t17;
     const double t18 = x[3]*p[4]; /* omega_n*I1 */
     const double t19 = JLT_FMA(t7, t9, t18); /* d(energy)/d(omega_n) = m*b*v_tau + omega_n*I1 */
@@ -762,22 +827,22 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
-    .state_count = 6, .param_count = 6, .block_count = 41,
+    .state_count = 6, .param_count = 6, .block_count = 62,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 6, { 2, 23, 14, 1, 0, 0, 7, 10 }, { 17, 78, 0, 10, 0, 0, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .jacobian = { jacobian, 36, { 11, 66, 32, 1, 0, 0, 12, 17 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, R*s*omega3 + omega_n*b, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, (I3/(m*R) + e)*(m*R*I3)*s*omega_tau*omega3 - b*(m*I3)*omega_n*V, d(omega_n)/dtau, a3*I3/I1 - gamma3*(R*(I1 - I3)/I1), s*omega_tau*omega3*(a3*I3/I1 - gamma3*(R*(I1 - I3)/I1)) + omega_n*V" },
+    .jacobian = { jacobian, 36, { 10, 66, 30, 1, 0, 0, 12, 20 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), e = gamma3*a3 + R, V = omega_tau*e + v_nu, omega_tau - 1/(Theta/(m*R^2*I1))*(I3/(R*I1))*V, a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3), (I3/(R*I1))*e + I3^2/(m*R^2*I1), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), 2*a3*I3^2/(R*I1^2) - gamma3*(2*I3*(I1 - I3)/I1^2), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), a part of d(d(omega3)/dtau)/d(omega_tau), a part of d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(s)" },
     .rhs_jacobian = { rhs_jacobian, 42, { 12, 70, 34, 1, 0, 0, 11, 26 }, { 67, 437, 0, 59, 0, 0, 14, 9 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, (m*R*I3)*e + I3^2, numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b, s*omega_tau*(m*a3^2)*s*omega_tau - omega_n*omega_n*I1, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s), d(omega_n)/dtau, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), d(numerator of d(omega_n)/dt over Theta)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b, d(d(omega_n)/dtau)/d(omega_tau), I3*s*omega3 + (2*I1)*omega_n*gamma3, a part of d(d(omega3)/dtau)/d(omega_tau), d(numerator of d(omega3)/dt over Theta)/d(gamma3) = (m*R^2*(I1 - I3))*s*omega_tau*s*omega3 - s*omega_tau*omega_n*(m*R*a3*I1), d(numerator of d(omega3)/dt over Theta)/d(s), a part of d(d(omega3)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(s), d(v_nu)/dtau, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_n)" },
     .divergence = { divergence, 1, { 0, 8, 9, 1, 0, 0, 9, 7 }, { 10, 39, 0, 4, 0, 0, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, a part of the divergence, a part of the divergence" },
     .integral_values = { integral_values, 2, { 0, 12, 9, 0, 0, 0, 7, 5 }, { 9, 31, 0, 0, 0, 0, 10, 5 },
-        "" },
+        "digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = omega3*s*R + omega_n*b, energy/(1/2*m), G" },
     .integral_gradients = { integral_gradients, 12, { 0, 15, 7, 0, 0, 0, 5, 5 }, { 9, 37, 0, 0, 0, 0, 6, 6 },
-        "" },
+        "digits are lost where terms nearly cancel in b = R*gamma3 + a3, v_tau = s*R*omega3 + omega_n*b, d(E)/d(s), d(E)/d(gamma3), d(E)/d(omega_n), d(E)/d(omega3)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

@@ -8,7 +8,7 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   24   11    1    0    0     12   11   (89)
- *  jacobian            9   61   27    1    0    0     15   16   (423)
+ *  jacobian            10   60   25    1    0    0     15   15   (423)
  *  rhs_jacobian        10   60   28    1    0    0     17   16   (484)
  *  divergence          0    8   10    1    0    0     10    7   (55)
  *  integral_values     1   11    8    1    0    0      7    7   (40)
@@ -19,6 +19,18 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
+ *    digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*(R*I3)*omega3 + G_level,
+ *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s),
+ *      e = gamma3*a3 + R, V = omega_tau*e + v_nu, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)),
+ *      a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s),
+ *      (m*R*I3)*V - (m*R^2*(I1 - I3))*omega_tau*s*s,
+ *      b/R*(m*R*I3)*V + omega_tau*s*s*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))), a part of d(d(omega3)/dtau)/d(omega_tau),
+ *      omega3*(1/2*R*I3) + 1/s*(b/R*(R*I3)*omega3 + G_level)*gamma3*1/s,
+ *      omega3*(1/2*R*I1) + 1/s*(b/R*(R*I3)*omega3 + G_level)*b/R*1/s, d(numerator of d(omega_tau)/dt over D)/d(gamma3),
+ *      numerator of d(omega_tau)/dt over D, a part of d(d(omega_tau)/dtau)/d(omega3),
+ *      d(numerator of d(omega_tau)/dt over D)/d(s), d(d(v_nu)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(s),
+ *      a part of d(d(omega3)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega3), d(v_nu)/dtau,
+ *      omega_tau*(a3*I3/(R*I1)) - ((I1 - I3)/I1)*omega_tau*gamma3, a part of d(d(omega3)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -65,11 +77,10 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t12 = params[3]*t11; /* a3*m*g */
     out[14] = t12;
     const double t13 = params[4]*t7; /* I1*R*R */
-    out[55] = t13;
+    out[59] = t13;
     const double t14 = 1.0/t13; /* 1/(I1*R*R) */
     out[15] = t14;
     const double t15 = params[3]*params[5]; /* a3*I3 */
-    out[35] = t15;
     const double t16 = t15/t3; /* a3*I3/(I1*R) */
     out[16] = t16;
     const double t17 = params[4] - params[5]; /* I1 - I3 */
@@ -79,106 +90,116 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t20 = params[1]*t19; /* R*I1*I1 */
     const double t21 = 1.0/t20; /* 1/(R*I1*I1) */
     out[18] = t21;
-    const double t22 = params[4]*params[5]; /* I1*I3 */
+    const double t22 = t6/params[4]; /* m*a3*a3/I1 */
     out[19] = t22;
-    const double t23 = params[4]*t8; /* I1*m*R*R */
+    const double t23 = t2/params[4]; /* R*I3/I1 */
     out[20] = t23;
-    const double t24 = params[5]*t8; /* I3*m*R*R */
-    out[21] = t24;
-    const double t25 = t2/params[4]; /* R*I3/I1 */
-    out[22] = t25;
-    const double t26 = params[5]*2.0; /* I3*2 */
-    const double t27 = t26/t19; /* I3*2/(I1*I1) */
-    out[23] = t27;
-    const double t28 = (-2.0)/t20; /* (-2)/(R*I1*I1) */
-    out[24] = t28;
-    const double t29 = t5*t8; /* a3*a3*m*R*R */
-    const double t30 = params[4]*t29; /* I1*a3*a3*m*R*R */
+    const double t24 = params[5]*2.0; /* I3*2 */
+    const double t25 = t24/t19; /* I3*2/(I1*I1) */
+    out[21] = t25;
+    const double t26 = (-2.0)/t20; /* (-2)/(R*I1*I1) */
+    out[22] = t26;
+    const double t27 = t7*t19; /* R*R*I1*I1 */
+    const double t28 = 1.0/t27; /* 1/(R*R*I1*I1) */
+    out[23] = t28;
+    const double t29 = t24/t20; /* I3*2/(R*I1*I1) */
+    out[24] = t29;
+    const double t30 = t2/2.0; /* R*I3/2 */
     out[25] = t30;
-    const double t31 = t26/t3; /* I3*2/(I1*R) */
-    out[26] = t31;
-    const double t32 = t2/2.0; /* R*I3/2 */
-    out[27] = t32;
-    const double t33 = params[0]*2.0; /* m*2 */
-    const double t34 = t5*t33; /* a3*a3*m*2 */
-    out[28] = t34;
-    const double t35 = params[5]/t3; /* I3/(I1*R) */
-    out[29] = t35;
-    const double t36 = t34/t13; /* a3*a3*m*2/(I1*R*R) */
-    out[30] = t36;
-    const double t37 = t8*params[2]; /* m*R*R*g */
-    const double t38 = params[3]*t37; /* a3*m*R*R*g */
-    const double t39 = params[4]*t38; /* I1*a3*m*R*R*g */
-    out[31] = t39;
-    const double t40 = params[2]*t33; /* g*m*2 */
-    const double t41 = params[3]*t40; /* a3*g*m*2 */
-    out[32] = t41;
-    const double t42 = 2.0/t13; /* 2/(I1*R*R) */
-    out[33] = t42;
-    const double t43 = params[0]*params[0]; /* m*m */
-    const double t44 = 2.0*t43; /* 2*m*m */
-    const double t45 = t7*t44; /* R*R*2*m*m */
-    const double t46 = params[5]*t45; /* I3*R*R*2*m*m */
-    out[34] = t46;
-    const double t47 = params[1]*t17; /* R*(I1 - I3) */
-    out[36] = t47;
-    const double t48 = params[3]*params[0]; /* a3*m */
-    out[37] = t48;
-    const double t49 = t8*t17; /* m*R*R*(I1 - I3) */
-    out[38] = t49;
-    const double t50 = params[1]*params[0]; /* R*m */
-    out[40] = t50;
-    const double t51 = params[5]*t50; /* I3*R*m */
-    out[39] = t51;
-    const double t52 = t7*t33; /* R*R*m*2 */
-    const double t53 = t17*t52; /* (I1 - I3)*R*R*m*2 */
-    out[41] = t53;
-    const double t54 = params[1]*t33; /* R*m*2 */
-    const double t55 = params[3]*t54; /* a3*R*m*2 */
-    const double t56 = params[5]*t55; /* I3*a3*R*m*2 */
-    out[42] = t56;
-    const double t57 = params[4]*t45; /* I1*R*R*2*m*m */
-    out[43] = t57;
-    const double t58 = params[3]*t50; /* a3*R*m */
-    const double t59 = params[5]*t58; /* I3*a3*R*m */
-    out[44] = t59;
-    const double t60 = t3/2.0; /* I1*R/2 */
-    out[45] = t60;
-    const double t61 = params[5]*t52; /* I3*R*R*m*2 */
-    out[46] = t61;
-    const double t62 = params[0]*(-2.0); /* m*(-2) */
-    const double t63 = t7*t62; /* R*R*m*(-2) */
-    const double t64 = params[4]*t63; /* I1*R*R*m*(-2) */
-    out[47] = t64;
-    const double t65 = params[5]*params[0]; /* I3*m */
+    const double t31 = params[0]*2.0; /* m*2 */
+    const double t32 = t5*t31; /* a3*a3*m*2 */
+    out[46] = t32;
+    const double t33 = t32/params[4]; /* a3*a3*m*2/I1 */
+    out[26] = t33;
+    const double t34 = params[5]/t20; /* I3/(R*I1*I1) */
+    out[27] = t34;
+    const double t35 = 2.0/t27; /* 2/(R*R*I1*I1) */
+    out[28] = t35;
+    const double t36 = params[2]*t31; /* g*m*2 */
+    const double t37 = params[3]*t36; /* a3*g*m*2 */
+    out[47] = t37;
+    const double t38 = t37/params[4]; /* a3*g*m*2/I1 */
+    out[29] = t38;
+    const double t39 = params[4]*t19; /* I1*I1*I1 */
+    const double t40 = params[1]*t39; /* R*I1*I1*I1 */
+    const double t41 = params[5]*t32; /* I3*a3*a3*m*2 */
+    const double t42 = t41/t40; /* I3*a3*a3*m*2/(R*I1*I1*I1) */
+    out[30] = t42;
+    const double t43 = params[3]*2.0; /* a3*2 */
+    const double t44 = params[5]*t43; /* I3*a3*2 */
+    const double t45 = t44/t20; /* I3*a3*2/(R*I1*I1) */
+    out[31] = t45;
+    const double t46 = t17*2.0; /* (I1 - I3)*2 */
+    const double t47 = t46/t19; /* (I1 - I3)*2/(I1*I1) */
+    out[32] = t47;
+    const double t48 = t24/t27; /* I3*2/(R*R*I1*I1) */
+    out[33] = t48;
+    const double t49 = params[5]/t3; /* I3/(I1*R) */
+    out[34] = t49;
+    const double t50 = params[3]/t13; /* a3/(I1*R*R) */
+    out[35] = t50;
+    const double t51 = 2.0/t13; /* 2/(I1*R*R) */
+    out[36] = t51;
+    const double t52 = params[4]/t8; /* I1/(m*R*R) */
+    out[37] = t52;
+    const double t53 = params[4]*params[5]; /* I1*I3 */
+    out[38] = t53;
+    const double t54 = params[4]*t8; /* I1*m*R*R */
+    out[39] = t54;
+    const double t55 = params[5]*t8; /* I3*m*R*R */
+    out[40] = t55;
+    const double t56 = t5*t8; /* a3*a3*m*R*R */
+    const double t57 = params[4]*t56; /* I1*a3*a3*m*R*R */
+    out[41] = t57;
+    const double t58 = params[1]*params[0]; /* R*m */
+    const double t59 = params[3]*t58; /* a3*R*m */
+    const double t60 = params[5]*t59; /* I3*a3*R*m */
+    out[42] = t60;
+    const double t61 = t8*t17; /* m*R*R*(I1 - I3) */
+    out[43] = t61;
+    const double t62 = t3/2.0; /* I1*R/2 */
+    out[44] = t62;
+    const double t63 = t24/t3; /* I3*2/(I1*R) */
+    out[45] = t63;
+    const double t64 = t7*t31; /* R*R*m*2 */
+    const double t65 = params[5]*t64; /* I3*R*R*m*2 */
     out[48] = t65;
-    const double t66 = params[0]/2.0; /* m/2 */
+    const double t66 = params[3]*params[0]; /* a3*m */
     out[49] = t66;
-    const double t67 = params[2]*2.0; /* g*2 */
-    const double t68 = params[3]*t67; /* a3*g*2 */
-    out[50] = t68;
-    const double t69 = 1.0/params[0]; /* 1/m */
-    out[51] = t69;
-    const double t70 = 1.0/t23; /* 1/(I1*m*R*R) */
-    out[52] = t70;
-    const double t71 = params[5]/params[0]; /* I3/m */
-    out[53] = t71;
-    const double t72 = params[0]/t20; /* m/(R*I1*I1) */
-    out[54] = t72;
-    const double t73 = params[5]/t13; /* I3/(I1*R*R) */
-    out[56] = t73;
-    const double t74 = params[0]/params[4]; /* m/I1 */
-    out[57] = t74;
-    const double t75 = t6/params[4]; /* m*a3*a3/I1 */
-    out[58] = t75;
-    const double t76 = t12/params[4]; /* a3*m*g/I1 */
-    out[59] = t76;
-    const double t77 = (-1.0)/params[1]; /* (-1)/R */
-    out[60] = t77;
-    const double t78 = t15/params[4]; /* a3*I3/I1 */
-    out[61] = t78;
-    const double t79 = t47/params[4]; /* R*(I1 - I3)/I1 */
-    out[62] = t79;
+    const double t67 = params[5]*t58; /* I3*R*m */
+    out[50] = t67;
+    const double t68 = params[0]*(-2.0); /* m*(-2) */
+    const double t69 = t7*t68; /* R*R*m*(-2) */
+    const double t70 = params[4]*t69; /* I1*R*R*m*(-2) */
+    out[51] = t70;
+    const double t71 = params[5]*params[0]; /* I3*m */
+    out[52] = t71;
+    const double t72 = params[0]/2.0; /* m/2 */
+    out[53] = t72;
+    const double t73 = params[2]*2.0; /* g*2 */
+    const double t74 = params[3]*t73; /* a3*g*2 */
+    out[54] = t74;
+    const double t75 = 1.0/params[0]; /* 1/m */
+    out[55] = t75;
+    const double t76 = 1.0/t54; /* 1/(I1*m*R*R) */
+    out[56] = t76;
+    const double t77 = params[5]/params[0]; /* I3/m */
+    out[57] = t77;
+    const double t78 = params[0]/t20; /* m/(R*I1*I1) */
+    out[58] = t78;
+    const double t79 = params[5]/t13; /* I3/(I1*R*R) */
+    out[60] = t79;
+    const double t80 = params[0]/params[4]; /* m/I1 */
+    out[61] = t80;
+    const double t81 = t12/params[4]; /* a3*m*g/I1 */
+    out[62] = t81;
+    const double t82 = (-1.0)/params[1]; /* (-1)/R */
+    out[63] = t82;
+    const double t83 = t15/params[4]; /* a3*I3/I1 */
+    out[64] = t83;
+    const double t84 = params[1]*t17; /* R*(I1 - I3) */
+    const double t85 = t84/params[4]; /* R*(I1 - I3)/I1 */
+    out[65] = t85;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -248,113 +269,111 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t3 = p[8] + x[0]; /* b/R = a3/R + gamma3 */
     const double t4 = p[9]*x[3]; /* R*I3*omega3 */
     const double t5 = JLT_FMA(t3, t4, p[6]); /* b/R*R*I3*omega3 + G_level */
-    const double t6 = JLT_FMA(t0, p[11], p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t7 = t3*p[21]; /* b/R*m*R^2*I3 */
-    const double t8 = JLT_FMA(t0, p[20], p[19]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t9 = JLT_FMA(t3, t7, t8); /* Theta = b/R*b/R*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t10 = x[4]*t6; /* s*D */
-    const double t11 = t9*t10; /* Theta*s*D */
-    const double t12 = 1.0/t11; /* 1/(Theta*s*D) */
-    const double t13 = t9*t12; /* 1/(s*D) = Theta*1/(Theta*s*D) */
-    const double t14 = t6*t13; /* 1/s = D*1/(s*D) */
+    const double t6 = JLT_FMA(t0, p[19], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t7 = t3*t3; /* b/R*b/R */
+    const double t8 = t0 + p[12]; /* s*s + I3/(m*R^2) */
+    const double t9 = JLT_FMA(p[13], t7, t8); /* Theta/(m*R^2*I1) = I3/I1*b/R*b/R + s*s + I3/(m*R^2) */
+    const double t10 = x[4]*t6; /* s*D/I1 */
+    const double t11 = t9*t10; /* Theta/(m*R^2*I1)*s*D/I1 */
+    const double t12 = 1.0/t11; /* 1/(Theta/(m*R^2*I1)*s*D/I1) */
+    const double t13 = t9*t12; /* 1/(s*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s*D/I1) */
+    const double t14 = t6*t13; /* 1/s = D/I1*1/(s*(D/I1)) */
     const double t15 = t5*t14; /* (b/R*R*I3*omega3 + G_level)*1/s */
     const double t16 = t15*t15; /* (b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
     const double t17 = p[18]*t16; /* 1/(R*I1^2)*t16 */
-    const double t18 = x[3]*p[22]; /* omega3*R*I3/I1 */
+    const double t18 = x[3]*p[20]; /* omega3*R*I3/I1 */
     const double t19 = t14*t15; /* 1/s*(b/R*R*I3*omega3 + G_level)*1/s */
     const double t20 = t3*t19; /* b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
-    const double t21 = JLT_FMA(p[23], t20, t18); /* 2*I3/I1^2*b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s + omega3*R*I3/I1 */
+    const double t21 = JLT_FMA(p[21], t20, t18); /* 2*I3/I1^2*b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s + omega3*R*I3/I1 */
     const double t22 = JLT_FMA(x[3], t21, t17); /* omega3*t21 + 1/(R*I1^2)*t16 */
     out[5] = t22;
-    const double t23 = t5*p[7]; /* (b/R*R*I3*omega3 + G_level)*1/I1 */
-    const double t24 = JLT_FMA(t3, t21, t23); /* b/R*t21 + (b/R*R*I3*omega3 + G_level)*1/I1 */
-    out[8] = t24;
-    const double t25 = t15*p[24]; /* (b/R*R*I3*omega3 + G_level)*1/s*(-2/(R*I1^2)) */
-    const double t26 = t20*t25; /* b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(-2/(R*I1^2)) */
-    out[9] = t26;
-    const double t27 = t1*p[25]; /* s*omega_tau*m*R^2*a3^2*I1 */
-    const double t28 = JLT_FMS(t1, t27, t16); /* s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16 */
-    const double t29 = p[15]*t28; /* 1/(R^2*I1)*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
-    const double t30 = x[0]*t19; /* gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
-    const double t31 = JLT_FMA(x[3], p[27], t30); /* omega3*1/2*R*I3 + gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
-    const double t32 = p[26]*t31; /* 2*I3/(R*I1)*(omega3*1/2*R*I3 + gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s) */
-    const double t33 = JLT_FMS(x[3], t32, t29); /* omega3*t32 - 1/(R^2*I1)*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
-    const double t34 = x[4]*t13; /* 1/D = s*1/(s*D) */
-    const double t35 = t33*t34; /* t33*1/D */
-    const double t36 = -t35; /* -t33*1/D */
-    out[10] = t36;
-    const double t37 = t1*p[28]; /* s*omega_tau*2*m*a3^2 */
-    const double t38 = x[4]*x[0]; /* s*gamma3 */
-    const double t39 = t37*t38; /* s*omega_tau*2*m*a3^2*s*gamma3 */
-    const double t40 = t34*t39; /* 1/D*s*omega_tau*2*m*a3^2*s*gamma3 */
-    out[12] = t40;
-    const double t41 = t5*p[29]; /* (b/R*R*I3*omega3 + G_level)*I3/(R*I1) */
-    const double t42 = JLT_FMA(t3, t32, t41); /* b/R*t32 + (b/R*R*I3*omega3 + G_level)*I3/(R*I1) */
-    const double t43 = t34*t42; /* 1/D*(b/R*t32 + (b/R*R*I3*omega3 + G_level)*I3/(R*I1)) */
-    const double t44 = -t43; /* -1/D*(b/R*t32 + (b/R*R*I3*omega3 + G_level)*I3/(R*I1)) */
-    out[13] = t44;
-    const double t45 = t0*p[31]; /* s*s*m*R^2*g*a3*I1 */
-    const double t46 = JLT_FMA(t4, t5, t45); /* R*I3*omega3*(b/R*R*I3*omega3 + G_level) + s*s*m*R^2*g*a3*I1 */
-    const double t47 = JLT_FNMA(x[0], t28, t46); /* R*I3*omega3*(b/R*R*I3*omega3 + G_level) + s*s*m*R^2*g*a3*I1 - gamma3*(s*omega_tau*s*omega_tau*m*R^2*a3^2*I1 - t16) */
-    const double t48 = x[4]*p[30]; /* s*2*m*a3^2/(R^2*I1) */
-    const double t49 = t34*t48; /* 1/D*s*2*m*a3^2/(R^2*I1) */
-    const double t50 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t51 = t37*t50; /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 */
-    const double t52 = t15*p[33]; /* (b/R*R*I3*omega3 + G_level)*1/s*2/(R^2*I1) */
-    const double t53 = JLT_FNMA(x[4], p[32], t51); /* s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 */
-    const double t54 = JLT_FMA(t30, t52, t53); /* d(numerator of d(omega_tau)/dt over D)/d(s) = gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s*2/(R^2*I1) + s*omega_tau*2*m*a3^2*omega_tau*gamma3 - s*2*m*g*a3 */
-    const double t55 = JLT_FMA(t47, t49, t54); /* t47*1/D*s*2*m*a3^2/(R^2*I1) + d(numerator of d(omega_tau)/dt over D)/d(s) */
-    const double t56 = t34*t55; /* 1/D*t55 */
-    out[14] = t56;
-    const double t57 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t58 = JLT_FMA(x[2], t57, x[1]); /* V = omega_tau*e + v_nu */
-    const double t59 = t5*t58; /* (b/R*R*I3*omega3 + G_level)*V */
-    const double t60 = JLT_FNMA(x[0], p[36], p[35]); /* a3*I3 - gamma3*R*(I1 - I3) */
-    const double t61 = t1*x[3]; /* s*omega_tau*omega3 */
-    const double t62 = x[4]*t61; /* s*s*omega_tau*omega3 */
-    const double t63 = p[1]*t60; /* R*(a3*I3 - gamma3*R*(I1 - I3)) */
-    const double t64 = JLT_FMA(t62, t63, t59); /* s*s*omega_tau*omega3*R*(a3*I3 - gamma3*R*(I1 - I3)) + (b/R*R*I3*omega3 + G_level)*V */
-    const double t65 = t10*t12; /* 1/Theta = s*D*1/(Theta*s*D) */
-    const double t66 = t64*t65; /* t64*1/Theta */
-    const double t67 = t3*p[34]; /* b/R*2*m^2*R^2*I3 */
-    const double t68 = x[2]*p[37]; /* omega_tau*m*a3 */
-    const double t69 = t5*t68; /* (b/R*R*I3*omega3 + G_level)*omega_tau*m*a3 */
-    const double t70 = t58*p[39]; /* V*m*R*I3 */
-    const double t71 = JLT_FMS(t62, p[38], t69); /* s*s*omega_tau*omega3*m*R^2*(I1 - I3) - (b/R*R*I3*omega3 + G_level)*omega_tau*m*a3 */
-    const double t72 = JLT_FNMA(x[3], t70, t71); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = t71 - omega3*V*m*R*I3 */
-    const double t73 = JLT_FMA(t66, t67, t72); /* t64*1/Theta*b/R*2*m^2*R^2*I3 + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
-    const double t74 = t65*t73; /* 1/Theta*t73 */
-    out[15] = t74;
-    const double t75 = t5*p[0]; /* (b/R*R*I3*omega3 + G_level)*m */
-    const double t76 = t65*t75; /* 1/Theta*(b/R*R*I3*omega3 + G_level)*m */
-    const double t77 = -t76; /* -1/Theta*(b/R*R*I3*omega3 + G_level)*m */
+    const double t23 = x[4]*p[7]; /* s*1/I1 */
+    const double t24 = t15*t23; /* (b/R*R*I3*omega3 + G_level)*1/s*s*1/I1 */
+    const double t25 = JLT_FMA(t3, t21, t24); /* b/R*t21 + (b/R*R*I3*omega3 + G_level)*1/s*s*1/I1 */
+    out[8] = t25;
+    const double t26 = t15*p[22]; /* (b/R*R*I3*omega3 + G_level)*1/s*(-2/(R*I1^2)) */
+    const double t27 = t20*t26; /* b/R*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(-2/(R*I1^2)) */
+    out[9] = t27;
+    const double t28 = t1*p[19]; /* s*omega_tau*m*a3^2/I1 */
+    const double t29 = t16*p[23]; /* t16*1/(R^2*I1^2) */
+    const double t30 = JLT_FMS(t1, t28, t29); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - t16*1/(R^2*I1^2) */
+    const double t31 = x[4]*t13; /* 1/(D/I1) = s*1/(s*(D/I1)) */
+    const double t32 = t30*t31; /* (s*omega_tau*s*omega_tau*m*a3^2/I1 - t16*1/(R^2*I1^2))*1/(D/I1) */
+    const double t33 = x[0]*t19; /* gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
+    const double t34 = JLT_FMA(x[3], p[25], t33); /* omega3*1/2*R*I3 + gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s */
+    const double t35 = t31*p[24]; /* 1/(D/I1)*2*I3/(R*I1^2) */
+    const double t36 = t34*t35; /* (omega3*1/2*R*I3 + gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s)*1/(D/I1)*2*I3/(R*I1^2) */
+    const double t37 = JLT_FNMA(x[3], t36, t32); /* t32 - omega3*t36 */
+    out[10] = t37;
+    const double t38 = x[4]*t31; /* s*1/(D/I1) */
+    const double t39 = x[0]*p[26]; /* gamma3*2*m*a3^2/I1 */
+    const double t40 = t38*t39; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t41 = t1*t40; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[12] = t41;
+    const double t42 = t15*t38; /* (b/R*R*I3*omega3 + G_level)*1/s*s*1/(D/I1) */
+    const double t43 = p[27]*t42; /* I3/(R*I1^2)*(b/R*R*I3*omega3 + G_level)*1/s*s*1/(D/I1) */
+    const double t44 = JLT_FMA(t3, t36, t43); /* b/R*t36 + I3/(R*I1^2)*(b/R*R*I3*omega3 + G_level)*1/s*s*1/(D/I1) */
+    const double t45 = -t44; /* -t44 */
+    out[13] = t45;
+    const double t46 = JLT_FMA(x[2], x[2], t29); /* omega_tau*omega_tau + t16*1/(R^2*I1^2) */
+    const double t47 = t15*p[28]; /* (b/R*R*I3*omega3 + G_level)*1/s*2/(R^2*I1^2) */
+    const double t48 = t33*t47; /* gamma3*1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level)*1/s*2/(R^2*I1^2) */
+    const double t49 = JLT_FNMA(t38, p[29], t48); /* t48 - s*1/(D/I1)*2*m*g*a3/I1 */
+    const double t50 = JLT_FMA(t40, t46, t49); /* s*1/(D/I1)*gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + t16*1/(R^2*I1^2)) + t48 - s*1/(D/I1)*2*m*g*a3/I1 */
+    const double t51 = t31*t50; /* 1/(D/I1)*t50 */
+    const double t52 = x[3]*p[30]; /* omega3*2*m*a3^2*I3/(R*I1^3) */
+    const double t53 = t38*t52; /* s*1/(D/I1)*omega3*2*m*a3^2*I3/(R*I1^3) */
+    const double t54 = JLT_FMA(t42, t53, t51); /* (b/R*R*I3*omega3 + G_level)*1/s*s*1/(D/I1)*s*1/(D/I1)*omega3*2*m*a3^2*I3/(R*I1^3) + 1/(D/I1)*t50 */
+    out[14] = t54;
+    const double t55 = t10*t12; /* 1/(Theta/(m*R^2*I1)) = s*D/I1*1/(Theta/(m*R^2*I1)*s*D/I1) */
+    const double t56 = x[4]*t55; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t57 = x[3]*t56; /* omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t58 = JLT_FNMA(x[0], p[32], p[31]); /* 2*a3*I3/(R*I1^2) - gamma3*2*(I1 - I3)/I1^2 */
+    const double t59 = x[2]*p[5]; /* omega_tau*I3 */
+    const double t60 = t58*t59; /* (2*a3*I3/(R*I1^2) - gamma3*2*(I1 - I3)/I1^2)*omega_tau*I3 */
+    const double t61 = t57*t60; /* omega3*s*1/(Theta/(m*R^2*I1))*(2*a3*I3/(R*I1^2) - gamma3*2*(I1 - I3)/I1^2)*omega_tau*I3 */
+    const double t62 = t56*t61; /* s*1/(Theta/(m*R^2*I1))*t61 */
+    const double t63 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t64 = JLT_FMA(x[2], t63, x[1]); /* V = omega_tau*e + v_nu */
+    const double t65 = t55*t64; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t66 = t15*t56; /* (b/R*R*I3*omega3 + G_level)*1/s*s*1/(Theta/(m*R^2*I1)) */
+    const double t67 = t65*t66; /* 1/(Theta/(m*R^2*I1))*V*(b/R*R*I3*omega3 + G_level)*1/s*s*1/(Theta/(m*R^2*I1)) */
+    const double t68 = JLT_FMA(p[33], t67, t62); /* 2*I3/(R^2*I1^2)*t67 + s*1/(Theta/(m*R^2*I1))*t61 */
+    const double t69 = t1*t56; /* s*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t70 = t65*p[34]; /* 1/(Theta/(m*R^2*I1))*V*I3/(R*I1) */
+    const double t71 = JLT_FMS(p[17], t69, t70); /* (I1 - I3)/I1*s*omega_tau*s*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*V*I3/(R*I1) */
+    const double t72 = x[3]*t71; /* omega3*t71 */
+    const double t73 = x[2]*p[35]; /* omega_tau*a3/(R^2*I1) */
+    const double t74 = JLT_FNMA(t66, t73, t72); /* omega3*t71 - (b/R*R*I3*omega3 + G_level)*1/s*s*1/(Theta/(m*R^2*I1))*omega_tau*a3/(R^2*I1) */
+    const double t75 = JLT_FMA(t3, t68, t74); /* b/R*(2*I3/(R^2*I1^2)*t67 + s*1/(Theta/(m*R^2*I1))*t61) + t74 */
+    out[15] = t75;
+    const double t76 = t66*p[15]; /* (b/R*R*I3*omega3 + G_level)*1/s*s*1/(Theta/(m*R^2*I1))*1/(R^2*I1) */
+    const double t77 = -t76; /* -t76 */
     out[16] = t77;
-    const double t78 = t57*t75; /* e*(b/R*R*I3*omega3 + G_level)*m */
-    const double t79 = t0*p[40]; /* s*s*m*R */
-    const double t80 = t60*t79; /* (a3*I3 - gamma3*R*(I1 - I3))*s*s*m*R */
-    const double t81 = JLT_FMA(x[3], t80, t78); /* omega3*(a3*I3 - gamma3*R*(I1 - I3))*s*s*m*R + e*(b/R*R*I3*omega3 + G_level)*m */
-    const double t82 = t65*t81; /* 1/Theta*t81 */
-    const double t83 = -t82; /* -1/Theta*t81 */
-    out[17] = t83;
-    const double t84 = t3*t70; /* b/R*V*m*R*I3 */
-    const double t85 = JLT_FMA(x[2], t80, t84); /* omega_tau*(a3*I3 - gamma3*R*(I1 - I3))*s*s*m*R + b/R*V*m*R*I3 */
-    const double t86 = t65*t85; /* 1/Theta*t85 */
-    const double t87 = -t86; /* -1/Theta*t85 */
-    out[18] = t87;
-    const double t88 = x[0]*p[41]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t89 = t61*t88; /* s*omega_tau*omega3*gamma3*2*m*R^2*(I1 - I3) */
-    const double t90 = JLT_FNMA(t61, p[42], t89); /* d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega_tau*omega3*gamma3*2*m*R^2*(I1 - I3) - s*omega_tau*omega3*2*m*R*a3*I3 */
-    const double t91 = t65*t90; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t92 = x[4]*p[43]; /* s*2*m^2*R^2*I1 */
-    const double t93 = t65*t92; /* 1/Theta*s*2*m^2*R^2*I1 */
-    const double t94 = JLT_FMA(t66, t93, t91); /* t64*1/Theta*1/Theta*s*2*m^2*R^2*I1 + 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    out[19] = t94;
-    const double t95 = -t1; /* -s*omega_tau */
-    out[20] = t95;
-    const double t96 = -t38; /* -s*gamma3 */
-    out[22] = t96;
-    const double t97 = -t50; /* -omega_tau*gamma3 */
-    out[24] = t97;
+    const double t78 = t63*t76; /* e*t76 */
+    const double t79 = JLT_FNMA(x[0], p[17], p[16]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t80 = x[4]*t79; /* s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t81 = JLT_FMA(t57, t80, t78); /* omega3*s*1/(Theta/(m*R^2*I1))*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + e*t76 */
+    const double t82 = -t81; /* -t81 */
+    out[17] = t82;
+    const double t83 = t3*t70; /* b/R*1/(Theta/(m*R^2*I1))*V*I3/(R*I1) */
+    const double t84 = JLT_FMA(t69, t79, t83); /* s*omega_tau*s*1/(Theta/(m*R^2*I1))*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + b/R*1/(Theta/(m*R^2*I1))*V*I3/(R*I1) */
+    const double t85 = -t84; /* -t84 */
+    out[18] = t85;
+    const double t86 = x[4]*p[36]; /* s*2/(R^2*I1) */
+    const double t87 = t67*t86; /* t67*s*2/(R^2*I1) */
+    const double t88 = t7 + p[37]; /* b/R*b/R + I1/(m*R^2) */
+    const double t89 = t55*t88; /* 1/(Theta/(m*R^2*I1))*(b/R*b/R + I1/(m*R^2)) */
+    const double t90 = JLT_FNMA(t61, t89, t87); /* t67*s*2/(R^2*I1) - t61*1/(Theta/(m*R^2*I1))*(b/R*b/R + I1/(m*R^2)) */
+    out[19] = t90;
+    const double t91 = -t1; /* -s*omega_tau */
+    out[20] = t91;
+    const double t92 = x[4]*x[0]; /* s*gamma3 */
+    const double t93 = -t92; /* -s*gamma3 */
+    out[22] = t93;
+    const double t94 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t95 = -t94; /* -omega_tau*gamma3 */
+    out[24] = t95;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -371,8 +390,8 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[7] = t0;
     const double t1 = p[8] + x[0]; /* b/R = a3/R + gamma3 */
     const double t2 = JLT_FMA(p[11], t0, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t3 = p[21]*t1; /* m*R^2*I3*b/R */
-    const double t4 = JLT_FMA(p[20], t0, p[19]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t3 = p[40]*t1; /* m*R^2*I3*b/R */
+    const double t4 = JLT_FMA(p[39], t0, p[38]); /* m*R^2*I1*s*s + I1*I3 */
     const double t5 = JLT_FMA(t1, t3, t4); /* Theta = b/R*m*R^2*I3*b/R + m*R^2*I1*s*s + I1*I3 */
     const double t6 = x[4]*t2; /* s*D */
     const double t7 = t5*t6; /* Theta*s*D */
@@ -387,23 +406,23 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t16 = x[2]*t0; /* omega_tau*s*s */
     out[0] = t16;
     const double t17 = t15*t15; /* 1/s*(b/R*R*I3*omega3 + G_level)*1/s*(b/R*R*I3*omega3 + G_level) */
-    const double t18 = x[2]*p[25]; /* omega_tau*m*R^2*a3^2*I1 */
+    const double t18 = x[2]*p[41]; /* omega_tau*m*R^2*a3^2*I1 */
     const double t19 = JLT_FMS(t16, t18, t17); /* omega_tau*s*s*omega_tau*m*R^2*a3^2*I1 - t17 */
     const double t20 = p[15]*t19; /* 1/(R^2*I1)*(omega_tau*s*s*omega_tau*m*R^2*a3^2*I1 - t17) */
     const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
     const double t22 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
     const double t23 = p[0]*t14; /* m*(b/R*R*I3*omega3 + G_level) */
     const double t24 = t21*t23; /* e*m*(b/R*R*I3*omega3 + G_level) */
-    const double t25 = JLT_FNMA(x[0], p[38], p[44]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t25 = JLT_FNMA(x[0], p[43], p[42]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
     const double t26 = t22*t23; /* V*m*(b/R*R*I3*omega3 + G_level) */
-    const double t27 = p[39]*t22; /* m*R*I3*V */
+    const double t27 = p[50]*t22; /* m*R*I3*V */
     const double t28 = t10*t23; /* 1/Theta*m*(b/R*R*I3*omega3 + G_level) */
     const double t29 = -t28; /* -1/Theta*m*(b/R*R*I3*omega3 + G_level) */
     out[21] = t29;
     const double t30 = t16*t25; /* omega_tau*s*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
     const double t31 = JLT_FMA(x[3], t30, t26); /* omega3*omega_tau*s*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*m*(b/R*R*I3*omega3 + G_level) */
     const double t32 = t10*t31; /* 1/Theta*t31 */
-    const double t33 = JLT_FNMA(p[38], t16, t27); /* m*R*I3*V - m*R^2*(I1 - I3)*omega_tau*s*s */
+    const double t33 = JLT_FNMA(p[43], t16, t27); /* m*R*I3*V - m*R^2*(I1 - I3)*omega_tau*s*s */
     const double t34 = JLT_FMA(t1, t27, t30); /* b/R*m*R*I3*V + omega_tau*s*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
     const double t35 = t10*t34; /* 1/Theta*t34 */
     const double t36 = -t35; /* -1/Theta*t34 */
@@ -425,19 +444,19 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t48 = -t46; /* -omega_tau*s */
     out[25] = t48;
     const double t49 = t15*t38; /* 1/s*(b/R*R*I3*omega3 + G_level)*gamma3*1/s */
-    const double t50 = JLT_FMA(x[3], p[27], t49); /* omega3*1/2*R*I3 + 1/s*(b/R*R*I3*omega3 + G_level)*gamma3*1/s */
+    const double t50 = JLT_FMA(x[3], p[25], t49); /* omega3*1/2*R*I3 + 1/s*(b/R*R*I3*omega3 + G_level)*gamma3*1/s */
     const double t51 = t15*t39; /* 1/s*(b/R*R*I3*omega3 + G_level)*b/R*1/s */
-    const double t52 = p[26]*t50; /* 2*I3/(R*I1)*(omega3*1/2*R*I3 + 1/s*(b/R*R*I3*omega3 + G_level)*gamma3*1/s) */
-    const double t53 = JLT_FMA(x[3], p[45], t51); /* omega3*1/2*R*I1 + 1/s*(b/R*R*I3*omega3 + G_level)*b/R*1/s */
-    const double t54 = p[33]*t38; /* 2/(R^2*I1)*gamma3*1/s */
-    const double t55 = p[23]*t53; /* 2*I3/I1^2*(omega3*1/2*R*I1 + 1/s*(b/R*R*I3*omega3 + G_level)*b/R*1/s) */
-    const double t56 = p[24]*t39; /* (-2/(R*I1^2))*b/R*1/s */
+    const double t52 = p[45]*t50; /* 2*I3/(R*I1)*(omega3*1/2*R*I3 + 1/s*(b/R*R*I3*omega3 + G_level)*gamma3*1/s) */
+    const double t53 = JLT_FMA(x[3], p[44], t51); /* omega3*1/2*R*I1 + 1/s*(b/R*R*I3*omega3 + G_level)*b/R*1/s */
+    const double t54 = p[36]*t38; /* 2/(R^2*I1)*gamma3*1/s */
+    const double t55 = p[21]*t53; /* 2*I3/I1^2*(omega3*1/2*R*I1 + 1/s*(b/R*R*I3*omega3 + G_level)*b/R*1/s) */
+    const double t56 = p[22]*t39; /* (-2/(R*I1^2))*b/R*1/s */
     const double t57 = t17*t56; /* t17*(-2/(R*I1^2))*b/R*1/s */
     out[14] = t57;
     const double t58 = JLT_FNMA(x[3], t52, t20); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = 1/(R^2*I1)*(omega_tau*s*s*omega_tau*m*R^2*a3^2*I1 - t17) - omega3*t52 */
     const double t59 = t12*t58; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
     out[15] = t59;
-    const double t60 = p[29]*t14; /* I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
+    const double t60 = p[34]*t14; /* I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
     const double t61 = JLT_FNMA(x[3], t60, t41); /* numerator of d(omega_tau)/dt over D = t40 - m*g*a3*s*s - omega3*I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
     const double t62 = JLT_FMA(t1, t52, t60); /* b/R*t52 + I3/(R*I1)*(b/R*R*I3*omega3 + G_level) */
     const double t63 = t12*t61; /* 1/D*numerator of d(omega_tau)/dt over D */
@@ -448,9 +467,9 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t66 = x[2]*x[0]; /* omega_tau*gamma3 */
     const double t67 = -t66; /* -omega_tau*gamma3 */
     out[29] = t67;
-    const double t68 = p[28]*t46; /* 2*m*a3^2*omega_tau*s */
+    const double t68 = p[46]*t46; /* 2*m*a3^2*omega_tau*s */
     const double t69 = t66*t68; /* omega_tau*gamma3*2*m*a3^2*omega_tau*s */
-    const double t70 = JLT_FNMA(x[4], p[32], t69); /* omega_tau*gamma3*2*m*a3^2*omega_tau*s - s*2*m*g*a3 */
+    const double t70 = JLT_FNMA(x[4], p[47], t69); /* omega_tau*gamma3*2*m*a3^2*omega_tau*s - s*2*m*g*a3 */
     const double t71 = JLT_FMA(t17, t54, t70); /* d(numerator of d(omega_tau)/dt over D)/d(s) = t17*2/(R^2*I1)*gamma3*1/s + omega_tau*gamma3*2*m*a3^2*omega_tau*s - s*2*m*g*a3 */
     const double t72 = p[18]*t17; /* 1/(R*I1^2)*t17 */
     const double t73 = x[0]*t46; /* gamma3*omega_tau*s */
@@ -459,16 +478,16 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t75 = JLT_FMA(x[3], t55, t72); /* omega3*t55 + 1/(R*I1^2)*t17 */
     out[10] = t75;
     const double t76 = t1*t72; /* b/R*1/(R*I1^2)*t17 */
-    const double t77 = p[46]*t1; /* 2*m*R^2*I3*b/R */
+    const double t77 = p[48]*t1; /* 2*m*R^2*I3*b/R */
     const double t78 = t32*t77; /* 1/Theta*t31*2*m*R^2*I3*b/R */
-    const double t79 = x[4]*p[28]; /* s*2*m*a3^2 */
+    const double t79 = x[4]*p[46]; /* s*2*m*a3^2 */
     const double t80 = t12*t79; /* 1/D*s*2*m*a3^2 */
     const double t81 = t73*t80; /* gamma3*omega_tau*s*1/D*s*2*m*a3^2 */
     out[17] = t81;
     const double t82 = t63*t80; /* 1/D*numerator of d(omega_tau)/dt over D*1/D*s*2*m*a3^2 */
     const double t83 = JLT_FMS(t12, t71, t82); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - 1/D*numerator of d(omega_tau)/dt over D*1/D*s*2*m*a3^2 */
     out[19] = t83;
-    const double t84 = x[2]*p[37]; /* omega_tau*m*a3 */
+    const double t84 = x[2]*p[49]; /* omega_tau*m*a3 */
     const double t85 = JLT_FNMA(t14, t84, t78); /* 1/Theta*t31*2*m*R^2*I3*b/R - (b/R*R*I3*omega3 + G_level)*omega_tau*m*a3 */
     const double t86 = JLT_FNMA(x[3], t33, t85); /* t85 - omega3*(m*R*I3*V - m*R^2*(I1 - I3)*omega_tau*s*s) */
     const double t87 = t10*t86; /* 1/Theta*(t85 - omega3*(m*R*I3*V - m*R^2*(I1 - I3)*omega_tau*s*s)) */
@@ -481,7 +500,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t91 = x[2]*p[16]; /* omega_tau*a3*I3/(R*I1) */
     const double t92 = JLT_FNMA(p[17], t66, t91); /* omega_tau*a3*I3/(R*I1) - (I1 - I3)/I1*omega_tau*gamma3 */
     const double t93 = JLT_FMS(x[3], t92, t32); /* omega3*(omega_tau*a3*I3/(R*I1) - (I1 - I3)/I1*omega_tau*gamma3) - 1/Theta*t31 */
-    const double t94 = x[4]*p[47]; /* s*(-2*m*R^2*I1) */
+    const double t94 = x[4]*p[51]; /* s*(-2*m*R^2*I1) */
     const double t95 = t10*t94; /* 1/Theta*s*(-2*m*R^2*I1) */
     const double t96 = t93*t95; /* t93*1/Theta*s*(-2*m*R^2*I1) */
     out[24] = t96;
@@ -496,15 +515,15 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[2]*t0; /* omega_tau*s*s */
     const double t2 = x[0]*t1; /* gamma3*omega_tau*s*s */
     const double t3 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t4 = p[38]*t2; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s */
-    const double t5 = JLT_FNMA(p[44], t1, t4); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s - m*R*a3*I3*omega_tau*s*s */
-    const double t6 = p[28]*t2; /* 2*m*a3^2*gamma3*omega_tau*s*s */
+    const double t4 = p[43]*t2; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s */
+    const double t5 = JLT_FNMA(p[42], t1, t4); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s - m*R*a3*I3*omega_tau*s*s */
+    const double t6 = p[46]*t2; /* 2*m*a3^2*gamma3*omega_tau*s*s */
     const double t7 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
     const double t8 = JLT_FMA(x[2], t7, x[1]); /* V = omega_tau*e + v_nu */
-    const double t9 = p[48]*t3; /* m*I3*b */
+    const double t9 = p[52]*t3; /* m*I3*b */
     const double t10 = JLT_FNMA(t8, t9, t5); /* t5 - V*m*I3*b */
     const double t11 = JLT_FMA(p[11], t0, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t12 = JLT_FMA(p[20], t0, p[19]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t12 = JLT_FMA(p[39], t0, p[38]); /* m*R^2*I1*s*s + I1*I3 */
     const double t13 = JLT_FMA(t3, t9, t12); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
     const double t14 = t10*t11; /* (t5 - V*m*I3*b)*D */
     const double t15 = JLT_FMA(t6, t13, t14); /* 2*m*a3^2*gamma3*omega_tau*s*s*Theta + (t5 - V*m*I3*b)*D */
@@ -522,21 +541,21 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t3 = t2/x[4]; /* (b/R*R*I3*omega3 + G_level)/s */
     const double t4 = p[7]*t0; /* 1/I1*b/R */
     const double t5 = t3*t4; /* (b/R*R*I3*omega3 + G_level)/s*1/I1*b/R */
-    const double t6 = p[50]*x[0]; /* 2*g*a3*gamma3 */
+    const double t6 = p[54]*x[0]; /* 2*g*a3*gamma3 */
     const double t7 = JLT_FMA(x[1], x[1], t6); /* v_nu*v_nu + 2*g*a3*gamma3 */
     const double t8 = p[11]*x[4]; /* m*a3^2*s */
     const double t9 = JLT_FMA(x[4], t8, p[4]); /* D = s*m*a3^2*s + I1 */
-    const double t10 = p[51]*x[2]; /* 1/m*omega_tau */
+    const double t10 = p[55]*x[2]; /* 1/m*omega_tau */
     const double t11 = x[2]*t10; /* omega_tau*1/m*omega_tau */
-    const double t12 = x[3]*p[53]; /* omega3*I3/m */
+    const double t12 = x[3]*p[57]; /* omega3*I3/m */
     const double t13 = JLT_FMA(x[3], t12, t7); /* omega3*omega3*I3/m + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t14 = JLT_FMA(t9, t11, t13); /* D*omega_tau*1/m*omega_tau + omega3*omega3*I3/m + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t15 = p[52]*t3; /* 1/(m*R^2*I1)*(b/R*R*I3*omega3 + G_level)/s */
+    const double t15 = p[56]*t3; /* 1/(m*R^2*I1)*(b/R*R*I3*omega3 + G_level)/s */
     const double t16 = JLT_FMA(t3, t15, t14); /* (b/R*R*I3*omega3 + G_level)/s*1/(m*R^2*I1)*(b/R*R*I3*omega3 + G_level)/s + t14 */
     const double t17 = x[4]*p[1]; /* s*R */
     const double t18 = JLT_FMA(x[3], t17, t5); /* v_tau = omega3*s*R + (b/R*R*I3*omega3 + G_level)/s*1/I1*b/R */
     const double t19 = JLT_FMA(t18, t18, t16); /* energy/(1/2*m) = v_tau*v_tau + t16 */
-    const double t20 = p[49]*t19; /* 1/2*m*energy/(1/2*m) */
+    const double t20 = p[53]*t19; /* 1/2*m*energy/(1/2*m) */
     out[0] = t20;
 }
 
@@ -548,13 +567,13 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t3 = JLT_FMA(t0, t2, p[6]); /* b*I3*omega3 + G_level */
     const double t4 = t1*t3; /* 1/s*(b*I3*omega3 + G_level) */
     const double t5 = t0*t4; /* b*1/s*(b*I3*omega3 + G_level) */
-    const double t6 = x[4]*p[55]; /* s*R^2*I1 */
+    const double t6 = x[4]*p[59]; /* s*R^2*I1 */
     const double t7 = JLT_FMA(x[3], t6, t5); /* v_tau/(1/(R*I1)) = omega3*s*R^2*I1 + b*1/s*(b*I3*omega3 + G_level) */
     const double t8 = t0*t1; /* b*1/s */
     const double t9 = JLT_FMA(t2, t8, t4); /* d(v_tau)/d(gamma3)/(1/I1) = I3*omega3*b*1/s + 1/s*(b*I3*omega3 + G_level) */
-    const double t10 = p[54]*t7; /* m/(R*I1^2)*v_tau/(1/(R*I1)) */
+    const double t10 = p[58]*t7; /* m/(R*I1^2)*v_tau/(1/(R*I1)) */
     const double t11 = t1*t4; /* 1/s*1/s*(b*I3*omega3 + G_level) */
-    const double t12 = x[3]*p[29]; /* omega3*I3/(R*I1) */
+    const double t12 = x[3]*p[34]; /* omega3*I3/(R*I1) */
     const double t13 = JLT_FMA(t11, t12, p[14]); /* 1/s*1/s*(b*I3*omega3 + G_level)*omega3*I3/(R*I1) + m*g*a3 */
     const double t14 = JLT_FMA(t9, t10, t13); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/(1/I1)*m/(R*I1^2)*v_tau/(1/(R*I1)) + 1/s*1/s*(b*I3*omega3 + G_level)*omega3*I3/(R*I1) + m*g*a3 */
     out[0] = t14;
@@ -564,9 +583,9 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t17 = JLT_FMA(x[4], t16, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t18 = x[2]*t17; /* omega_tau*D */
     out[2] = t18;
-    const double t19 = t8*p[56]; /* b*1/s*I3/(R^2*I1) */
+    const double t19 = t8*p[60]; /* b*1/s*I3/(R^2*I1) */
     const double t20 = JLT_FMA(t0, t19, x[4]); /* d(v_tau)/d(omega3)/R = b*b*1/s*I3/(R^2*I1) + s */
-    const double t21 = t7*p[57]; /* v_tau/(1/(R*I1))*m/I1 */
+    const double t21 = t7*p[61]; /* v_tau/(1/(R*I1))*m/I1 */
     const double t22 = JLT_FMA(t4, t19, t2); /* 1/s*(b*I3*omega3 + G_level)*b*1/s*I3/(R^2*I1) + I3*omega3 */
     const double t23 = JLT_FMA(t20, t21, t22); /* d(energy)/d(omega3) = d(v_tau)/d(omega3)/R*v_tau/(1/(R*I1))*m/I1 + 1/s*(b*I3*omega3 + G_level)*b*1/s*I3/(R^2*I1) + I3*omega3 */
     out[3] = t23;
@@ -652,8 +671,8 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     for (unsigned k = 0; k < order; k++) {
         t19[k] = jlt_jet_product(x4, x4, k);
         t20[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
-        t21[k] = p[58]*t19[k] + (k == 0 ? 1.0 : 0);
-        t22[k] = p[56]*t20[k];
+        t21[k] = p[19]*t19[k] + (k == 0 ? 1.0 : 0);
+        t22[k] = p[60]*t20[k];
         t23[k] = (k == 0 ? p[12] : 0) + t19[k];
         t24[k] = jlt_jet_product(t20, t22, k) + t23[k];
         t25[k] = jlt_jet_product(x4, t21, k);
@@ -661,7 +680,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t27[k] = jlt_jet_product(t24, t25, k);
         t28[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t27, t28, k);
         t29[k] = jlt_jet_product(t24, t28, k);
-        t30[k] = p[60]*t25[k];
+        t30[k] = p[63]*t25[k];
         t31[k] = jlt_jet_product(t28, t30, k);
         t32[k] = p[5]*x3[k];
         t33[k] = jlt_jet_product(t20, t32, k) + (k == 0 ? p[6] : 0);
@@ -670,9 +689,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t36[k] = jlt_jet_product(x4, t29, k);
         t37[k] = jlt_jet_product(x2, x0, k);
         t38[k] = jlt_jet_product(x2, t19, k);
-        t39[k] = p[58]*t37[k];
+        t39[k] = p[19]*t37[k];
         t40[k] = jlt_jet_product(t38, t39, k);
-        t41[k] = t40[k] - p[59]*t19[k];
+        t41[k] = t40[k] - p[62]*t19[k];
         t42[k] = jlt_jet_product(x3, t38, k);
         t43[k] = jlt_jet_product(x4, t37, k);
         t44[k] = -t43[k];
@@ -680,7 +699,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t46[k] = jlt_jet_product(x4, t35, k);
         t47[k] = t41[k] - jlt_jet_product(x0, t45, k);
         t48[k] = jlt_jet_product(t20, t45, k);
-        t49[k] = (k == 0 ? p[61] : 0) - x0[k]*p[62];
+        t49[k] = (k == 0 ? p[64] : 0) - x0[k]*p[65];
         t50[k] = jlt_jet_product(t42, t49, k);
         t51[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
         t52[k] = jlt_jet_product(x2, t51, k) + x1[k];
@@ -766,28 +785,28 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G = {
     .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 63,
+    .state_count = 5, .param_count = 7, .block_count = 66,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 5, { 4, 24, 11, 1, 0, 0, 12, 11 }, { 15, 66, 0, 8, 0, 0, 11, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .jacobian = { jacobian, 25, { 9, 61, 27, 1, 0, 0, 15, 16 }, { 57, 322, 0, 44, 0, 0, 16, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*(R*I3)*omega3 + G_level, 1/s*(b/R*(R*I3)*omega3 + G_level)*1/s*b/R*(1/(R*I1)) + omega3, gamma3*1/s*(b/R*(R*I3)*omega3 + G_level)*1/s + (R*I3)*omega3, a part of d(omega_tau)/dtau, a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of d(omega3)/dtau" },
+    .jacobian = { jacobian, 25, { 10, 60, 25, 1, 0, 0, 15, 15 }, { 57, 322, 0, 44, 0, 0, 16, 10 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*(R*I3)*omega3 + G_level, (2*I3/I1^2)*b/R*1/s*(b/R*(R*I3)*omega3 + G_level)*1/s + omega3*(R*I3/I1), d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega3), a part of d(d(omega_tau)/dtau)/d(gamma3), omega3*(1/2*R*I3) + gamma3*1/s*(b/R*(R*I3)*omega3 + G_level)*1/s, d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(omega3), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), 2*a3*I3/(R*I1^2) - gamma3*(2*(I1 - I3)/I1^2), e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of d(d(omega3)/dtau)/d(gamma3), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), a part of d(d(omega3)/dtau)/d(omega_tau), a part of d(d(omega3)/dtau)/d(omega3), d(d(omega3)/dtau)/d(s)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 10, 60, 28, 1, 0, 0, 17, 16 }, { 65, 368, 0, 51, 0, 0, 16, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*(R*I3)*omega3 + G_level, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s), e = gamma3*a3 + R, V = omega_tau*e + v_nu, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), (m*R*I3)*V - (m*R^2*(I1 - I3))*omega_tau*s*s, b/R*(m*R*I3)*V + omega_tau*s*s*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))), a part of d(d(omega3)/dtau)/d(omega_tau), omega3*(1/2*R*I3) + 1/s*(b/R*(R*I3)*omega3 + G_level)*gamma3*1/s, omega3*(1/2*R*I1) + 1/s*(b/R*(R*I3)*omega3 + G_level)*b/R*1/s, d(numerator of d(omega_tau)/dt over D)/d(gamma3), numerator of d(omega_tau)/dt over D, a part of d(d(omega_tau)/dtau)/d(omega3), d(numerator of d(omega_tau)/dt over D)/d(s), d(d(v_nu)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(omega3), d(v_nu)/dtau, omega_tau*(a3*I3/(R*I1)) - ((I1 - I3)/I1)*omega_tau*gamma3, a part of d(d(omega3)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 0, 8, 10, 1, 0, 0, 10, 7 }, { 11, 40, 0, 4, 0, 0, 11, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, a part of the divergence, a part of the divergence, the divergence" },
     .integral_values = { integral_values, 1, { 1, 11, 8, 1, 0, 0, 7, 7 }, { 9, 30, 0, 1, 0, 0, 11, 5 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*(R*I3)*omega3 + G_level, v_tau = omega3*s*R + ((b/R*(R*I3)*omega3 + G_level)/s)*(1/I1)*b/R, energy/(1/2*m)" },
     .integral_gradients = { integral_gradients, 5, { 0, 16, 13, 1, 0, 0, 7, 10 }, { 15, 54, 0, 7, 0, 0, 11, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, b*I3*omega3 + G_level, v_tau/(1/(R*I1)) = omega3*s*(R^2*I1) + b*((1)/s)*(b*I3*omega3 + G_level), d(v_tau)/d(gamma3)/(1/I1) = I3*omega3*b*((1)/s) + ((1)/s)*(b*I3*omega3 + G_level), d(E)/d(gamma3), d(E)/d(omega3), d(v_tau)/d(s)/R = omega3 - b*((1)/s)*((1)/s)*(b*I3*omega3 + G_level)*(1/(R^2*I1)), d(E)/d(s)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { eliminated, 1, { 1, 2, 1, 1, 0, 0, 4, 3 }, { 2, 5, 0, 1, 0, 0, 5, 4 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*(R*I3)*omega3 + G_level" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -8,8 +8,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3   23   12    1    0    0     10   10   (85)
- *  jacobian            7   55   29    1    0    0     14   19   (397)
- *  rhs_jacobian        9   61   31    1    0    0     15   20   (454)
+ *  jacobian            9   55   25    1    0    0     14   20   (397)
+ *  rhs_jacobian        8   54   31    1    0    0     13   21   (454)
  *  divergence          2   13    7    1    0    0      8    8   (53)
  *  integral_values     0    9    9    1    0    0      7    7   (40)
  *  integral_gradients  0   16   13    1    0    0      7    9   (82)
@@ -19,6 +19,16 @@
  *  Accuracy
  *    divides by b: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
+ *    digits are lost where terms nearly cancel in b/R = a3/R + gamma3, e/R = (a3/R)*gamma3 + 1,
+ *      V = e/R*omega_tau*R + v_nu, G_level/(R*I1) - s*omega_n, I3/(m*R^2) + e/R, a3/R - 1/(b/R)*(I3/(m*R^2) + e/R),
+ *      a part of d(d(omega_n)/dtau)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3),
+ *      omega_n*omega_n - s*omega_tau*(m*a3^2/I1)*s*omega_tau, 1/(b/R)*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/(b/R),
+ *      a part of d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(gamma3),
+ *      a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s),
+ *      a part of d(d(omega_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(gamma3), d(v_nu)/dtau, d(d(omega_n)/dtau)/d(omega_n),
+ *      d(omega_n)/dtau, d(d(v_nu)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(omega_n),
+ *      d(d(omega_n)/dtau)/d(omega_tau), omega_n - (a3*I3/(R*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)),
+ *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -48,7 +58,6 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t2 = t1/params[5]; /* R*R*I1/I3 */
     out[7] = t2;
     const double t3 = params[1]*params[4]; /* R*I1 */
-    out[29] = t3;
     const double t4 = params[6]/t3; /* G_level/(R*I1) */
     out[8] = t4;
     const double t5 = params[3]*params[3]; /* a3*a3 */
@@ -57,107 +66,85 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t7 = t6/params[4]; /* m*a3*a3/I1 */
     out[9] = t7;
     const double t8 = t0*params[0]; /* R*R*m */
-    out[41] = t8;
     const double t9 = params[5]/t8; /* I3/(R*R*m) */
     out[10] = t9;
     const double t10 = params[5]/t1; /* I3/(R*R*I1) */
     out[11] = t10;
     const double t11 = params[0]*params[2]; /* m*g */
     const double t12 = params[3]*t11; /* a3*m*g */
-    out[34] = t12;
+    out[37] = t12;
     const double t13 = t12/params[4]; /* a3*m*g/I1 */
     out[12] = t13;
     const double t14 = params[1]*params[0]; /* R*m */
-    out[35] = t14;
+    out[38] = t14;
     const double t15 = params[5]/t14; /* I3/(R*m) */
     out[13] = t15;
-    const double t16 = params[5]/params[4]; /* I3/I1 */
+    const double t16 = t3/params[5]; /* R*I1/I3 */
     out[14] = t16;
-    const double t17 = params[3]/params[1]; /* a3/R */
+    const double t17 = params[5]/params[4]; /* I3/I1 */
     out[15] = t17;
-    const double t18 = t3/params[5]; /* R*I1/I3 */
+    const double t18 = params[3]/params[1]; /* a3/R */
     out[16] = t18;
     const double t19 = params[1]*2.0; /* R*2 */
     out[17] = t19;
-    const double t20 = params[4]/params[5]; /* I1/I3 */
-    out[18] = t20;
-    const double t21 = params[0]*2.0; /* m*2 */
-    const double t22 = t5*t21; /* a3*a3*m*2 */
-    out[37] = t22;
-    const double t23 = t22/params[4]; /* a3*a3*m*2/I1 */
+    const double t20 = params[0]*2.0; /* m*2 */
+    const double t21 = t5*t20; /* a3*a3*m*2 */
+    out[31] = t21;
+    const double t22 = t21/params[4]; /* a3*a3*m*2/I1 */
+    out[18] = t22;
+    const double t23 = params[0]*params[3]; /* m*a3 */
     out[19] = t23;
-    const double t24 = params[2]*t21; /* g*m*2 */
-    const double t25 = params[3]*t24; /* a3*g*m*2 */
-    out[39] = t25;
-    const double t26 = t25/params[4]; /* a3*g*m*2/I1 */
-    out[20] = t26;
-    const double t27 = params[0]*params[0]; /* m*m */
-    const double t28 = 2.0*t27; /* 2*m*m */
-    const double t29 = params[2]*t28; /* g*2*m*m */
-    const double t30 = params[3]*t5; /* a3*a3*a3 */
-    const double t31 = t29*t30; /* g*2*m*m*a3*a3*a3 */
-    const double t32 = params[4]*params[4]; /* I1*I1 */
-    const double t33 = t31/t32; /* g*2*m*m*a3*a3*a3/(I1*I1) */
-    out[21] = t33;
-    const double t34 = params[5]*t22; /* I3*a3*a3*m*2 */
-    const double t35 = t34/t32; /* I3*a3*a3*m*2/(I1*I1) */
-    out[22] = t35;
-    const double t36 = 1.0/params[1]; /* 1/R */
-    out[23] = t36;
-    const double t37 = params[5]*params[3]; /* I3*a3 */
-    const double t38 = t37/t3; /* I3*a3/(R*I1) */
-    out[24] = t38;
-    const double t39 = params[5]*params[5]; /* I3*I3 */
-    const double t40 = 2.0*t39; /* 2*I3*I3 */
-    const double t41 = t40/t32; /* 2*I3*I3/(I1*I1) */
-    out[25] = t41;
-    const double t42 = params[5]/t3; /* I3/(R*I1) */
-    const double t43 = -t42; /* -I3/(R*I1) */
-    out[26] = t43;
-    const double t44 = params[5]*2.0; /* I3*2 */
-    const double t45 = t44/params[4]; /* I3*2/I1 */
-    out[27] = t45;
-    const double t46 = params[1]/params[5]; /* R/I3 */
-    out[28] = t46;
-    const double t47 = params[4]*params[5]; /* I1*I3 */
-    out[31] = t47;
-    const double t48 = params[4]*t8; /* I1*R*R*m */
-    out[32] = t48;
+    const double t24 = params[2]*2.0; /* g*2 */
+    const double t25 = t24/params[4]; /* g*2/I1 */
+    out[20] = t25;
+    const double t26 = params[3]*2.0; /* a3*2 */
+    const double t27 = t26/params[4]; /* a3*2/I1 */
+    out[21] = t27;
+    const double t28 = params[5]*2.0; /* I3*2 */
+    const double t29 = t28/params[4]; /* I3*2/I1 */
+    out[22] = t29;
+    const double t30 = params[5]*params[3]; /* I3*a3 */
+    const double t31 = t30/t3; /* I3*a3/(R*I1) */
+    out[23] = t31;
+    const double t32 = params[5]/t3; /* I3/(R*I1) */
+    out[24] = t32;
+    const double t33 = params[4]*params[4]; /* I1*I1 */
+    const double t34 = params[1]*t33; /* R*I1*I1 */
+    const double t35 = params[5]*params[5]; /* I3*I3 */
+    const double t36 = 2.0*t35; /* 2*I3*I3 */
+    const double t37 = t36/t34; /* 2*I3*I3/(R*I1*I1) */
+    out[25] = t37;
+    const double t38 = -t32; /* -I3/(R*I1) */
+    out[26] = t38;
+    const double t39 = t28/t3; /* I3*2/(R*I1) */
+    out[27] = t39;
+    const double t40 = -t16; /* -R*I1/I3 */
+    out[28] = t40;
+    const double t41 = params[2]*t20; /* g*m*2 */
+    const double t42 = params[3]*t41; /* a3*g*m*2 */
+    const double t43 = t42/params[4]; /* a3*g*m*2/I1 */
+    out[29] = t43;
+    const double t44 = params[0]/2.0; /* m/2 */
+    out[32] = t44;
+    const double t45 = params[3]*t24; /* a3*g*2 */
+    out[33] = t45;
+    const double t46 = 1.0/params[0]; /* 1/m */
+    out[34] = t46;
+    const double t47 = params[4]/params[0]; /* I1/m */
+    out[35] = t47;
+    const double t48 = t0*t33; /* R*R*I1*I1 */
     const double t49 = params[5]*params[0]; /* I3*m */
-    out[33] = t49;
-    const double t50 = t0/params[5]; /* R*R/I3 */
+    const double t50 = t48/t49; /* R*R*I1*I1/(I3*m) */
     out[36] = t50;
-    const double t51 = params[4]*2.0; /* I1*2 */
-    out[38] = t51;
-    const double t52 = params[5]*t14; /* I3*R*m */
-    out[40] = t52;
-    const double t53 = t37/t0; /* I3*a3/(R*R) */
-    out[42] = t53;
-    const double t54 = t44/params[1]; /* I3*2/R */
-    out[43] = t54;
-    const double t55 = t0*t21; /* R*R*m*2 */
-    const double t56 = params[4]*t55; /* I1*R*R*m*2 */
-    out[44] = t56;
-    const double t57 = params[0]/2.0; /* m/2 */
-    out[45] = t57;
-    const double t58 = params[2]*2.0; /* g*2 */
-    const double t59 = params[3]*t58; /* a3*g*2 */
-    out[46] = t59;
-    const double t60 = 1.0/params[0]; /* 1/m */
-    out[47] = t60;
-    const double t61 = params[4]/params[0]; /* I1/m */
-    out[48] = t61;
-    const double t62 = t0*t32; /* R*R*I1*I1 */
-    const double t63 = t62/t49; /* R*R*I1*I1/(I3*m) */
-    out[49] = t63;
-    const double t64 = params[1]*t0; /* R*R*R */
-    const double t65 = t32*t64; /* I1*I1*R*R*R */
-    const double t66 = t65/params[5]; /* I1*I1*R*R*R/I3 */
-    out[50] = t66;
-    const double t67 = t62/params[5]; /* R*R*I1*I1/I3 */
-    out[51] = t67;
-    const double t68 = -t20; /* -I1/I3 */
-    out[52] = t68;
+    const double t51 = params[1]*t0; /* R*R*R */
+    const double t52 = t33*t51; /* I1*I1*R*R*R */
+    const double t53 = t52/params[5]; /* I1*I1*R*R*R/I3 */
+    out[39] = t53;
+    const double t54 = t48/params[5]; /* R*R*I1*I1/I3 */
+    out[40] = t54;
+    const double t55 = params[4]/params[5]; /* I1/I3 */
+    const double t56 = -t55; /* -I1/I3 */
+    out[41] = t56;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -225,108 +212,106 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[4] = t2;
     const double t3 = x[3]*x[3]; /* omega_n*omega_n */
     const double t4 = p[1]*t3; /* R*omega_n*omega_n */
-    const double t5 = JLT_FNMA(x[4], x[3], p[8]); /* G_level/(R*I1) - s*omega_n */
-    const double t6 = JLT_FMA(t0, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
-    const double t7 = p[15] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t8 = p[14]*t7; /* I3/I1*b/R */
-    const double t9 = t0 + p[10]; /* s*s + I3/(m*R^2) */
-    const double t10 = JLT_FMA(t7, t8, t9); /* Theta/(m*R^2*I1) = b/R*I3/I1*b/R + s*s + I3/(m*R^2) */
-    const double t11 = t6*t7; /* D/I1*b/R */
-    const double t12 = t10*t11; /* Theta/(m*R^2*I1)*D/I1*b/R */
-    const double t13 = 1.0/t12; /* 1/(Theta/(m*R^2*I1)*D/I1*b/R) */
-    const double t14 = t10*t13; /* 1/((b/R)*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*b/R) */
-    const double t15 = t6*t14; /* 1/(b/R) = D/I1*1/((b/R)*(D/I1)) */
-    const double t16 = t5*t15; /* (G_level/(R*I1) - s*omega_n)*1/(b/R) */
-    const double t17 = x[3]*t15; /* omega_n*1/(b/R) */
-    const double t18 = x[4]*t17; /* s*omega_n*1/(b/R) */
-    const double t19 = p[16]*t18; /* R*I1/I3*s*omega_n*1/(b/R) */
-    const double t20 = JLT_FMA(t16, t19, t4); /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*R*I1/I3*s*omega_n*1/(b/R) + R*omega_n*omega_n */
-    out[5] = t20;
-    const double t21 = x[3]*p[17]; /* omega_n*2*R */
-    const double t22 = t7*t21; /* b/R*omega_n*2*R */
-    const double t23 = t16*p[18]; /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 */
-    const double t24 = JLT_FNMA(p[1], t23, t19); /* R*I1/I3*s*omega_n*1/(b/R) - R*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 */
-    const double t25 = JLT_FMA(x[4], t24, t22); /* s*t24 + b/R*omega_n*2*R */
-    out[8] = t25;
-    const double t26 = x[3]*t24; /* omega_n*t24 */
-    out[9] = t26;
-    const double t27 = t1*p[9]; /* s*omega_tau*m*a3^2/I1 */
-    const double t28 = JLT_FMS(t1, t27, t3); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
-    const double t29 = t7*t14; /* 1/(D/I1) = b/R*1/((b/R)*(D/I1)) */
-    const double t30 = t28*t29; /* (s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n)*1/(D/I1) */
-    const double t31 = x[4]*t29; /* s*1/(D/I1) */
-    const double t32 = t17*t31; /* omega_n*1/(b/R)*s*1/(D/I1) */
-    const double t33 = JLT_FNMA(t16, t32, t30); /* t30 - (G_level/(R*I1) - s*omega_n)*1/(b/R)*omega_n*1/(b/R)*s*1/(D/I1) */
-    out[10] = t33;
-    const double t34 = x[0]*p[19]; /* gamma3*2*m*a3^2/I1 */
-    const double t35 = t31*t34; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t36 = t1*t35; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[12] = t36;
-    const double t37 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t38 = 2.0*t37; /* 2*omega_n*gamma3 */
-    const double t39 = t29*t38; /* 1/(D/I1)*2*omega_n*gamma3 */
-    const double t40 = p[14]*t23; /* I3/I1*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 */
-    const double t41 = t40 - t18; /* I3/I1*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 - s*omega_n*1/(b/R) */
-    const double t42 = JLT_FMS(t31, t41, t39); /* s*1/(D/I1)*t41 - 1/(D/I1)*2*omega_n*gamma3 */
-    out[13] = t42;
-    const double t43 = t31*p[20]; /* s*1/(D/I1)*2*m*g*a3/I1 */
-    const double t44 = JLT_FMS(x[2], x[2], t30); /* omega_tau*omega_tau - t30 */
-    const double t45 = t31*t31; /* s*1/(D/I1)*s*1/(D/I1) */
-    const double t46 = x[4]*p[21]; /* s*2*m^2*g*a3^3/I1^2 */
-    const double t47 = t23*p[22]; /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3*2*m*a3^2*I3/I1^2 */
-    const double t48 = JLT_FMS(t29, t40, t32); /* 1/(D/I1)*I3/I1*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3 - omega_n*1/(b/R)*s*1/(D/I1) */
-    const double t49 = JLT_FNMA(t45, t47, t48); /* t48 - s*1/(D/I1)*s*1/(D/I1)*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3*2*m*a3^2*I3/I1^2 */
-    const double t50 = JLT_FMS(t35, t44, t43); /* s*1/(D/I1)*gamma3*2*m*a3^2/I1*(omega_tau*omega_tau - t30) - s*1/(D/I1)*2*m*g*a3/I1 */
-    const double t51 = JLT_FMA(t45, t46, t50); /* s*1/(D/I1)*s*1/(D/I1)*s*2*m^2*g*a3^3/I1^2 + t50 */
-    const double t52 = JLT_FMA(x[3], t49, t51); /* omega_n*t49 + s*1/(D/I1)*s*1/(D/I1)*s*2*m^2*g*a3^3/I1^2 + t50 */
-    out[14] = t52;
-    const double t53 = p[23]*x[1]; /* 1/R*v_nu */
-    const double t54 = JLT_FMA(p[15], x[0], 1.0); /* e/R = a3/R*gamma3 + 1 */
-    const double t55 = JLT_FMA(x[2], t54, t53); /* V/R = omega_tau*e/R + 1/R*v_nu */
-    const double t56 = p[14]*t55; /* I3/I1*V/R */
-    const double t57 = t11*t13; /* 1/(Theta/(m*R^2*I1)) = D/I1*b/R*1/(Theta/(m*R^2*I1)*D/I1*b/R) */
-    const double t58 = JLT_FNMA(t56, t57, x[2]); /* omega_tau - I3/I1*V/R*1/(Theta/(m*R^2*I1)) */
-    const double t59 = x[3]*t58; /* omega_n*(omega_tau - I3/I1*V/R*1/(Theta/(m*R^2*I1))) */
-    const double t60 = t7*t57; /* b/R*1/(Theta/(m*R^2*I1)) */
-    const double t61 = x[3]*t60; /* omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t62 = x[2]*t61; /* omega_tau*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t63 = t1*t57; /* s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t64 = JLT_FMA(t23, t63, t62); /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3*s*omega_tau*1/(Theta/(m*R^2*I1)) + omega_tau*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t65 = p[10] + t54; /* I3/(m*R^2) + e/R */
-    const double t66 = t63*t65; /* s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t67 = t23*t66; /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t68 = JLT_FMA(t55, t61, t67); /* V/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) + t67 */
-    const double t69 = t60*p[25]; /* b/R*1/(Theta/(m*R^2*I1))*2*I3^2/I1^2 */
-    const double t70 = t15*t66; /* 1/(b/R)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
-    const double t71 = JLT_FMA(t16, t70, t59); /* (G_level/(R*I1) - s*omega_n)*1/(b/R)*1/(b/R)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) + omega_n*(omega_tau - I3/I1*V/R*1/(Theta/(m*R^2*I1))) */
-    const double t72 = JLT_FNMA(p[24], t64, t71); /* t71 - a3*I3/(R*I1)*t64 */
-    const double t73 = JLT_FMA(t68, t69, t72); /* (V/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) + t67)*b/R*1/(Theta/(m*R^2*I1))*2*I3^2/I1^2 + t71 - a3*I3/(R*I1)*t64 */
-    out[15] = t73;
-    const double t74 = t61*p[26]; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*(-I3/(R*I1)) */
-    out[16] = t74;
-    const double t75 = t40*t65; /* I3/I1*(G_level/(R*I1) - s*omega_n)*1/(b/R)*I1/I3*(I3/(m*R^2) + e/R) */
-    const double t76 = x[4]*t57; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t77 = p[14]*t54; /* I3/I1*e/R */
-    const double t78 = JLT_FNMA(t61, t77, t37); /* omega_n*gamma3 - omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/I1*e/R */
-    const double t79 = JLT_FNMA(t75, t76, t78); /* omega_n*gamma3 - omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/I1*e/R - t75*s*1/(Theta/(m*R^2*I1)) */
-    out[17] = t79;
-    const double t80 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t81 = JLT_FNMA(t56, t60, t80); /* omega_tau*gamma3 - I3/I1*V/R*b/R*1/(Theta/(m*R^2*I1)) */
-    const double t82 = JLT_FMA(x[4], t70, t81); /* s*1/(b/R)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) + omega_tau*gamma3 - I3/I1*V/R*b/R*1/(Theta/(m*R^2*I1)) */
-    out[18] = t82;
-    const double t83 = t76*p[27]; /* s*1/(Theta/(m*R^2*I1))*2*I3/I1 */
-    const double t84 = t68*t83; /* (V/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) + t67)*s*1/(Theta/(m*R^2*I1))*2*I3/I1 */
-    const double t85 = x[2]*t57; /* omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t86 = JLT_FMA(t17, t66, t84); /* omega_n*1/(b/R)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) + t84 */
-    const double t87 = JLT_FNMA(t75, t85, t86); /* t86 - t75*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[19] = t87;
-    const double t88 = -t1; /* -s*omega_tau */
-    out[20] = t88;
-    const double t89 = x[4]*x[0]; /* s*gamma3 */
-    const double t90 = -t89; /* -s*gamma3 */
-    out[22] = t90;
-    const double t91 = -t80; /* -omega_tau*gamma3 */
-    out[24] = t91;
+    const double t5 = x[4]*x[3]; /* s*omega_n */
+    const double t6 = p[8] - t5; /* G_level/(R*I1) - s*omega_n */
+    const double t7 = JLT_FMA(t0, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t8 = p[16] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t9 = p[15]*t8; /* I3/I1*b/R */
+    const double t10 = t0 + p[10]; /* s*s + I3/(m*R^2) */
+    const double t11 = JLT_FMA(t8, t9, t10); /* Theta/(m*R^2*I1) = b/R*I3/I1*b/R + s*s + I3/(m*R^2) */
+    const double t12 = t7*t8; /* D/I1*b/R */
+    const double t13 = t11*t12; /* Theta/(m*R^2*I1)*D/I1*b/R */
+    const double t14 = 1.0/t13; /* 1/(Theta/(m*R^2*I1)*D/I1*b/R) */
+    const double t15 = t11*t14; /* 1/((b/R)*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*b/R) */
+    const double t16 = t7*t15; /* 1/(b/R) = D/I1*1/((b/R)*(D/I1)) */
+    const double t17 = x[4]*t16; /* s*1/(b/R) */
+    const double t18 = t6*t17; /* (G_level/(R*I1) - s*omega_n)*s*1/(b/R) */
+    const double t19 = x[3]*t18; /* omega_n*(G_level/(R*I1) - s*omega_n)*s*1/(b/R) */
+    const double t20 = p[14]*t16; /* R*I1/I3*1/(b/R) */
+    const double t21 = JLT_FMA(t19, t20, t4); /* omega_n*(G_level/(R*I1) - s*omega_n)*s*1/(b/R)*R*I1/I3*1/(b/R) + R*omega_n*omega_n */
+    out[5] = t21;
+    const double t22 = x[3]*t8; /* omega_n*b/R */
+    const double t23 = p[17]*t22; /* 2*R*omega_n*b/R */
+    const double t24 = t6 - t5; /* G_level/(R*I1) - s*omega_n - s*omega_n */
+    const double t25 = t16*t24; /* 1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t26 = p[14]*t25; /* R*I1/I3*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t27 = JLT_FNMA(x[4], t26, t23); /* 2*R*omega_n*b/R - s*R*I1/I3*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    out[8] = t27;
+    const double t28 = x[3]*t26; /* omega_n*R*I1/I3*1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n) */
+    const double t29 = -t28; /* -t28 */
+    out[9] = t29;
+    const double t30 = t8*t15; /* 1/(D/I1) = b/R*1/((b/R)*(D/I1)) */
+    const double t31 = x[3]*t30; /* omega_n*1/(D/I1) */
+    const double t32 = JLT_FMA(t16, t18, x[3]); /* 1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*1/(b/R) + omega_n */
+    const double t33 = t31*t32; /* omega_n*1/(D/I1)*(1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*1/(b/R) + omega_n) */
+    const double t34 = t1*t30; /* s*omega_tau*1/(D/I1) */
+    const double t35 = t1*p[9]; /* s*omega_tau*m*a3^2/I1 */
+    const double t36 = JLT_FMS(t34, t35, t33); /* s*omega_tau*1/(D/I1)*s*omega_tau*m*a3^2/I1 - t33 */
+    out[10] = t36;
+    const double t37 = x[4]*x[0]; /* s*gamma3 */
+    const double t38 = p[18]*t37; /* 2*m*a3^2/I1*s*gamma3 */
+    const double t39 = t34*t38; /* s*omega_tau*1/(D/I1)*2*m*a3^2/I1*s*gamma3 */
+    out[12] = t39;
+    const double t40 = x[4]*t30; /* s*1/(D/I1) */
+    const double t41 = t25*t40; /* 1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/(D/I1) */
+    const double t42 = 2.0*x[0]; /* 2*gamma3 */
+    const double t43 = JLT_FNMA(t31, t42, t41); /* 1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n)*s*1/(D/I1) - omega_n*1/(D/I1)*2*gamma3 */
+    out[13] = t43;
+    const double t44 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t45 = JLT_FMS(x[0], t44, t19); /* gamma3*(omega_tau*omega_tau + omega_n*omega_n) - omega_n*(G_level/(R*I1) - s*omega_n)*s*1/(b/R) */
+    const double t46 = JLT_FNMA(p[21], t45, p[20]); /* 2*g/I1 - 2*a3/I1*t45 */
+    const double t47 = t30*p[19]; /* 1/(D/I1)*m*a3 */
+    const double t48 = t40*t47; /* s*1/(D/I1)*1/(D/I1)*m*a3 */
+    const double t49 = t46*t48; /* (2*g/I1 - 2*a3/I1*t45)*s*1/(D/I1)*1/(D/I1)*m*a3 */
+    const double t50 = JLT_FMS(t25, t31, t49); /* 1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n)*omega_n*1/(D/I1) - (2*g/I1 - 2*a3/I1*t45)*s*1/(D/I1)*1/(D/I1)*m*a3 */
+    out[14] = t50;
+    const double t51 = JLT_FMA(p[16], x[0], 1.0); /* e/R = a3/R*gamma3 + 1 */
+    const double t52 = p[10] + t51; /* I3/(m*R^2) + e/R */
+    const double t53 = JLT_FNMA(t16, t52, p[16]); /* a3/R - 1/(b/R)*(I3/(m*R^2) + e/R) */
+    const double t54 = t16*t53; /* 1/(b/R)*(a3/R - 1/(b/R)*(I3/(m*R^2) + e/R)) */
+    const double t55 = t12*t14; /* 1/(Theta/(m*R^2*I1)) = D/I1*b/R*1/(Theta/(m*R^2*I1)*D/I1*b/R) */
+    const double t56 = t52*t55; /* (I3/(m*R^2) + e/R)*1/(Theta/(m*R^2*I1)) */
+    const double t57 = JLT_FNMA(p[22], t56, t54); /* 1/(b/R)*(a3/R - 1/(b/R)*(I3/(m*R^2) + e/R)) - 2*I3/I1*(I3/(m*R^2) + e/R)*1/(Theta/(m*R^2*I1)) */
+    const double t58 = t1*t6; /* s*omega_tau*(G_level/(R*I1) - s*omega_n) */
+    const double t59 = t55*t58; /* 1/(Theta/(m*R^2*I1))*s*omega_tau*(G_level/(R*I1) - s*omega_n) */
+    const double t60 = t22*t55; /* omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t61 = JLT_FNMA(p[23], t60, x[3]); /* omega_n - a3*I3/(R*I1)*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t62 = x[2]*p[1]; /* omega_tau*R */
+    const double t63 = JLT_FMA(t51, t62, x[1]); /* V = e/R*omega_tau*R + v_nu */
+    const double t64 = t55*t63; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t65 = p[24]*t64; /* I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
+    const double t66 = x[3]*t65; /* omega_n*I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
+    const double t67 = t60*t64; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*1/(Theta/(m*R^2*I1))*V */
+    const double t68 = t8*p[25]; /* b/R*2*I3^2/(R*I1^2) */
+    const double t69 = JLT_FMS(t67, t68, t66); /* omega_n*b/R*1/(Theta/(m*R^2*I1))*1/(Theta/(m*R^2*I1))*V*b/R*2*I3^2/(R*I1^2) - omega_n*I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
+    const double t70 = JLT_FMA(x[2], t61, t69); /* omega_tau*(omega_n - a3*I3/(R*I1)*omega_n*b/R*1/(Theta/(m*R^2*I1))) + t69 */
+    const double t71 = JLT_FNMA(t57, t59, t70); /* t70 - t57*t59 */
+    out[15] = t71;
+    const double t72 = t60*p[26]; /* omega_n*b/R*1/(Theta/(m*R^2*I1))*(-I3/(R*I1)) */
+    out[16] = t72;
+    const double t73 = p[15]*t51; /* I3/I1*e/R */
+    const double t74 = t18*t56; /* (G_level/(R*I1) - s*omega_n)*s*1/(b/R)*(I3/(m*R^2) + e/R)*1/(Theta/(m*R^2*I1)) */
+    const double t75 = JLT_FMS(x[3], x[0], t74); /* omega_n*gamma3 - t74 */
+    const double t76 = JLT_FNMA(t60, t73, t75); /* omega_n*gamma3 - t74 - omega_n*b/R*1/(Theta/(m*R^2*I1))*I3/I1*e/R */
+    out[17] = t76;
+    const double t77 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t78 = t1*t56; /* s*omega_tau*(I3/(m*R^2) + e/R)*1/(Theta/(m*R^2*I1)) */
+    const double t79 = JLT_FNMA(t8, t65, t77); /* omega_tau*gamma3 - b/R*I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
+    const double t80 = JLT_FMA(t17, t78, t79); /* s*1/(b/R)*s*omega_tau*(I3/(m*R^2) + e/R)*1/(Theta/(m*R^2*I1)) + omega_tau*gamma3 - b/R*I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
+    out[18] = t80;
+    const double t81 = x[2]*t56; /* omega_tau*(I3/(m*R^2) + e/R)*1/(Theta/(m*R^2*I1)) */
+    const double t82 = t25*t81; /* 1/(b/R)*(G_level/(R*I1) - s*omega_n - s*omega_n)*omega_tau*(I3/(m*R^2) + e/R)*1/(Theta/(m*R^2*I1)) */
+    const double t83 = t2*t55; /* 2*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t84 = x[4]*p[27]; /* s*2*I3/(R*I1) */
+    const double t85 = JLT_FMS(t67, t84, t82); /* omega_n*b/R*1/(Theta/(m*R^2*I1))*1/(Theta/(m*R^2*I1))*V*s*2*I3/(R*I1) - t82 */
+    const double t86 = JLT_FMA(t74, t83, t85); /* t74*2*s*omega_tau*1/(Theta/(m*R^2*I1)) + t85 */
+    out[19] = t86;
+    const double t87 = -t1; /* -s*omega_tau */
+    out[20] = t87;
+    const double t88 = -t37; /* -s*gamma3 */
+    out[22] = t88;
+    const double t89 = -t77; /* -omega_tau*gamma3 */
+    out[24] = t89;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -339,130 +324,122 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[16] = 0.0;
     out[26] = 0.0;
     out[28] = 0.0;
-    const double t0 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t0 = p[16] + x[0]; /* b/R = a3/R + gamma3 */
     const double t1 = x[4]*x[4]; /* s*s */
     out[7] = t1;
-    const double t2 = JLT_FMA(p[30], t1, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t3 = p[33]*t0; /* m*I3*b */
-    const double t4 = JLT_FMA(p[32], t1, p[31]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t5 = JLT_FMA(t0, t3, t4); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
-    const double t6 = t0*t2; /* b*D */
-    const double t7 = t5*t6; /* Theta*b*D */
-    const double t8 = 1.0/t7; /* 1/(Theta*b*D) */
-    const double t9 = t5*t8; /* 1/(b*D) = Theta*1/(Theta*b*D) */
-    const double t10 = t6*t8; /* 1/Theta = b*D*1/(Theta*b*D) */
-    const double t11 = t2*t9; /* 1/b = D*1/(b*D) */
-    const double t12 = t0*t9; /* 1/D = b*1/(b*D) */
-    const double t13 = x[4]*x[3]; /* s*omega_n */
-    const double t14 = JLT_FNMA(p[29], t13, p[6]); /* G_level - R*I1*s*omega_n */
-    const double t15 = t11*t14; /* 1/b*(G_level - R*I1*s*omega_n) */
-    const double t16 = t11*t13; /* 1/b*s*omega_n */
-    const double t17 = x[4]*x[2]; /* s*omega_tau */
-    const double t18 = 2.0*t17; /* 2*s*omega_tau */
-    out[9] = t18;
-    const double t19 = -t17; /* -s*omega_tau */
-    out[25] = t19;
-    const double t20 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t21 = x[3]*t0; /* omega_n*b */
-    const double t22 = p[43]*t0; /* 2*I3/R*b */
-    const double t23 = x[4]*t15; /* s*1/b*(G_level - R*I1*s*omega_n) */
-    const double t24 = p[9]*t17; /* m*a3^2/I1*s*omega_tau */
-    const double t25 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t26 = JLT_FMS(t17, t24, t25); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
-    const double t27 = p[4]*t26; /* I1*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    const double t28 = p[1]*t25; /* R*omega_n*omega_n */
-    const double t29 = p[13] + t20; /* I3/(m*R) + e */
-    const double t30 = x[3]*t23; /* omega_n*s*1/b*(G_level - R*I1*s*omega_n) */
-    const double t31 = JLT_FNMA(p[34], t1, t30); /* omega_n*s*1/b*(G_level - R*I1*s*omega_n) - m*g*a3*s*s */
-    const double t32 = JLT_FMA(x[0], t27, t31); /* numerator of d(omega_tau)/dt over D = gamma3*I1*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) + omega_n*s*1/b*(G_level - R*I1*s*omega_n) - m*g*a3*s*s */
-    const double t33 = t11*t30; /* 1/b*omega_n*s*1/b*(G_level - R*I1*s*omega_n) */
-    const double t34 = JLT_FMA(p[36], t33, t28); /* R^2/I3*1/b*omega_n*s*1/b*(G_level - R*I1*s*omega_n) + R*omega_n*omega_n */
-    out[10] = t34;
-    const double t35 = JLT_FMS(p[1], t33, t27); /* R*1/b*omega_n*s*1/b*(G_level - R*I1*s*omega_n) - I1*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    const double t36 = t11*t29; /* 1/b*(I3/(m*R) + e) */
-    const double t37 = p[35]*t29; /* m*R*(I3/(m*R) + e) */
-    const double t38 = t12*t32; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t38;
-    const double t39 = t12*t35; /* 1/D*t35 */
-    const double t40 = -t39; /* -1/D*t35 */
-    out[15] = t40;
-    const double t41 = JLT_FMA(x[2], t20, x[1]); /* V = omega_tau*e + v_nu */
-    const double t42 = t3*t41; /* m*I3*b*V */
-    const double t43 = p[33]*t21; /* m*I3*omega_n*b */
-    const double t44 = t20*t43; /* e*m*I3*omega_n*b */
-    const double t45 = JLT_FMA(t23, t37, t44); /* s*1/b*(G_level - R*I1*s*omega_n)*m*R*(I3/(m*R) + e) + e*m*I3*omega_n*b */
-    const double t46 = x[2]*t37; /* omega_tau*m*R*(I3/(m*R) + e) */
-    const double t47 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t48 = -t47; /* -omega_tau*gamma3 */
-    out[29] = t48;
-    const double t49 = t41*t43; /* V*m*I3*omega_n*b */
-    const double t50 = JLT_FMA(t23, t46, t49); /* s*1/b*(G_level - R*I1*s*omega_n)*omega_tau*m*R*(I3/(m*R) + e) + V*m*I3*omega_n*b */
-    const double t51 = p[40]*t41; /* m*R*I3*V */
-    const double t52 = t10*t50; /* 1/Theta*t50 */
-    const double t53 = JLT_FNMA(t10, t51, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t54 = t10*t46; /* 1/Theta*omega_tau*m*R*(I3/(m*R) + e) */
-    const double t55 = x[3]*t53; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t56 = t10*t43; /* 1/Theta*m*I3*omega_n*b */
-    const double t57 = -t56; /* -1/Theta*m*I3*omega_n*b */
-    out[21] = t57;
-    const double t58 = JLT_FMS(x[3], t47, t52); /* omega_n*omega_tau*gamma3 - 1/Theta*t50 */
-    out[3] = t58;
-    const double t59 = p[37]*t17; /* 2*m*a3^2*s*omega_tau */
-    const double t60 = t47*t59; /* omega_tau*gamma3*2*m*a3^2*s*omega_tau */
-    const double t61 = JLT_FNMA(x[4], p[39], t60); /* omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
-    const double t62 = p[42]*t21; /* a3*I3/R^2*omega_n*b */
-    const double t63 = p[15] - t36; /* a3/R - 1/b*(I3/(m*R) + e) */
-    const double t64 = JLT_FMA(t23, t63, t62); /* s*1/b*(G_level - R*I1*s*omega_n)*(a3/R - 1/b*(I3/(m*R) + e)) + a3*I3/R^2*omega_n*b */
-    const double t65 = p[28]*t23; /* R/I3*s*1/b*(G_level - R*I1*s*omega_n) */
-    const double t66 = x[2]*t64; /* omega_tau*t64 */
-    const double t67 = JLT_FNMA(t22, t52, t66); /* omega_tau*t64 - 2*I3/R*b*1/Theta*t50 */
-    const double t68 = x[4]*t17; /* s*s*omega_tau */
-    out[0] = t68;
-    const double t69 = p[32]*t68; /* m*R^2*I1*s*s*omega_tau */
-    const double t70 = JLT_FMS(t36, t69, t42); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/b*(I3/(m*R) + e)*m*R^2*I1*s*s*omega_tau - m*I3*b*V */
-    const double t71 = JLT_FMA(t10, t70, t47); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + omega_tau*gamma3 */
-    out[23] = t71;
-    const double t72 = p[37]*t12; /* 2*m*a3^2*1/D */
-    const double t73 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t74 = JLT_FNMA(t10, t45, t73); /* omega_n*gamma3 - 1/Theta*t45 */
-    out[22] = t74;
-    const double t75 = p[38]*t73; /* 2*I1*omega_n*gamma3 */
-    const double t76 = p[7]*t16; /* R^2*I1/I3*1/b*s*omega_n */
-    const double t77 = JLT_FNMA(p[29], t16, t15); /* 1/b*(G_level - R*I1*s*omega_n) - R*I1*1/b*s*omega_n */
-    const double t78 = JLT_FNMA(p[28], t15, t76); /* R^2*I1/I3*1/b*s*omega_n - R/I3*1/b*(G_level - R*I1*s*omega_n) */
-    const double t79 = x[3]*t78; /* omega_n*t78 */
-    out[14] = t79;
-    const double t80 = JLT_FMS(x[4], t77, t75); /* d(numerator of d(omega_tau)/dt over D)/d(omega_n) = s*(1/b*(G_level - R*I1*s*omega_n) - R*I1*1/b*s*omega_n) - 2*I1*omega_n*gamma3 */
-    const double t81 = t12*t80; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(omega_n) */
-    out[18] = t81;
-    const double t82 = JLT_FMA(x[3], t77, t61); /* d(numerator of d(omega_tau)/dt over D)/d(s) = omega_n*(1/b*(G_level - R*I1*s*omega_n) - R*I1*1/b*s*omega_n) + omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
-    const double t83 = t54*t77; /* 1/Theta*omega_tau*m*R*(I3/(m*R) + e)*(1/b*(G_level - R*I1*s*omega_n) - R*I1*1/b*s*omega_n) */
-    const double t84 = x[4]*x[0]; /* s*gamma3 */
-    const double t85 = -t84; /* -s*gamma3 */
-    out[27] = t85;
-    const double t86 = t17*t84; /* s*omega_tau*s*gamma3 */
-    const double t87 = t72*t86; /* 2*m*a3^2*1/D*s*omega_tau*s*gamma3 */
-    out[17] = t87;
-    const double t88 = x[4]*t72; /* s*2*m*a3^2*1/D */
-    const double t89 = t38*t88; /* 1/D*numerator of d(omega_tau)/dt over D*s*2*m*a3^2*1/D */
-    const double t90 = JLT_FMS(t12, t82, t89); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - 1/D*numerator of d(omega_tau)/dt over D*s*2*m*a3^2*1/D */
-    out[19] = t90;
-    const double t91 = x[0]*t17; /* gamma3*s*omega_tau */
-    const double t92 = -t91; /* -gamma3*s*omega_tau */
-    out[4] = t92;
-    const double t93 = x[4]*p[44]; /* s*2*m*R^2*I1 */
-    const double t94 = t10*t93; /* 1/Theta*s*2*m*R^2*I1 */
-    const double t95 = JLT_FMS(t52, t94, t83); /* 1/Theta*t50*1/Theta*s*2*m*R^2*I1 - t83 */
-    out[24] = t95;
-    const double t96 = p[41]*t10; /* m*R^2*1/Theta */
-    const double t97 = JLT_FNMA(t67, t96, t55); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - (omega_tau*t64 - 2*I3/R*b*1/Theta*t50)*m*R^2*1/Theta */
-    out[20] = t97;
-    const double t98 = t21 - t65; /* omega_n*b - R/I3*s*1/b*(G_level - R*I1*s*omega_n) */
-    const double t99 = JLT_FMS(2.0, t21, t65); /* 2*omega_n*b - R/I3*s*1/b*(G_level - R*I1*s*omega_n) */
-    const double t100 = JLT_FMA(x[4], t76, t99); /* s*R^2*I1/I3*1/b*s*omega_n + 2*omega_n*b - R/I3*s*1/b*(G_level - R*I1*s*omega_n) */
-    out[13] = t100;
-    const double t101 = x[3]*t98; /* omega_n*(omega_n*b - R/I3*s*1/b*(G_level - R*I1*s*omega_n)) */
-    out[1] = t101;
+    const double t2 = JLT_FMA(p[9], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
+    const double t3 = p[15]*t0; /* I3/I1*b/R */
+    const double t4 = p[10] + t1; /* I3/(m*R^2) + s*s */
+    const double t5 = JLT_FMA(t0, t3, t4); /* Theta/(m*R^2*I1) = b/R*I3/I1*b/R + I3/(m*R^2) + s*s */
+    const double t6 = t0*t2; /* b/R*D/I1 */
+    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*b/R*D/I1 */
+    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*b/R*D/I1) */
+    const double t9 = t5*t8; /* 1/((b/R)*(D/I1)) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*b/R*D/I1) */
+    const double t10 = t6*t8; /* 1/(Theta/(m*R^2*I1)) = b/R*D/I1*1/(Theta/(m*R^2*I1)*b/R*D/I1) */
+    const double t11 = t2*t9; /* 1/(b/R) = D/I1*1/((b/R)*(D/I1)) */
+    const double t12 = t0*t9; /* 1/(D/I1) = b/R*1/((b/R)*(D/I1)) */
+    const double t13 = JLT_FMA(p[16], x[0], 1.0); /* e/R = a3/R*gamma3 + 1 */
+    const double t14 = x[2]*p[1]; /* omega_tau*R */
+    const double t15 = JLT_FMA(t13, t14, x[1]); /* V = e/R*omega_tau*R + v_nu */
+    const double t16 = JLT_FNMA(x[4], x[3], p[8]); /* G_level/(R*I1) - s*omega_n */
+    const double t17 = p[10] + t13; /* I3/(m*R^2) + e/R */
+    const double t18 = p[15]*t13; /* I3/I1*e/R */
+    const double t19 = t0*t10; /* b/R*1/(Theta/(m*R^2*I1)) */
+    const double t20 = p[25]*t0; /* 2*I3^2/(R*I1^2)*b/R */
+    const double t21 = t15*t20; /* V*2*I3^2/(R*I1^2)*b/R */
+    const double t22 = p[24]*t15; /* I3/(R*I1)*V */
+    const double t23 = x[4]*x[2]; /* s*omega_tau */
+    const double t24 = x[4]*t23; /* s*s*omega_tau */
+    out[0] = t24;
+    const double t25 = 2.0*t23; /* 2*s*omega_tau */
+    out[9] = t25;
+    const double t26 = -t23; /* -s*omega_tau */
+    out[25] = t26;
+    const double t27 = t11*t16; /* 1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    const double t28 = p[22]*t16; /* 2*I3/I1*(G_level/(R*I1) - s*omega_n) */
+    const double t29 = t10*t17; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t30 = t28*t29; /* 2*I3/I1*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t31 = JLT_FNMA(t11, t17, p[16]); /* a3/R - 1/(b/R)*(I3/(m*R^2) + e/R) */
+    const double t32 = JLT_FNMA(t27, t31, t30); /* t30 - 1/(b/R)*(G_level/(R*I1) - s*omega_n)*(a3/R - 1/(b/R)*(I3/(m*R^2) + e/R)) */
+    const double t33 = x[3]*t19; /* omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t34 = t21*t33; /* V*2*I3^2/(R*I1^2)*b/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t35 = JLT_FNMA(x[3], t22, t34); /* V*2*I3^2/(R*I1^2)*b/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) - omega_n*I3/(R*I1)*V */
+    const double t36 = JLT_FMA(t23, t32, t35); /* s*omega_tau*t32 + t35 */
+    const double t37 = t10*t36; /* 1/(Theta/(m*R^2*I1))*(s*omega_tau*t32 + t35) */
+    const double t38 = p[26]*t33; /* (-I3/(R*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    out[21] = t38;
+    const double t39 = x[4]*t11; /* s*1/(b/R) */
+    const double t40 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t41 = x[4]*t27; /* s*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    const double t42 = p[9]*t23; /* m*a3^2/I1*s*omega_tau */
+    const double t43 = JLT_FNMA(t23, t42, t40); /* omega_n*omega_n - s*omega_tau*m*a3^2/I1*s*omega_tau */
+    const double t44 = JLT_FNMA(x[3], t39, t27); /* 1/(b/R)*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/(b/R) */
+    const double t45 = x[3]*t41; /* omega_n*s*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    const double t46 = JLT_FNMA(p[12], t1, t45); /* omega_n*s*1/(b/R)*(G_level/(R*I1) - s*omega_n) - m*g*a3/I1*s*s */
+    const double t47 = JLT_FNMA(x[0], t43, t46); /* t46 - gamma3*(omega_n*omega_n - s*omega_tau*m*a3^2/I1*s*omega_tau) */
+    const double t48 = t12*t47; /* 1/(D/I1)*t47 */
+    out[2] = t48;
+    const double t49 = JLT_FMA(t11, t45, t43); /* 1/(b/R)*omega_n*s*1/(b/R)*(G_level/(R*I1) - s*omega_n) + omega_n*omega_n - s*omega_tau*m*a3^2/I1*s*omega_tau */
+    const double t50 = t12*t49; /* 1/(D/I1)*t49 */
+    const double t51 = -t50; /* -1/(D/I1)*t49 */
+    out[15] = t51;
+    const double t52 = t23*t29; /* s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t53 = t27*t52; /* 1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t54 = JLT_FMA(t22, t33, t53); /* I3/(R*I1)*V*omega_n*b/R*1/(Theta/(m*R^2*I1)) + t53 */
+    const double t55 = x[0]*t23; /* gamma3*s*omega_tau */
+    const double t56 = -t55; /* -gamma3*s*omega_tau */
+    out[4] = t56;
+    const double t57 = x[3]*t44; /* omega_n*(1/(b/R)*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/(b/R)) */
+    const double t58 = p[28]*t57; /* (-R*I1/I3)*t57 */
+    out[14] = t58;
+    const double t59 = x[4]*t12; /* s*1/(D/I1) */
+    const double t60 = JLT_FNMA(p[29], t59, t57); /* t57 - 2*m*g*a3/I1*s*1/(D/I1) */
+    const double t61 = p[18]*t59; /* 2*m*a3^2/I1*s*1/(D/I1) */
+    const double t62 = t55*t61; /* gamma3*s*omega_tau*2*m*a3^2/I1*s*1/(D/I1) */
+    out[17] = t62;
+    const double t63 = JLT_FMA(x[2], x[2], t40); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t64 = JLT_FMS(x[0], t63, t45); /* gamma3*(omega_tau*omega_tau + omega_n*omega_n) - omega_n*s*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    const double t65 = JLT_FMA(t61, t64, t60); /* 2*m*a3^2/I1*s*1/(D/I1)*t64 + t57 - 2*m*g*a3/I1*s*1/(D/I1) */
+    const double t66 = t12*t65; /* 1/(D/I1)*(2*m*a3^2/I1*s*1/(D/I1)*t64 + t57 - 2*m*g*a3/I1*s*1/(D/I1)) */
+    out[19] = t66;
+    const double t67 = p[1]*t40; /* R*omega_n*omega_n */
+    const double t68 = p[14]*t45; /* R*I1/I3*omega_n*s*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    const double t69 = JLT_FMA(t11, t68, t67); /* 1/(b/R)*R*I1/I3*omega_n*s*1/(b/R)*(G_level/(R*I1) - s*omega_n) + R*omega_n*omega_n */
+    out[10] = t69;
+    const double t70 = JLT_FMS(t0, t67, t68); /* b/R*R*omega_n*omega_n - R*I1/I3*omega_n*s*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    out[1] = t70;
+    const double t71 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t72 = JLT_FNMA(t19, t22, t71); /* omega_tau*gamma3 - b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
+    const double t73 = JLT_FMA(t39, t52, t72); /* s*1/(b/R)*s*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) + omega_tau*gamma3 - b/R*1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
+    out[23] = t73;
+    const double t74 = JLT_FMS(x[3], t71, t54); /* omega_n*omega_tau*gamma3 - (I3/(R*I1)*V*omega_n*b/R*1/(Theta/(m*R^2*I1)) + t53) */
+    out[3] = t74;
+    const double t75 = -t71; /* -omega_tau*gamma3 */
+    out[29] = t75;
+    const double t76 = x[3]*p[17]; /* omega_n*2*R */
+    const double t77 = t0*t76; /* b/R*omega_n*2*R */
+    const double t78 = x[4]*t44; /* s*(1/(b/R)*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/(b/R)) */
+    const double t79 = JLT_FNMA(p[14], t78, t77); /* b/R*omega_n*2*R - R*I1/I3*s*(1/(b/R)*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/(b/R)) */
+    out[13] = t79;
+    const double t80 = x[0]*x[3]; /* gamma3*omega_n */
+    const double t81 = JLT_FNMA(2.0, t80, t78); /* s*(1/(b/R)*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/(b/R)) - 2*gamma3*omega_n */
+    const double t82 = t12*t81; /* 1/(D/I1)*t81 */
+    out[18] = t82;
+    const double t83 = JLT_FNMA(t18, t33, t80); /* gamma3*omega_n - I3/I1*e/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t84 = JLT_FNMA(t29, t41, t83); /* gamma3*omega_n - I3/I1*e/R*omega_n*b/R*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R)*s*1/(b/R)*(G_level/(R*I1) - s*omega_n) */
+    out[22] = t84;
+    const double t85 = x[2]*t29; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t86 = t44*t85; /* (1/(b/R)*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/(b/R))*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R^2) + e/R) */
+    const double t87 = JLT_FNMA(p[23], t33, x[3]); /* omega_n - a3*I3/(R*I1)*omega_n*b/R*1/(Theta/(m*R^2*I1)) */
+    const double t88 = JLT_FMA(x[2], t87, t37); /* omega_tau*(omega_n - a3*I3/(R*I1)*omega_n*b/R*1/(Theta/(m*R^2*I1))) + 1/(Theta/(m*R^2*I1))*(s*omega_tau*t32 + t35) */
+    out[20] = t88;
+    const double t89 = x[4]*2.0; /* s*2 */
+    const double t90 = t10*t89; /* 1/(Theta/(m*R^2*I1))*s*2 */
+    const double t91 = JLT_FMS(t54, t90, t86); /* (I3/(R*I1)*V*omega_n*b/R*1/(Theta/(m*R^2*I1)) + t53)*1/(Theta/(m*R^2*I1))*s*2 - t86 */
+    out[24] = t91;
+    const double t92 = x[4]*x[0]; /* s*gamma3 */
+    const double t93 = -t92; /* -s*gamma3 */
+    out[27] = t93;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -486,7 +463,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t16 = t2*t13; /* D*(I3/(m*R) + e) */
     const double t17 = t7*t16; /* Theta/(m*R^2*I1)*omega_tau*s*s*D*(I3/(m*R) + e) */
     const double t18 = JLT_FNMA(t10, t17, t15); /* I3/(R^2*I1)*b*V - 1/(Theta/(m*R^2*I1)*b*D)*Theta/(m*R^2*I1)*omega_tau*s*s*D*(I3/(m*R) + e) */
-    const double t19 = x[0]*p[37]; /* gamma3*2*m*a3^2 */
+    const double t19 = x[0]*p[31]; /* gamma3*2*m*a3^2 */
     const double t20 = t7*t19; /* Theta/(m*R^2*I1)*omega_tau*s*s*gamma3*2*m*a3^2 */
     const double t21 = JLT_FNMA(t2, t18, t20); /* Theta/(m*R^2*I1)*omega_tau*s*s*gamma3*2*m*a3^2 - D*t18 */
     const double t22 = t11*t21; /* b*1/(Theta/(m*R^2*I1)*b*D)*(Theta/(m*R^2*I1)*omega_tau*s*s*gamma3*2*m*a3^2 - D*t18) */
@@ -499,21 +476,21 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = JLT_FNMA(x[4], x[3], p[8]); /* G_level/(R*I1) - s*omega_n */
     const double t2 = t1/t0; /* (G_level/(R*I1) - s*omega_n)/b */
     const double t3 = x[3]*t0; /* omega_n*b */
-    const double t4 = p[46]*x[0]; /* 2*g*a3*gamma3 */
+    const double t4 = p[33]*x[0]; /* 2*g*a3*gamma3 */
     const double t5 = JLT_FMA(x[1], x[1], t4); /* v_nu*v_nu + 2*g*a3*gamma3 */
     const double t6 = p[30]*x[4]; /* m*a3^2*s */
     const double t7 = JLT_FMA(x[4], t6, p[4]); /* D = s*m*a3^2*s + I1 */
-    const double t8 = p[47]*x[2]; /* 1/m*omega_tau */
+    const double t8 = p[34]*x[2]; /* 1/m*omega_tau */
     const double t9 = x[2]*t8; /* omega_tau*1/m*omega_tau */
-    const double t10 = p[48]*x[3]; /* I1/m*omega_n */
+    const double t10 = p[35]*x[3]; /* I1/m*omega_n */
     const double t11 = JLT_FMA(x[3], t10, t5); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t12 = JLT_FMA(t7, t9, t11); /* D*omega_tau*1/m*omega_tau + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t13 = p[49]*t2; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - s*omega_n)/b */
+    const double t13 = p[36]*t2; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - s*omega_n)/b */
     const double t14 = JLT_FMA(t2, t13, t12); /* (G_level/(R*I1) - s*omega_n)/b*R^2*I1^2/(m*I3)*(G_level/(R*I1) - s*omega_n)/b + t12 */
     const double t15 = x[4]*p[7]; /* s*R^2*I1/I3 */
     const double t16 = JLT_FNMA(t2, t15, t3); /* v_tau = omega_n*b - (G_level/(R*I1) - s*omega_n)/b*s*R^2*I1/I3 */
     const double t17 = JLT_FMA(t16, t16, t14); /* energy/(1/2*m) = v_tau*v_tau + t14 */
-    const double t18 = p[45]*t17; /* 1/2*m*energy/(1/2*m) */
+    const double t18 = p[32]*t17; /* 1/2*m*energy/(1/2*m) */
     out[0] = t18;
 }
 
@@ -538,15 +515,15 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t15 = JLT_FMA(x[4], t12, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t16 = x[2]*t15; /* omega_tau*D */
     out[2] = t16;
-    const double t17 = p[50]*t4; /* R^3*I1^2/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t17 = p[39]*t4; /* R^3*I1^2/I3*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t18 = p[7]*t4; /* R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t19 = JLT_FMS(x[3], t9, t18); /* d(v_tau)/d(s) = omega_n*1/b*R^2*I1/I3*s - R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t20 = JLT_FNMA(t8, t17, p[34]); /* m*g*a3 - 1/b*1/b*(G_level/(R*I1) - omega_n*s)*R^3*I1^2/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t21 = p[51]*t8; /* R^2*I1^2/I3*1/b*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t20 = JLT_FNMA(t8, t17, p[37]); /* m*g*a3 - 1/b*1/b*(G_level/(R*I1) - omega_n*s)*R^3*I1^2/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t21 = p[40]*t8; /* R^2*I1^2/I3*1/b*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t22 = JLT_FNMA(x[3], t21, t14); /* s*m*a3^2*omega_tau*omega_tau - omega_n*R^2*I1^2/I3*1/b*1/b*(G_level/(R*I1) - omega_n*s) */
     const double t23 = x[3]*p[4]; /* omega_n*I1 */
     const double t24 = JLT_FNMA(x[4], t21, t23); /* omega_n*I1 - s*R^2*I1^2/I3*1/b*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t25 = p[35]*t7; /* m*R*v_tau */
+    const double t25 = p[38]*t7; /* m*R*v_tau */
     const double t26 = JLT_FMA(t10, t25, t20); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R*v_tau + t20 */
     out[0] = t26;
     const double t27 = p[0]*t7; /* m*v_tau */
@@ -564,9 +541,9 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[15] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t0 = p[16] + x[0]; /* b/R = a3/R + gamma3 */
     const double t1 = JLT_FNMA(x[3], x[4], p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t2 = p[52]*t1; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
+    const double t2 = p[41]*t1; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s) */
     const double t3 = t2/t0; /* (-I1/I3)*(G_level/(R*I1) - omega_n*s)/(b/R) */
     out[0] = t3;
 }
@@ -741,28 +718,28 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_ome
     .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 53,
+    .state_count = 5, .param_count = 7, .block_count = 42,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 5, { 3, 23, 12, 1, 0, 0, 10, 10 }, { 15, 62, 0, 8, 0, 0, 10, 8 },
-        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .jacobian = { jacobian, 25, { 7, 55, 29, 1, 0, 0, 14, 19 }, { 51, 305, 0, 41, 0, 0, 16, 10 },
-        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 9, 61, 31, 1, 0, 0, 15, 20 }, { 59, 347, 0, 48, 0, 0, 16, 11 },
-        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, G_level/(R*I1) - s*omega_n, omega_n*b - (R^2*I1/I3)*1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n), e = a3*gamma3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dtau, omega_n*gamma3 - R*1/(b*(D/I1))*D/I1*s*(G_level/(R*I1) - s*omega_n), a part of d(omega_tau)/dtau, d(omega_n)/dtau" },
+    .jacobian = { jacobian, 25, { 9, 55, 25, 1, 0, 0, 14, 20 }, { 51, 305, 0, 41, 0, 0, 16, 10 },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, b/R = a3/R + gamma3, d(d(v_nu)/dtau)/d(gamma3), G_level/(R*I1) - s*omega_n - s*omega_n, d(d(v_nu)/dtau)/d(omega_n), 1/(b/R)*(G_level/(R*I1) - s*omega_n)*s*1/(b/R) + omega_n, d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), e/R = (a3/R)*gamma3 + 1, I3/(m*R^2) + e/R, a3/R - 1/(b/R)*(I3/(m*R^2) + e/R), a part of d(d(omega_n)/dtau)/d(gamma3), omega_n - (a3*I3/(R*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)), V = e/R*omega_tau*R + v_nu, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 8, 54, 31, 1, 0, 0, 13, 21 }, { 59, 347, 0, 48, 0, 0, 16, 11 },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, e/R = (a3/R)*gamma3 + 1, V = e/R*omega_tau*R + v_nu, G_level/(R*I1) - s*omega_n, I3/(m*R^2) + e/R, a3/R - 1/(b/R)*(I3/(m*R^2) + e/R), a part of d(d(omega_n)/dtau)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3), omega_n*omega_n - s*omega_tau*(m*a3^2/I1)*s*omega_tau, 1/(b/R)*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/(b/R), a part of d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(gamma3), a part of d(omega_n)/dtau and of d(d(omega_n)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(gamma3), d(v_nu)/dtau, d(d(omega_n)/dtau)/d(omega_n), d(omega_n)/dtau, d(d(v_nu)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(omega_tau), omega_n - (a3*I3/(R*I1))*omega_n*b/R*1/(Theta/(m*R^2*I1)), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 2, 13, 7, 1, 0, 0, 8, 8 }, { 9, 40, 0, 4, 0, 0, 10, 7 },
-        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of the divergence, a part of the divergence" },
     .integral_values = { integral_values, 1, { 0, 9, 9, 1, 0, 0, 7, 7 }, { 9, 30, 0, 1, 0, 0, 12, 5 },
-        "divides by b: values and rounding errors grow without bound where it vanishes" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - s*omega_n, v_tau = omega_n*b - ((G_level/(R*I1) - s*omega_n)/b)*s*(R^2*I1/I3), energy/(1/2*m)" },
     .integral_gradients = { integral_gradients, 5, { 0, 16, 13, 1, 0, 0, 7, 9 }, { 15, 60, 0, 7, 0, 0, 12, 10 },
-        "divides by b: values and rounding errors grow without bound where it vanishes" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, G_level/(R*I1) - omega_n*s, v_tau = omega_n*b - ((1)/b)*(G_level/(R*I1) - omega_n*s)*(R^2*I1/I3)*s, d(v_tau)/d(gamma3)/R = (R^2*I1/I3)*s*((1)/b)*((1)/b)*(G_level/(R*I1) - omega_n*s) + omega_n, d(v_tau)/d(s), d(E)/d(gamma3), d(E)/d(omega_n), d(E)/d(s)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { eliminated, 1, { 1, 1, 1, 1, 0, 0, 3, 3 }, { 2, 5, 0, 1, 0, 0, 5, 3 },
-        "divides by b: values and rounding errors grow without bound where it vanishes" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, G_level/(R*I1) - omega_n*s" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -18,6 +18,17 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in b = gamma3*R + a3, b*I3*omega3 + G_level,
+ *      m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), e = gamma3*a3 + R, a part of d(d(omega3)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, a part of d(d(omega3)/dt)/d(omega_tau),
+ *      a part of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(omega3), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      a part of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3),
+ *      a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), d(numerator of d(omega_tau)/dt over D)/d(gamma3),
+ *      d(numerator of d(omega3)/dt over Theta)/d(gamma3), a part of d(d(omega3)/dt)/d(omega3),
+ *      numerator of d(omega_tau)/dt over D, a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(omega3), d(d(v_nu)/dt)/d(omega3),
+ *      d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), a part of d(d(omega3)/dt)/d(gamma3),
+ *      a part of d(v_nu)/dt, a part of d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -725,22 +736,22 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 4, { 4, 24, 11, 1, 1, 0, 13, 10 }, { 15, 58, 0, 9, 1, 0, 10, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*(R*I3)*omega3 + G_level, a part of d(omega_tau)/dt, a part of d(v_nu)/dt, ((I1 - I3)/I1)*gamma3*omega_tau*s - (a3*I3/(R*I1))*omega_tau*s, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of d(omega_tau)/dt, a part of d(omega3)/dt" },
     .jacobian = { jacobian, 16, { 12, 50, 26, 1, 1, 0, 16, 23 }, { 47, 240, 0, 39, 1, 0, 18, 12 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*(R*I3)*omega3 + G_level, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(omega3), d(d(v_nu)/dt)/d(omega3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(omega3), d(Theta)/d(gamma3)/(2*m*R^2*I1) = b/R*(I3/I1) - gamma3, 2*a3*I3/(R*I1) - gamma3*(2*(I1 - I3)/I1), a part of d(d(omega3)/dt)/d(gamma3), a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(omega_tau), a part of d(d(omega3)/dt)/d(omega3)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 9, 57, 31, 1, 1, 0, 17, 23 }, { 54, 277, 0, 47, 1, 0, 18, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, b*I3*omega3 + G_level, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), e = gamma3*a3 + R, a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, a part of d(d(omega3)/dt)/d(omega_tau), a part of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(omega3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), d(numerator of d(omega_tau)/dt over D)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(gamma3), a part of d(d(omega3)/dt)/d(omega3), numerator of d(omega_tau)/dt over D, a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(omega3), d(d(v_nu)/dt)/d(omega3), d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), a part of d(d(omega3)/dt)/d(gamma3), a part of d(v_nu)/dt, a part of d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 2, 14, 10, 1, 1, 0, 15, 7 }, { 12, 39, 0, 5, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, (2*m*a3^2)*Theta*1/(D*Theta) - 1/s^2, a part of the divergence, a part of the divergence, e = gamma3*a3 + R, V = omega_tau*e + v_nu, the divergence" },
     .integral_values = { integral_values, 1, { 3, 12, 8, 1, 1, 0, 8, 8 }, { 10, 31, 0, 1, 1, 0, 12, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*(R*I3)*omega3 + G_level, v_tau = s*omega3*R + (1/I1)*b/R*((b/R*(R*I3)*omega3 + G_level)/s^2)*s, energy/(1/2*m)" },
     .integral_gradients = { integral_gradients, 4, { 3, 17, 12, 1, 1, 0, 10, 11 }, { 15, 50, 0, 6, 1, 0, 12, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*omega3*(R*I3) + G_level, d(omega_n)/d(gamma3), d(v_tau)/d(gamma3)/R, ((1)/s)*b/R*(1/(R*I1))*(b/R*omega3*(R*I3) + G_level)*((1)/s) + omega3, v_tau/R = omega3*s + b/R*(1/(R*I1))*(b/R*omega3*(R*I3) + G_level)*((1)/s), d(E)/d(gamma3), d(E)/d(omega3)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { eliminated, 1, { 3, 3, 1, 1, 1, 0, 4, 4 }, { 3, 6, 0, 1, 1, 0, 5, 4 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*(R*I3)*omega3 + G_level" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -19,6 +19,17 @@
  *    divides by b: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s,
+ *      1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s), d(Theta)/d(gamma3)/(2*m*R^2*I1) = (I3/(R*I1))*b - gamma3,
+ *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt, e = gamma3*a3 + R, I3/(m*R) + e,
+ *      V = omega_tau*e + v_nu, a part of d(d(omega_n)/dt)/d(gamma3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3),
+ *      a part of d(v_nu)/dt, a part of d(d(omega_n)/dt)/d(gamma3),
+ *      a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt,
+ *      d(d(omega_n)/dt)/d(omega_tau), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n),
+ *      a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3),
+ *      d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n),
+ *      a part of d(d(omega_tau)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -707,22 +718,22 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3 = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 4, { 5, 26, 11, 1, 1, 0, 13, 10 }, { 15, 56, 0, 10, 1, 0, 12, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, e = gamma3*a3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt, a part of d(v_nu)/dt, a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, d(omega_n)/dt" },
     .jacobian = { jacobian, 16, { 8, 52, 29, 1, 1, 0, 16, 22 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, e = gamma3*a3 + R, I3/(m*R) + e, a part of d(d(omega_n)/dt)/d(gamma3), d(omega3)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(Theta)/d(gamma3)/(2*m*R^2*I1) = (I3/(R*I1))*b - gamma3, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s), a part of d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), d(d(v_nu)/dt)/d(gamma3)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 9, 55, 32, 1, 1, 0, 19, 27 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, 1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s), d(Theta)/d(gamma3)/(2*m*R^2*I1) = (I3/(R*I1))*b - gamma3, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt, e = gamma3*a3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), a part of d(v_nu)/dt, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 4, 17, 7, 1, 1, 0, 12, 10 }, { 10, 39, 0, 4, 1, 0, 12, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, I3/(m*R) + e, 1/(Theta/(m*R^2*I1))*D*(I3/(m*R) + e) + b*gamma3*(2*m*a3^2), V = omega_tau*e + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 1, { 2, 9, 9, 1, 1, 0, 9, 7 }, { 10, 31, 0, 1, 1, 0, 13, 6 },
-        "divides by b: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, v_tau = omega_n*b - ((G_level/(R*I1) - omega_n*s)/b)*(R^2*I1/I3)*s, energy/(1/2*m)" },
     .integral_gradients = { integral_gradients, 4, { 2, 22, 13, 1, 1, 0, 13, 11 }, { 15, 53, 0, 6, 1, 0, 13, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level - s*omega_n*(R*I1), a part of d(E)/d(gamma3), a part of d(E)/d(gamma3), d(v_tau)/d(gamma3), v_tau = omega_n*b - s*(R/I3)*(G_level - s*omega_n*(R*I1))*1/b, d(E)/d(gamma3), d(E)/d(omega_n)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { eliminated, 1, { 3, 2, 1, 1, 1, 0, 5, 3 }, { 3, 6, 0, 1, 1, 0, 6, 4 },
-        "divides by b: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by b: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, b/R = a3/R + gamma3" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

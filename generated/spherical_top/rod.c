@@ -18,6 +18,11 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in m*g*a3/I1 - omega_tau*(m*a3^2/I1)*omega_tau*gamma3,
+ *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      e = gamma3*a3 + R, b = gamma3*R + a3, V = omega_tau*e + v_nu, a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      d(omega3)/dt, d(d(omega3)/dt)/d(omega_tau), d(d(omega3)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), d(v_nu)/dt,
+ *      d(d(v_nu)/dt)/d(omega_n)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -583,21 +588,21 @@ const jlt_descriptor jlt_kernels_spherical_top_rod = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 2, 18, 8, 1, 1, 0, 11, 6 }, { 9, 33, 0, 7, 1, 0, 9, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, e = gamma3*a3 + R, V = omega_tau*e + v_nu, b = gamma3*R + a3, R*omega3 + omega_n*((1)/s^2*D/I1)*D/I1*s*b, omega3*omega_tau*gamma3 - omega_n*((1)/s^2*D/I1)*D/I1*s*(1/R)*V" },
     .jacobian = { jacobian, 25, { 5, 35, 13, 1, 1, 0, 15, 13 }, { 23, 119, 0, 27, 1, 0, 15, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, gamma3*s*1/s^2*b*s*1/s^2*omega_n + R*omega_n, d(d(v_nu)/dt)/d(omega_n), gamma3*s*1/s^2 - s*(2*m*a3^2/I1)*gamma3*1/(D/I1), gamma3*(gamma3*s*1/s^2 - s*(2*m*a3^2/I1)*gamma3*1/(D/I1)) - s, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), 1/s^2*omega3 - s*1/s^2*omega_n*(a3/R), e = gamma3*a3 + R, V = omega_tau*e + v_nu, d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 5, 39, 16, 1, 1, 0, 15, 14 }, { 27, 144, 0, 34, 1, 0, 15, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in m*g*a3/I1 - omega_tau*(m*a3^2/I1)*omega_tau*gamma3, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R, b = gamma3*R + a3, V = omega_tau*e + v_nu, a part of d(d(omega_tau)/dt)/d(gamma3), d(omega3)/dt, d(d(omega3)/dt)/d(omega_tau), d(d(omega3)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), d(v_nu)/dt, d(d(v_nu)/dt)/d(omega_n)" },
     .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 4, { 3, 10, 6, 0, 1, 0, 7, 5 }, { 11, 42, 0, 0, 1, 0, 11, 6 },
-        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = s*R*omega3 + omega_n*b, E2, E" },
     .integral_gradients = { integral_gradients, 20, { 4, 17, 5, 1, 1, 0, 7, 6 }, { 10, 51, 0, 2, 1, 0, 8, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = s*omega3*R + omega_n*b, d(E2)/d(gamma3), d(v_tau)/d(gamma3)/R = omega_n - omega3*s*(gamma3/s^2), d(E)/d(gamma3), d(E)/d(omega_n)" },
     .measure_values = { measure_values, 1, { 2, 2, 1, 0, 1, 0, 4, 3 }, { 2, 6, 0, 0, 1, 0, 7, 4 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_divergences = { measure_divergences, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 7, 30, 0, 3, 1, 0, 11, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
     .integral_count = 4, .measure_count = 1, .equilibria_count = 0,

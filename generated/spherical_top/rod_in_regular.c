@@ -8,8 +8,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   18    8    1    0    0      7    7   (49)
- *  jacobian            5   37   10    1    0    0     10   12   (130)
- *  rhs_jacobian        5   42   13    1    0    0     11   13   (168)
+ *  jacobian            5   35    9    1    0    0      9    9   (130)
+ *  rhs_jacobian        6   43   12    1    0    0      9   11   (168)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     1   10    6    0    0    0      6    5   (51)
  *  integral_gradients  3   16    3    0    0    0      6    5   (60)
@@ -17,6 +17,10 @@
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n),
+ *      omega_n*b + omega3*s*R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, d(omega_tau)/dtau,
+ *      e = a3*gamma3 + R, V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau),
+ *      d(omega3)/dtau, d(d(omega_tau)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -147,76 +151,73 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t1 = x[5]*x[2]; /* s*omega_tau */
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
     out[5] = t2;
-    const double t3 = x[3]*p[1]; /* omega_n*R */
-    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
+    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
     out[6] = t4;
     const double t5 = p[10] + x[0]; /* b/R = a3/R + gamma3 */
     const double t6 = x[3]*p[9]; /* omega_n*2*R */
     const double t7 = t5*t6; /* b/R*omega_n*2*R */
-    const double t8 = x[5]*p[1]; /* s*R */
-    const double t9 = JLT_FMA(x[4], t8, t7); /* omega3*s*R + b/R*omega_n*2*R */
+    const double t8 = p[1]*x[4]; /* R*omega3 */
+    const double t9 = JLT_FMA(x[5], t8, t7); /* s*R*omega3 + b/R*omega_n*2*R */
     out[9] = t9;
-    const double t10 = x[5]*t3; /* s*omega_n*R */
-    out[10] = t10;
-    const double t11 = t3*x[4]; /* omega_n*R*omega3 */
-    out[11] = t11;
-    const double t12 = JLT_FMA(t0, p[6], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
-    const double t13 = x[5]*t12; /* s*D/I1 */
-    const double t14 = 1.0/t13; /* 1/(s*D/I1) */
-    const double t15 = x[5]*t14; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t16 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t17 = t15*t16; /* 1/(D/I1)*omega_n*omega_n */
-    const double t18 = p[6]*t15; /* m*a3^2/I1*1/(D/I1) */
-    const double t19 = t1*t1; /* s*omega_tau*s*omega_tau */
-    const double t20 = JLT_FMS(t18, t19, t17); /* m*a3^2/I1*1/(D/I1)*s*omega_tau*s*omega_tau - 1/(D/I1)*omega_n*omega_n */
-    out[12] = t20;
-    const double t21 = x[5]*x[0]; /* s*gamma3 */
-    const double t22 = t15*p[11]; /* 1/(D/I1)*2*m*a3^2/I1 */
-    const double t23 = t1*t22; /* s*omega_tau*1/(D/I1)*2*m*a3^2/I1 */
-    const double t24 = t21*t23; /* s*gamma3*s*omega_tau*1/(D/I1)*2*m*a3^2/I1 */
-    out[14] = t24;
-    const double t25 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[20] = t25;
-    const double t26 = (-2.0)*t25; /* (-2)*omega_n*gamma3 */
-    const double t27 = t15*t26; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
-    out[15] = t27;
-    const double t28 = t21*t22; /* s*gamma3*1/(D/I1)*2*m*a3^2/I1 */
+    const double t10 = x[5]*p[1]; /* s*R */
+    const double t11 = x[3]*t10; /* omega_n*s*R */
+    out[10] = t11;
+    const double t12 = x[3]*t8; /* omega_n*R*omega3 */
+    out[11] = t12;
+    const double t13 = t1*p[6]; /* s*omega_tau*m*a3^2/I1 */
+    const double t14 = JLT_FMS(t1, t13, t3); /* s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n */
+    const double t15 = JLT_FMA(t0, p[6], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t16 = x[5]*t15; /* s*D/I1 */
+    const double t17 = 1.0/t16; /* 1/(s*D/I1) */
+    const double t18 = x[5]*t17; /* 1/(D/I1) = s*1/(s*D/I1) */
+    const double t19 = t14*t18; /* (s*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*omega_n)*1/(D/I1) */
+    out[12] = t19;
+    const double t20 = x[5]*x[0]; /* s*gamma3 */
+    const double t21 = p[11]*t20; /* 2*m*a3^2/I1*s*gamma3 */
+    const double t22 = t18*t21; /* 1/(D/I1)*2*m*a3^2/I1*s*gamma3 */
+    const double t23 = t1*t22; /* s*omega_tau*1/(D/I1)*2*m*a3^2/I1*s*gamma3 */
+    out[14] = t23;
+    const double t24 = x[3]*x[0]; /* omega_n*gamma3 */
+    out[20] = t24;
+    const double t25 = (-2.0)*t24; /* (-2)*omega_n*gamma3 */
+    const double t26 = t18*t25; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
+    out[15] = t26;
+    const double t27 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t28 = t22*t27; /* 1/(D/I1)*2*m*a3^2/I1*s*gamma3*(omega_tau*omega_tau + omega_n*omega_n) */
     const double t29 = x[5]*p[12]; /* s*2*m*g*a3/I1 */
-    const double t30 = t15*t29; /* 1/(D/I1)*s*2*m*g*a3/I1 */
-    const double t31 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[21] = t31;
-    out[28] = t31;
-    const double t32 = JLT_FNMA(t23, t31, t30); /* 1/(D/I1)*s*2*m*g*a3/I1 - s*omega_tau*1/(D/I1)*2*m*a3^2/I1*omega_tau*gamma3 */
-    const double t33 = t0*t18; /* s*s*m*a3^2/I1*1/(D/I1) */
-    const double t34 = JLT_FMS(t17, t28, t32); /* 1/(D/I1)*omega_n*omega_n*s*gamma3*1/(D/I1)*2*m*a3^2/I1 - t32 */
-    const double t35 = JLT_FMA(t32, t33, t34); /* t32*s*s*m*a3^2/I1*1/(D/I1) + 1/(D/I1)*omega_n*omega_n*s*gamma3*1/(D/I1)*2*m*a3^2/I1 - t32 */
-    out[17] = t35;
-    const double t36 = x[2]*x[3]; /* omega_tau*omega_n */
-    out[18] = t36;
-    const double t37 = t12*t14; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t38 = x[3]*t37; /* omega_n*1/s */
-    const double t39 = JLT_FNMA(p[10], t38, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t40 = x[2]*t39; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[24] = t40;
-    const double t41 = t38*p[8]; /* omega_n*1/s*1/R */
-    const double t42 = -t41; /* -omega_n*1/s*1/R */
-    out[25] = t42;
-    const double t43 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t44 = t41*t43; /* omega_n*1/s*1/R*e */
-    const double t45 = JLT_FMS(x[0], x[4], t44); /* gamma3*omega3 - omega_n*1/s*1/R*e */
-    out[26] = t45;
-    const double t46 = JLT_FMA(x[2], t43, x[1]); /* V = omega_tau*e + v_nu */
-    const double t47 = t37*t46; /* 1/s*V */
-    const double t48 = p[13]*t47; /* (-1/R)*1/s*V */
-    out[27] = t48;
-    const double t49 = t41*t47; /* omega_n*1/s*1/R*1/s*V */
-    out[29] = t49;
-    const double t50 = -t1; /* -s*omega_tau */
-    out[30] = t50;
-    const double t51 = -t21; /* -s*gamma3 */
-    out[32] = t51;
-    const double t52 = -t31; /* -omega_tau*gamma3 */
-    out[35] = t52;
+    const double t30 = JLT_FNMA(t18, t29, t28); /* t28 - 1/(D/I1)*s*2*m*g*a3/I1 */
+    const double t31 = t18*t30; /* 1/(D/I1)*(t28 - 1/(D/I1)*s*2*m*g*a3/I1) */
+    out[17] = t31;
+    const double t32 = x[2]*x[3]; /* omega_tau*omega_n */
+    out[18] = t32;
+    const double t33 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[21] = t33;
+    out[28] = t33;
+    const double t34 = t15*t17; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t35 = x[3]*t34; /* omega_n*1/s */
+    const double t36 = JLT_FNMA(p[10], t35, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t37 = x[2]*t36; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[24] = t37;
+    const double t38 = t35*p[8]; /* omega_n*1/s*1/R */
+    const double t39 = -t38; /* -omega_n*1/s*1/R */
+    out[25] = t39;
+    const double t40 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t41 = t38*t40; /* omega_n*1/s*1/R*e */
+    const double t42 = JLT_FMS(x[0], x[4], t41); /* gamma3*omega3 - omega_n*1/s*1/R*e */
+    out[26] = t42;
+    const double t43 = JLT_FMA(x[2], t40, x[1]); /* V = omega_tau*e + v_nu */
+    const double t44 = t34*t43; /* 1/s*V */
+    const double t45 = p[13]*t44; /* (-1/R)*1/s*V */
+    out[27] = t45;
+    const double t46 = t38*t44; /* omega_n*1/s*1/R*1/s*V */
+    out[29] = t46;
+    const double t47 = -t1; /* -s*omega_tau */
+    out[30] = t47;
+    const double t48 = -t20; /* -s*gamma3 */
+    out[32] = t48;
+    const double t49 = -t33; /* -omega_tau*gamma3 */
+    out[35] = t49;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -237,93 +238,94 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[40] = 0.0;
     const double t0 = x[2]*x[3]; /* omega_tau*omega_n */
     out[24] = t0;
-    const double t1 = x[5]*x[5]; /* s*s */
-    out[8] = t1;
-    const double t2 = JLT_FMA(p[6], t1, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
-    const double t3 = x[5]*t2; /* s*D/I1 */
-    const double t4 = 1.0/t3; /* 1/(s*D/I1) */
-    const double t5 = t2*t4; /* 1/s = D/I1*1/(s*D/I1) */
-    const double t6 = x[5]*t4; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t7 = t1*t6; /* s*s*1/(D/I1) */
-    const double t8 = x[5]*x[2]; /* s*omega_tau */
-    const double t9 = x[5]*t8; /* s*s*omega_tau */
-    out[0] = t9;
-    const double t10 = 2.0*t8; /* 2*s*omega_tau */
-    out[11] = t10;
-    const double t11 = -t8; /* -s*omega_tau */
-    out[36] = t11;
-    const double t12 = t6*t8; /* 1/(D/I1)*s*omega_tau */
-    const double t13 = p[6]*t8; /* m*a3^2/I1*s*omega_tau */
-    const double t14 = t12*t13; /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau */
-    const double t15 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t16 = JLT_FNMA(t6, t15, t14); /* 1/(D/I1)*s*omega_tau*m*a3^2/I1*s*omega_tau - 1/(D/I1)*omega_n*omega_n */
-    out[18] = t16;
-    const double t17 = x[0]*t16; /* gamma3*t16 */
-    const double t18 = JLT_FNMA(p[7], t7, t17); /* gamma3*t16 - m*g*a3/I1*s*s*1/(D/I1) */
-    out[2] = t18;
-    const double t19 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[27] = t19;
-    out[34] = t19;
-    const double t20 = x[3]*t19; /* omega_n*omega_tau*gamma3 */
-    out[3] = t20;
-    const double t21 = -t19; /* -omega_tau*gamma3 */
-    out[41] = t21;
-    const double t22 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t23 = x[3]*t5; /* omega_n*1/s */
-    const double t24 = x[5]*t6; /* s*1/(D/I1) */
-    const double t25 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t26 = t15*t25; /* omega_n*omega_n*b */
-    const double t27 = p[1]*x[3]; /* R*omega_n */
-    const double t28 = x[3]*t27; /* omega_n*R*omega_n */
-    out[12] = t28;
-    const double t29 = x[4]*t27; /* omega3*R*omega_n */
-    out[17] = t29;
-    const double t30 = x[5]*t27; /* s*R*omega_n */
-    out[16] = t30;
-    const double t31 = JLT_FMA(x[4], t30, t26); /* omega3*s*R*omega_n + omega_n*omega_n*b */
-    out[1] = t31;
-    const double t32 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
-    const double t33 = p[8]*t23; /* 1/R*omega_n*1/s */
-    const double t34 = JLT_FNMA(p[10], t23, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t35 = x[2]*t34; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[30] = t35;
-    const double t36 = t22*t33; /* e*1/R*omega_n*1/s */
-    const double t37 = JLT_FMS(x[0], x[4], t36); /* gamma3*omega3 - e*1/R*omega_n*1/s */
-    out[32] = t37;
-    const double t38 = -t33; /* -1/R*omega_n*1/s */
-    out[31] = t38;
-    const double t39 = t32*t33; /* V*1/R*omega_n*1/s */
-    const double t40 = p[13]*t32; /* (-1/R)*V */
-    const double t41 = t5*t40; /* 1/s*(-1/R)*V */
-    out[33] = t41;
-    const double t42 = t5*t39; /* 1/s*V*1/R*omega_n*1/s */
-    out[35] = t42;
-    const double t43 = JLT_FMS(x[4], t19, t39); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
-    out[4] = t43;
-    const double t44 = x[3]*2.0; /* omega_n*2 */
-    const double t45 = t25*t44; /* b*omega_n*2 */
-    const double t46 = p[11]*t19; /* 2*m*a3^2/I1*omega_tau*gamma3 */
-    const double t47 = t7*t46; /* s*s*1/(D/I1)*2*m*a3^2/I1*omega_tau*gamma3 */
-    out[20] = t47;
-    const double t48 = x[5]*t19; /* s*omega_tau*gamma3 */
-    const double t49 = -t48; /* -s*omega_tau*gamma3 */
-    out[5] = t49;
-    const double t50 = x[0]*x[3]; /* gamma3*omega_n */
-    out[26] = t50;
-    const double t51 = (-2.0)*t50; /* (-2)*gamma3*omega_n */
-    const double t52 = t6*t51; /* 1/(D/I1)*(-2)*gamma3*omega_n */
-    out[21] = t52;
-    const double t53 = p[12]*t24; /* 2*m*g*a3/I1*s*1/(D/I1) */
-    const double t54 = JLT_FMS(t12, t46, t53); /* 1/(D/I1)*s*omega_tau*2*m*a3^2/I1*omega_tau*gamma3 - 2*m*g*a3/I1*s*1/(D/I1) */
-    const double t55 = p[11]*t24; /* 2*m*a3^2/I1*s*1/(D/I1) */
-    const double t56 = JLT_FNMA(t18, t55, t54); /* t54 - (gamma3*t16 - m*g*a3/I1*s*s*1/(D/I1))*2*m*a3^2/I1*s*1/(D/I1) */
-    out[23] = t56;
-    const double t57 = x[5]*p[1]; /* s*R */
-    const double t58 = JLT_FMA(x[4], t57, t45); /* omega3*s*R + b*omega_n*2 */
-    out[15] = t58;
-    const double t59 = x[5]*x[0]; /* s*gamma3 */
-    const double t60 = -t59; /* -s*gamma3 */
-    out[38] = t60;
+    const double t1 = x[3]*x[0]; /* omega_n*gamma3 */
+    out[26] = t1;
+    const double t2 = x[5]*x[5]; /* s*s */
+    out[8] = t2;
+    const double t3 = JLT_FMA(p[6], t2, 1.0); /* D/I1 = m*a3^2/I1*s*s + 1 */
+    const double t4 = p[7]*t2; /* m*g*a3/I1*s*s */
+    const double t5 = x[5]*t3; /* s*D/I1 */
+    const double t6 = 1.0/t5; /* 1/(s*D/I1) */
+    const double t7 = t3*t6; /* 1/s = D/I1*1/(s*D/I1) */
+    const double t8 = x[5]*t6; /* 1/(D/I1) = s*1/(s*D/I1) */
+    const double t9 = x[5]*x[2]; /* s*omega_tau */
+    const double t10 = x[5]*t9; /* s*s*omega_tau */
+    out[0] = t10;
+    const double t11 = 2.0*t9; /* 2*s*omega_tau */
+    out[11] = t11;
+    const double t12 = -t9; /* -s*omega_tau */
+    out[36] = t12;
+    const double t13 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t14 = p[1]*t13; /* R*omega_n*omega_n */
+    out[12] = t14;
+    const double t15 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t16 = x[3]*t15; /* omega_n*b */
+    const double t17 = x[5]*p[1]; /* s*R */
+    const double t18 = x[4]*t17; /* omega3*s*R */
+    const double t19 = JLT_FMA(2.0, t16, t18); /* 2*omega_n*b + omega3*s*R */
+    out[15] = t19;
+    const double t20 = t16 + t18; /* omega_n*b + omega3*s*R */
+    const double t21 = x[3]*t20; /* omega_n*(omega_n*b + omega3*s*R) */
+    out[1] = t21;
+    const double t22 = p[6]*t9; /* m*a3^2/I1*s*omega_tau */
+    const double t23 = JLT_FMS(t9, t22, t13); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
+    const double t24 = JLT_FMA(x[2], x[2], t13); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t25 = t8*t23; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
+    out[18] = t25;
+    const double t26 = x[0]*t8; /* gamma3*1/(D/I1) */
+    const double t27 = t24*t26; /* (omega_tau*omega_tau + omega_n*omega_n)*gamma3*1/(D/I1) */
+    const double t28 = t23*t26; /* (s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n)*gamma3*1/(D/I1) */
+    const double t29 = JLT_FNMA(t4, t8, t28); /* t28 - m*g*a3/I1*s*s*1/(D/I1) */
+    out[2] = t29;
+    const double t30 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t31 = x[3]*t7; /* omega_n*1/s */
+    const double t32 = x[5]*t8; /* s*1/(D/I1) */
+    const double t33 = p[12]*t8; /* 2*m*g*a3/I1*1/(D/I1) */
+    const double t34 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[27] = t34;
+    out[34] = t34;
+    const double t35 = x[3]*t34; /* omega_n*omega_tau*gamma3 */
+    out[3] = t35;
+    const double t36 = -t34; /* -omega_tau*gamma3 */
+    out[41] = t36;
+    const double t37 = JLT_FMA(x[2], t30, x[1]); /* V = omega_tau*e + v_nu */
+    const double t38 = p[8]*t31; /* 1/R*omega_n*1/s */
+    const double t39 = JLT_FNMA(p[10], t31, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t40 = x[2]*t39; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[30] = t40;
+    const double t41 = t30*t38; /* e*1/R*omega_n*1/s */
+    const double t42 = JLT_FMS(x[0], x[4], t41); /* gamma3*omega3 - e*1/R*omega_n*1/s */
+    out[32] = t42;
+    const double t43 = -t38; /* -1/R*omega_n*1/s */
+    out[31] = t43;
+    const double t44 = t37*t38; /* V*1/R*omega_n*1/s */
+    const double t45 = p[13]*t37; /* (-1/R)*V */
+    const double t46 = t7*t45; /* 1/s*(-1/R)*V */
+    out[33] = t46;
+    const double t47 = t7*t44; /* 1/s*V*1/R*omega_n*1/s */
+    out[35] = t47;
+    const double t48 = JLT_FMS(x[4], t34, t44); /* omega3*omega_tau*gamma3 - V*1/R*omega_n*1/s */
+    out[4] = t48;
+    const double t49 = x[5]*t34; /* s*omega_tau*gamma3 */
+    const double t50 = -t49; /* -s*omega_tau*gamma3 */
+    out[5] = t50;
+    const double t51 = p[11]*t32; /* 2*m*a3^2/I1*s*1/(D/I1) */
+    const double t52 = t49*t51; /* s*omega_tau*gamma3*2*m*a3^2/I1*s*1/(D/I1) */
+    out[20] = t52;
+    const double t53 = t27*t51; /* (omega_tau*omega_tau + omega_n*omega_n)*gamma3*1/(D/I1)*2*m*a3^2/I1*s*1/(D/I1) */
+    const double t54 = JLT_FNMA(t32, t33, t53); /* t53 - s*1/(D/I1)*2*m*g*a3/I1*1/(D/I1) */
+    out[23] = t54;
+    const double t55 = x[3]*p[1]; /* omega_n*R */
+    const double t56 = x[5]*t55; /* s*omega_n*R */
+    out[16] = t56;
+    const double t57 = x[4]*t55; /* omega3*omega_n*R */
+    out[17] = t57;
+    const double t58 = x[3]*(-2.0); /* omega_n*(-2) */
+    const double t59 = t26*t58; /* gamma3*1/(D/I1)*omega_n*(-2) */
+    out[21] = t59;
+    const double t60 = x[5]*x[0]; /* s*gamma3 */
+    const double t61 = -t60; /* -s*gamma3 */
+    out[38] = t61;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -581,17 +583,17 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 6, { 1, 18, 8, 1, 0, 0, 7, 7 }, { 9, 36, 0, 4, 0, 0, 8, 5 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
-    .jacobian = { jacobian, 36, { 5, 37, 10, 1, 0, 0, 10, 12 }, { 17, 99, 0, 14, 0, 0, 11, 5 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 5, 42, 13, 1, 0, 0, 11, 13 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(v_nu)/dtau, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(omega3)/dtau" },
+    .jacobian = { jacobian, 36, { 5, 35, 9, 1, 0, 0, 9, 9 }, { 17, 99, 0, 14, 0, 0, 11, 5 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, d(d(v_nu)/dtau)/d(omega_n), s*omega_tau*s*omega_tau*(m*a3^2/I1) - omega_n*omega_n, a part of d(d(omega_tau)/dtau)/d(s), omega3 - (a3/R)*omega_n*1/s, e = gamma3*a3 + R, d(d(omega3)/dtau)/d(omega_tau), V = omega_tau*e + v_nu" },
+    .rhs_jacobian = { rhs_jacobian, 42, { 6, 43, 12, 1, 0, 0, 9, 11 }, { 22, 128, 0, 18, 0, 0, 11, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), omega_n*b + omega3*s*R, s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, d(omega_tau)/dtau, e = a3*gamma3 + R, V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau), d(omega3)/dtau, d(d(omega_tau)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },
     .integral_values = { integral_values, 4, { 1, 10, 6, 0, 0, 0, 6, 5 }, { 10, 41, 0, 0, 0, 0, 9, 5 },
-        "" },
+        "digits are lost where terms nearly cancel in D/I1*omega_tau*omega_tau + omega_n*omega_n + (2*m*g*a3/I1)*gamma3, b = gamma3*R + a3, v_tau = omega3*s*R + omega_n*b, E" },
     .integral_gradients = { integral_gradients, 24, { 3, 16, 3, 0, 0, 0, 6, 5 }, { 6, 54, 0, 0, 0, 0, 6, 6 },
-        "" },
+        "digits are lost where terms nearly cancel in b = R*gamma3 + a3, v_tau = s*R*omega3 + omega_n*b, d(E)/d(gamma3), d(E)/d(s), d(E)/d(omega_n)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

@@ -9,7 +9,7 @@
  *  rhs                 2    6    2    1    1    2      6    5   (36)
  *  jacobian            2   15    4    1    1    2      9    6   (64)
  *  rhs_jacobian        2   17    4    1    1    2      9    7   (79)
- *  divergence          2    8    2    1    1    1      8    5   (31)
+ *  divergence          2    7    0    1    1    0      7    4   (31)
  *  integral_values     0    2    0    0    0    0      2    2   (4)
  *  integral_gradients  0    1    0    0    0    0      1    1   (4)
  *
@@ -17,6 +17,9 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in gamma3*(I3*M)*C + (G*J3/R)*s,
+ *      G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s,
+ *      (I3*M)*C - (G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s)*gamma3*1/s, v_slip - (M/(m*R))*S
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -73,21 +76,22 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t13 = params[5]/t3; /* M/J1 */
     const double t14 = -t13; /* -M/J1 */
     out[12] = t14;
-    const double t15 = -params[3]; /* -I3 */
-    const double t16 = -t8; /* -I3*M */
-    out[13] = t16;
-    const double t17 = t9/t2; /* I3*I3/(m*R*R) */
-    const double t18 = t15 - t17; /* -I3 - I3*I3/(m*R*R) */
-    out[14] = t18;
-    const double t19 = t8/t2; /* I3*M/(m*R*R) */
+    const double t15 = -t8; /* -I3*M */
+    out[13] = t15;
+    const double t16 = params[1]*t3; /* R*J1 */
+    const double t17 = params[3]*t3; /* I3*J1 */
+    const double t18 = t9/t2; /* I3*I3/(m*R*R) */
+    const double t19 = params[3] + t18; /* I3 + I3*I3/(m*R*R) */
     out[15] = t19;
-    const double t20 = params[3] + t17; /* I3 + I3*I3/(m*R*R) */
-    out[16] = t20;
-    const double t21 = params[0]*t9; /* m*I3*I3 */
-    out[17] = t21;
-    const double t22 = params[0]*2.0; /* m*2 */
-    const double t23 = t9*t22; /* I3*I3*m*2 */
-    out[18] = t23;
+    const double t20 = t17*t19; /* I3*J1*(I3 + I3*I3/(m*R*R)) */
+    const double t21 = t20/t16; /* I3*J1*(I3 + I3*I3/(m*R*R))/(R*J1) */
+    const double t22 = -t21; /* -I3*J1*(I3 + I3*I3/(m*R*R))/(R*J1) */
+    out[14] = t22;
+    const double t23 = params[0]*t9; /* m*I3*I3 */
+    out[16] = t23;
+    const double t24 = params[0]*2.0; /* m*2 */
+    const double t25 = t9*t24; /* I3*I3*m*2 */
+    out[17] = t25;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -194,27 +198,23 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = sin(x[2]); /* S = sin(psi) */
-    const double t1 = JLT_FNMA(p[7], t0, x[1]); /* v_slip - M/(m*R)*S */
-    const double t2 = p[6]*t1; /* m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t4 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = sqrt(t5); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t7 = t6*p[16]; /* s*(I3 + I3^2/(m*R^2)) */
-    const double t8 = 1.0/t7; /* 1/(s*(I3 + I3^2/(m*R^2))) */
-    const double t9 = p[15]*t6; /* I3*M/(m*R^2)*s */
-    const double t10 = t8*t9; /* 1/(s*(I3 + I3^2/(m*R^2)))*I3*M/(m*R^2)*s */
-    const double t11 = JLT_FMA(t0, t10, t2); /* S*1/(s*(I3 + I3^2/(m*R^2)))*I3*M/(m*R^2)*s + m*R/J1*(v_slip - M/(m*R)*S) */
-    const double t12 = p[14]*x[0]; /* (-I3 - I3^2/(m*R^2))*gamma3 */
-    const double t13 = t8*t12; /* 1/(s*(I3 + I3^2/(m*R^2)))*(-I3 - I3^2/(m*R^2))*gamma3 */
-    const double t14 = t11*t13; /* t11*1/(s*(I3 + I3^2/(m*R^2)))*(-I3 - I3^2/(m*R^2))*gamma3 */
-    out[0] = t14;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = t3*p[15]; /* s*(I3 + I3^2/(m*R^2)) */
+    const double t5 = 1.0/t4; /* 1/(s*(I3 + I3^2/(m*R^2))) */
+    const double t6 = p[14]*x[0]; /* (-I3*(I3 + m*R^2)*(I3 + I3^2/(m*R^2))/(R*J1))*gamma3 */
+    const double t7 = x[1]*t6; /* v_slip*(-I3*(I3 + m*R^2)*(I3 + I3^2/(m*R^2))/(R*J1))*gamma3 */
+    const double t8 = t3*t7; /* s*v_slip*(-I3*(I3 + m*R^2)*(I3 + I3^2/(m*R^2))/(R*J1))*gamma3 */
+    const double t9 = t5*t8; /* 1/(s*(I3 + I3^2/(m*R^2)))*t8 */
+    const double t10 = t5*t9; /* 1/(s*(I3 + I3^2/(m*R^2)))*1/(s*(I3 + I3^2/(m*R^2)))*t8 */
+    out[0] = t10;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[17]*x[1]; /* m*I3^2*v_slip */
+    const double t0 = p[16]*x[1]; /* m*I3^2*v_slip */
     const double t1 = x[1]*t0; /* v_slip*m*I3^2*v_slip */
     out[0] = t1;
 }
@@ -223,7 +223,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 {
     out[0] = 0.0;
     out[2] = 0.0;
-    const double t0 = p[18]*x[1]; /* 2*m*I3^2*v_slip */
+    const double t0 = p[17]*x[1]; /* 2*m*I3^2*v_slip */
     out[1] = t0;
 }
 
@@ -330,18 +330,18 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments = {
     .sha256 = "70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_balanced,
-    .state_count = 3, .param_count = 6, .block_count = 19,
+    .state_count = 3, .param_count = 6, .block_count = 18,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 3, { 2, 6, 2, 1, 1, 2, 6, 5 }, { 7, 23, 0, 3, 1, 2, 10, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_slip - (M/(m*R))*S, C*gamma3*(I3*M) + s*(G*J3/R)" },
     .jacobian = { jacobian, 9, { 2, 15, 4, 1, 1, 2, 9, 6 }, { 12, 41, 0, 8, 1, 2, 11, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*(I3*M)*C + (G*J3/R)*s, G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s, (I3*M)*C - (G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s)*gamma3*1/s, v_slip - (M/(m*R))*S" },
     .rhs_jacobian = { rhs_jacobian, 12, { 2, 17, 4, 1, 1, 2, 9, 7 }, { 14, 51, 0, 11, 1, 2, 11, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .divergence = { divergence, 1, { 2, 8, 2, 1, 1, 1, 8, 5 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*(I3*M)*C + (G*J3/R)*s, G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s, (I3*M)*C - (G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s)*gamma3*1/s, v_slip - (M/(m*R))*S" },
+    .divergence = { divergence, 1, { 2, 7, 0, 1, 1, 0, 7, 4 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 1, { 0, 2, 0, 0, 0, 0, 2, 2 }, { 0, 4, 0, 0, 0, 0, 3, 3 },
         "" },

@@ -17,6 +17,8 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are
+ *    digits are lost where terms nearly cancel in gamma3*(I3*M)*C + s*(G*J3/R), v_slip - (M/(m*R))*S,
+ *      d(d(psi)/dtau)/d(gamma3), G*J3/R - s*(2*m*R^2*I3)*((1)/Theta)*(gamma3*(I3*M)*C + s*(G*J3/R))
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -379,13 +381,13 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 1, 7, 4, 1, 0, 2, 5, 5 }, { 8, 27, 0, 4, 0, 2, 7, 7 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in C*gamma3*(I3*M) + s*(G*J3/R), v_slip - (M/(m*R))*S" },
     .jacobian = { jacobian, 16, { 1, 21, 6, 1, 0, 2, 8, 9 }, { 16, 68, 0, 14, 0, 2, 10, 11 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in gamma3*(I3*M)*C + s*(G*J3/R), v_slip - (M/(m*R))*S, d(d(psi)/dtau)/d(gamma3), G*J3/R - s*(gamma3*(I3*M)*C + s*(G*J3/R))*(2*m*R^2*I3)*((1)/Theta)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 3, 23, 6, 1, 0, 2, 8, 9 }, { 20, 83, 0, 18, 0, 2, 10, 11 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in gamma3*(I3*M)*C + s*(G*J3/R), v_slip - (M/(m*R))*S, d(d(psi)/dtau)/d(gamma3), G*J3/R - s*(2*m*R^2*I3)*((1)/Theta)*(gamma3*(I3*M)*C + s*(G*J3/R))" },
     .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 8, 3 }, { 6, 17, 0, 2, 0, 1, 8, 7 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in v_slip - S*(M/(m*R)), (m*R/J1)*(v_slip - S*(M/(m*R))) + S*((I3*M/(m*R^2))/Theta/(m*R^2))" },
     .integral_values = { integral_values, 1, { 0, 2, 0, 0, 0, 0, 2, 2 }, { 0, 4, 0, 0, 0, 0, 3, 3 },
         "" },
     .integral_gradients = { integral_gradients, 4, { 0, 1, 0, 0, 0, 0, 1, 1 }, { 0, 4, 0, 0, 0, 0, 3, 3 },

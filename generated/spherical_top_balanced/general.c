@@ -16,6 +16,11 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in R - R*I3/I1, 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1), R*I3*M - R*I1*M,
+ *      R*I3*M - R*I3^2*M/I1, (I1*M)*s*C - gamma3*(G*J1/R), gamma3*(I3*M)*C + (G*J3/R)*s,
+ *      (G*J3/R)*gamma3*1/s - (I3*M)*C, C*(I1*M)*gamma3*1/s + G*J1/R, a part of d(d(v_slip)/dt)/d(gamma3),
+ *      a part of d(d(v_slip)/dt)/d(psi), d(d(v_slip)/dt)/d(gamma3), a part of d(d(psi)/dt)/d(gamma3),
+ *      d(d(psi)/dt)/d(gamma3), v_slip - (M/(m*R))*S
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -495,17 +500,17 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 3, { 2, 16, 5, 1, 1, 2, 10, 7 }, { 12, 51, 0, 9, 1, 2, 12, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_slip - (M/(m*R))*S, R - R*I3/I1, C*s*(I1*M) - gamma3*(G*J1/R), C*gamma3*(I3*M) + s*(G*J3/R)" },
     .jacobian = { jacobian, 9, { 2, 31, 12, 1, 1, 2, 14, 11 }, { 42, 199, 0, 38, 1, 2, 17, 12 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1), R - R*I3/I1, R*I3*M - R*I1*M, R*I3*M - R*I3^2*M/I1, (I1*M)*s*C - gamma3*(G*J1/R), gamma3*(I3*M)*C + (G*J3/R)*s, (G*J3/R)*gamma3*1/s - (I3*M)*C, C*(I1*M)*gamma3*1/s + G*J1/R, a part of d(d(v_slip)/dt)/d(gamma3), a part of d(d(v_slip)/dt)/d(psi), a part of d(d(v_slip)/dt)/d(gamma3), (2*m*R^2*(I1 - I3))*gamma3*1/Theta + 1/s*gamma3*1/s, a part of d(d(psi)/dt)/d(gamma3), v_slip - (M/(m*R))*S" },
     .rhs_jacobian = { rhs_jacobian, 12, { 2, 34, 12, 1, 1, 2, 13, 12 }, { 49, 237, 0, 47, 1, 2, 17, 12 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in R - R*I3/I1, 4*(I1 - I3)*(m*R^3 - m*R^3*I3/I1), R*I3*M - R*I1*M, R*I3*M - R*I3^2*M/I1, (I1*M)*s*C - gamma3*(G*J1/R), gamma3*(I3*M)*C + (G*J3/R)*s, (G*J3/R)*gamma3*1/s - (I3*M)*C, C*(I1*M)*gamma3*1/s + G*J1/R, a part of d(d(v_slip)/dt)/d(gamma3), a part of d(d(v_slip)/dt)/d(psi), d(d(v_slip)/dt)/d(gamma3), a part of d(d(psi)/dt)/d(gamma3), d(d(psi)/dt)/d(gamma3), v_slip - (M/(m*R))*S" },
     .divergence = { divergence, 1, { 4, 9, 3, 1, 1, 1, 10, 5 }, { 7, 20, 0, 2, 1, 1, 11, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_slip - (M/(m*R))*S, a part of the divergence" },
     .integral_values = { integral_values, 1, { 3, 7, 3, 1, 1, 1, 8, 4 }, { 7, 22, 0, 2, 1, 1, 10, 7 },
-        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in (I1*M)*s*C - gamma3*(G*J1/R), F0" },
     .integral_gradients = { integral_gradients, 3, { 2, 10, 5, 2, 1, 2, 10, 5 }, { 13, 53, 0, 8, 1, 2, 13, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in C*(I1*M)*s - gamma3*(G*J1/R), a part of d(F0)/d(gamma3), a part of d(F0)/d(gamma3)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

@@ -16,6 +16,11 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are
+ *    digits are lost where terms nearly cancel in R - R*I3/I1, R*I3*M - R*I3^2*M/I1, 4*m*R^3*I3 - 4*m*R^3*I3^2/I1,
+ *      G*J1 - I3*G*J1/I1, R*I3*M - R*I1*M, G*J3 - I3*G*J3/I1, 4*m*R^3*I3 - 4*m*R^3*I1, C*s*(I1*M) - (G*J1/R)*gamma3,
+ *      gamma3*(I3*M)*C + s*(G*J3/R), v_slip - (M/(m*R))*S, a part of d(d(v_slip)/dtau)/d(s),
+ *      a part of d(d(psi)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(s),
+ *      d(d(v_slip)/dtau)/d(psi), d(d(psi)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -542,17 +547,17 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 4, { 1, 15, 5, 1, 0, 2, 7, 6 }, { 13, 57, 0, 10, 0, 2, 10, 11 },
-        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in R - R*I3/I1, v_slip - (M/(m*R))*S, C*s*(I1*M) - gamma3*(G*J1/R), C*gamma3*(I3*M) + s*(G*J3/R)" },
     .jacobian = { jacobian, 16, { 1, 37, 13, 1, 0, 2, 10, 13 }, { 56, 318, 0, 56, 0, 2, 16, 11 },
-        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in R*I3*M - R*I3^2*M/I1, G*J1 - I3*G*J1/I1, 4*m*R^3*I3 - 4*m*R^3*I3^2/I1, R*I3*M - R*I1*M, 4*m*R^3*I3 - 4*m*R^3*I1, G*J3 - I3*G*J3/I1, R - R*I3/I1, gamma3*(I3*M)*C + s*(G*J3/R), C*s*(I1*M) - gamma3*(G*J1/R), a part of d(d(v_slip)/dtau)/d(s), a part of d(d(v_slip)/dtau)/d(psi), d(d(v_slip)/dtau)/d(s), v_slip - (M/(m*R))*S, a part of d(d(v_slip)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(gamma3), d(d(psi)/dtau)/d(gamma3), d(d(psi)/dtau)/d(s)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 3, 41, 13, 1, 0, 2, 10, 14 }, { 65, 363, 0, 66, 0, 2, 16, 11 },
-        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in R - R*I3/I1, R*I3*M - R*I3^2*M/I1, 4*m*R^3*I3 - 4*m*R^3*I3^2/I1, G*J1 - I3*G*J1/I1, R*I3*M - R*I1*M, G*J3 - I3*G*J3/I1, 4*m*R^3*I3 - 4*m*R^3*I1, C*s*(I1*M) - (G*J1/R)*gamma3, gamma3*(I3*M)*C + s*(G*J3/R), v_slip - (M/(m*R))*S, a part of d(d(v_slip)/dtau)/d(s), a part of d(d(psi)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(gamma3), d(d(v_slip)/dtau)/d(s), d(d(v_slip)/dtau)/d(psi), d(d(psi)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 7, 3 }, { 6, 17, 0, 2, 0, 1, 8, 7 },
-        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in v_slip - (M/(m*R))*S, (m*R/J1)*(v_slip - (M/(m*R))*S) + ((I3*M/(m*R^2*I1))/Theta/(m*R^2*I1))*S" },
     .integral_values = { integral_values, 1, { 0, 6, 4, 1, 0, 1, 5, 4 }, { 6, 21, 0, 2, 0, 1, 10, 6 },
-        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in C*s*(I1*M) - gamma3*(G*J1/R), F0" },
     .integral_gradients = { integral_gradients, 4, { 1, 13, 5, 1, 0, 2, 7, 5 }, { 16, 73, 0, 10, 0, 2, 13, 9 },
-        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are" },
+        "divides by Theta, small only where all of I1*I3 and m*R^2*(I1*s^2 + I3*gamma3^2) are; digits are lost where terms nearly cancel in C*s*(I1*M) - gamma3*(G*J1/R), d(F0)/d(gamma3), d(F0)/d(s)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

@@ -11,13 +11,23 @@
  *  rhs_jacobian        11   50   24    1    1    0     17   21   (541)
  *  divergence          3   13    5    1    1    0     12    6   (46)
  *  integral_values     3   12    7    1    1    0      8    6   (50)
- *  integral_gradients  2   25    9    1    1    0     13    8   (123)
+ *  integral_gradients  3   27    7    1    1    0     12    9   (123)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are
  *    divides by Theta, small only where all of m*K and I1*I3 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s,
+ *      v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau),
+ *      a part of d(d(v_tau)/dt)/d(gamma3), v_nu - V*(I1*I3/m)*1/(Theta/m), a part of d(v_tau)/dt,
+ *      (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau),
+ *      v_tau*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(omega_tau)/dt, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
+ *      d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(v_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -60,7 +70,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t2 = t0*params[4]; /* R*R*I3 */
     out[8] = t2;
     const double t3 = params[3]*params[4]; /* I1*I3 */
-    out[29] = t3;
+    out[30] = t3;
     const double t4 = t3/params[0]; /* I1*I3/m */
     out[9] = t4;
     const double t5 = params[1]*params[6]; /* R*G */
@@ -107,7 +117,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t33 = params[0]/2.0; /* m/2 */
     out[23] = t33;
     const double t34 = params[6]*params[6]; /* G*G */
-    out[30] = t34;
+    out[29] = t34;
     const double t35 = t34/t29; /* G*G/(I1*R*R*m) */
     out[24] = t35;
     const double t36 = params[3]/2.0; /* I1/2 */
@@ -118,29 +128,27 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t39 = params[3]*params[0]; /* I1*m */
     const double t40 = t9*t39; /* (I1 - I3)*I1*m */
     out[27] = t40;
-    const double t41 = t2 - t1; /* R*R*I3 - R*R*I1 */
+    const double t41 = t1 - t2; /* R*R*I1 - R*R*I3 */
     out[28] = t41;
-    const double t42 = t0*2.0; /* R*R*2 */
-    const double t43 = t37*t42; /* I1*I1*R*R*2 */
-    const double t44 = t9*t43; /* (I1 - I3)*I1*I1*R*R*2 */
-    out[31] = t44;
-    const double t45 = t0*4.0; /* R*R*4 */
-    const double t46 = t37*t45; /* I1*I1*R*R*4 */
-    const double t47 = t9*t46; /* (I1 - I3)*I1*I1*R*R*4 */
-    const double t48 = t1 - t2; /* R*R*I1 - R*R*I3 */
-    const double t49 = t47*t48; /* (I1 - I3)*I1*I1*R*R*4*(R*R*I1 - R*R*I3) */
+    const double t42 = params[0]*2.0; /* m*2 */
+    const double t43 = t0*t42; /* R*R*m*2 */
+    const double t44 = t37*t43; /* I1*I1*R*R*m*2 */
+    const double t45 = t9*t44; /* (I1 - I3)*I1*I1*R*R*m*2 */
+    const double t46 = t41*t45; /* (R*R*I1 - R*R*I3)*(I1 - I3)*I1*I1*R*R*m*2 */
+    out[31] = t46;
+    const double t47 = params[3]*2.0; /* I1*2 */
+    const double t48 = params[4]*t47; /* I3*I1*2 */
+    const double t49 = t48/params[0]; /* I3*I1*2/m */
     out[32] = t49;
-    const double t50 = params[0]*2.0; /* m*2 */
-    const double t51 = t0*t50; /* R*R*m*2 */
-    const double t52 = t37*t51; /* I1*I1*R*R*m*2 */
-    const double t53 = t9*t52; /* (I1 - I3)*I1*I1*R*R*m*2 */
-    const double t54 = t48*t53; /* (R*R*I1 - R*R*I3)*(I1 - I3)*I1*I1*R*R*m*2 */
-    out[33] = t54;
-    const double t55 = t37*t50; /* I1*I1*m*2 */
-    out[34] = t55;
-    const double t56 = params[1]*t50; /* R*m*2 */
-    const double t57 = t37*t56; /* I1*I1*R*m*2 */
-    out[35] = t57;
+    const double t50 = t0*2.0; /* R*R*2 */
+    const double t51 = t37*t50; /* I1*I1*R*R*2 */
+    const double t52 = t9*t51; /* (I1 - I3)*I1*I1*R*R*2 */
+    out[33] = t52;
+    const double t53 = t37*t42; /* I1*I1*m*2 */
+    out[34] = t53;
+    const double t54 = params[1]*t42; /* R*m*2 */
+    const double t55 = t37*t54; /* I1*I1*R*m*2 */
+    out[35] = t55;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -458,52 +466,53 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = p[7]*t2; /* R^2*I1*s^2 */
-    const double t4 = x[0]*p[8]; /* gamma3*R^2*I3 */
-    const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s^2 */
-    const double t6 = JLT_FMA(p[0], t5, p[29]); /* Theta = m*K + I1*I3 */
-    const double t7 = t2*t5; /* s^2*K */
-    const double t8 = 1.0/t7; /* 1/(s^2*K) */
-    const double t9 = t2*t8; /* 1/K = s^2*1/(s^2*K) */
-    const double t10 = t6*t9; /* Theta*1/K */
-    const double t11 = x[3]*t10; /* v_tau*Theta*1/K */
-    out[3] = t11;
-    const double t12 = JLT_FMS(x[3], p[0], t11); /* v_tau*m - v_tau*Theta*1/K */
-    const double t13 = x[3]*t12; /* v_tau*(v_tau*m - v_tau*Theta*1/K) */
-    const double t14 = JLT_FNMA(t9, p[30], t13); /* v_tau*(v_tau*m - v_tau*Theta*1/K) - 1/K*G^2 */
-    const double t15 = p[28]*x[0]; /* (-R^2*I1 + R^2*I3)*gamma3 */
-    const double t16 = t9*t15; /* 1/K*(-R^2*I1 + R^2*I3)*gamma3 */
-    const double t17 = t14*t16; /* (v_tau*(v_tau*m - v_tau*Theta*1/K) - 1/K*G^2)*1/K*(-R^2*I1 + R^2*I3)*gamma3 */
-    out[0] = t17;
-    const double t18 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t18;
-    const double t19 = p[3]*x[2]; /* I1*omega_tau */
-    out[2] = t19;
-    const double t20 = sqrt(t2); /* s = sqrt(s^2) */
-    const double t21 = x[3]*t20; /* v_tau*s */
-    const double t22 = x[0]*t5; /* gamma3*K */
-    const double t23 = t21*t22; /* v_tau*s*gamma3*K */
-    const double t24 = JLT_FMA(t8, t23, p[12]); /* 1/(s^2*K)*v_tau*s*gamma3*K + G/I1 */
-    const double t25 = JLT_FNMA(x[0], p[12], t21); /* v_tau*s - gamma3*G/I1 */
-    const double t26 = t9*t25; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t27 = t10*t26; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t28 = p[31]*t27; /* 2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t29 = t24*t28; /* (1/(s^2*K)*v_tau*s*gamma3*K + G/I1)*2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t30 = t27*p[32]; /* Theta*1/K*1/K*(v_tau*s - gamma3*G/I1)*4*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
-    const double t31 = JLT_FNMA(t26, p[33], t30); /* t30 - 1/K*(v_tau*s - gamma3*G/I1)*2*m*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3) */
-    const double t32 = x[0]*t26; /* gamma3*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t33 = JLT_FMS(t31, t32, t29); /* t31*gamma3*1/K*(v_tau*s - gamma3*G/I1) - t29 */
-    out[4] = t33;
-    const double t34 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t35 = p[34]*t34; /* 2*m*I1^2*(omega_tau*R + v_nu) */
-    out[5] = t35;
-    const double t36 = t34*p[35]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
-    out[6] = t36;
-    const double t37 = t20*t28; /* s*2*R^2*I1^2*(I1 - I3)*Theta*1/K*1/K*(v_tau*s - gamma3*G/I1) */
-    out[7] = t37;
+    const double t0 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t0;
+    const double t1 = p[3]*x[2]; /* I1*omega_tau */
+    out[2] = t1;
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = p[7]*t4; /* R^2*I1*s^2 */
+    const double t6 = x[0]*p[8]; /* gamma3*R^2*I3 */
+    const double t7 = JLT_FMA(x[0], t6, t5); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s^2 */
+    const double t8 = t4*t7; /* s^2*K */
+    const double t9 = 1.0/t8; /* 1/(s^2*K) */
+    const double t10 = sqrt(t4); /* s = sqrt(s^2) */
+    const double t11 = t4*t9; /* 1/K = s^2*1/(s^2*K) */
+    const double t12 = p[32] + t7; /* 2*I1*I3/m + K */
+    const double t13 = p[31]*t12; /* 2*m*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3)*(2*I1*I3/m + K) */
+    const double t14 = x[3]*t10; /* v_tau*s */
+    const double t15 = p[30]*x[3]; /* I1*I3*v_tau */
+    const double t16 = JLT_FMA(x[3], t15, p[29]); /* v_tau*I1*I3*v_tau + G^2 */
+    const double t17 = p[28]*t16; /* (R^2*I1 - R^2*I3)*(v_tau*I1*I3*v_tau + G^2) */
+    const double t18 = t11*t17; /* 1/K*(R^2*I1 - R^2*I3)*(v_tau*I1*I3*v_tau + G^2) */
+    const double t19 = x[0]*t11; /* gamma3*1/K */
+    const double t20 = t18*t19; /* 1/K*(R^2*I1 - R^2*I3)*(v_tau*I1*I3*v_tau + G^2)*gamma3*1/K */
+    out[0] = t20;
+    const double t21 = t13*t19; /* 2*m*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3)*(2*I1*I3/m + K)*gamma3*1/K */
+    const double t22 = JLT_FMA(p[0], t7, p[30]); /* Theta = m*K + I1*I3 */
+    const double t23 = x[0]*t7; /* gamma3*K */
+    const double t24 = t11*t22; /* 1/K*Theta */
+    const double t25 = t14*t23; /* v_tau*s*gamma3*K */
+    const double t26 = JLT_FMA(t9, t25, p[12]); /* 1/(s^2*K)*v_tau*s*gamma3*K + G/I1 */
+    const double t27 = JLT_FNMA(x[0], p[12], t14); /* v_tau*s - gamma3*G/I1 */
+    const double t28 = t11*t27; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t29 = t21*t28; /* t21*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t30 = t10*t28; /* s*1/K*(v_tau*s - gamma3*G/I1) */
+    const double t31 = x[3]*t24; /* v_tau*1/K*Theta */
+    out[3] = t31;
+    const double t32 = p[33]*t24; /* 2*R^2*I1^2*(I1 - I3)*1/K*Theta */
+    const double t33 = JLT_FNMA(t26, t32, t29); /* t21*1/K*(v_tau*s - gamma3*G/I1) - (1/(s^2*K)*v_tau*s*gamma3*K + G/I1)*2*R^2*I1^2*(I1 - I3)*1/K*Theta */
+    const double t34 = t28*t33; /* 1/K*(v_tau*s - gamma3*G/I1)*t33 */
+    out[4] = t34;
+    const double t35 = t30*t32; /* s*1/K*(v_tau*s - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3)*1/K*Theta */
+    out[7] = t35;
+    const double t36 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t37 = p[34]*t36; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    out[5] = t37;
+    const double t38 = p[35]*t36; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
+    out[6] = t38;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -845,17 +854,17 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 5, 25, 7, 1, 1, 0, 15, 7 }, { 16, 71, 0, 6, 1, 0, 12, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau*s - gamma3*(G/I1), v_tau*gamma3*(R*I3) + (R*G)*s, V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(omega_tau)/dt, a part of d(v_tau)/dt" },
     .jacobian = { jacobian, 16, { 8, 45, 22, 1, 1, 0, 17, 17 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, (R*G)*s + gamma3*v_tau*(R*I3), (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3), V = omega_tau*R + v_nu, v_tau*s - gamma3*(G/I1), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), v_tau*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), d(d(omega_tau)/dt)/d(gamma3)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 11, 50, 24, 1, 1, 0, 17, 21 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s, v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(gamma3), v_nu - V*(I1*I3/m)*1/(Theta/m), a part of d(v_tau)/dt, (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), v_tau*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(omega_tau)/dt, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau)" },
     .divergence = { divergence, 1, { 3, 13, 5, 1, 1, 0, 12, 6 }, { 9, 32, 0, 4, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of the divergence, V = R*omega_tau + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 2, { 3, 12, 7, 1, 1, 0, 8, 6 }, { 10, 36, 0, 3, 1, 0, 14, 7 },
-        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .integral_gradients = { integral_gradients, 8, { 2, 25, 9, 1, 1, 0, 13, 8 }, { 19, 94, 0, 9, 1, 0, 15, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega_tau*R + v_nu, v_tau*s - gamma3*(G/I1), F0" },
+    .integral_gradients = { integral_gradients, 8, { 3, 27, 7, 1, 1, 0, 12, 9 }, { 19, 94, 0, 9, 1, 0, 15, 9 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in R^2*I1 - R^2*I3, 2*m*R^2*I1^2*(I1 - I3)*(R^2*I1 - R^2*I3), ((1)/s^2*K)*v_tau*s*gamma3*K + G/I1, v_tau*s - gamma3*(G/I1), a part of d(F0)/d(gamma3), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

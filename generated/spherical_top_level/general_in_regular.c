@@ -11,12 +11,25 @@
  *  rhs_jacobian        10   79   38    1    0    0     16   31   (836)
  *  divergence          2   16    9    1    0    0     11    8   (56)
  *  integral_values     2    6    6    1    0    0      8    5   (37)
- *  integral_gradients  1   13    7    1    0    0     10    6   (75)
+ *  integral_gradients  1   13    6    1    0    0      7    6   (75)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy
  *    divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are
  *    divides by Theta, small only where all of m*K and I1*I3 are
+ *    digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*v_tau*(R*I3) + s*(R*G),
+ *      s*v_tau - (G/I1)*b/R, gamma3*(R*(I1 - I3)) - (I3*a3), e = gamma3*a3 + R, V = omega_tau*e + v_nu,
+ *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s),
+ *      a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s),
+ *      numerator of d(omega_tau)/dt over D, v_nu - (I1*I3/m)*1/(Theta/m)*V, d(d(v_nu)/dtau)/d(v_tau),
+ *      a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s),
+ *      d(numerator of d(v_tau)/dt over K)/d(omega_tau), d(numerator of d(v_tau)/dt over K)/d(v_nu),
+ *      a part of d(v_tau)/dtau and of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s),
+ *      a part of d(d(v_tau)/dtau)/d(v_tau), d(numerator of d(v_tau)/dt over K)/d(gamma3),
+ *      a part of d(d(omega_tau)/dtau)/d(gamma3), d(numerator of d(omega_tau)/dt over D)/d(gamma3),
+ *      d(d(v_nu)/dtau)/d(s), d(d(v_nu)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(gamma3),
+ *      a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(s),
+ *      d(numerator of d(omega_tau)/dt over D)/d(s), d(d(omega_tau)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -173,8 +186,6 @@ static void prepare(const double *restrict params, double *restrict out)
     out[58] = t78;
     const double t79 = t78/t77; /* G*G/(I1*m*R*R) */
     out[57] = t79;
-    const double t80 = t2/t5; /* m*a3*a3/(I1*R*R) */
-    out[59] = t80;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -595,31 +606,30 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 {
     const double t0 = p[0]*x[1]; /* m*v_nu */
     out[1] = t0;
-    const double t1 = x[4]*x[4]; /* s*s */
+    const double t1 = x[4]*p[9]; /* s*R^2*I1 */
     const double t2 = p[19] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t3 = p[9]*t1; /* R^2*I1*s*s */
-    const double t4 = JLT_FMA(p[27], t1, p[3]); /* D = m*a3^2*s*s + I1 */
-    const double t5 = x[2]*t4; /* omega_tau*D */
-    out[2] = t5;
-    const double t6 = p[18]*t2; /* R^2*I3*b/R */
-    const double t7 = JLT_FMA(t2, t6, t3); /* K = b/R*R^2*I3*b/R + R^2*I1*s*s */
-    const double t8 = JLT_FMA(p[0], t7, p[33]); /* Theta = m*K + I1*I3 */
-    const double t9 = 1.0/t7; /* 1/K */
-    const double t10 = x[3]*x[3]; /* v_tau*v_tau */
-    const double t11 = JLT_FMA(t8, t10, p[58]); /* Theta*v_tau*v_tau + G^2 */
-    const double t12 = t9*t11; /* 1/K*(Theta*v_tau*v_tau + G^2) */
-    const double t13 = JLT_FNMA(p[0], t10, t12); /* 1/K*(Theta*v_tau*v_tau + G^2) - m*v_tau*v_tau */
-    const double t14 = t9*t13; /* 1/K*(1/K*(Theta*v_tau*v_tau + G^2) - m*v_tau*v_tau) */
-    const double t15 = JLT_FNMA(t6, t14, p[30]); /* m*g*a3 - R^2*I3*b/R*1/K*(1/K*(Theta*v_tau*v_tau + G^2) - m*v_tau*v_tau) */
-    out[0] = t15;
-    const double t16 = x[3]*t8; /* v_tau*Theta */
-    const double t17 = t9*t16; /* 1/K*v_tau*Theta */
-    out[3] = t17;
-    const double t18 = x[2]*p[59]; /* omega_tau*m*a3^2/(R^2*I1) */
-    const double t19 = JLT_FMS(x[2], t18, t14); /* omega_tau*omega_tau*m*a3^2/(R^2*I1) - 1/K*(1/K*(Theta*v_tau*v_tau + G^2) - m*v_tau*v_tau) */
-    const double t20 = p[9]*x[4]; /* R^2*I1*s */
-    const double t21 = t19*t20; /* t19*R^2*I1*s */
-    out[4] = t21;
+    const double t3 = x[4]*t1; /* s*s*R^2*I1 */
+    const double t4 = p[18]*t2; /* R^2*I3*b/R */
+    const double t5 = JLT_FMA(t2, t4, t3); /* K = b/R*R^2*I3*b/R + s*s*R^2*I1 */
+    const double t6 = p[33]*x[3]; /* I1*I3*v_tau */
+    const double t7 = JLT_FMA(x[3], t6, p[58]); /* v_tau*I1*I3*v_tau + G^2 */
+    const double t8 = 1.0/t5; /* 1/K */
+    const double t9 = t7*t8; /* (v_tau*I1*I3*v_tau + G^2)*1/K */
+    const double t10 = JLT_FMA(p[0], t5, p[33]); /* Theta = m*K + I1*I3 */
+    const double t11 = t8*t9; /* 1/K*(v_tau*I1*I3*v_tau + G^2)*1/K */
+    const double t12 = JLT_FNMA(t4, t11, p[30]); /* m*g*a3 - R^2*I3*b/R*1/K*(v_tau*I1*I3*v_tau + G^2)*1/K */
+    out[0] = t12;
+    const double t13 = x[3]*t10; /* v_tau*Theta */
+    const double t14 = t8*t13; /* 1/K*v_tau*Theta */
+    out[3] = t14;
+    const double t15 = x[4]*p[27]; /* s*m*a3^2 */
+    const double t16 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t17 = t15*t16; /* s*m*a3^2*omega_tau*omega_tau */
+    const double t18 = JLT_FNMA(t1, t11, t17); /* s*m*a3^2*omega_tau*omega_tau - s*R^2*I1*1/K*(v_tau*I1*I3*v_tau + G^2)*1/K */
+    out[4] = t18;
+    const double t19 = JLT_FMA(x[4], t15, p[3]); /* D = s*s*m*a3^2 + I1 */
+    const double t20 = x[2]*t19; /* omega_tau*D */
+    out[2] = t20;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -810,22 +820,22 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general_in_regular = {
     .sha256 = "0e21006c5ed6b2b43f047938803c9f453803feabeb018bd596d20a035cf11dee",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level,
-    .state_count = 5, .param_count = 7, .block_count = 60,
+    .state_count = 5, .param_count = 7, .block_count = 59,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 5, { 2, 28, 13, 1, 0, 0, 13, 10 }, { 21, 82, 0, 8, 0, 0, 11, 9 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are" },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, v_tau*s*(R*I1) - G*b, v_tau*I3*b + s*(R*G), e = a3*gamma3 + R, V = omega_tau*e + v_nu, gamma3*1/K*(v_tau*I3*b + s*(R*G)) + 1/K*(v_tau*s*(R*I1) - G*b)*s*(I3/I1), a part of d(omega_tau)/dtau, gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(v_tau)/dtau, d(v_tau)/dtau" },
     .jacobian = { jacobian, 25, { 9, 71, 36, 1, 0, 0, 16, 25 }, { 114, 577, 0, 55, 0, 0, 18, 11 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are" },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, 2/I1 - (2*m*a3^2/I1^2)*s*s*1/(D/I1), b/R*v_tau*(R*I3) + s*(R*G), s*v_tau - (G/I1)*b/R, d(d(v_nu)/dtau)/d(v_tau), e = gamma3*a3 + R, V = omega_tau*e + v_nu, gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), v_nu - V*(I1*I3/m)*1/(Theta/m), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), 1/K*(s*v_tau - (G/I1)*b/R) + v_tau*s*1/K, a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(v_tau), (R*G)*1/K - 1/K*(b/R*v_tau*(R*I3) + s*(R*G))*(2*R^2*I1)*s*1/K, 1/K*v_tau*(R*I3) - 1/K*(b/R*v_tau*(R*I3) + s*(R*G))*(2*R^2*I3)*b/R*1/K, a part of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(omega_tau), d(d(v_tau)/dtau)/d(v_nu), d(d(v_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(gamma3)" },
     .rhs_jacobian = { rhs_jacobian, 30, { 10, 79, 38, 1, 0, 0, 16, 31 }, { 129, 644, 0, 63, 0, 0, 18, 12 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are" },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*v_tau*(R*I3) + s*(R*G), s*v_tau - (G/I1)*b/R, gamma3*(R*(I1 - I3)) - (I3*a3), e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), numerator of d(omega_tau)/dt over D, v_nu - (I1*I3/m)*1/(Theta/m)*V, d(d(v_nu)/dtau)/d(v_tau), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(numerator of d(v_tau)/dt over K)/d(omega_tau), d(numerator of d(v_tau)/dt over K)/d(v_nu), a part of d(v_tau)/dtau and of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(v_tau), d(numerator of d(v_tau)/dt over K)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3), d(numerator of d(omega_tau)/dt over D)/d(gamma3), d(d(v_nu)/dtau)/d(s), d(d(v_nu)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s), d(d(omega_tau)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 2, 16, 9, 1, 0, 0, 11, 8 }, { 12, 40, 0, 4, 0, 0, 12, 7 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are" },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, gamma3*(R*(I1 - I3)) - (I3*a3), a part of the divergence, a part of the divergence, e = gamma3*a3 + R, V = omega_tau*e + v_nu, the divergence" },
     .integral_values = { integral_values, 1, { 2, 6, 6, 1, 0, 0, 8, 5 }, { 8, 27, 0, 2, 0, 0, 12, 6 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are" },
-    .integral_gradients = { integral_gradients, 5, { 1, 13, 7, 1, 0, 0, 10, 6 }, { 10, 58, 0, 7, 0, 0, 12, 8 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are" },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, E" },
+    .integral_gradients = { integral_gradients, 5, { 1, 13, 6, 1, 0, 0, 7, 6 }, { 10, 58, 0, 7, 0, 0, 12, 8 },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, d(E)/d(gamma3), d(E)/d(s)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

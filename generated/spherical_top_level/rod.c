@@ -18,6 +18,9 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in omega_tau*s*omega_tau*(m*a3^2) - (G^2/(R^2*I1))*1/s^2*1/s^2*s,
+ *      numerator of d(omega_tau)/dt over D, m*g*a3 - (3*G^2/(R^2*I1))*1/s^2*1/s^2*s*gamma3*1/s^2*s,
+ *      d(numerator of d(omega_tau)/dt over D)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -462,21 +465,21 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 3, 14, 3, 1, 1, 0, 11, 6 }, { 5, 31, 0, 5, 1, 0, 9, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega_tau*s*omega_tau*(m*a3^2) - 1/s^2*1/s^2*(G^2/(R^2*I1))*s, a part of d(omega_tau)/dt" },
     .jacobian = { jacobian, 16, { 6, 22, 6, 1, 1, 0, 13, 9 }, { 11, 100, 0, 14, 1, 0, 15, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*1/s^2*s - s*1/D*gamma3*(2*m*a3^2), gamma3*(gamma3*1/s^2*s - s*1/D*gamma3*(2*m*a3^2)) - s, a part of d(d(omega_tau)/dt)/d(gamma3)" },
     .rhs_jacobian = { rhs_jacobian, 20, { 6, 25, 7, 1, 1, 0, 13, 9 }, { 14, 126, 0, 19, 1, 0, 15, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega_tau*s*omega_tau*(m*a3^2) - (G^2/(R^2*I1))*1/s^2*1/s^2*s, numerator of d(omega_tau)/dt over D, m*g*a3 - (3*G^2/(R^2*I1))*1/s^2*1/s^2*s*gamma3*1/s^2*s, d(numerator of d(omega_tau)/dt over D)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in (1 - gamma3)*(gamma3 + 1)*(2*m*a3^2) - D" },
     .integral_values = { integral_values, 2, { 3, 5, 4, 1, 0, 0, 6, 5 }, { 7, 29, 0, 1, 1, 0, 11, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in E" },
     .integral_gradients = { integral_gradients, 8, { 2, 6, 3, 1, 0, 0, 6, 3 }, { 4, 24, 0, 1, 1, 0, 8, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of d(E)/d(gamma3), d(E)/d(gamma3)" },
     .measure_values = { measure_values, 1, { 2, 1, 1, 1, 1, 0, 4, 3 }, { 2, 5, 0, 1, 1, 0, 7, 4 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .measure_divergences = { measure_divergences, 1, { 2, 7, 2, 1, 1, 0, 9, 5 }, { 7, 30, 0, 5, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in s*1/s*D*1/s - D*1/s" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
     .integral_count = 2, .measure_count = 1, .equilibria_count = 0,

@@ -9,12 +9,14 @@
  *  rhs                 2    6    2    1    1    2      6    5   (40)
  *  jacobian            2   14    4    1    1    2      9    6   (65)
  *  rhs_jacobian        3   16    4    1    1    2      9    8   (80)
- *  divergence          2    8    2    1    1    1      8    5   (35)
+ *  divergence          2    6    0    1    1    0      7    4   (35)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in gamma3*(I3*M)*C + (G*J3/R)*s, m*R*v_slip - M*S,
+ *      G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s, (I3*M)*C - (G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s)*gamma3*1/s
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -76,16 +78,18 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t16 = params[5]/t2; /* M/J1 */
     const double t17 = -t16; /* -M/J1 */
     out[13] = t17;
-    const double t18 = -params[3]; /* -I3 */
-    const double t19 = -t12; /* -I3*M */
-    out[14] = t19;
-    const double t20 = t5/t1; /* I3*I3/(m*R*R) */
-    const double t21 = t18 - t20; /* -I3 - I3*I3/(m*R*R) */
-    out[15] = t21;
-    const double t22 = t12/t1; /* I3*M/(m*R*R) */
-    out[16] = t22;
-    const double t23 = params[3] + t20; /* I3 + I3*I3/(m*R*R) */
-    out[17] = t23;
+    const double t18 = -t12; /* -I3*M */
+    out[14] = t18;
+    const double t19 = params[1]*t2; /* R*J1 */
+    const double t20 = params[3]*t2; /* I3*J1 */
+    const double t21 = t8*t20; /* v_slip*I3*J1 */
+    const double t22 = t5/t1; /* I3*I3/(m*R*R) */
+    const double t23 = params[3] + t22; /* I3 + I3*I3/(m*R*R) */
+    out[16] = t23;
+    const double t24 = t21*t23; /* v_slip*I3*J1*(I3 + I3*I3/(m*R*R)) */
+    const double t25 = t24/t19; /* v_slip*I3*J1*(I3 + I3*I3/(m*R*R))/(R*J1) */
+    const double t26 = -t25; /* -v_slip*I3*J1*(I3 + I3*I3/(m*R*R))/(R*J1) */
+    out[15] = t26;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -179,22 +183,17 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = sin(x[1]); /* S = sin(psi) */
-    const double t1 = JLT_FNMA(p[5], t0, p[8]); /* m*R*v_slip - M*S */
-    const double t2 = p[7]*t1; /* 1/J1*(m*R*v_slip - M*S) */
-    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t4 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t5 = t3*t4; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = sqrt(t5); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t7 = t6*p[17]; /* s*(I3 + I3^2/(m*R^2)) */
-    const double t8 = 1.0/t7; /* 1/(s*(I3 + I3^2/(m*R^2))) */
-    const double t9 = p[16]*t6; /* I3*M/(m*R^2)*s */
-    const double t10 = t8*t9; /* 1/(s*(I3 + I3^2/(m*R^2)))*I3*M/(m*R^2)*s */
-    const double t11 = JLT_FMA(t0, t10, t2); /* S*1/(s*(I3 + I3^2/(m*R^2)))*I3*M/(m*R^2)*s + 1/J1*(m*R*v_slip - M*S) */
-    const double t12 = p[15]*x[0]; /* (-I3 - I3^2/(m*R^2))*gamma3 */
-    const double t13 = t8*t12; /* 1/(s*(I3 + I3^2/(m*R^2)))*(-I3 - I3^2/(m*R^2))*gamma3 */
-    const double t14 = t11*t13; /* t11*1/(s*(I3 + I3^2/(m*R^2)))*(-I3 - I3^2/(m*R^2))*gamma3 */
-    out[0] = t14;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t4 = t3*p[16]; /* s*(I3 + I3^2/(m*R^2)) */
+    const double t5 = 1.0/t4; /* 1/(s*(I3 + I3^2/(m*R^2))) */
+    const double t6 = p[15]*x[0]; /* (-I3*(I3 + m*R^2)*v_slip*(I3 + I3^2/(m*R^2))/(R*J1))*gamma3 */
+    const double t7 = t3*t6; /* s*(-I3*(I3 + m*R^2)*v_slip*(I3 + I3^2/(m*R^2))/(R*J1))*gamma3 */
+    const double t8 = t5*t7; /* 1/(s*(I3 + I3^2/(m*R^2)))*t7 */
+    const double t9 = t5*t8; /* 1/(s*(I3 + I3^2/(m*R^2)))*1/(s*(I3 + I3^2/(m*R^2)))*t7 */
+    out[0] = t9;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -292,18 +291,18 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
     .sha256 = "a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane,
-    .state_count = 2, .param_count = 7, .block_count = 18,
+    .state_count = 2, .param_count = 7, .block_count = 17,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 2, { 2, 6, 2, 1, 1, 2, 6, 5 }, { 7, 25, 0, 4, 2, 2, 10, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in m*R*v_slip - M*S, C*gamma3*(I3*M) + s*(G*J3/R)" },
     .jacobian = { jacobian, 4, { 2, 14, 4, 1, 1, 2, 9, 6 }, { 12, 41, 0, 8, 2, 2, 11, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*(I3*M)*C + (G*J3/R)*s, G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s, (I3*M)*C - (G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s)*gamma3*1/s, m*R*v_slip - M*S" },
     .rhs_jacobian = { rhs_jacobian, 6, { 3, 16, 4, 1, 1, 2, 9, 8 }, { 14, 51, 0, 11, 2, 2, 11, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
-    .divergence = { divergence, 1, { 2, 8, 2, 1, 1, 1, 8, 5 }, { 7, 22, 0, 3, 2, 1, 11, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*(I3*M)*C + (G*J3/R)*s, m*R*v_slip - M*S, G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s, (I3*M)*C - (G*J3/R - (gamma3*(I3*M)*C + (G*J3/R)*s)*1/s)*gamma3*1/s" },
+    .divergence = { divergence, 1, { 2, 6, 0, 1, 1, 0, 7, 4 }, { 7, 22, 0, 3, 2, 1, 11, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },

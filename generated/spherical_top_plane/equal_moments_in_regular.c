@@ -15,6 +15,8 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are
+ *    digits are lost where terms nearly cancel in (I3*M)*gamma3*C + s*(G*J3/R), m*R*v_slip - M*S,
+ *      d(d(psi)/dtau)/d(gamma3), G*J3/R - s*(2*m*R^2*I3)*((1)/Theta)*((I3*M)*gamma3*C + s*(G*J3/R))
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -344,13 +346,13 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = 
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 3, { 1, 7, 4, 1, 0, 2, 5, 5 }, { 8, 29, 0, 5, 1, 2, 9, 8 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in C*gamma3*(I3*M) + s*(G*J3/R), m*R*v_slip - M*S" },
     .jacobian = { jacobian, 9, { 0, 20, 6, 1, 0, 2, 8, 8 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in (I3*M)*gamma3*C + s*(G*J3/R), m*R*v_slip - M*S, d(d(psi)/dtau)/d(gamma3), a part of d(d(psi)/dtau)/d(s)" },
     .rhs_jacobian = { rhs_jacobian, 12, { 2, 22, 6, 1, 0, 2, 8, 8 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in (I3*M)*gamma3*C + s*(G*J3/R), m*R*v_slip - M*S, d(d(psi)/dtau)/d(gamma3), G*J3/R - s*(2*m*R^2*I3)*((1)/Theta)*((I3*M)*gamma3*C + s*(G*J3/R))" },
     .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 8, 3 }, { 6, 19, 0, 3, 1, 1, 9, 7 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are" },
+        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in m*R*v_slip - S*M, (1/J1)*(m*R*v_slip - S*M) + S*((I3*M/(m*R^2))/Theta/(m*R^2))" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },
     .measure_values = { .loses_digits = "" },

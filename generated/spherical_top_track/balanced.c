@@ -17,6 +17,14 @@
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2),
+ *      2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1),
+ *      V/R = (1/R)*v_nu + omega_tau, gamma3*gamma3*1/s^2*s - s, d(omega3)/dt,
+ *      omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, v_tau = gamma3*R*omega_n + omega3*R*s, d(d(v_nu)/dt)/d(omega_n),
+ *      d(v_tau)/d(gamma3) = R*omega_n - gamma3*1/s^2*s*R*omega3, omega_n*gamma3*1/s^2*s + omega3*(I3/I1),
+ *      (2)*omega_n*gamma3*1/s^2*s + omega3*(I3/I1), d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt,
+ *      d(d(omega3)/dt)/d(gamma3), d(spin)/dt, d(x)/dt, d(d(y)/dt)/d(chi), d(y)/dt, d(d(x)/dt)/d(chi),
+ *      d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -902,17 +910,17 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 9, { 6, 22, 9, 1, 1, 2, 11, 9 }, { 17, 59, 0, 11, 1, 2, 11, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in d(spin)/dt, a part of d(omega_tau)/dt, V/R = (1/R)*v_nu + omega_tau, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(omega_n)/dt, d(omega3)/dt, v_tau = gamma3*omega_n*R + s*omega3*R, d(x)/dt, d(y)/dt" },
     .jacobian = { jacobian, 81, { 11, 51, 17, 1, 1, 2, 14, 16 }, { 45, 196, 0, 40, 1, 2, 14, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, V/R = (1/R)*v_nu + omega_tau, d(d(v_nu)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dt)/d(gamma3), d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*R*omega3, v_tau = gamma3*omega_n*R + s*R*omega3, gamma3*gamma3*1/s^2*s - s, d(d(omega3)/dt)/d(gamma3), d(d(x)/dt)/d(chi), d(d(y)/dt)/d(chi)" },
     .rhs_jacobian = { rhs_jacobian, 90, { 18, 56, 17, 1, 1, 2, 13, 18 }, { 57, 238, 0, 51, 1, 2, 14, 12 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1^2), 2*(I3^2 + m*R^2*I3)*(m*R^2*I1 - m*R^2*I3)/(m^2*R^4*I1^2), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), V/R = (1/R)*v_nu + omega_tau, gamma3*gamma3*1/s^2*s - s, d(omega3)/dt, omega_tau - (I3/I1)*1/(Theta/(m*R^2*I1))*V/R, v_tau = gamma3*R*omega_n + omega3*R*s, d(d(v_nu)/dt)/d(omega_n), d(v_tau)/d(gamma3) = R*omega_n - gamma3*1/s^2*s*R*omega3, omega_n*gamma3*1/s^2*s + omega3*(I3/I1), (2)*omega_n*gamma3*1/s^2*s + omega3*(I3/I1), d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(d(omega3)/dt)/d(gamma3), d(spin)/dt, d(x)/dt, d(d(y)/dt)/d(chi), d(y)/dt, d(d(x)/dt)/d(chi), d(d(omega_n)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega_tau)" },
     .divergence = { divergence, 1, { 3, 10, 3, 1, 1, 0, 8, 5 }, { 6, 24, 0, 2, 1, 0, 10, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 4, { 3, 15, 10, 0, 1, 2, 8, 9 }, { 12, 39, 0, 0, 1, 2, 10, 7 },
-        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau/R = omega3*s + omega_n*gamma3, G, M_nu = v_tau/R*(m*R^2) + omega3*s*I3 + omega_n*gamma3*I1, M_tau = omega_tau*I1 - v_nu*(m*R), M_x, M_y" },
     .integral_gradients = { integral_gradients, 36, { 2, 26, 12, 1, 1, 2, 10, 7 }, { 19, 67, 0, 3, 1, 2, 9, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, d(E)/d(omega_n), d(E)/d(omega3), M_nu = s*omega3*I3 + gamma3*omega_n*I1 + (m*R^2)*v_tau/R, d(v_tau)/d(gamma3)/R = omega_n - omega3*(gamma3/s), d(M_nu)/d(gamma3) = (m*R^2)*d(v_tau)/d(gamma3)/R + omega_n*I1 - (gamma3/s)*omega3*I3, M_tau = I1*omega_tau - v_nu*(m*R), d(G)/d(gamma3), d(M_x)/d(chi), d(M_y)/d(chi)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

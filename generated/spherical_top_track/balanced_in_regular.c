@@ -8,8 +8,8 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   19    9    1    0    2      7    8   (96)
- *  jacobian            13   59   21    1    0    2      9   18   (375)
- *  rhs_jacobian        15   69   21    1    0    2      7   21   (449)
+ *  jacobian            13   59   21    1    0    2     10   18   (375)
+ *  rhs_jacobian        15   69   21    1    0    2      7   19   (449)
  *  divergence          1    5    3    1    0    0      5    4   (30)
  *  integral_values     1   14   10    0    0    2      6    8   (51)
  *  integral_gradients  0   31    7    0    0    2      5    8   (89)
@@ -17,6 +17,18 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
+ *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau,
+ *      numerator of d(omega_n)/dt over Theta = omega_tau*(I3^2 + m*R^2*I3)*s*omega3 - omega_n*gamma3*(m*R*I3)*V,
+ *      omega_tau - ((1)/Theta)*(m*R*I3)*V,
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3,
+ *      d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau,
+ *      numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R*I1)*V*s*omega_n,
+ *      d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n,
+ *      v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s),
+ *      d(d(y)/dtau)/d(s),
+ *      d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*(2*m*R^2*(I1 - I3))*omega_tau*gamma3 - omega_n*(m*R*I1)*V,
+ *      d(d(v_nu)/dtau)/d(omega_n), omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3,
+ *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -97,66 +109,65 @@ static void prepare(const double *restrict params, double *restrict out)
     out[33] = t28;
     const double t29 = -t28; /* -I3/(I1*R) */
     out[15] = t29;
-    const double t30 = t3*t4; /* I1*m*R*R*I3*I3 */
-    const double t31 = params[4]*t19; /* I1*m*m*R*R*R*R */
-    const double t32 = params[5]*t31; /* I3*I1*m*m*R*R*R*R */
-    const double t33 = t30 + t32; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
-    const double t34 = 2.0*t33; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
-    const double t35 = t34/t20; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
-    out[16] = t35;
-    const double t36 = params[5]*2.0; /* I3*2 */
-    const double t37 = t36/params[4]; /* I3*2/I1 */
+    const double t30 = params[5]*2.0; /* I3*2 */
+    const double t31 = t30/params[4]; /* I3*2/I1 */
+    out[16] = t31;
+    const double t32 = t3*t4; /* I1*m*R*R*I3*I3 */
+    const double t33 = params[4]*t19; /* I1*m*m*R*R*R*R */
+    const double t34 = params[5]*t33; /* I3*I1*m*m*R*R*R*R */
+    const double t35 = t32 + t34; /* I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R */
+    const double t36 = 2.0*t35; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R) */
+    const double t37 = t36/t20; /* 2*(I1*m*R*R*I3*I3 + I3*I1*m*m*R*R*R*R)/(I1*I1*m*m*R*R*R*R) */
     out[17] = t37;
-    const double t38 = t10*t36; /* (I1 - I3)*I3*2 */
+    const double t38 = t10*t30; /* (I1 - I3)*I3*2 */
     const double t39 = t38/t14; /* (I1 - I3)*I3*2/(I1*I1) */
     out[18] = t39;
     const double t40 = (-1.0)/params[1]; /* (-1)/R */
     out[19] = t40;
-    const double t41 = t10*2.0; /* (I1 - I3)*2 */
-    const double t42 = t41/params[4]; /* (I1 - I3)*2/I1 */
-    out[20] = t42;
-    const double t43 = params[4]*params[5]; /* I1*I3 */
-    out[21] = t43;
-    const double t44 = params[0]*params[1]; /* m*R */
-    out[41] = t44;
-    const double t45 = params[5]*t44; /* I3*m*R */
-    out[25] = t45;
-    const double t46 = params[4]*t44; /* I1*m*R */
-    out[26] = t46;
-    const double t47 = t2*t10; /* m*R*R*(I1 - I3) */
-    out[27] = t47;
-    const double t48 = params[0]*2.0; /* m*2 */
-    const double t49 = t1*t48; /* R*R*m*2 */
-    const double t50 = params[5]*t49; /* I3*R*R*m*2 */
-    out[28] = t50;
-    const double t51 = -t44; /* -m*R */
-    out[44] = t51;
-    const double t52 = -t45; /* -I3*m*R */
-    out[29] = t52;
-    const double t53 = params[4]*t49; /* I1*R*R*m*2 */
-    out[30] = t53;
-    const double t54 = -t46; /* -I1*m*R */
-    out[31] = t54;
-    const double t55 = t10*t49; /* (I1 - I3)*R*R*m*2 */
-    out[32] = t55;
-    const double t56 = params[0]/2.0; /* m/2 */
-    out[34] = t56;
-    const double t57 = params[4]/2.0; /* I1/2 */
-    out[35] = t57;
-    const double t58 = params[5]/2.0; /* I3/2 */
-    out[36] = t58;
-    const double t59 = t2/2.0; /* m*R*R/2 */
-    out[37] = t59;
-    const double t60 = params[5]*params[1]; /* I3*R */
-    out[39] = t60;
-    const double t61 = -t60; /* -I3*R */
-    out[42] = t61;
-    const double t62 = params[4] + t2; /* I1 + m*R*R */
-    out[43] = t62;
-    const double t63 = params[5] + t2; /* I3 + m*R*R */
-    out[45] = t63;
-    const double t64 = -params[4]; /* -I1 */
-    out[46] = t64;
+    const double t41 = params[4]/t2; /* I1/(m*R*R) */
+    out[20] = t41;
+    const double t42 = params[4]*params[5]; /* I1*I3 */
+    out[21] = t42;
+    const double t43 = params[0]*params[1]; /* m*R */
+    out[41] = t43;
+    const double t44 = params[5]*t43; /* I3*m*R */
+    out[25] = t44;
+    const double t45 = params[4]*t43; /* I1*m*R */
+    out[26] = t45;
+    const double t46 = t2*t10; /* m*R*R*(I1 - I3) */
+    out[27] = t46;
+    const double t47 = params[0]*2.0; /* m*2 */
+    const double t48 = t1*t47; /* R*R*m*2 */
+    const double t49 = params[5]*t48; /* I3*R*R*m*2 */
+    out[28] = t49;
+    const double t50 = -t43; /* -m*R */
+    out[44] = t50;
+    const double t51 = -t44; /* -I3*m*R */
+    out[29] = t51;
+    const double t52 = params[4]*t48; /* I1*R*R*m*2 */
+    out[30] = t52;
+    const double t53 = -t45; /* -I1*m*R */
+    out[31] = t53;
+    const double t54 = t10*t48; /* (I1 - I3)*R*R*m*2 */
+    out[32] = t54;
+    const double t55 = params[0]/2.0; /* m/2 */
+    out[34] = t55;
+    const double t56 = params[4]/2.0; /* I1/2 */
+    out[35] = t56;
+    const double t57 = params[5]/2.0; /* I3/2 */
+    out[36] = t57;
+    const double t58 = t2/2.0; /* m*R*R/2 */
+    out[37] = t58;
+    const double t59 = params[5]*params[1]; /* I3*R */
+    out[39] = t59;
+    const double t60 = -t59; /* -I3*R */
+    out[42] = t60;
+    const double t61 = params[4] + t2; /* I1 + m*R*R */
+    out[43] = t61;
+    const double t62 = params[5] + t2; /* I3 + m*R*R */
+    out[45] = t62;
+    const double t63 = -params[4]; /* -I1 */
+    out[46] = t63;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -269,139 +280,139 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[97] = 0.0;
     out[98] = 0.0;
     out[64] = x[9];
+    out[60] = x[3];
+    out[69] = x[4];
+    out[63] = x[0];
+    out[53] = (-1.0);
     const double t0 = x[9]*x[9]; /* s*s */
     out[2] = t0;
-    const double t1 = x[9]*x[2]; /* s*omega_tau */
-    const double t2 = 2.0*t1; /* 2*s*omega_tau */
-    out[9] = t2;
-    out[60] = x[3];
-    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
-    out[10] = t4;
-    out[69] = x[4];
-    const double t5 = x[9]*p[1]; /* s*R */
-    const double t6 = x[4]*t5; /* omega3*s*R */
-    out[63] = x[0];
-    const double t7 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t8 = JLT_FMA(p[11], t7, t6); /* 2*R*omega_n*gamma3 + omega3*s*R */
-    out[13] = t8;
-    const double t9 = x[3]*t5; /* omega_n*s*R */
-    out[14] = t9;
-    const double t10 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t11 = p[1]*t10; /* R*omega_n*omega3 */
-    out[19] = t11;
-    const double t12 = -t3; /* -omega_n*omega_n */
-    out[20] = t12;
-    const double t13 = 2.0*t7; /* 2*omega_n*gamma3 */
-    const double t14 = x[9]*p[6]; /* s*I3/I1 */
-    const double t15 = JLT_FMA(x[4], t14, t13); /* omega3*s*I3/I1 + 2*omega_n*gamma3 */
-    const double t16 = -t15; /* -(omega3*s*I3/I1 + 2*omega_n*gamma3) */
-    out[23] = t16;
-    const double t17 = x[3]*t14; /* omega_n*s*I3/I1 */
-    const double t18 = -t17; /* -omega_n*s*I3/I1 */
-    out[24] = t18;
-    const double t19 = t10*p[12]; /* omega_n*omega3*(-I3/I1) */
-    out[29] = t19;
-    const double t20 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t21 = t0 + p[8]; /* s*s + I3/(m*R^2) */
-    const double t22 = JLT_FMA(p[6], t20, t21); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + s*s + I3/(m*R^2) */
-    const double t23 = 1.0/t22; /* 1/(Theta/(m*R^2*I1)) */
-    const double t24 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t25 = t23*t24; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t26 = JLT_FNMA(p[6], t25, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
-    const double t27 = x[3]*t26; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    const double t28 = t7*t25; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
-    const double t29 = p[13]*t28; /* 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
-    const double t30 = x[9]*t23; /* s*1/(Theta/(m*R^2*I1)) */
-    const double t31 = x[2]*t30; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t32 = x[4]*t31; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t33 = JLT_FNMA(p[14], t32, t29); /* 2*I3^2/I1^2*omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t34 = x[0]*t23; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t35 = JLT_FMA(t33, t34, t27); /* t33*gamma3*1/(Theta/(m*R^2*I1)) + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[30] = t35;
-    const double t36 = t7*t23; /* omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t37 = p[15]*t36; /* (-I3/(R*I1))*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[31] = t37;
-    const double t38 = x[4]*p[7]; /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t39 = JLT_FMA(t30, t38, t7); /* s*1/(Theta/(m*R^2*I1))*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) + omega_n*gamma3 */
-    const double t40 = JLT_FNMA(p[6], t36, t39); /* t39 - I3/I1*omega_n*gamma3*1/(Theta/(m*R^2*I1)) */
-    out[32] = t40;
-    const double t41 = x[0]*t26; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
-    out[33] = t41;
-    const double t42 = t31*p[7]; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    out[34] = t42;
-    const double t43 = x[2]*t38; /* omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t44 = t30*t32; /* s*1/(Theta/(m*R^2*I1))*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
-    const double t45 = t30*p[17]; /* s*1/(Theta/(m*R^2*I1))*2*I3/I1 */
-    const double t46 = t28*t45; /* omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R*s*1/(Theta/(m*R^2*I1))*2*I3/I1 */
-    const double t47 = JLT_FMA(t23, t43, t46); /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) + t46 */
-    const double t48 = JLT_FNMA(p[16], t44, t47); /* t47 - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*t44 */
-    out[39] = t48;
-    const double t49 = x[9]*p[10]; /* s*(I1 - I3)/I1 */
-    const double t50 = t20*p[18]; /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
-    const double t51 = JLT_FMA(t32, t49, t46); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 + t46 */
-    const double t52 = JLT_FNMA(t44, t50, t51); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 + t46 - t44*gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
-    out[40] = t52;
-    const double t53 = x[3]*t30; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t54 = p[19]*t53; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[41] = t54;
-    const double t55 = x[9]*x[0]; /* s*gamma3 */
-    const double t56 = t30*t55; /* s*1/(Theta/(m*R^2*I1))*s*gamma3 */
-    const double t57 = p[10]*t56; /* (I1 - I3)/I1*s*1/(Theta/(m*R^2*I1))*s*gamma3 */
-    const double t58 = JLT_FMS(x[4], t57, t53); /* omega3*(I1 - I3)/I1*s*1/(Theta/(m*R^2*I1))*s*gamma3 - omega_n*s*1/(Theta/(m*R^2*I1)) */
-    out[42] = t58;
-    const double t59 = t24*t30; /* V/R*s*1/(Theta/(m*R^2*I1)) */
-    const double t60 = -t59; /* -V/R*s*1/(Theta/(m*R^2*I1)) */
-    out[43] = t60;
-    const double t61 = x[2]*t57; /* omega_tau*(I1 - I3)/I1*s*1/(Theta/(m*R^2*I1))*s*gamma3 */
-    out[44] = t61;
-    const double t62 = x[3]*t25; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t63 = 2.0*t53; /* 2*omega_n*s*1/(Theta/(m*R^2*I1)) */
-    const double t64 = x[0] - t56; /* gamma3 - s*1/(Theta/(m*R^2*I1))*s*gamma3 */
-    const double t65 = p[20]*t64; /* 2*(I1 - I3)/I1*(gamma3 - s*1/(Theta/(m*R^2*I1))*s*gamma3) */
-    const double t66 = JLT_FMS(t59, t63, t62); /* V/R*s*1/(Theta/(m*R^2*I1))*2*omega_n*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t67 = JLT_FMA(t32, t65, t66); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*2*(I1 - I3)/I1*(gamma3 - s*1/(Theta/(m*R^2*I1))*s*gamma3) + t66 */
-    out[49] = t67;
-    out[53] = (-1.0);
-    const double t68 = sin(x[5]); /* S = sin(chi) */
-    const double t69 = t9*t68; /* omega_n*s*R*S */
-    out[70] = t69;
-    const double t70 = cos(x[5]); /* C = cos(chi) */
-    const double t71 = x[9]*t70; /* s*C */
-    out[71] = t71;
-    const double t72 = t5*x[0]; /* s*R*gamma3 */
-    const double t73 = t68*t72; /* S*s*R*gamma3 */
-    out[73] = t73;
-    const double t74 = x[9]*t68; /* s*S */
-    out[81] = t74;
-    const double t75 = t5*t74; /* s*R*s*S */
-    out[74] = t75;
-    const double t76 = x[1]*t68; /* v_nu*S */
-    const double t77 = JLT_FMA(p[1], t7, t6); /* v_tau = R*omega_n*gamma3 + omega3*s*R */
-    const double t78 = JLT_FNMA(t70, t77, t76); /* v_nu*S - C*v_tau */
-    const double t79 = x[9]*t78; /* s*(v_nu*S - C*v_tau) */
-    const double t80 = -t79; /* -s*(v_nu*S - C*v_tau) */
-    out[75] = t80;
-    const double t81 = x[1]*t70; /* v_nu*C */
-    const double t82 = JLT_FMA(t68, t77, t81); /* S*v_tau + v_nu*C */
-    const double t83 = JLT_FMA(t6, t68, t82); /* omega3*s*R*S + S*v_tau + v_nu*C */
-    out[79] = t83;
-    const double t84 = t9*t70; /* omega_n*s*R*C */
-    const double t85 = -t84; /* -omega_n*s*R*C */
-    out[80] = t85;
-    const double t86 = t70*t72; /* C*s*R*gamma3 */
-    const double t87 = -t86; /* -C*s*R*gamma3 */
-    out[83] = t87;
-    const double t88 = t5*t71; /* s*R*s*C */
-    const double t89 = -t88; /* -s*R*s*C */
-    out[84] = t89;
-    const double t90 = x[9]*t82; /* s*(S*v_tau + v_nu*C) */
-    out[85] = t90;
-    const double t91 = JLT_FNMA(t6, t70, t78); /* v_nu*S - C*v_tau - omega3*s*R*C */
+    const double t1 = p[8] + t0; /* I3/(m*R^2) + s*s */
+    const double t2 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t3 = JLT_FMA(p[6], t2, t1); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
+    const double t4 = 1.0/t3; /* 1/(Theta/(m*R^2*I1)) */
+    const double t5 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t6 = x[9]*t4; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t7 = x[9]*p[1]; /* s*R */
+    const double t8 = JLT_FMA(p[9], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t9 = t4*t5; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t10 = p[15]*t9; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[31] = t10;
+    const double t11 = x[4]*t6; /* omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t12 = x[4]*t7; /* omega3*s*R */
+    const double t13 = JLT_FMA(p[11], t5, t12); /* 2*R*omega_n*gamma3 + omega3*s*R */
+    out[13] = t13;
+    const double t14 = t4*t8; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t15 = t8*t9; /* V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t16 = t6*t8; /* s*1/(Theta/(m*R^2*I1))*V/R */
+    const double t17 = JLT_FNMA(p[6], t9, t5); /* omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t18 = JLT_FMA(p[7], t11, t17); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega3*s*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 - I3/I1*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[32] = t18;
+    const double t19 = -t16; /* -s*1/(Theta/(m*R^2*I1))*V/R */
+    out[43] = t19;
+    const double t20 = 2.0*t16; /* 2*s*1/(Theta/(m*R^2*I1))*V/R */
+    const double t21 = x[2]*t11; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t22 = x[2]*p[7]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t23 = t6*t22; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    out[34] = t23;
+    const double t24 = x[4]*t22; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t25 = t4*t24; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t26 = x[0]*t4; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t27 = x[9]*p[10]; /* s*(I1 - I3)/I1 */
+    const double t28 = sin(x[5]); /* S = sin(chi) */
+    const double t29 = cos(x[5]); /* C = cos(chi) */
+    const double t30 = x[3]*t7; /* omega_n*s*R */
+    out[14] = t30;
+    const double t31 = t28*t30; /* S*omega_n*s*R */
+    out[70] = t31;
+    const double t32 = t29*t30; /* C*omega_n*s*R */
+    const double t33 = -t32; /* -C*omega_n*s*R */
+    out[80] = t33;
+    const double t34 = 2.0*t5; /* 2*omega_n*gamma3 */
+    const double t35 = JLT_FMA(p[1], t5, t12); /* v_tau = R*omega_n*gamma3 + omega3*s*R */
+    const double t36 = t12 + t35; /* omega3*s*R + v_tau */
+    const double t37 = x[9]*p[6]; /* s*I3/I1 */
+    const double t38 = JLT_FMA(x[4], t37, t34); /* omega3*s*I3/I1 + 2*omega_n*gamma3 */
+    const double t39 = -t38; /* -(omega3*s*I3/I1 + 2*omega_n*gamma3) */
+    out[23] = t39;
+    const double t40 = x[3]*t37; /* omega_n*s*I3/I1 */
+    const double t41 = -t40; /* -omega_n*s*I3/I1 */
+    out[24] = t41;
+    const double t42 = JLT_FNMA(p[6], t14, x[2]); /* omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R */
+    const double t43 = x[3]*t14; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t44 = x[0]*t42; /* gamma3*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[33] = t44;
+    const double t45 = x[3]*t42; /* omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    const double t46 = p[13]*t15; /* 2*I3^2/I1^2*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t47 = p[16]*t15; /* 2*I3/I1*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t48 = JLT_FNMA(p[14], t21, t46); /* 2*I3^2/I1^2*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t49 = JLT_FMA(t26, t48, t45); /* gamma3*1/(Theta/(m*R^2*I1))*t48 + omega_n*(omega_tau - I3/I1*1/(Theta/(m*R^2*I1))*V/R) */
+    out[30] = t49;
+    const double t50 = p[18]*t21; /* 2*I3*(I1 - I3)/I1^2*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t51 = x[3]*t6; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t52 = JLT_FMS(t20, t51, t43); /* 2*s*1/(Theta/(m*R^2*I1))*V/R*omega_n*s*1/(Theta/(m*R^2*I1)) - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t53 = p[19]*t51; /* (-1/R)*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[41] = t53;
+    const double t54 = x[0]*t27; /* gamma3*s*(I1 - I3)/I1 */
+    const double t55 = JLT_FMS(t11, t54, t51); /* omega3*s*1/(Theta/(m*R^2*I1))*gamma3*s*(I1 - I3)/I1 - omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[42] = t55;
+    const double t56 = t21*t27; /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 */
+    const double t57 = JLT_FNMA(p[17], t21, t47); /* 2*I3/I1*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) */
+    const double t58 = JLT_FMA(t6, t57, t25); /* s*1/(Theta/(m*R^2*I1))*t57 + t25 */
+    out[39] = t58;
+    const double t59 = JLT_FMS(t2, t50, t47); /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2*omega_tau*omega3*s*1/(Theta/(m*R^2*I1)) - 2*I3/I1*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t60 = JLT_FNMA(t6, t59, t56); /* omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*s*(I1 - I3)/I1 - s*1/(Theta/(m*R^2*I1))*t59 */
+    out[40] = t60;
+    const double t61 = p[20] + t2; /* I1/(m*R^2) + gamma3*gamma3 */
+    const double t62 = t26*t61; /* gamma3*1/(Theta/(m*R^2*I1))*(I1/(m*R^2) + gamma3*gamma3) */
+    const double t63 = JLT_FMA(t50, t62, t52); /* 2*I3*(I1 - I3)/I1^2*omega_tau*omega3*s*1/(Theta/(m*R^2*I1))*gamma3*1/(Theta/(m*R^2*I1))*(I1/(m*R^2) + gamma3*gamma3) + t52 */
+    out[49] = t63;
+    const double t64 = x[2]*t54; /* omega_tau*gamma3*s*(I1 - I3)/I1 */
+    const double t65 = t6*t64; /* s*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*s*(I1 - I3)/I1 */
+    out[44] = t65;
+    const double t66 = x[9]*t29; /* s*C */
+    out[71] = t66;
+    const double t67 = x[9]*t28; /* s*S */
+    out[81] = t67;
+    const double t68 = t7*t67; /* s*R*s*S */
+    out[74] = t68;
+    const double t69 = t7*t66; /* s*R*s*C */
+    const double t70 = -t69; /* -s*R*s*C */
+    out[84] = t70;
+    const double t71 = p[1]*x[0]; /* R*gamma3 */
+    const double t72 = t67*t71; /* s*S*R*gamma3 */
+    out[73] = t72;
+    const double t73 = t66*t71; /* s*C*R*gamma3 */
+    const double t74 = -t73; /* -s*C*R*gamma3 */
+    out[83] = t74;
+    const double t75 = x[9]*x[2]; /* s*omega_tau */
+    const double t76 = 2.0*t75; /* 2*s*omega_tau */
+    out[9] = t76;
+    const double t77 = -t75; /* -s*omega_tau */
+    out[90] = t77;
+    const double t78 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t79 = p[1]*t78; /* R*omega_n*omega_n */
+    out[10] = t79;
+    const double t80 = -t78; /* -omega_n*omega_n */
+    out[20] = t80;
+    const double t81 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t82 = p[1]*t81; /* R*omega_n*omega3 */
+    out[19] = t82;
+    const double t83 = p[12]*t81; /* (-I3/I1)*omega_n*omega3 */
+    out[29] = t83;
+    const double t84 = x[1]*t67; /* v_nu*s*S */
+    const double t85 = JLT_FMS(t35, t66, t84); /* v_tau*s*C - v_nu*s*S */
+    out[75] = t85;
+    const double t86 = x[1]*t66; /* v_nu*s*C */
+    const double t87 = JLT_FMA(t35, t67, t86); /* v_tau*s*S + v_nu*s*C */
+    out[85] = t87;
+    const double t88 = x[1]*t29; /* v_nu*C */
+    const double t89 = JLT_FMA(t28, t36, t88); /* S*(omega3*s*R + v_tau) + v_nu*C */
+    out[79] = t89;
+    const double t90 = x[1]*t28; /* v_nu*S */
+    const double t91 = JLT_FNMA(t29, t36, t90); /* v_nu*S - C*(omega3*s*R + v_tau) */
     out[89] = t91;
-    const double t92 = -t1; /* -s*omega_tau */
-    out[90] = t92;
-    const double t93 = -t55; /* -s*gamma3 */
+    const double t92 = x[9]*x[0]; /* s*gamma3 */
+    const double t93 = -t92; /* -s*gamma3 */
     out[92] = t93;
     const double t94 = x[2]*x[0]; /* omega_tau*gamma3 */
     const double t95 = -t94; /* -omega_tau*gamma3 */
@@ -411,8 +422,8 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[74] = x[9];
-    out[70] = x[3];
     out[79] = x[4];
+    out[70] = x[3];
     out[73] = x[0];
     out[10] = 0.0;
     out[11] = 0.0;
@@ -483,151 +494,151 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t4 = JLT_FMA(p[22], t1, p[21]); /* m*R^2*I1*s*s + I1*I3 */
     const double t5 = JLT_FMA(x[0], t3, t4); /* Theta = gamma3*gamma3*m*R^2*I3 + m*R^2*I1*s*s + I1*I3 */
     const double t6 = 1.0/t5; /* 1/Theta */
-    const double t7 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t8 = x[9]*x[4]; /* s*omega3 */
+    const double t7 = x[9]*x[4]; /* s*omega3 */
+    const double t8 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
     const double t9 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t10 = x[2]*p[24]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t11 = x[9]*x[3]; /* s*omega_n */
-    const double t12 = p[1]*t11; /* R*s*omega_n */
-    out[24] = t12;
-    const double t13 = p[12]*t11; /* (-I3/I1)*s*omega_n */
-    out[34] = t13;
-    const double t14 = p[26]*t7; /* m*R*I1*V */
-    const double t15 = p[25]*t7; /* m*R*I3*V */
+    const double t10 = p[24]*t7; /* (I3^2 + m*R^2*I3)*s*omega3 */
+    const double t11 = p[26]*t8; /* m*R*I1*V */
+    const double t12 = p[25]*t8; /* m*R*I3*V */
+    const double t13 = x[9]*x[3]; /* s*omega_n */
+    const double t14 = p[1]*t13; /* R*s*omega_n */
+    out[24] = t14;
+    const double t15 = p[12]*t13; /* (-I3/I1)*s*omega_n */
+    out[34] = t15;
     const double t16 = x[9]*x[0]; /* s*gamma3 */
     const double t17 = -t16; /* -s*gamma3 */
     out[102] = t17;
-    const double t18 = cos(x[5]); /* C = cos(chi) */
-    const double t19 = x[9]*t18; /* s*C */
-    out[81] = t19;
-    const double t20 = sin(x[5]); /* S = sin(chi) */
-    const double t21 = x[9]*t20; /* s*S */
-    out[91] = t21;
-    const double t22 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t23 = -t22; /* -omega_tau*gamma3 */
-    out[109] = t23;
-    const double t24 = p[32]*t22; /* 2*m*R^2*(I1 - I3)*omega_tau*gamma3 */
-    const double t25 = t8 + t9; /* s*omega3 + omega_n*gamma3 */
-    out[6] = t25;
-    const double t26 = p[6]*t8; /* I3/I1*s*omega3 */
-    const double t27 = t8*t10; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t28 = JLT_FNMA(t9, t15, t27); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
-    const double t29 = JLT_FNMA(t6, t15, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t30 = t6*t28; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t31 = JLT_FMA(x[2], t9, t30); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t31;
-    const double t32 = x[0]*t29; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[43] = t32;
-    const double t33 = x[3]*t29; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t34 = t11*t14; /* s*omega_n*m*R*I1*V */
-    const double t35 = p[27]*t8; /* m*R^2*(I1 - I3)*s*omega3 */
-    const double t36 = x[2]*t16; /* omega_tau*s*gamma3 */
-    const double t37 = JLT_FMS(t35, t36, t34); /* numerator of d(omega3)/dt over Theta = m*R^2*(I1 - I3)*s*omega3*omega_tau*s*gamma3 - s*omega_n*m*R*I1*V */
-    const double t38 = t6*t37; /* 1/Theta*numerator of d(omega3)/dt over Theta */
-    out[4] = t38;
-    const double t39 = -t36; /* -omega_tau*s*gamma3 */
-    out[9] = t39;
-    const double t40 = p[27]*t36; /* m*R^2*(I1 - I3)*omega_tau*s*gamma3 */
-    const double t41 = x[1]*t20; /* v_nu*S */
-    const double t42 = p[1]*t20; /* R*S */
-    const double t43 = t11*t42; /* s*omega_n*R*S */
-    out[80] = t43;
-    const double t44 = t16*t42; /* s*gamma3*R*S */
-    out[83] = t44;
-    const double t45 = t1*t42; /* s*s*R*S */
-    out[84] = t45;
-    const double t46 = p[1]*t18; /* R*C */
-    const double t47 = x[1]*t18; /* v_nu*C */
-    const double t48 = JLT_FNMA(t25, t46, t41); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
-    const double t49 = JLT_FMA(t25, t42, t47); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
-    const double t50 = JLT_FMA(t8, t42, t49); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
-    out[89] = t50;
-    const double t51 = x[9]*t49; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
-    out[7] = t51;
-    out[95] = t51;
-    const double t52 = t1*t46; /* s*s*R*C */
-    const double t53 = -t52; /* -s*s*R*C */
-    out[94] = t53;
-    const double t54 = JLT_FNMA(t8, t46, t48); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
-    out[99] = t54;
-    const double t55 = x[9]*t48; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
-    out[8] = t55;
-    const double t56 = -t55; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
-    out[85] = t56;
-    const double t57 = x[3]*t14; /* omega_n*m*R*I1*V */
-    const double t58 = JLT_FMS(t8, t24, t57); /* d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*2*m*R^2*(I1 - I3)*omega_tau*gamma3 - omega_n*m*R*I1*V */
-    const double t59 = t6*t58; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t60 = t9 + t26; /* omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t61 = x[3]*t60; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    const double t62 = -t61; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
-    out[2] = t62;
-    const double t63 = JLT_FMA(2.0, t9, t26); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
-    const double t64 = -t63; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
-    out[33] = t64;
-    const double t65 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
-    const double t66 = t6*t65; /* 1/Theta*gamma3*2*m*R^2*I3 */
-    const double t67 = JLT_FNMA(t30, t66, t33); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[40] = t67;
-    const double t68 = p[24]*t8; /* (I3^2 + m*R^2*I3)*s*omega3 */
-    const double t69 = p[1]*t8; /* R*s*omega3 */
-    const double t70 = JLT_FMA(p[11], t9, t69); /* 2*R*omega_n*gamma3 + R*s*omega3 */
-    out[23] = t70;
-    const double t71 = JLT_FNMA(p[23], t9, t68); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
-    const double t72 = JLT_FMA(t6, t71, t9); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[42] = t72;
-    const double t73 = p[29]*t9; /* (-m*R*I3)*omega_n*gamma3 */
-    const double t74 = t6*t73; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
-    out[41] = t74;
-    const double t75 = x[9]*t6; /* s*1/Theta */
-    const double t76 = t40*t75; /* m*R^2*(I1 - I3)*omega_tau*s*gamma3*s*1/Theta */
-    out[54] = t76;
-    const double t77 = t14*t75; /* m*R*I1*V*s*1/Theta */
-    const double t78 = -t77; /* -m*R*I1*V*s*1/Theta */
-    out[53] = t78;
-    const double t79 = t10*t75; /* omega_tau*(I3^2 + m*R^2*I3)*s*1/Theta */
-    out[44] = t79;
-    const double t80 = x[4]*t10; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t81 = t6*t80; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t82 = x[2]*t35; /* omega_tau*m*R^2*(I1 - I3)*s*omega3 */
-    const double t83 = t16*t35; /* s*gamma3*m*R^2*(I1 - I3)*s*omega3 */
-    const double t84 = t75*t82; /* s*1/Theta*omega_tau*m*R^2*(I1 - I3)*s*omega3 */
-    const double t85 = JLT_FNMA(t38, t66, t84); /* s*1/Theta*omega_tau*m*R^2*(I1 - I3)*s*omega3 - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
-    out[50] = t85;
-    const double t86 = p[30]*t75; /* 2*m*R^2*I1*s*1/Theta */
-    const double t87 = JLT_FNMA(t30, t86, t81); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[49] = t87;
-    const double t88 = JLT_FNMA(t38, t86, t59); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
-    out[59] = t88;
-    const double t89 = JLT_FNMA(p[22], t11, t83); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R^2*I1*s*omega_n */
-    const double t90 = t6*t89; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
-    out[52] = t90;
-    const double t91 = t16*t46; /* s*gamma3*R*C */
-    const double t92 = -t91; /* -s*gamma3*R*C */
-    out[93] = t92;
-    const double t93 = t11*t46; /* s*omega_n*R*C */
-    const double t94 = -t93; /* -s*omega_n*R*C */
-    out[90] = t94;
-    const double t95 = p[31]*t11; /* (-m*R*I1)*s*omega_n */
-    const double t96 = t6*t95; /* 1/Theta*(-m*R*I1)*s*omega_n */
-    out[51] = t96;
-    const double t97 = p[1]*x[3]; /* R*omega_n */
-    const double t98 = t25*t97; /* (s*omega3 + omega_n*gamma3)*R*omega_n */
-    out[1] = t98;
-    const double t99 = x[3]*t97; /* omega_n*R*omega_n */
-    out[20] = t99;
-    const double t100 = x[4]*t97; /* omega3*R*omega_n */
-    out[29] = t100;
-    const double t101 = x[2]*x[9]; /* omega_tau*s */
-    const double t102 = 2.0*t101; /* 2*omega_tau*s */
-    out[19] = t102;
-    const double t103 = -t101; /* -omega_tau*s */
-    out[100] = t103;
-    const double t104 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t105 = -t104; /* -omega_n*omega_n */
-    out[30] = t105;
-    const double t106 = x[3]*p[12]; /* omega_n*(-I3/I1) */
-    const double t107 = x[4]*t106; /* omega3*omega_n*(-I3/I1) */
-    out[39] = t107;
+    const double t18 = p[27]*t7; /* m*R^2*(I1 - I3)*s*omega3 */
+    const double t19 = cos(x[5]); /* C = cos(chi) */
+    const double t20 = x[9]*t19; /* s*C */
+    out[81] = t20;
+    const double t21 = sin(x[5]); /* S = sin(chi) */
+    const double t22 = x[9]*t21; /* s*S */
+    out[91] = t22;
+    const double t23 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t24 = -t23; /* -omega_tau*gamma3 */
+    out[109] = t24;
+    const double t25 = p[32]*t23; /* 2*m*R^2*(I1 - I3)*omega_tau*gamma3 */
+    const double t26 = t7 + t9; /* s*omega3 + omega_n*gamma3 */
+    out[6] = t26;
+    const double t27 = p[6]*t7; /* I3/I1*s*omega3 */
+    const double t28 = x[2]*t10; /* omega_tau*(I3^2 + m*R^2*I3)*s*omega3 */
+    const double t29 = JLT_FNMA(t9, t12, t28); /* numerator of d(omega_n)/dt over Theta = omega_tau*(I3^2 + m*R^2*I3)*s*omega3 - omega_n*gamma3*m*R*I3*V */
+    const double t30 = JLT_FNMA(t6, t12, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
+    const double t31 = t6*t29; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t32 = JLT_FNMA(p[23], t9, t10); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
+    const double t33 = JLT_FMA(t6, t32, t9); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[42] = t33;
+    const double t34 = JLT_FMA(x[2], t9, t31); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t34;
+    const double t35 = x[0]*t30; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
+    out[43] = t35;
+    const double t36 = x[3]*t30; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
+    const double t37 = t11*t13; /* m*R*I1*V*s*omega_n */
+    const double t38 = t16*t18; /* s*gamma3*m*R^2*(I1 - I3)*s*omega3 */
+    const double t39 = JLT_FMS(x[2], t38, t37); /* numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R*I1*V*s*omega_n */
+    const double t40 = t6*t39; /* 1/Theta*numerator of d(omega3)/dt over Theta */
+    out[4] = t40;
+    const double t41 = JLT_FNMA(p[22], t13, t38); /* d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*m*R^2*(I1 - I3)*s*omega3 - m*R^2*I1*s*omega_n */
+    const double t42 = t6*t41; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(omega_tau) */
+    out[52] = t42;
+    const double t43 = x[1]*t21; /* v_nu*S */
+    const double t44 = p[1]*t21; /* R*S */
+    const double t45 = t13*t44; /* s*omega_n*R*S */
+    out[80] = t45;
+    const double t46 = t16*t44; /* s*gamma3*R*S */
+    out[83] = t46;
+    const double t47 = t1*t44; /* s*s*R*S */
+    out[84] = t47;
+    const double t48 = p[1]*t19; /* R*C */
+    const double t49 = x[1]*t19; /* v_nu*C */
+    const double t50 = JLT_FNMA(t26, t48, t43); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C */
+    const double t51 = JLT_FMA(t26, t44, t49); /* (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    const double t52 = JLT_FMA(t7, t44, t51); /* s*omega3*R*S + (s*omega3 + omega_n*gamma3)*R*S + v_nu*C */
+    out[89] = t52;
+    const double t53 = x[9]*t51; /* s*((s*omega3 + omega_n*gamma3)*R*S + v_nu*C) */
+    out[7] = t53;
+    out[95] = t53;
+    const double t54 = t1*t48; /* s*s*R*C */
+    const double t55 = -t54; /* -s*s*R*C */
+    out[94] = t55;
+    const double t56 = JLT_FNMA(t7, t48, t50); /* v_nu*S - (s*omega3 + omega_n*gamma3)*R*C - s*omega3*R*C */
+    out[99] = t56;
+    const double t57 = x[9]*t50; /* s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    out[8] = t57;
+    const double t58 = -t57; /* -s*(v_nu*S - (s*omega3 + omega_n*gamma3)*R*C) */
+    out[85] = t58;
+    const double t59 = x[2]*x[9]; /* omega_tau*s */
+    const double t60 = 2.0*t59; /* 2*omega_tau*s */
+    out[19] = t60;
+    const double t61 = -t59; /* -omega_tau*s */
+    out[100] = t61;
+    const double t62 = x[2]*p[24]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t63 = x[4]*t62; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t64 = t6*t63; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t65 = x[3]*t11; /* omega_n*m*R*I1*V */
+    const double t66 = JLT_FMS(t7, t25, t65); /* d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*2*m*R^2*(I1 - I3)*omega_tau*gamma3 - omega_n*m*R*I1*V */
+    const double t67 = p[1]*t7; /* R*s*omega3 */
+    const double t68 = JLT_FMA(p[11], t9, t67); /* 2*R*omega_n*gamma3 + R*s*omega3 */
+    out[23] = t68;
+    const double t69 = t6*t66; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
+    const double t70 = t9 + t27; /* omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t71 = x[3]*t70; /* omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    const double t72 = -t71; /* -omega_n*(omega_n*gamma3 + I3/I1*s*omega3) */
+    out[2] = t72;
+    const double t73 = JLT_FMA(2.0, t9, t27); /* 2*omega_n*gamma3 + I3/I1*s*omega3 */
+    const double t74 = -t73; /* -(2*omega_n*gamma3 + I3/I1*s*omega3) */
+    out[33] = t74;
+    const double t75 = p[29]*t9; /* (-m*R*I3)*omega_n*gamma3 */
+    const double t76 = t6*t75; /* 1/Theta*(-m*R*I3)*omega_n*gamma3 */
+    out[41] = t76;
+    const double t77 = x[0]*p[28]; /* gamma3*2*m*R^2*I3 */
+    const double t78 = t6*t77; /* 1/Theta*gamma3*2*m*R^2*I3 */
+    const double t79 = JLT_FNMA(t31, t78, t36); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 1/Theta*numerator of d(omega_n)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[40] = t79;
+    const double t80 = t6*t59; /* 1/Theta*omega_tau*s */
+    const double t81 = x[0]*t59; /* gamma3*omega_tau*s */
+    const double t82 = -t81; /* -gamma3*omega_tau*s */
+    out[9] = t82;
+    const double t83 = t18*t80; /* m*R^2*(I1 - I3)*s*omega3*1/Theta*omega_tau*s */
+    const double t84 = JLT_FNMA(t40, t78, t83); /* m*R^2*(I1 - I3)*s*omega3*1/Theta*omega_tau*s - 1/Theta*numerator of d(omega3)/dt over Theta*1/Theta*gamma3*2*m*R^2*I3 */
+    out[50] = t84;
+    const double t85 = p[24]*t80; /* (I3^2 + m*R^2*I3)*1/Theta*omega_tau*s */
+    out[44] = t85;
+    const double t86 = x[9]*t6; /* s*1/Theta */
+    const double t87 = t11*t86; /* m*R*I1*V*s*1/Theta */
+    const double t88 = -t87; /* -m*R*I1*V*s*1/Theta */
+    out[53] = t88;
+    const double t89 = p[30]*t86; /* 2*m*R^2*I1*s*1/Theta */
+    const double t90 = JLT_FNMA(t31, t89, t64); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[49] = t90;
+    const double t91 = JLT_FNMA(t40, t89, t69); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) - 1/Theta*numerator of d(omega3)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    out[59] = t91;
+    const double t92 = x[3]*p[1]; /* omega_n*R */
+    const double t93 = t26*t92; /* (s*omega3 + omega_n*gamma3)*omega_n*R */
+    out[1] = t93;
+    const double t94 = x[3]*t92; /* omega_n*omega_n*R */
+    out[20] = t94;
+    const double t95 = x[4]*t92; /* omega3*omega_n*R */
+    out[29] = t95;
+    const double t96 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t97 = -t96; /* -omega_n*omega_n */
+    out[30] = t97;
+    const double t98 = x[3]*p[12]; /* omega_n*(-I3/I1) */
+    const double t99 = x[4]*t98; /* omega3*omega_n*(-I3/I1) */
+    out[39] = t99;
+    const double t100 = p[31]*t13; /* (-m*R*I1)*s*omega_n */
+    const double t101 = t6*t100; /* 1/Theta*(-m*R*I1)*s*omega_n */
+    out[51] = t101;
+    const double t102 = t13*t48; /* s*omega_n*R*C */
+    const double t103 = -t102; /* -s*omega_n*R*C */
+    out[90] = t103;
+    const double t104 = t16*t48; /* s*gamma3*R*C */
+    const double t105 = -t104; /* -s*gamma3*R*C */
+    out[93] = t105;
+    const double t106 = p[27]*t16; /* m*R^2*(I1 - I3)*s*gamma3 */
+    const double t107 = t80*t106; /* 1/Theta*omega_tau*s*m*R^2*(I1 - I3)*s*gamma3 */
+    out[54] = t107;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -977,17 +988,17 @@ const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 10, { 4, 19, 9, 1, 0, 2, 7, 8 }, { 17, 71, 0, 6, 0, 2, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .jacobian = { jacobian, 100, { 13, 59, 21, 1, 0, 2, 9, 18 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
-    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 7, 21 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in d(spin)/dtau, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_n)/dtau, V/R = (1/R)*v_nu + omega_tau, d(omega_n)/dtau, d(omega3)/dtau, R*(omega_n*gamma3 + s*omega3)*S + v_nu*C, v_nu*S - R*(omega_n*gamma3 + s*omega3)*C" },
+    .jacobian = { jacobian, 100, { 13, 59, 21, 1, 0, 2, 10, 18 }, { 50, 292, 0, 31, 0, 2, 13, 7 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(omega_tau), v_tau = R*omega_n*gamma3 + omega3*s*R, omega3*s*R + v_tau, omega3*s*(I3/I1) + (2)*omega_n*gamma3, omega_tau - (I3/I1)*((1)/Theta/(m*R^2*I1))*V/R, a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(s), d(d(x)/dtau)/d(chi), d(d(y)/dtau)/d(chi), d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 110, { 15, 69, 21, 1, 0, 2, 7, 19 }, { 63, 347, 0, 37, 0, 2, 13, 10 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, d(spin)/dtau, numerator of d(omega_n)/dt over Theta = omega_tau*(I3^2 + m*R^2*I3)*s*omega3 - omega_n*gamma3*(m*R*I3)*V, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(omega_n)/dtau, numerator of d(omega3)/dt over Theta = omega_tau*s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R*I1)*V*s*omega_n, d(numerator of d(omega3)/dt over Theta)/d(omega_tau) = s*gamma3*(m*R^2*(I1 - I3))*s*omega3 - (m*R^2*I1)*s*omega_n, v_nu*S - (s*omega3 + omega_n*gamma3)*R*C, (s*omega3 + omega_n*gamma3)*R*S + v_nu*C, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(s) = s*omega3*(2*m*R^2*(I1 - I3))*omega_tau*gamma3 - omega_n*(m*R*I1)*V, d(d(v_nu)/dtau)/d(omega_n), omega_n*gamma3 + (I3/I1)*s*omega3, (2)*omega_n*gamma3 + (I3/I1)*s*omega3, d(d(omega_n)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 5, 3, 1, 0, 0, 5, 4 }, { 5, 23, 0, 2, 0, 0, 8, 5 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, s*s*((I1 - I3)/I1)*omega_tau - (I3/(R*I1))*V" },
     .integral_values = { integral_values, 4, { 1, 14, 10, 0, 0, 2, 6, 8 }, { 11, 38, 0, 0, 0, 2, 8, 7 },
-        "" },
+        "digits are lost where terms nearly cancel in v_tau/R = omega3*s + omega_n*gamma3, G, M_nu = v_tau/R*(m*R^2) + omega3*s*I3 + omega_n*gamma3*I1, M_tau = omega_tau*I1 - v_nu*(m*R), M_x, M_y" },
     .integral_gradients = { integral_gradients, 40, { 0, 31, 7, 0, 0, 2, 5, 8 }, { 16, 71, 0, 0, 0, 2, 7, 10 },
-        "" },
+        "digits are lost where terms nearly cancel in omega3*s + omega_n*gamma3, M_nu = s*omega3*(I3 + m*R^2) + omega_n*gamma3*(I1 + m*R^2), M_tau = I1*omega_tau - v_nu*(m*R), d(E)/d(omega_n), d(E)/d(omega3), d(M_x)/d(chi), d(M_y)/d(chi)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

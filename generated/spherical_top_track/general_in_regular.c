@@ -7,7 +7,7 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   27   15    1    0    2     10   11   (125)
- *  jacobian            15   82   35    1    0    2     14   24   (531)
+ *  jacobian            15   81   35    1    0    2     12   24   (531)
  *  rhs_jacobian        19   86   37    1    0    2      9   28   (628)
  *  divergence          0    8    9    1    0    0      8    7   (53)
  *  integral_values     0   12    9    0    0    0      5    7   (40)
@@ -16,6 +16,22 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
+ *    digits are lost where terms nearly cancel in b = R*gamma3 + a3,
+ *      omega_n*omega_n - s*omega_tau*(m*a3^2/I1)*s*omega_tau, e = a3*gamma3 + R,
+ *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), V = omega_tau*e + v_nu,
+ *      d(d(omega_n)/dtau)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), d(d(v_nu)/dtau)/d(omega_n),
+ *      (m*R*I3)*e + I3^2,
+ *      numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b,
+ *      d(omega_n)/dtau, a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s),
+ *      omega_n*b + R*s*omega3, (2*I1)*omega_n*gamma3 + I3*s*omega3, d(spin)/dtau, v_nu*S - (omega_n*b + R*s*omega3)*C,
+ *      d(d(y)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s),
+ *      d(numerator of d(omega_n)/dt over Theta)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(s),
+ *      d(numerator of d(omega3)/dt over Theta)/d(gamma3) = s*omega3*(m*R^2*(I1 - I3))*s*omega_tau - s*omega_tau*omega_n*(m*R*a3*I1),
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b,
+ *      d(d(omega_n)/dtau)/d(omega_tau), (m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)))*s*s*omega3 + e*(m*R*I1)*s*omega_n,
+ *      S*(omega_n*b + R*s*omega3) + v_nu*C, d(d(x)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3),
+ *      a part of d(d(omega3)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_n)/dtau)/d(s),
+ *      d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -48,22 +64,22 @@ static void prepare(const double *restrict params, double *restrict out)
     out[7] = t4;
     const double t5 = params[3]*params[3]; /* a3*a3 */
     const double t6 = params[0]*t5; /* m*a3*a3 */
-    out[19] = t6;
+    out[37] = t6;
     const double t7 = t6/params[4]; /* m*a3*a3/I1 */
     out[8] = t7;
     const double t8 = params[5]/params[4]; /* I3/I1 */
     out[9] = t8;
     const double t9 = params[0]*params[2]; /* m*g */
     const double t10 = params[3]*t9; /* a3*m*g */
-    out[24] = t10;
+    out[33] = t10;
     const double t11 = t10/params[4]; /* a3*m*g/I1 */
     out[10] = t11;
     const double t12 = params[1]*params[4]; /* R*I1 */
-    out[48] = t12;
+    out[57] = t12;
     const double t13 = params[5]/t12; /* I3/(R*I1) */
     out[11] = t13;
     const double t14 = params[0]*params[1]; /* m*R */
-    out[37] = t14;
+    out[58] = t14;
     const double t15 = params[5]/t14; /* I3/(m*R) */
     out[12] = t15;
     const double t16 = 1.0/params[1]; /* 1/R */
@@ -74,84 +90,105 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t19 = params[5]*params[3]; /* I3*a3 */
     const double t20 = t19/t12; /* I3*a3/(R*I1) */
     out[15] = t20;
-    const double t21 = params[5]*params[4]; /* I3*I1 */
-    out[16] = t21;
-    const double t22 = t1*params[4]; /* m*R*R*I1 */
-    out[17] = t22;
-    const double t23 = params[0]*params[5]; /* m*I3 */
-    out[18] = t23;
-    const double t24 = params[0]*2.0; /* m*2 */
-    const double t25 = t5*t24; /* a3*a3*m*2 */
-    out[20] = t25;
-    const double t26 = params[4]*2.0; /* I1*2 */
-    out[21] = t26;
-    const double t27 = -params[5]; /* -I3 */
-    out[22] = t27;
-    const double t28 = params[4]*t25; /* I1*a3*a3*m*2 */
-    out[23] = t28;
-    const double t29 = params[3]*t14; /* a3*m*R */
-    const double t30 = params[5]*t29; /* I3*a3*m*R */
-    out[25] = t30;
-    const double t31 = params[0]*params[3]; /* m*a3 */
-    const double t32 = params[5]*t31; /* I3*m*a3 */
-    out[26] = t32;
-    const double t33 = params[5]*t14; /* I3*m*R */
-    out[27] = t33;
-    const double t34 = params[0]*params[0]; /* m*m */
-    const double t35 = 2.0*t34; /* 2*m*m */
-    const double t36 = t0*t35; /* R*R*2*m*m */
-    const double t37 = params[5]*params[5]; /* I3*I3 */
-    out[39] = t37;
-    const double t38 = t36*t37; /* R*R*2*m*m*I3*I3 */
-    out[28] = t38;
-    const double t39 = params[1]*t0; /* R*R*R */
-    const double t40 = t35*t39; /* 2*m*m*R*R*R */
-    const double t41 = params[4]*t40; /* I1*2*m*m*R*R*R */
-    const double t42 = params[5]*t41; /* I3*I1*2*m*m*R*R*R */
-    out[29] = t42;
-    const double t43 = t0*t34; /* R*R*m*m */
-    const double t44 = params[5]*t43; /* I3*R*R*m*m */
-    out[30] = t44;
-    const double t45 = params[3]*2.0; /* a3*2 */
-    const double t46 = params[5]*t45; /* I3*a3*2 */
-    out[31] = t46;
-    const double t47 = params[1]*2.0; /* R*2 */
-    const double t48 = t17*t47; /* (I1 - I3)*R*2 */
-    out[32] = t48;
-    const double t49 = params[4]*t29; /* I1*a3*m*R */
-    out[33] = t49;
-    const double t50 = t1*t17; /* m*R*R*(I1 - I3) */
-    out[34] = t50;
-    const double t51 = params[4]*t14; /* I1*m*R */
-    out[35] = t51;
-    const double t52 = -t51; /* -I1*m*R */
-    out[36] = t52;
-    const double t53 = t34*t39; /* m*m*R*R*R */
-    const double t54 = params[4]*t53; /* I1*m*m*R*R*R */
-    out[38] = t54;
-    const double t55 = params[2]*t24; /* g*m*2 */
-    const double t56 = params[3]*t55; /* a3*g*m*2 */
-    out[40] = t56;
-    const double t57 = params[1]*t24; /* R*m*2 */
-    const double t58 = params[5]*t57; /* I3*R*m*2 */
-    out[41] = t58;
-    const double t59 = t0*t24; /* R*R*m*2 */
-    const double t60 = params[4]*t59; /* I1*R*R*m*2 */
-    out[42] = t60;
-    const double t61 = t17*t59; /* (I1 - I3)*R*R*m*2 */
-    out[43] = t61;
-    const double t62 = params[3]*t57; /* a3*R*m*2 */
-    const double t63 = params[5]*t62; /* I3*a3*R*m*2 */
+    const double t21 = params[0]*2.0; /* m*2 */
+    const double t22 = t5*t21; /* a3*a3*m*2 */
+    out[43] = t22;
+    const double t23 = t22/params[4]; /* a3*a3*m*2/I1 */
+    out[16] = t23;
+    const double t24 = -params[5]; /* -I3 */
+    out[45] = t24;
+    const double t25 = -t8; /* -I3/I1 */
+    out[17] = t25;
+    const double t26 = params[2]*t21; /* g*m*2 */
+    const double t27 = params[3]*t26; /* a3*g*m*2 */
+    out[46] = t27;
+    const double t28 = t27/params[4]; /* a3*g*m*2/I1 */
+    out[18] = t28;
+    const double t29 = params[4]*params[4]; /* I1*I1 */
+    const double t30 = params[5]*t22; /* I3*a3*a3*m*2 */
+    const double t31 = t30/t29; /* I3*a3*a3*m*2/(I1*I1) */
+    out[19] = t31;
+    const double t32 = t19/t3; /* I3*a3/(R*R*I1) */
+    out[20] = t32;
+    const double t33 = params[1]*t0; /* R*R*R */
+    const double t34 = t29*t33; /* I1*I1*R*R*R */
+    const double t35 = params[5]*params[5]; /* I3*I3 */
+    out[38] = t35;
+    const double t36 = 2.0*t35; /* 2*I3*I3 */
+    const double t37 = t36/t34; /* 2*I3*I3/(I1*I1*R*R*R) */
+    out[21] = t37;
+    const double t38 = t0*t29; /* R*R*I1*I1 */
+    const double t39 = t36/t38; /* 2*I3*I3/(R*R*I1*I1) */
+    out[22] = t39;
+    const double t40 = params[5]*2.0; /* I3*2 */
+    const double t41 = t40/t3; /* I3*2/(R*R*I1) */
+    out[23] = t41;
+    const double t42 = t40/t12; /* I3*2/(R*I1) */
+    out[24] = t42;
+    const double t43 = params[3]/params[1]; /* a3/R */
+    out[25] = t43;
+    const double t44 = params[3]*2.0; /* a3*2 */
+    const double t45 = params[5]*t44; /* I3*a3*2 */
+    const double t46 = t45/t38; /* I3*a3*2/(R*R*I1*I1) */
+    out[26] = t46;
+    const double t47 = params[1]*t29; /* R*I1*I1 */
+    const double t48 = t17*2.0; /* (I1 - I3)*2 */
+    const double t49 = t48/t47; /* (I1 - I3)*2/(R*I1*I1) */
+    out[27] = t49;
+    const double t50 = (-1.0)/params[1]; /* (-1)/R */
+    out[28] = t50;
+    const double t51 = params[4]/params[0]; /* I1/m */
+    out[29] = t51;
+    const double t52 = t45/t34; /* I3*a3*2/(I1*I1*R*R*R) */
+    out[30] = t52;
+    const double t53 = t48/t38; /* (I1 - I3)*2/(R*R*I1*I1) */
+    out[31] = t53;
+    const double t54 = 2.0/params[1]; /* 2/R */
+    out[32] = t54;
+    const double t55 = params[5]*params[4]; /* I3*I1 */
+    out[34] = t55;
+    const double t56 = t1*params[4]; /* m*R*R*I1 */
+    out[35] = t56;
+    const double t57 = params[0]*params[5]; /* m*I3 */
+    out[36] = t57;
+    const double t58 = params[5]*t14; /* I3*m*R */
+    out[39] = t58;
+    const double t59 = params[4]*t14; /* I1*m*R */
+    out[40] = t59;
+    const double t60 = params[3]*t14; /* a3*m*R */
+    const double t61 = params[5]*t60; /* I3*a3*m*R */
+    out[41] = t61;
+    const double t62 = t1*t17; /* m*R*R*(I1 - I3) */
+    out[42] = t62;
+    const double t63 = params[4]*2.0; /* I1*2 */
     out[44] = t63;
-    const double t64 = params[0]/2.0; /* m/2 */
-    out[45] = t64;
-    const double t65 = params[4]/2.0; /* I1/2 */
-    out[46] = t65;
-    const double t66 = params[5]/2.0; /* I3/2 */
-    out[47] = t66;
-    const double t67 = params[1]*params[5]; /* R*I3 */
-    const double t68 = -t67; /* -R*I3 */
-    out[49] = t68;
+    const double t64 = params[0]*params[3]; /* m*a3 */
+    const double t65 = params[5]*t64; /* I3*m*a3 */
+    out[47] = t65;
+    const double t66 = params[1]*t21; /* R*m*2 */
+    const double t67 = params[5]*t66; /* I3*R*m*2 */
+    out[48] = t67;
+    const double t68 = t0*t21; /* R*R*m*2 */
+    const double t69 = params[4]*t68; /* I1*R*R*m*2 */
+    out[49] = t69;
+    const double t70 = params[4]*t60; /* I1*a3*m*R */
+    out[50] = t70;
+    const double t71 = -t59; /* -I1*m*R */
+    out[51] = t71;
+    const double t72 = t17*t68; /* (I1 - I3)*R*R*m*2 */
+    out[52] = t72;
+    const double t73 = params[3]*t66; /* a3*R*m*2 */
+    const double t74 = params[5]*t73; /* I3*a3*R*m*2 */
+    out[53] = t74;
+    const double t75 = params[0]/2.0; /* m/2 */
+    out[54] = t75;
+    const double t76 = params[4]/2.0; /* I1/2 */
+    out[55] = t76;
+    const double t77 = params[5]/2.0; /* I3/2 */
+    out[56] = t77;
+    const double t78 = params[1]*params[5]; /* R*I3 */
+    const double t79 = -t78; /* -R*I3 */
+    out[59] = t79;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -284,8 +321,8 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t2 = 2.0*t1; /* 2*s*omega_tau */
     out[9] = t2;
     out[60] = x[3];
-    const double t3 = x[3]*p[1]; /* omega_n*R */
-    const double t4 = x[3]*t3; /* omega_n*omega_n*R */
+    const double t3 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t4 = p[1]*t3; /* R*omega_n*omega_n */
     out[10] = t4;
     out[63] = x[0];
     const double t5 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
@@ -297,164 +334,163 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[13] = t9;
     const double t10 = x[3]*t7; /* omega_n*s*R */
     out[14] = t10;
-    const double t11 = t3*x[4]; /* omega_n*R*omega3 */
-    out[19] = t11;
-    const double t12 = t5*p[18]; /* b*m*I3 */
-    const double t13 = JLT_FMA(t0, p[17], p[16]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t14 = JLT_FMA(t5, t12, t13); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
-    const double t15 = JLT_FMA(t0, p[19], p[4]); /* D = s*s*m*a3^2 + I1 */
-    const double t16 = t14*t15; /* Theta*D */
-    const double t17 = 1.0/t16; /* 1/(Theta*D) */
-    const double t18 = t14*t17; /* 1/D = Theta*1/(Theta*D) */
-    const double t19 = x[9]*t18; /* s*1/D */
-    const double t20 = x[2]*p[19]; /* omega_tau*m*a3^2 */
-    const double t21 = t1*t20; /* s*omega_tau*omega_tau*m*a3^2 */
-    const double t22 = t19*t21; /* s*1/D*s*omega_tau*omega_tau*m*a3^2 */
-    const double t23 = x[3]*t18; /* omega_n*1/D */
-    const double t24 = x[3]*p[4]; /* omega_n*I1 */
-    const double t25 = JLT_FNMA(t23, t24, t22); /* s*1/D*s*omega_tau*omega_tau*m*a3^2 - omega_n*1/D*omega_n*I1 */
-    out[20] = t25;
-    const double t26 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t27 = t19*p[20]; /* s*1/D*2*m*a3^2 */
-    const double t28 = x[9]*t27; /* s*s*1/D*2*m*a3^2 */
-    const double t29 = t26*t28; /* omega_tau*gamma3*s*s*1/D*2*m*a3^2 */
-    out[22] = t29;
-    const double t30 = x[0]*t23; /* gamma3*omega_n*1/D */
-    const double t31 = p[21]*t30; /* 2*I1*gamma3*omega_n*1/D */
-    const double t32 = x[4]*p[5]; /* omega3*I3 */
-    const double t33 = JLT_FMA(t19, t32, t31); /* s*1/D*omega3*I3 + 2*I1*gamma3*omega_n*1/D */
-    const double t34 = -t33; /* -(s*1/D*omega3*I3 + 2*I1*gamma3*omega_n*1/D) */
-    out[23] = t34;
-    const double t35 = x[3]*t19; /* omega_n*s*1/D */
-    const double t36 = p[22]*t35; /* (-I3)*omega_n*s*1/D */
-    out[24] = t36;
-    const double t37 = t35*p[23]; /* omega_n*s*1/D*2*m*a3^2*I1 */
-    const double t38 = t30*t37; /* gamma3*omega_n*1/D*omega_n*s*1/D*2*m*a3^2*I1 */
-    const double t39 = JLT_FMS(t27, t35, t23); /* s*1/D*2*m*a3^2*omega_n*s*1/D - omega_n*1/D */
-    const double t40 = 2.0 - t28; /* 2 - s*s*1/D*2*m*a3^2 */
-    const double t41 = JLT_FNMA(t20, t26, p[24]); /* m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3 */
-    const double t42 = t19*t41; /* s*1/D*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
-    const double t43 = JLT_FMA(t32, t39, t38); /* omega3*I3*(s*1/D*2*m*a3^2*omega_n*s*1/D - omega_n*1/D) + gamma3*omega_n*1/D*omega_n*s*1/D*2*m*a3^2*I1 */
-    const double t44 = JLT_FNMA(t40, t42, t43); /* t43 - (2 - s*s*1/D*2*m*a3^2)*s*1/D*(m*g*a3 - omega_tau*m*a3^2*omega_tau*gamma3) */
-    out[29] = t44;
-    const double t45 = t15*t17; /* 1/Theta = D*1/(Theta*D) */
-    const double t46 = x[9]*t45; /* s*1/Theta */
-    const double t47 = x[2]*t46; /* omega_tau*s*1/Theta */
-    const double t48 = x[4]*t47; /* omega3*omega_tau*s*1/Theta */
-    const double t49 = p[25]*t48; /* m*R*a3*I3*omega3*omega_tau*s*1/Theta */
-    const double t50 = t6*t45; /* omega_n*b*1/Theta */
-    const double t51 = JLT_FNMA(p[26], t50, x[3]); /* omega_n - m*a3*I3*omega_n*b*1/Theta */
-    const double t52 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t53 = JLT_FMA(x[2], t52, x[1]); /* V = omega_tau*e + v_nu */
-    const double t54 = t45*t53; /* 1/Theta*V */
-    const double t55 = x[3]*t54; /* omega_n*1/Theta*V */
-    const double t56 = t52 + p[12]; /* e + I3/(m*R) */
-    const double t57 = t48*t56; /* omega3*omega_tau*s*1/Theta*(e + I3/(m*R)) */
-    const double t58 = t6*t54; /* omega_n*b*1/Theta*V */
-    const double t59 = JLT_FNMA(p[13], t58, t57); /* omega3*omega_tau*s*1/Theta*(e + I3/(m*R)) - 1/R*omega_n*b*1/Theta*V */
-    const double t60 = t5*p[28]; /* b*2*m^2*R^2*I3^2 */
-    const double t61 = t45*t60; /* 1/Theta*b*2*m^2*R^2*I3^2 */
-    const double t62 = JLT_FNMA(p[27], t55, t49); /* m*R*a3*I3*omega3*omega_tau*s*1/Theta - m*R*I3*omega_n*1/Theta*V */
-    const double t63 = JLT_FMA(x[2], t51, t62); /* omega_tau*(omega_n - m*a3*I3*omega_n*b*1/Theta) + t62 */
-    const double t64 = JLT_FNMA(t59, t61, t63); /* omega_tau*(omega_n - m*a3*I3*omega_n*b*1/Theta) + t62 - t59*1/Theta*b*2*m^2*R^2*I3^2 */
-    out[30] = t64;
-    const double t65 = p[18]*t50; /* m*I3*omega_n*b*1/Theta */
-    const double t66 = -t65; /* -m*I3*omega_n*b*1/Theta */
-    out[31] = t66;
-    const double t67 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t68 = p[27]*t56; /* m*R*I3*(e + I3/(m*R)) */
-    const double t69 = x[4]*t68; /* omega3*m*R*I3*(e + I3/(m*R)) */
-    const double t70 = JLT_FMA(t46, t69, t67); /* s*1/Theta*omega3*m*R*I3*(e + I3/(m*R)) + omega_n*gamma3 */
-    const double t71 = JLT_FNMA(t52, t65, t70); /* s*1/Theta*omega3*m*R*I3*(e + I3/(m*R)) + omega_n*gamma3 - e*m*I3*omega_n*b*1/Theta */
-    out[32] = t71;
-    const double t72 = JLT_FNMA(t12, t54, t26); /* omega_tau*gamma3 - b*m*I3*1/Theta*V */
-    out[33] = t72;
-    const double t73 = t47*t68; /* omega_tau*s*1/Theta*m*R*I3*(e + I3/(m*R)) */
-    out[34] = t73;
-    const double t74 = x[2]*t69; /* omega_tau*omega3*m*R*I3*(e + I3/(m*R)) */
-    const double t75 = t45*t74; /* 1/Theta*omega_tau*omega3*m*R*I3*(e + I3/(m*R)) */
-    const double t76 = t46*p[29]; /* s*1/Theta*2*m^2*R^3*I1*I3 */
-    const double t77 = JLT_FNMA(t59, t76, t75); /* 1/Theta*omega_tau*omega3*m*R*I3*(e + I3/(m*R)) - t59*s*1/Theta*2*m^2*R^3*I1*I3 */
+    const double t11 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t12 = p[1]*t11; /* R*omega_n*omega3 */
+    out[19] = t12;
+    const double t13 = t5*t5; /* b*b */
+    const double t14 = t0 + p[6]; /* s*s + I3/(m*R^2) */
+    const double t15 = JLT_FMA(p[7], t13, t14); /* Theta/(m*R^2*I1) = I3/(R^2*I1)*b*b + s*s + I3/(m*R^2) */
+    const double t16 = JLT_FMA(t0, p[8], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t17 = t15*t16; /* Theta/(m*R^2*I1)*D/I1 */
+    const double t18 = 1.0/t17; /* 1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t19 = t15*t18; /* 1/(D/I1) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t20 = x[9]*t19; /* s*1/(D/I1) */
+    const double t21 = t1*t20; /* s*omega_tau*s*1/(D/I1) */
+    const double t22 = x[2]*p[8]; /* omega_tau*m*a3^2/I1 */
+    const double t23 = t21*t22; /* s*omega_tau*s*1/(D/I1)*omega_tau*m*a3^2/I1 */
+    const double t24 = JLT_FNMA(t3, t19, t23); /* s*omega_tau*s*1/(D/I1)*omega_tau*m*a3^2/I1 - omega_n*omega_n*1/(D/I1) */
+    out[20] = t24;
+    const double t25 = x[0]*p[16]; /* gamma3*2*m*a3^2/I1 */
+    const double t26 = t21*t25; /* s*omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[22] = t26;
+    const double t27 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t28 = (-2.0)*t27; /* (-2)*omega_n*gamma3 */
+    const double t29 = t19*t28; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
+    const double t30 = x[4]*t20; /* omega3*s*1/(D/I1) */
+    const double t31 = JLT_FMA(p[17], t30, t29); /* (-I3/I1)*omega3*s*1/(D/I1) + 1/(D/I1)*(-2)*omega_n*gamma3 */
+    out[23] = t31;
+    const double t32 = x[3]*t20; /* omega_n*s*1/(D/I1) */
+    const double t33 = p[17]*t32; /* (-I3/I1)*omega_n*s*1/(D/I1) */
+    out[24] = t33;
+    const double t34 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t35 = JLT_FNMA(t25, t34, p[18]); /* 2*m*g*a3/I1 - gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t36 = t20*t35; /* s*1/(D/I1)*t35 */
+    const double t37 = JLT_FMA(t11, p[9], t36); /* omega_n*omega3*I3/I1 + s*1/(D/I1)*t35 */
+    const double t38 = t19*t37; /* 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
+    const double t39 = t32*p[19]; /* omega_n*s*1/(D/I1)*2*m*a3^2*I3/I1^2 */
+    const double t40 = JLT_FMS(t30, t39, t38); /* omega3*s*1/(D/I1)*omega_n*s*1/(D/I1)*2*m*a3^2*I3/I1^2 - 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
+    out[29] = t40;
+    const double t41 = t16*t18; /* 1/(Theta/(m*R^2*I1)) = D/I1*1/(Theta/(m*R^2*I1)*D/I1) */
+    const double t42 = x[9]*t41; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t43 = x[2]*t42; /* omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t44 = x[4]*t43; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) */
+    const double t45 = t6*t41; /* omega_n*b*1/(Theta/(m*R^2*I1)) */
+    const double t46 = JLT_FNMA(p[20], t45, x[3]); /* omega_n - a3*I3/(R^2*I1)*omega_n*b*1/(Theta/(m*R^2*I1)) */
+    const double t47 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t48 = JLT_FMA(x[2], t47, x[1]); /* V = omega_tau*e + v_nu */
+    const double t49 = x[3]*t48; /* omega_n*V */
+    const double t50 = t41*t49; /* 1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t51 = p[11]*t50; /* I3/(R*I1)*1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t52 = t5*t41; /* b*1/(Theta/(m*R^2*I1)) */
+    const double t53 = t48*t52; /* V*b*1/(Theta/(m*R^2*I1)) */
+    const double t54 = t45*p[21]; /* omega_n*b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^3*I1^2) */
+    const double t55 = t47 + p[12]; /* e + I3/(m*R) */
+    const double t56 = t44*t55; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(e + I3/(m*R)) */
+    const double t57 = t52*p[22]; /* b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^2*I1^2) */
+    const double t58 = JLT_FMS(t53, t54, t51); /* V*b*1/(Theta/(m*R^2*I1))*omega_n*b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^3*I1^2) - I3/(R*I1)*1/(Theta/(m*R^2*I1))*omega_n*V */
+    const double t59 = JLT_FMA(p[15], t44, t58); /* a3*I3/(R*I1)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) + t58 */
+    const double t60 = JLT_FMA(x[2], t46, t59); /* omega_tau*(omega_n - a3*I3/(R^2*I1)*omega_n*b*1/(Theta/(m*R^2*I1))) + a3*I3/(R*I1)*omega3*omega_tau*s*1/(Theta/(m*R^2*I1)) + t58 */
+    const double t61 = JLT_FNMA(t56, t57, t60); /* t60 - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(e + I3/(m*R))*b*1/(Theta/(m*R^2*I1))*2*I3^2/(R^2*I1^2) */
+    out[30] = t61;
+    const double t62 = p[7]*t45; /* I3/(R^2*I1)*omega_n*b*1/(Theta/(m*R^2*I1)) */
+    const double t63 = -t62; /* -I3/(R^2*I1)*omega_n*b*1/(Theta/(m*R^2*I1)) */
+    out[31] = t63;
+    const double t64 = p[11]*t55; /* I3/(R*I1)*(e + I3/(m*R)) */
+    const double t65 = x[4]*t64; /* omega3*I3/(R*I1)*(e + I3/(m*R)) */
+    const double t66 = JLT_FMA(t42, t65, t27); /* s*1/(Theta/(m*R^2*I1))*omega3*I3/(R*I1)*(e + I3/(m*R)) + omega_n*gamma3 */
+    const double t67 = JLT_FNMA(t47, t62, t66); /* t66 - e*I3/(R^2*I1)*omega_n*b*1/(Theta/(m*R^2*I1)) */
+    out[32] = t67;
+    const double t68 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t69 = JLT_FNMA(p[7], t53, t68); /* omega_tau*gamma3 - I3/(R^2*I1)*V*b*1/(Theta/(m*R^2*I1)) */
+    out[33] = t69;
+    const double t70 = t43*t64; /* omega_tau*s*1/(Theta/(m*R^2*I1))*I3/(R*I1)*(e + I3/(m*R)) */
+    out[34] = t70;
+    const double t71 = x[2]*t65; /* omega_tau*omega3*I3/(R*I1)*(e + I3/(m*R)) */
+    const double t72 = t42*t48; /* s*1/(Theta/(m*R^2*I1))*V */
+    const double t73 = t45*p[23]; /* omega_n*b*1/(Theta/(m*R^2*I1))*2*I3/(R^2*I1) */
+    const double t74 = t72*t73; /* s*1/(Theta/(m*R^2*I1))*V*omega_n*b*1/(Theta/(m*R^2*I1))*2*I3/(R^2*I1) */
+    const double t75 = t42*p[24]; /* s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
+    const double t76 = JLT_FMA(t41, t71, t74); /* 1/(Theta/(m*R^2*I1))*omega_tau*omega3*I3/(R*I1)*(e + I3/(m*R)) + t74 */
+    const double t77 = JLT_FNMA(t56, t75, t76); /* t76 - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(e + I3/(m*R))*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
     out[39] = t77;
-    const double t78 = JLT_FNMA(x[0], p[32], p[31]); /* 2*a3*I3 - gamma3*2*R*(I1 - I3) */
-    const double t79 = t48*t78; /* omega3*omega_tau*s*1/Theta*(2*a3*I3 - gamma3*2*R*(I1 - I3)) */
-    const double t80 = t5*t79; /* b*omega3*omega_tau*s*1/Theta*(2*a3*I3 - gamma3*2*R*(I1 - I3)) */
-    const double t81 = JLT_FMA(p[21], t58, t80); /* 2*I1*omega_n*b*1/Theta*V + t80 */
-    const double t82 = t46*p[30]; /* s*1/Theta*m^2*R^2*I3 */
-    const double t83 = x[3]*p[33]; /* omega_n*m*R*a3*I1 */
-    const double t84 = t47*t83; /* omega_tau*s*1/Theta*omega_n*m*R*a3*I1 */
-    const double t85 = x[9]*p[34]; /* s*m*R^2*(I1 - I3) */
-    const double t86 = JLT_FMS(t48, t85, t84); /* omega3*omega_tau*s*1/Theta*s*m*R^2*(I1 - I3) - omega_tau*s*1/Theta*omega_n*m*R*a3*I1 */
-    const double t87 = JLT_FMA(t81, t82, t86); /* (2*I1*omega_n*b*1/Theta*V + t80)*s*1/Theta*m^2*R^2*I3 + t86 */
-    out[40] = t87;
-    const double t88 = x[3]*t46; /* omega_n*s*1/Theta */
-    const double t89 = p[35]*t88; /* m*R*I1*omega_n*s*1/Theta */
-    const double t90 = -t89; /* -m*R*I1*omega_n*s*1/Theta */
-    out[41] = t90;
-    const double t91 = t52*t89; /* e*m*R*I1*omega_n*s*1/Theta */
-    const double t92 = x[9]*p[25]; /* s*m*R*a3*I3 */
-    const double t93 = JLT_FNMA(x[0], t85, t92); /* s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3) */
-    const double t94 = x[4]*t93; /* omega3*(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3)) */
-    const double t95 = JLT_FMA(t46, t94, t91); /* s*1/Theta*omega3*(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3)) + e*m*R*I1*omega_n*s*1/Theta */
-    const double t96 = -t95; /* -t95 */
-    out[42] = t96;
-    const double t97 = t53*p[36]; /* V*(-m*R*I1) */
-    const double t98 = t46*t97; /* s*1/Theta*V*(-m*R*I1) */
-    out[43] = t98;
-    const double t99 = t47*t93; /* omega_tau*s*1/Theta*(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3)) */
-    const double t100 = -t99; /* -omega_tau*s*1/Theta*(s*m*R*a3*I3 - gamma3*s*m*R^2*(I1 - I3)) */
-    out[44] = t100;
-    const double t101 = t55*p[35]; /* omega_n*1/Theta*V*m*R*I1 */
-    const double t102 = x[9]*t79; /* s*omega3*omega_tau*s*1/Theta*(2*a3*I3 - gamma3*2*R*(I1 - I3)) */
-    const double t103 = p[21]*t53; /* 2*I1*V */
-    const double t104 = JLT_FMA(t88, t103, t102); /* omega_n*s*1/Theta*2*I1*V + t102 */
-    const double t105 = t46*p[38]; /* s*1/Theta*m^2*R^3*I1 */
-    const double t106 = JLT_FMS(t104, t105, t101); /* (omega_n*s*1/Theta*2*I1*V + t102)*s*1/Theta*m^2*R^3*I1 - omega_n*1/Theta*V*m*R*I1 */
-    const double t107 = JLT_FNMA(t79, p[37], t106); /* t106 - omega3*omega_tau*s*1/Theta*(2*a3*I3 - gamma3*2*R*(I1 - I3))*m*R */
-    out[49] = t107;
+    const double t78 = x[3]*p[25]; /* omega_n*a3/R */
+    const double t79 = x[9]*p[14]; /* s*(I1 - I3)/I1 */
+    const double t80 = JLT_FNMA(x[0], p[27], p[26]); /* 2*a3*I3/(R^2*I1^2) - gamma3*2*(I1 - I3)/(R*I1^2) */
+    const double t81 = t5*p[5]; /* b*I3 */
+    const double t82 = t80*t81; /* (2*a3*I3/(R^2*I1^2) - gamma3*2*(I1 - I3)/(R*I1^2))*b*I3 */
+    const double t83 = JLT_FMA(t42, t82, t79); /* s*1/(Theta/(m*R^2*I1))*(2*a3*I3/(R^2*I1^2) - gamma3*2*(I1 - I3)/(R*I1^2))*b*I3 + s*(I1 - I3)/I1 */
+    const double t84 = JLT_FNMA(t43, t78, t74); /* t74 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
+    const double t85 = JLT_FMA(t44, t83, t84); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t83 + t74 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
+    out[40] = t85;
+    const double t86 = x[3]*t42; /* omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t87 = p[13]*t86; /* 1/R*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t88 = -t87; /* -1/R*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    out[41] = t88;
+    const double t89 = t47*t87; /* e*1/R*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t90 = JLT_FNMA(x[0], p[14], p[15]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t91 = x[9]*t90; /* s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t92 = x[4]*t91; /* omega3*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t93 = JLT_FMA(t42, t92, t89); /* s*1/(Theta/(m*R^2*I1))*omega3*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + e*1/R*omega_n*s*1/(Theta/(m*R^2*I1)) */
+    const double t94 = -t93; /* -t93 */
+    out[42] = t94;
+    const double t95 = t72*p[28]; /* s*1/(Theta/(m*R^2*I1))*V*(-1/R) */
+    out[43] = t95;
+    const double t96 = t43*t91; /* omega_tau*s*1/(Theta/(m*R^2*I1))*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t97 = -t96; /* -t96 */
+    out[44] = t97;
+    const double t98 = t50*p[13]; /* 1/(Theta/(m*R^2*I1))*omega_n*V*1/R */
+    const double t99 = t13 + p[29]; /* b*b + I1/m */
+    const double t100 = JLT_FNMA(x[0], p[31], p[30]); /* 2*a3*I3/(R^3*I1^2) - gamma3*2*(I1 - I3)/(R^2*I1^2) */
+    const double t101 = p[5]*t100; /* I3*(2*a3*I3/(R^3*I1^2) - gamma3*2*(I1 - I3)/(R^2*I1^2)) */
+    const double t102 = t99*t101; /* (b*b + I1/m)*I3*(2*a3*I3/(R^3*I1^2) - gamma3*2*(I1 - I3)/(R^2*I1^2)) */
+    const double t103 = t41*t102; /* 1/(Theta/(m*R^2*I1))*t102 */
+    const double t104 = t72*p[32]; /* s*1/(Theta/(m*R^2*I1))*V*2/R */
+    const double t105 = JLT_FMS(t86, t104, t98); /* omega_n*s*1/(Theta/(m*R^2*I1))*s*1/(Theta/(m*R^2*I1))*V*2/R - 1/(Theta/(m*R^2*I1))*omega_n*V*1/R */
+    const double t106 = JLT_FNMA(t44, t103, t105); /* t105 - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*1/(Theta/(m*R^2*I1))*t102 */
+    out[49] = t106;
     out[53] = (-1.0);
-    const double t108 = sin(x[5]); /* S = sin(chi) */
-    const double t109 = t10*t108; /* omega_n*s*R*S */
-    out[70] = t109;
-    const double t110 = cos(x[5]); /* C = cos(chi) */
-    const double t111 = x[9]*t110; /* s*C */
-    out[71] = t111;
-    const double t112 = x[9]*t108; /* s*S */
-    out[81] = t112;
-    const double t113 = t5*t112; /* b*s*S */
-    out[73] = t113;
-    const double t114 = t7*t112; /* s*R*s*S */
-    out[74] = t114;
-    const double t115 = x[1]*t108; /* v_nu*S */
-    const double t116 = t6 + t8; /* v_tau = omega_n*b + omega3*s*R */
-    const double t117 = JLT_FNMA(t110, t116, t115); /* v_nu*S - C*v_tau */
-    const double t118 = x[9]*t117; /* s*(v_nu*S - C*v_tau) */
-    const double t119 = -t118; /* -s*(v_nu*S - C*v_tau) */
-    out[75] = t119;
-    const double t120 = x[1]*t110; /* v_nu*C */
-    const double t121 = JLT_FMA(t108, t116, t120); /* S*v_tau + v_nu*C */
-    const double t122 = JLT_FMA(t8, t108, t121); /* omega3*s*R*S + S*v_tau + v_nu*C */
-    out[79] = t122;
-    const double t123 = t10*t110; /* omega_n*s*R*C */
-    const double t124 = -t123; /* -omega_n*s*R*C */
-    out[80] = t124;
-    const double t125 = t5*t111; /* b*s*C */
-    const double t126 = -t125; /* -b*s*C */
-    out[83] = t126;
-    const double t127 = t7*t111; /* s*R*s*C */
-    const double t128 = -t127; /* -s*R*s*C */
-    out[84] = t128;
-    const double t129 = x[9]*t121; /* s*(S*v_tau + v_nu*C) */
-    out[85] = t129;
-    const double t130 = JLT_FNMA(t8, t110, t117); /* v_nu*S - C*v_tau - omega3*s*R*C */
-    out[89] = t130;
-    const double t131 = -t1; /* -s*omega_tau */
-    out[90] = t131;
-    const double t132 = x[9]*x[0]; /* s*gamma3 */
-    const double t133 = -t132; /* -s*gamma3 */
-    out[92] = t133;
-    const double t134 = -t26; /* -omega_tau*gamma3 */
-    out[99] = t134;
+    const double t107 = sin(x[5]); /* S = sin(chi) */
+    const double t108 = t10*t107; /* omega_n*s*R*S */
+    out[70] = t108;
+    const double t109 = cos(x[5]); /* C = cos(chi) */
+    const double t110 = x[9]*t109; /* s*C */
+    out[71] = t110;
+    const double t111 = x[9]*t107; /* s*S */
+    out[81] = t111;
+    const double t112 = t5*t111; /* b*s*S */
+    out[73] = t112;
+    const double t113 = t7*t111; /* s*R*s*S */
+    out[74] = t113;
+    const double t114 = x[1]*t111; /* v_nu*s*S */
+    const double t115 = t6 + t8; /* v_tau = omega_n*b + omega3*s*R */
+    const double t116 = JLT_FMS(t110, t115, t114); /* s*C*v_tau - v_nu*s*S */
+    out[75] = t116;
+    const double t117 = x[1]*t109; /* v_nu*C */
+    const double t118 = t8 + t115; /* omega3*s*R + v_tau */
+    const double t119 = JLT_FMA(t107, t118, t117); /* S*(omega3*s*R + v_tau) + v_nu*C */
+    out[79] = t119;
+    const double t120 = t10*t109; /* omega_n*s*R*C */
+    const double t121 = -t120; /* -omega_n*s*R*C */
+    out[80] = t121;
+    const double t122 = t5*t110; /* b*s*C */
+    const double t123 = -t122; /* -b*s*C */
+    out[83] = t123;
+    const double t124 = t7*t110; /* s*R*s*C */
+    const double t125 = -t124; /* -s*R*s*C */
+    out[84] = t125;
+    const double t126 = x[1]*t110; /* v_nu*s*C */
+    const double t127 = JLT_FMA(t111, t115, t126); /* s*S*v_tau + v_nu*s*C */
+    out[85] = t127;
+    const double t128 = x[1]*t107; /* v_nu*S */
+    const double t129 = JLT_FNMA(t109, t118, t128); /* v_nu*S - C*(omega3*s*R + v_tau) */
+    out[89] = t129;
+    const double t130 = -t1; /* -s*omega_tau */
+    out[90] = t130;
+    const double t131 = x[9]*x[0]; /* s*gamma3 */
+    const double t132 = -t131; /* -s*gamma3 */
+    out[92] = t132;
+    const double t133 = -t68; /* -omega_tau*gamma3 */
+    out[99] = t133;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -526,10 +562,10 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t2 = x[9]*x[9]; /* s*s */
     out[12] = t2;
-    const double t3 = p[18]*t1; /* m*I3*b */
-    const double t4 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t3 = p[36]*t1; /* m*I3*b */
+    const double t4 = JLT_FMA(p[35], t2, p[34]); /* m*R^2*I1*s*s + I1*I3 */
     const double t5 = JLT_FMA(t1, t3, t4); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
-    const double t6 = JLT_FMA(p[19], t2, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t6 = JLT_FMA(p[37], t2, p[4]); /* D = m*a3^2*s*s + I1 */
     const double t7 = t5*t6; /* Theta*D */
     const double t8 = 1.0/t7; /* 1/(Theta*D) */
     const double t9 = t5*t8; /* 1/D = Theta*1/(Theta*D) */
@@ -551,7 +587,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t21 = p[4]*t20; /* I1*(omega_n*omega_n - s*omega_tau*m*a3^2/I1*s*omega_tau) */
     const double t22 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
     const double t23 = x[9]*x[3]; /* s*omega_n */
-    const double t24 = p[24]*t2; /* m*g*a3*s*s */
+    const double t24 = p[33]*t2; /* m*g*a3*s*s */
     const double t25 = p[1]*t2; /* R*s*s */
     const double t26 = p[5]*t15; /* I3*s*omega3 */
     const double t27 = JLT_FMA(x[3], t26, t24); /* omega_n*I3*s*omega3 + m*g*a3*s*s */
@@ -569,29 +605,29 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t36 = t3*t35; /* m*I3*b*V */
     const double t37 = JLT_FNMA(t10, t36, t33); /* omega_tau*gamma3 - 1/Theta*m*I3*b*V */
     out[43] = t37;
-    const double t38 = p[18]*t16; /* m*I3*omega_n*b */
+    const double t38 = p[36]*t16; /* m*I3*omega_n*b */
     const double t39 = x[4]*t11; /* omega3*s*omega_tau */
-    const double t40 = p[35]*t23; /* m*R*I1*s*omega_n */
-    const double t41 = JLT_FNMA(x[0], p[34], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t40 = p[40]*t23; /* m*R*I1*s*omega_n */
+    const double t41 = JLT_FNMA(x[0], p[42], p[41]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
     const double t42 = x[0]*t11; /* gamma3*s*omega_tau */
     const double t43 = -t42; /* -gamma3*s*omega_tau */
     out[9] = t43;
-    const double t44 = p[20]*t11; /* 2*m*a3^2*s*omega_tau */
-    const double t45 = x[4]*p[43]; /* omega3*2*m*R^2*(I1 - I3) */
+    const double t44 = p[43]*t11; /* 2*m*a3^2*s*omega_tau */
+    const double t45 = x[4]*p[52]; /* omega3*2*m*R^2*(I1 - I3) */
     const double t46 = t42*t45; /* gamma3*s*omega_tau*omega3*2*m*R^2*(I1 - I3) */
-    const double t47 = JLT_FNMA(p[44], t39, t46); /* gamma3*s*omega_tau*omega3*2*m*R^2*(I1 - I3) - 2*m*R*a3*I3*omega3*s*omega_tau */
+    const double t47 = JLT_FNMA(p[53], t39, t46); /* gamma3*s*omega_tau*omega3*2*m*R^2*(I1 - I3) - 2*m*R*a3*I3*omega3*s*omega_tau */
     const double t48 = p[1]*t15; /* R*s*omega3 */
     const double t49 = JLT_FMA(2.0, t16, t48); /* 2*omega_n*b + R*s*omega3 */
     out[23] = t49;
     const double t50 = t35*t38; /* V*m*I3*omega_n*b */
-    const double t51 = JLT_FMA(p[27], t22, p[39]); /* m*R*I3*e + I3^2 */
+    const double t51 = JLT_FMA(p[39], t22, p[38]); /* m*R*I3*e + I3^2 */
     const double t52 = JLT_FMS(t39, t51, t50); /* numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*(m*R*I3*e + I3^2) - V*m*I3*omega_n*b */
-    const double t53 = p[25]*t39; /* m*R*a3*I3*omega3*s*omega_tau */
+    const double t53 = p[41]*t39; /* m*R*a3*I3*omega3*s*omega_tau */
     const double t54 = t10*t52; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
     const double t55 = JLT_FMA(x[3], t33, t54); /* omega_n*omega_tau*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
     out[3] = t55;
     const double t56 = t33*t44; /* omega_tau*gamma3*2*m*a3^2*s*omega_tau */
-    const double t57 = JLT_FNMA(x[9], p[40], t56); /* omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
+    const double t57 = JLT_FNMA(x[9], p[46], t56); /* omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
     const double t58 = t35*t40; /* V*m*R*I1*s*omega_n */
     const double t59 = t11*t41; /* s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
     const double t60 = JLT_FMA(t15, t59, t58); /* s*omega3*s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + V*m*R*I1*s*omega_n */
@@ -601,15 +637,15 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t63 = sin(x[5]); /* S = sin(chi) */
     const double t64 = t25*t63; /* R*s*s*S */
     out[84] = t64;
-    const double t65 = x[2]*p[26]; /* omega_tau*m*a3*I3 */
+    const double t65 = x[2]*p[47]; /* omega_tau*m*a3*I3 */
     const double t66 = JLT_FNMA(t16, t65, t53); /* m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 */
     const double t67 = t16 + t48; /* omega_n*b + R*s*omega3 */
     const double t68 = x[3]*t67; /* omega_n*(omega_n*b + R*s*omega3) */
     out[1] = t68;
-    const double t69 = x[3]*p[33]; /* omega_n*m*R*a3*I1 */
+    const double t69 = x[3]*p[50]; /* omega_n*m*R*a3*I1 */
     const double t70 = t11*t69; /* s*omega_tau*omega_n*m*R*a3*I1 */
     const double t71 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t72 = JLT_FMA(p[21], t71, t26); /* 2*I1*omega_n*gamma3 + I3*s*omega3 */
+    const double t72 = JLT_FMA(p[44], t71, t26); /* 2*I1*omega_n*gamma3 + I3*s*omega3 */
     const double t73 = t9*t72; /* 1/D*(2*I1*omega_n*gamma3 + I3*s*omega3) */
     const double t74 = -t73; /* -1/D*(2*I1*omega_n*gamma3 + I3*s*omega3) */
     out[33] = t74;
@@ -632,11 +668,11 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t86 = p[1]*t84; /* R*omega_n*omega3 */
     out[29] = t86;
     const double t87 = x[3]*t35; /* omega_n*V */
-    const double t88 = JLT_FNMA(p[27], t87, t66); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
-    const double t89 = JLT_FNMA(p[35], t87, t47); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t47 - m*R*I1*omega_n*V */
-    const double t90 = p[36]*t35; /* (-m*R*I1)*V */
+    const double t88 = JLT_FNMA(p[39], t87, t66); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
+    const double t89 = JLT_FNMA(p[40], t87, t47); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t47 - m*R*I1*omega_n*V */
+    const double t90 = p[51]*t35; /* (-m*R*I1)*V */
     const double t91 = t10*t89; /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t92 = p[34]*t11; /* m*R^2*(I1 - I3)*s*omega_tau */
+    const double t92 = p[42]*t11; /* m*R^2*(I1 - I3)*s*omega_tau */
     const double t93 = JLT_FMS(t15, t92, t70); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = s*omega3*m*R^2*(I1 - I3)*s*omega_tau - s*omega_tau*omega_n*m*R*a3*I1 */
     const double t94 = t22*t40; /* e*m*R*I1*s*omega_n */
     const double t95 = t22*t38; /* e*m*I3*omega_n*b */
@@ -666,7 +702,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[95] = t111;
     const double t112 = p[1]*t23; /* R*s*omega_n */
     out[24] = t112;
-    const double t113 = p[22]*t23; /* (-I3)*s*omega_n */
+    const double t113 = p[45]*t23; /* (-I3)*s*omega_n */
     const double t114 = t9*t113; /* 1/D*(-I3)*s*omega_n */
     out[34] = t114;
     const double t115 = t63*t112; /* S*R*s*omega_n */
@@ -683,7 +719,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t121 = t1*t120; /* b*s*C */
     const double t122 = -t121; /* -b*s*C */
     out[93] = t122;
-    const double t123 = p[41]*t1; /* 2*m*R*I3*b */
+    const double t123 = p[48]*t1; /* 2*m*R*I3*b */
     const double t124 = JLT_FNMA(t54, t123, t88); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R*I3*b */
     const double t125 = JLT_FMA(t61, t123, t93); /* 1/Theta*t60*2*m*R*I3*b + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
     const double t126 = t10*t125; /* 1/Theta*t125 */
@@ -694,7 +730,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[32] = t129;
     const double t130 = -t127; /* -s*gamma3 */
     out[102] = t130;
-    const double t131 = x[9]*p[20]; /* s*2*m*a3^2 */
+    const double t131 = x[9]*p[43]; /* s*2*m*a3^2 */
     const double t132 = JLT_FMA(t29, t131, t85); /* 1/D*t28*s*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(s) */
     const double t133 = t9*t132; /* 1/D*t132 */
     out[39] = t133;
@@ -706,7 +742,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t138 = t59*t136; /* s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta */
     const double t139 = -t138; /* -s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta */
     out[54] = t139;
-    const double t140 = p[42]*t136; /* 2*m*R^2*I1*s*1/Theta */
+    const double t140 = p[49]*t136; /* 2*m*R^2*I1*s*1/Theta */
     const double t141 = JLT_FNMA(t54, t140, t135); /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
     out[49] = t141;
     const double t142 = JLT_FMA(t61, t140, t91); /* 1/Theta*t60*2*m*R^2*I1*s*1/Theta + 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) */
@@ -722,13 +758,13 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = x[2]*t0; /* omega_tau*s*s */
     const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t3 = x[0]*t1; /* gamma3*omega_tau*s*s */
-    const double t4 = p[18]*t2; /* m*I3*b */
-    const double t5 = JLT_FMA(p[17], t0, p[16]); /* m*R^2*I1*s*s + I1*I3 */
+    const double t4 = p[36]*t2; /* m*I3*b */
+    const double t5 = JLT_FMA(p[35], t0, p[34]); /* m*R^2*I1*s*s + I1*I3 */
     const double t6 = JLT_FMA(t2, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
-    const double t7 = JLT_FMA(p[19], t0, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t8 = p[34]*t3; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s */
-    const double t9 = JLT_FNMA(p[25], t1, t8); /* d(numerator of d(omega3)/dt over Theta)/d(omega3) = m*R^2*(I1 - I3)*gamma3*omega_tau*s*s - m*R*a3*I3*omega_tau*s*s */
-    const double t10 = p[20]*t3; /* 2*m*a3^2*gamma3*omega_tau*s*s */
+    const double t7 = JLT_FMA(p[37], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t8 = p[42]*t3; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s */
+    const double t9 = JLT_FNMA(p[41], t1, t8); /* d(numerator of d(omega3)/dt over Theta)/d(omega3) = m*R^2*(I1 - I3)*gamma3*omega_tau*s*s - m*R*a3*I3*omega_tau*s*s */
+    const double t10 = p[43]*t3; /* 2*m*a3^2*gamma3*omega_tau*s*s */
     const double t11 = t6*t10; /* Theta*2*m*a3^2*gamma3*omega_tau*s*s */
     const double t12 = t6*t7; /* Theta*D */
     const double t13 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
@@ -741,25 +777,25 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[24]*x[0]; /* m*g*a3*gamma3 */
+    const double t0 = p[33]*x[0]; /* m*g*a3*gamma3 */
     const double t1 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t2 = x[3]*p[46]; /* omega_n*1/2*I1 */
+    const double t2 = x[3]*p[55]; /* omega_n*1/2*I1 */
     const double t3 = JLT_FMA(x[3], t2, t0); /* omega_n*omega_n*1/2*I1 + m*g*a3*gamma3 */
     const double t4 = x[3]*t1; /* omega_n*b */
     const double t5 = p[1]*x[9]; /* R*s */
     const double t6 = JLT_FMA(x[4], t5, t4); /* v_tau = omega3*R*s + omega_n*b */
-    const double t7 = x[9]*p[19]; /* s*m*a3^2 */
+    const double t7 = x[9]*p[37]; /* s*m*a3^2 */
     const double t8 = JLT_FMA(x[9], t7, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t9 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
     const double t10 = x[2]*t9; /* omega_tau*1/2*omega_tau */
-    const double t11 = x[4]*p[47]; /* omega3*1/2*I3 */
+    const double t11 = x[4]*p[56]; /* omega3*1/2*I3 */
     const double t12 = JLT_FMA(x[4], t11, t3); /* omega3*omega3*1/2*I3 + omega_n*omega_n*1/2*I1 + m*g*a3*gamma3 */
     const double t13 = JLT_FMA(t8, t10, t12); /* D*omega_tau*1/2*omega_tau + t12 */
     const double t14 = x[1]*x[1]; /* v_nu*v_nu */
     const double t15 = JLT_FMA(t6, t6, t14); /* v_tau*v_tau + v_nu*v_nu */
-    const double t16 = JLT_FMA(p[45], t15, t13); /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) + D*omega_tau*1/2*omega_tau + t12 */
+    const double t16 = JLT_FMA(p[54], t15, t13); /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) + D*omega_tau*1/2*omega_tau + t12 */
     out[0] = t16;
-    const double t17 = x[9]*p[48]; /* s*R*I1 */
+    const double t17 = x[9]*p[57]; /* s*R*I1 */
     const double t18 = x[3]*t17; /* omega_n*s*R*I1 */
     const double t19 = x[4]*p[5]; /* omega3*I3 */
     const double t20 = JLT_FNMA(t1, t19, t18); /* omega_n*s*R*I1 - b*omega3*I3 */
@@ -780,29 +816,29 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[18] = 0.0;
     const double t0 = p[0]*x[1]; /* m*v_nu */
     out[1] = t0;
-    const double t1 = x[4]*p[49]; /* omega3*(-R*I3) */
+    const double t1 = x[4]*p[59]; /* omega3*(-R*I3) */
     out[10] = t1;
-    const double t2 = x[9]*p[48]; /* s*R*I1 */
+    const double t2 = x[9]*p[57]; /* s*R*I1 */
     out[13] = t2;
-    const double t3 = x[3]*p[48]; /* omega_n*R*I1 */
+    const double t3 = x[3]*p[57]; /* omega_n*R*I1 */
     out[19] = t3;
     const double t4 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t5 = p[22]*t4; /* (-I3)*b */
+    const double t5 = p[45]*t4; /* (-I3)*b */
     out[14] = t5;
     const double t6 = x[3]*t4; /* omega_n*b */
     const double t7 = p[0]*t4; /* m*b */
     const double t8 = p[1]*x[4]; /* R*omega3 */
     const double t9 = JLT_FMA(x[9], t8, t6); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t10 = x[9]*p[19]; /* s*m*a3^2 */
+    const double t10 = x[9]*p[37]; /* s*m*a3^2 */
     const double t11 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t12 = t10*t11; /* s*m*a3^2*omega_tau*omega_tau */
     const double t13 = JLT_FMA(x[9], t10, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t14 = x[2]*t13; /* omega_tau*D */
     out[2] = t14;
-    const double t15 = p[37]*t9; /* m*R*v_tau */
+    const double t15 = p[58]*t9; /* m*R*v_tau */
     const double t16 = JLT_FMA(x[4], t15, t12); /* omega3*m*R*v_tau + s*m*a3^2*omega_tau*omega_tau */
     out[9] = t16;
-    const double t17 = JLT_FMA(x[3], t15, p[24]); /* omega_n*m*R*v_tau + m*g*a3 */
+    const double t17 = JLT_FMA(x[3], t15, p[33]); /* omega_n*m*R*v_tau + m*g*a3 */
     out[0] = t17;
     const double t18 = x[3]*p[4]; /* omega_n*I1 */
     const double t19 = JLT_FMA(t7, t9, t18); /* m*b*v_tau + omega_n*I1 */
@@ -1045,22 +1081,22 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general_in_regular = {
     .sha256 = "c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track,
-    .state_count = 10, .param_count = 6, .block_count = 50,
+    .state_count = 10, .param_count = 6, .block_count = 60,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 10, { 5, 27, 15, 1, 0, 2, 10, 11 }, { 22, 91, 0, 10, 0, 2, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
-    .jacobian = { jacobian, 100, { 15, 82, 35, 1, 0, 2, 14, 24 }, { 66, 414, 0, 49, 0, 2, 14, 9 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, R*s*omega3 + omega_n*b, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, I3/(m*R) + e, a part of d(omega_n)/dtau, V = omega_tau*e + v_nu, d(omega_n)/dtau, s*omega_tau*gamma3*((I1 - I3)/I1) - s*omega_tau*(a3*I3/(R*I1)), d(omega3)/dtau, d(spin)/dtau, (R*s*omega3 + omega_n*b)*S + v_nu*C, v_nu*S - (R*s*omega3 + omega_n*b)*C" },
+    .jacobian = { jacobian, 100, { 15, 81, 35, 1, 0, 2, 12, 24 }, { 66, 414, 0, 49, 0, 2, 14, 9 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), omega_n - (a3*I3/(R^2*I1))*omega_n*b*1/(Theta/(m*R^2*I1)), e = a3*gamma3 + R, V = omega_tau*e + v_nu, e + I3/(m*R), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), 2*a3*I3/(R^2*I1^2) - gamma3*(2*(I1 - I3)/(R*I1^2)), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), a part of d(d(omega3)/dtau)/d(omega_tau), 2*a3*I3/(R^3*I1^2) - gamma3*(2*(I1 - I3)/(R^2*I1^2)), d(d(omega3)/dtau)/d(s), v_tau = omega_n*b + omega3*s*R, d(d(x)/dtau)/d(chi), omega3*s*R + v_tau, d(d(x)/dtau)/d(s), d(d(y)/dtau)/d(chi), d(d(y)/dtau)/d(s)" },
     .rhs_jacobian = { rhs_jacobian, 110, { 19, 86, 37, 1, 0, 2, 9, 28 }, { 81, 486, 0, 59, 0, 2, 14, 12 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, omega_n*omega_n - s*omega_tau*(m*a3^2/I1)*s*omega_tau, e = a3*gamma3 + R, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), V = omega_tau*e + v_nu, d(d(omega_n)/dtau)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), d(d(v_nu)/dtau)/d(omega_n), (m*R*I3)*e + I3^2, numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b, d(omega_n)/dtau, a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), omega_n*b + R*s*omega3, (2*I1)*omega_n*gamma3 + I3*s*omega3, d(spin)/dtau, v_nu*S - (omega_n*b + R*s*omega3)*C, d(d(y)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s), d(numerator of d(omega_n)/dt over Theta)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(s), d(numerator of d(omega3)/dt over Theta)/d(gamma3) = s*omega3*(m*R^2*(I1 - I3))*s*omega_tau - s*omega_tau*omega_n*(m*R*a3*I1), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b, d(d(omega_n)/dtau)/d(omega_tau), (m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)))*s*s*omega3 + e*(m*R*I1)*s*omega_n, S*(omega_n*b + R*s*omega3) + v_nu*C, d(d(x)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), a part of d(d(omega3)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3)" },
     .divergence = { divergence, 1, { 0, 8, 9, 1, 0, 0, 8, 7 }, { 10, 39, 0, 4, 0, 0, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are" },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(numerator of d(omega3)/dt over Theta)/d(omega3) = (m*R^2*(I1 - I3))*gamma3*omega_tau*s*s - (m*R*a3*I3)*omega_tau*s*s, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(numerator of d(omega3)/dt over Theta)/d(omega3) - (m*I3)*b*V, a part of the divergence" },
     .integral_values = { integral_values, 2, { 0, 12, 9, 0, 0, 0, 5, 7 }, { 9, 31, 0, 0, 0, 0, 10, 5 },
-        "" },
+        "digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = omega3*R*s + omega_n*b, E, G" },
     .integral_gradients = { integral_gradients, 20, { 0, 15, 7, 0, 0, 0, 5, 5 }, { 9, 37, 0, 0, 0, 0, 6, 6 },
-        "" },
+        "digits are lost where terms nearly cancel in b = R*gamma3 + a3, v_tau = s*R*omega3 + omega_n*b, d(E)/d(s), d(E)/d(gamma3), d(E)/d(omega_n), d(E)/d(omega3)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

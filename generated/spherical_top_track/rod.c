@@ -16,6 +16,13 @@
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in m*g*a3/I1 - omega_tau*(m*a3^2/I1)*omega_tau*gamma3,
+ *      b = gamma3*R + a3, d(spin)/dt, e = gamma3*a3 + R, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3),
+ *      V = omega_tau*e + v_nu, 1/s^2*s*omega3*1/s^2 - (a3/R)*1/s^2*s*omega_n*1/s^2*s, v_tau = s*R*omega3 + omega_n*b,
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega_n), d(d(omega3)/dt)/d(omega_tau),
+ *      d(d(omega3)/dt)/d(gamma3), d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*R*omega3,
+ *      R*omega3 + b*omega_n*1/s^2*s, gamma3*1/s^2*s*b*omega_n*1/s^2*s + omega_n*R, d(omega3)/dt, d(x)/dt,
+ *      d(d(y)/dt)/d(chi), d(y)/dt, d(d(x)/dt)/d(chi)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -819,17 +826,17 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod = {
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 9, { 4, 20, 11, 1, 1, 2, 10, 9 }, { 14, 41, 0, 9, 1, 2, 9, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in e = gamma3*a3 + R, V = omega_tau*e + v_nu, b = gamma3*R + a3, omega3*omega_tau*gamma3 - (1/R)*V*omega_n*1/s, b*omega_n*1/s + R*omega3, v_tau = s*R*omega3 + omega_n*b, a part of d(omega_tau)/dt, d(spin)/dt, d(x)/dt, d(y)/dt" },
     .jacobian = { jacobian, 81, { 10, 47, 17, 1, 1, 2, 14, 15 }, { 32, 144, 0, 33, 1, 2, 15, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, gamma3*s*1/s^2*s*1/s^2*omega_n*b + omega_n*R, d(d(v_nu)/dt)/d(omega_n), gamma3*s*1/s^2 - s*1/(D/I1)*gamma3*(2*m*a3^2/I1), gamma3*(gamma3*s*1/s^2 - s*1/(D/I1)*gamma3*(2*m*a3^2/I1)) - s, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), s*1/s^2*1/s^2*omega3 - s*1/s^2*s*1/s^2*omega_n*(a3/R), e = gamma3*a3 + R, V = omega_tau*e + v_nu, d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), d(v_tau)/d(gamma3) = omega_n*R - R*gamma3*s*1/s^2*omega3, v_tau = omega3*s*R + omega_n*b, d(d(x)/dt)/d(chi), d(d(y)/dt)/d(chi)" },
     .rhs_jacobian = { rhs_jacobian, 90, { 15, 52, 18, 1, 1, 2, 13, 20 }, { 40, 174, 0, 42, 1, 2, 15, 12 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in m*g*a3/I1 - omega_tau*(m*a3^2/I1)*omega_tau*gamma3, b = gamma3*R + a3, d(spin)/dt, e = gamma3*a3 + R, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, 1/s^2*s*omega3*1/s^2 - (a3/R)*1/s^2*s*omega_n*1/s^2*s, v_tau = s*R*omega3 + omega_n*b, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega_n), d(d(omega3)/dt)/d(omega_tau), d(d(omega3)/dt)/d(gamma3), d(v_tau)/d(gamma3) = omega_n*R - gamma3*1/s^2*s*R*omega3, R*omega3 + b*omega_n*1/s^2*s, gamma3*1/s^2*s*b*omega_n*1/s^2*s + omega_n*R, d(omega3)/dt, d(x)/dt, d(d(y)/dt)/d(chi), d(y)/dt, d(d(x)/dt)/d(chi)" },
     .divergence = { divergence, 1, { 2, 4, 2, 1, 1, 0, 6, 4 }, { 3, 12, 0, 2, 1, 0, 9, 5 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
     .integral_values = { integral_values, 4, { 2, 12, 9, 0, 1, 2, 6, 7 }, { 10, 31, 0, 0, 1, 2, 11, 6 },
-        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = s*R*omega3 + omega_n*b, E, v_x, v_y" },
     .integral_gradients = { integral_gradients, 36, { 5, 23, 9, 1, 1, 2, 8, 9 }, { 14, 46, 0, 2, 1, 2, 8, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, omega3*(gamma3/s) - omega_n, v_tau = omega3*R*s + omega_n*b, d(E)/d(gamma3), d(E)/d(omega_n), d(v_x)/d(chi), d(v_y)/d(chi)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

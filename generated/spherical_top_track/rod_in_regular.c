@@ -8,7 +8,7 @@
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 3   22   10    1    0    2      7    9   (69)
- *  jacobian            9   48   16    1    0    2     12   13   (181)
+ *  jacobian            9   47   14    1    0    2     10   13   (181)
  *  rhs_jacobian        12   52   17    1    0    2     13   16   (233)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     0   12    9    0    0    2      5    6   (41)
@@ -17,6 +17,11 @@
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
+ *    digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n,
+ *      d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(s), b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n),
+ *      omega3*s*R + omega_n*b, e = a3*gamma3 + R, v_nu*S - (omega3*s*R + omega_n*b)*C, d(d(y)/dtau)/d(s),
+ *      a part of d(d(omega_tau)/dtau)/d(s), V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(spin)/dtau,
+ *      (omega3*s*R + omega_n*b)*S + v_nu*C, d(d(x)/dtau)/d(s), d(omega3)/dtau, d(d(omega3)/dtau)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -55,41 +60,35 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = t0;
     const double t1 = params[3]*params[3]; /* a3*a3 */
     const double t2 = params[0]*t1; /* m*a3*a3 */
-    out[16] = t2;
+    out[14] = t2;
     const double t3 = t2/params[4]; /* m*a3*a3/I1 */
     out[7] = t3;
     const double t4 = params[0]*params[2]; /* m*g */
     const double t5 = params[3]*t4; /* a3*m*g */
-    out[17] = t5;
+    out[15] = t5;
     const double t6 = t5/params[4]; /* a3*m*g/I1 */
     out[8] = t6;
     const double t7 = params[0]*2.0; /* m*2 */
     const double t8 = t1*t7; /* a3*a3*m*2 */
-    out[15] = t8;
+    out[13] = t8;
     const double t9 = t8/params[4]; /* a3*a3*m*2/I1 */
     out[9] = t9;
-    const double t10 = params[3]*t7; /* a3*m*2 */
-    const double t11 = t10/params[4]; /* a3*m*2/I1 */
-    out[10] = t11;
-    const double t12 = t1*t4; /* a3*a3*m*g */
-    const double t13 = t12/params[4]; /* a3*a3*m*g/I1 */
+    const double t10 = params[2]*t7; /* g*m*2 */
+    const double t11 = params[3]*t10; /* a3*g*m*2 */
+    const double t12 = t11/params[4]; /* a3*g*m*2/I1 */
+    out[10] = t12;
+    const double t13 = params[3]/params[1]; /* a3/R */
     out[11] = t13;
-    const double t14 = params[3]/params[1]; /* a3/R */
+    const double t14 = (-1.0)/params[1]; /* (-1)/R */
     out[12] = t14;
-    const double t15 = (-1.0)/params[1]; /* (-1)/R */
-    out[13] = t15;
-    const double t16 = params[2]*t7; /* g*m*2 */
-    const double t17 = params[3]*t16; /* a3*g*m*2 */
-    const double t18 = t17/params[4]; /* a3*g*m*2/I1 */
-    out[14] = t18;
-    const double t19 = params[0]/2.0; /* m/2 */
-    out[18] = t19;
-    const double t20 = params[4]/2.0; /* I1/2 */
-    out[19] = t20;
-    const double t21 = params[1]*params[4]; /* R*I1 */
-    out[20] = t21;
-    const double t22 = params[1]*params[0]; /* R*m */
-    out[21] = t22;
+    const double t15 = params[0]/2.0; /* m/2 */
+    out[16] = t15;
+    const double t16 = params[4]/2.0; /* I1/2 */
+    out[17] = t16;
+    const double t17 = params[1]*params[4]; /* R*I1 */
+    out[18] = t17;
+    const double t18 = params[1]*params[0]; /* R*m */
+    out[19] = t18;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -221,107 +220,104 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t4 = 1.0/t3; /* 1/(s*D/I1) */
     const double t5 = t2*t4; /* 1/s = D/I1*1/(s*D/I1) */
     const double t6 = x[9]*t4; /* 1/(D/I1) = s*1/(s*D/I1) */
-    const double t7 = t1*t6; /* s*s*1/(D/I1) */
-    const double t8 = x[2]*x[0]; /* omega_tau*gamma3 */
-    out[33] = t8;
-    out[44] = t8;
-    const double t9 = -t8; /* -omega_tau*gamma3 */
-    out[99] = t9;
-    const double t10 = t7*t8; /* s*s*1/(D/I1)*omega_tau*gamma3 */
-    const double t11 = JLT_FMS(p[7], t10, t8); /* m*a3^2/I1*s*s*1/(D/I1)*omega_tau*gamma3 - omega_tau*gamma3 */
-    const double t12 = p[9]*t10; /* 2*m*a3^2/I1*s*s*1/(D/I1)*omega_tau*gamma3 */
-    out[22] = t12;
-    const double t13 = x[2]*t11; /* omega_tau*(m*a3^2/I1*s*s*1/(D/I1)*omega_tau*gamma3 - omega_tau*gamma3) */
-    const double t14 = JLT_FMS(p[11], t7, p[2]); /* m*g*a3^2/I1*s*s*1/(D/I1) - g */
-    const double t15 = x[9]*x[2]; /* s*omega_tau */
-    const double t16 = 2.0*t15; /* 2*s*omega_tau */
-    out[9] = t16;
-    const double t17 = -t15; /* -s*omega_tau */
-    out[90] = t17;
-    const double t18 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t19 = x[9]*p[1]; /* s*R */
-    const double t20 = x[3]*x[0]; /* omega_n*gamma3 */
-    out[32] = t20;
-    const double t21 = t6*t20; /* 1/(D/I1)*omega_n*gamma3 */
-    const double t22 = JLT_FNMA(x[3], t21, t13); /* t13 - omega_n*1/(D/I1)*omega_n*gamma3 */
-    const double t23 = JLT_FNMA(p[3], t22, t14); /* m*g*a3^2/I1*s*s*1/(D/I1) - g - a3*(t13 - omega_n*1/(D/I1)*omega_n*gamma3) */
-    const double t24 = (-2.0)*t21; /* (-2)*1/(D/I1)*omega_n*gamma3 */
-    out[23] = t24;
-    const double t25 = x[3]*t18; /* omega_n*b */
-    const double t26 = x[4]*t19; /* omega3*s*R */
-    const double t27 = JLT_FMA(2.0, t25, t26); /* 2*omega_n*b + omega3*s*R */
-    out[13] = t27;
-    const double t28 = t25 + t26; /* v_tau = omega_n*b + omega3*s*R */
-    const double t29 = t26 + t28; /* omega3*s*R + v_tau */
-    const double t30 = p[7]*t15; /* m*a3^2/I1*s*omega_tau */
-    const double t31 = t15*t30; /* s*omega_tau*m*a3^2/I1*s*omega_tau */
-    const double t32 = JLT_FNMA(x[3], x[3], t31); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
-    const double t33 = t6*t32; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
-    out[20] = t33;
-    const double t34 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t35 = sin(x[5]); /* S = sin(chi) */
-    const double t36 = cos(x[5]); /* C = cos(chi) */
-    const double t37 = x[3]*p[1]; /* omega_n*R */
-    const double t38 = x[3]*t37; /* omega_n*omega_n*R */
-    out[10] = t38;
-    const double t39 = x[9]*t37; /* s*omega_n*R */
-    out[14] = t39;
-    const double t40 = x[4]*t37; /* omega3*omega_n*R */
-    out[19] = t40;
-    const double t41 = x[9]*p[10]; /* s*2*m*a3/I1 */
-    const double t42 = t6*t41; /* 1/(D/I1)*s*2*m*a3/I1 */
-    const double t43 = t23*t42; /* t23*1/(D/I1)*s*2*m*a3/I1 */
-    out[29] = t43;
+    const double t7 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
+    const double t8 = x[9]*p[1]; /* s*R */
+    const double t9 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t10 = p[1]*t9; /* R*omega_n*omega_n */
+    out[10] = t10;
+    const double t11 = x[3]*t7; /* omega_n*b */
+    const double t12 = x[4]*t8; /* omega3*s*R */
+    const double t13 = JLT_FMA(2.0, t11, t12); /* 2*omega_n*b + omega3*s*R */
+    out[13] = t13;
+    const double t14 = t11 + t12; /* v_tau = omega_n*b + omega3*s*R */
+    const double t15 = x[9]*t6; /* s*1/(D/I1) */
+    const double t16 = x[0]*p[9]; /* gamma3*2*m*a3^2/I1 */
+    const double t17 = t15*t16; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t18 = sin(x[5]); /* S = sin(chi) */
+    const double t19 = x[9]*x[2]; /* s*omega_tau */
+    const double t20 = 2.0*t19; /* 2*s*omega_tau */
+    out[9] = t20;
+    const double t21 = t17*t19; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1*s*omega_tau */
+    out[22] = t21;
+    const double t22 = -t19; /* -s*omega_tau */
+    out[90] = t22;
+    const double t23 = JLT_FMA(x[2], x[2], t9); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t24 = t17*t23; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t25 = JLT_FNMA(p[10], t15, t24); /* t24 - 2*m*g*a3/I1*s*1/(D/I1) */
+    const double t26 = t6*t25; /* 1/(D/I1)*(t24 - 2*m*g*a3/I1*s*1/(D/I1)) */
+    out[29] = t26;
+    const double t27 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t28 = cos(x[5]); /* C = cos(chi) */
+    const double t29 = x[1]*t18; /* v_nu*S */
+    const double t30 = JLT_FNMA(t14, t28, t29); /* v_nu*S - v_tau*C */
+    const double t31 = JLT_FNMA(t12, t28, t30); /* v_nu*S - v_tau*C - omega3*s*R*C */
+    out[89] = t31;
+    const double t32 = x[9]*t30; /* s*(v_nu*S - v_tau*C) */
+    const double t33 = -t32; /* -s*(v_nu*S - v_tau*C) */
+    out[75] = t33;
+    const double t34 = x[3]*t8; /* omega_n*s*R */
+    out[14] = t34;
+    const double t35 = t18*t34; /* S*omega_n*s*R */
+    out[70] = t35;
+    const double t36 = t28*t34; /* C*omega_n*s*R */
+    const double t37 = -t36; /* -C*omega_n*s*R */
+    out[80] = t37;
+    const double t38 = p[7]*t19; /* m*a3^2/I1*s*omega_tau */
+    const double t39 = JLT_FMS(t19, t38, t9); /* s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n */
+    const double t40 = t6*t39; /* 1/(D/I1)*(s*omega_tau*m*a3^2/I1*s*omega_tau - omega_n*omega_n) */
+    out[20] = t40;
+    const double t41 = x[3]*x[0]; /* omega_n*gamma3 */
+    out[32] = t41;
+    const double t42 = (-2.0)*t41; /* (-2)*omega_n*gamma3 */
+    const double t43 = t6*t42; /* 1/(D/I1)*(-2)*omega_n*gamma3 */
+    out[23] = t43;
     const double t44 = x[3]*t5; /* omega_n*1/s */
-    const double t45 = JLT_FMA(x[2], t34, x[1]); /* V = omega_tau*e + v_nu */
+    const double t45 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
     const double t46 = t5*t45; /* 1/s*V */
-    const double t47 = p[13]*t46; /* (-1/R)*1/s*V */
+    const double t47 = p[12]*t46; /* (-1/R)*1/s*V */
     out[43] = t47;
-    const double t48 = x[9]*t35; /* s*S */
-    out[81] = t48;
-    const double t49 = t37*t48; /* omega_n*R*s*S */
-    out[70] = t49;
-    const double t50 = t18*t48; /* b*s*S */
-    out[73] = t50;
-    const double t51 = t19*t48; /* s*R*s*S */
-    out[74] = t51;
-    const double t52 = x[9]*t36; /* s*C */
-    out[71] = t52;
-    const double t53 = t37*t52; /* omega_n*R*s*C */
-    const double t54 = -t53; /* -omega_n*R*s*C */
-    out[80] = t54;
-    const double t55 = t18*t52; /* b*s*C */
-    const double t56 = -t55; /* -b*s*C */
-    out[83] = t56;
-    const double t57 = t19*t52; /* s*R*s*C */
-    const double t58 = -t57; /* -s*R*s*C */
-    out[84] = t58;
-    const double t59 = JLT_FNMA(p[12], t44, x[4]); /* omega3 - a3/R*omega_n*1/s */
-    const double t60 = x[2]*t59; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
-    out[40] = t60;
-    const double t61 = p[6]*t44; /* 1/R*omega_n*1/s */
-    const double t62 = t46*t61; /* 1/s*V*1/R*omega_n*1/s */
-    out[49] = t62;
-    const double t63 = -t61; /* -1/R*omega_n*1/s */
-    out[41] = t63;
-    const double t64 = x[0]*x[4]; /* gamma3*omega3 */
-    const double t65 = JLT_FNMA(t34, t61, t64); /* gamma3*omega3 - e*1/R*omega_n*1/s */
-    out[42] = t65;
-    const double t66 = x[1]*t48; /* v_nu*s*S */
-    const double t67 = JLT_FMS(t28, t52, t66); /* v_tau*s*C - v_nu*s*S */
-    out[75] = t67;
-    const double t68 = x[1]*t52; /* v_nu*s*C */
-    const double t69 = JLT_FMA(t28, t48, t68); /* v_tau*s*S + v_nu*s*C */
-    out[85] = t69;
-    const double t70 = x[1]*t36; /* v_nu*C */
-    const double t71 = JLT_FMA(t29, t35, t70); /* (omega3*s*R + v_tau)*S + v_nu*C */
-    out[79] = t71;
-    const double t72 = x[1]*t35; /* v_nu*S */
-    const double t73 = JLT_FNMA(t29, t36, t72); /* v_nu*S - (omega3*s*R + v_tau)*C */
-    out[89] = t73;
-    const double t74 = x[9]*x[0]; /* s*gamma3 */
-    const double t75 = -t74; /* -s*gamma3 */
-    out[92] = t75;
+    const double t48 = x[9]*t28; /* s*C */
+    out[71] = t48;
+    const double t49 = x[1]*t28; /* v_nu*C */
+    const double t50 = JLT_FMA(t14, t18, t49); /* v_tau*S + v_nu*C */
+    const double t51 = JLT_FMA(t12, t18, t50); /* omega3*s*R*S + v_tau*S + v_nu*C */
+    out[79] = t51;
+    const double t52 = x[9]*t50; /* s*(v_tau*S + v_nu*C) */
+    out[85] = t52;
+    const double t53 = x[9]*t18; /* s*S */
+    out[81] = t53;
+    const double t54 = t7*t53; /* b*s*S */
+    out[73] = t54;
+    const double t55 = t8*t53; /* s*R*s*S */
+    out[74] = t55;
+    const double t56 = t7*t48; /* b*s*C */
+    const double t57 = t8*t48; /* s*R*s*C */
+    const double t58 = -t56; /* -b*s*C */
+    out[83] = t58;
+    const double t59 = -t57; /* -s*R*s*C */
+    out[84] = t59;
+    const double t60 = p[1]*x[3]; /* R*omega_n */
+    const double t61 = x[4]*t60; /* omega3*R*omega_n */
+    out[19] = t61;
+    const double t62 = x[2]*x[0]; /* omega_tau*gamma3 */
+    out[33] = t62;
+    out[44] = t62;
+    const double t63 = -t62; /* -omega_tau*gamma3 */
+    out[99] = t63;
+    const double t64 = JLT_FNMA(p[11], t44, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t65 = x[2]*t64; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
+    out[40] = t65;
+    const double t66 = p[6]*t44; /* 1/R*omega_n*1/s */
+    const double t67 = t46*t66; /* 1/s*V*1/R*omega_n*1/s */
+    out[49] = t67;
+    const double t68 = -t66; /* -1/R*omega_n*1/s */
+    out[41] = t68;
+    const double t69 = x[0]*x[4]; /* gamma3*omega3 */
+    const double t70 = JLT_FNMA(t27, t66, t69); /* gamma3*omega3 - e*1/R*omega_n*1/s */
+    out[42] = t70;
+    const double t71 = x[9]*x[0]; /* s*gamma3 */
+    const double t72 = -t71; /* -s*gamma3 */
+    out[92] = t72;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -421,7 +417,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t18 = x[0]*t17; /* gamma3*t17 */
     const double t19 = JLT_FNMA(p[8], t8, t18); /* gamma3*t17 - m*g*a3/I1*s*s*1/(D/I1) */
     out[2] = t19;
-    const double t20 = JLT_FMA(p[9], t19, p[14]); /* 2*m*a3^2/I1*(gamma3*t17 - m*g*a3/I1*s*s*1/(D/I1)) + 2*m*g*a3/I1 */
+    const double t20 = JLT_FMA(p[9], t19, p[10]); /* 2*m*a3^2/I1*(gamma3*t17 - m*g*a3/I1*s*s*1/(D/I1)) + 2*m*g*a3/I1 */
     const double t21 = x[9]*t20; /* s*t20 */
     const double t22 = x[9]*p[1]; /* s*R */
     const double t23 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
@@ -460,7 +456,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[39] = t45;
     const double t46 = JLT_FMA(x[2], t33, x[1]); /* V = omega_tau*e + v_nu */
     const double t47 = p[6]*t34; /* 1/R*omega_n*1/s */
-    const double t48 = JLT_FNMA(p[12], t34, x[4]); /* omega3 - a3/R*omega_n*1/s */
+    const double t48 = JLT_FNMA(p[11], t34, x[4]); /* omega3 - a3/R*omega_n*1/s */
     const double t49 = x[2]*t48; /* omega_tau*(omega3 - a3/R*omega_n*1/s) */
     out[50] = t49;
     const double t50 = -t47; /* -1/R*omega_n*1/s */
@@ -501,7 +497,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t70 = -t68; /* -s*R*s*C */
     out[94] = t70;
     const double t71 = t46*t47; /* V*1/R*omega_n*1/s */
-    const double t72 = p[13]*t46; /* (-1/R)*V */
+    const double t72 = p[12]*t46; /* (-1/R)*V */
     const double t73 = t6*t72; /* 1/s*(-1/R)*V */
     out[53] = t73;
     const double t74 = t6*t71; /* 1/s*V*1/R*omega_n*1/s */
@@ -526,8 +522,8 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 {
     const double t0 = x[0]*x[2]; /* gamma3*omega_tau */
     const double t1 = x[9]*x[9]; /* s*s */
-    const double t2 = JLT_FMA(p[16], t1, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t3 = p[15]*t1; /* 2*m*a3^2*s*s */
+    const double t2 = JLT_FMA(p[14], t1, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t3 = p[13]*t1; /* 2*m*a3^2*s*s */
     const double t4 = t0*t3; /* gamma3*omega_tau*2*m*a3^2*s*s */
     const double t5 = t4/t2; /* gamma3*omega_tau*2*m*a3^2*s*s/D */
     const double t6 = t0 + t5; /* gamma3*omega_tau + gamma3*omega_tau*2*m*a3^2*s*s/D */
@@ -538,23 +534,23 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 {
     const double t0 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t1 = x[3]*t0; /* omega_n*b */
-    const double t2 = p[17]*x[0]; /* m*g*a3*gamma3 */
+    const double t2 = p[15]*x[0]; /* m*g*a3*gamma3 */
     const double t3 = p[1]*x[9]; /* R*s */
     const double t4 = JLT_FMA(x[4], t3, t1); /* v_tau = omega3*R*s + omega_n*b */
-    const double t5 = x[9]*p[16]; /* s*m*a3^2 */
+    const double t5 = x[9]*p[14]; /* s*m*a3^2 */
     const double t6 = JLT_FMA(x[9], t5, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t7 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
     const double t8 = x[2]*t7; /* omega_tau*1/2*omega_tau */
-    const double t9 = x[3]*p[19]; /* omega_n*1/2*I1 */
+    const double t9 = x[3]*p[17]; /* omega_n*1/2*I1 */
     const double t10 = JLT_FMA(x[3], t9, t2); /* omega_n*omega_n*1/2*I1 + m*g*a3*gamma3 */
     const double t11 = JLT_FMA(t6, t8, t10); /* D*omega_tau*1/2*omega_tau + omega_n*omega_n*1/2*I1 + m*g*a3*gamma3 */
     const double t12 = x[1]*x[1]; /* v_nu*v_nu */
     const double t13 = JLT_FMA(t4, t4, t12); /* v_tau*v_tau + v_nu*v_nu */
-    const double t14 = JLT_FMA(p[18], t13, t11); /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t11 */
+    const double t14 = JLT_FMA(p[16], t13, t11); /* 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t11 */
     out[0] = t14;
     const double t15 = cos(x[5]); /* C = cos(chi) */
     const double t16 = sin(x[5]); /* S = sin(chi) */
-    const double t17 = x[9]*p[20]; /* s*R*I1 */
+    const double t17 = x[9]*p[18]; /* s*R*I1 */
     const double t18 = x[3]*t17; /* omega_n*s*R*I1 */
     out[1] = t18;
     const double t19 = x[1]*t15; /* v_nu*C */
@@ -571,12 +567,12 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t1 = x[3]*t0; /* omega_n*b */
     const double t2 = p[1]*x[4]; /* R*omega3 */
     const double t3 = JLT_FMA(x[9], t2, t1); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t4 = p[21]*t3; /* m*R*v_tau */
-    const double t5 = JLT_FMA(x[3], t4, p[17]); /* omega_n*m*R*v_tau + m*g*a3 */
+    const double t4 = p[19]*t3; /* m*R*v_tau */
+    const double t5 = JLT_FMA(x[3], t4, p[15]); /* omega_n*m*R*v_tau + m*g*a3 */
     out[0] = t5;
     const double t6 = p[0]*x[1]; /* m*v_nu */
     out[1] = t6;
-    const double t7 = x[9]*p[16]; /* s*m*a3^2 */
+    const double t7 = x[9]*p[14]; /* s*m*a3^2 */
     const double t8 = JLT_FMA(x[9], t7, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t9 = x[2]*t8; /* omega_tau*D */
     out[2] = t9;
@@ -610,9 +606,9 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t15 = t7*t14; /* s*m*a3^2*omega_tau*omega_tau */
     const double t16 = JLT_FMA(x[4], t4, t15); /* omega3*m*R*v_tau + s*m*a3^2*omega_tau*omega_tau */
     out[9] = t16;
-    const double t17 = x[9]*p[20]; /* s*R*I1 */
+    const double t17 = x[9]*p[18]; /* s*R*I1 */
     out[13] = t17;
-    const double t18 = x[3]*p[20]; /* omega_n*R*I1 */
+    const double t18 = x[3]*p[18]; /* omega_n*R*I1 */
     out[19] = t18;
     const double t19 = sin(x[5]); /* S = sin(chi) */
     out[31] = t19;
@@ -859,23 +855,23 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular = {
     .sha256 = "c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_track,
-    .state_count = 10, .param_count = 6, .block_count = 22,
+    .state_count = 10, .param_count = 6, .block_count = 20,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 10, { 3, 22, 10, 1, 0, 2, 7, 9 }, { 14, 49, 0, 4, 0, 2, 8, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
-    .jacobian = { jacobian, 100, { 9, 48, 16, 1, 0, 2, 12, 13 }, { 27, 138, 0, 14, 0, 2, 11, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, b*omega_n*(1/R) + s*omega3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, V = omega_tau*e + v_nu, d(omega3)/dtau, d(spin)/dtau, d(x)/dtau, d(y)/dtau" },
+    .jacobian = { jacobian, 100, { 9, 47, 14, 1, 0, 2, 10, 13 }, { 27, 138, 0, 14, 0, 2, 11, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), v_tau = omega_n*b + omega3*s*R, a part of d(d(omega_tau)/dtau)/d(s), e = a3*gamma3 + R, v_nu*S - v_tau*C, d(d(y)/dtau)/d(s), s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, V = omega_tau*e + v_nu, v_tau*S + v_nu*C, d(d(x)/dtau)/d(s), omega3 - (a3/R)*omega_n*1/s, d(d(omega3)/dtau)/d(omega_tau)" },
     .rhs_jacobian = { rhs_jacobian, 110, { 12, 52, 17, 1, 0, 2, 13, 16 }, { 36, 177, 0, 18, 0, 2, 11, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes" },
+        "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2/I1)*s*omega_tau - omega_n*omega_n, d(omega_tau)/dtau, a part of d(d(omega_tau)/dtau)/d(s), b = R*gamma3 + a3, d(d(v_nu)/dtau)/d(omega_n), omega3*s*R + omega_n*b, e = a3*gamma3 + R, v_nu*S - (omega3*s*R + omega_n*b)*C, d(d(y)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), V = omega_tau*e + v_nu, omega3 - (a3/R)*omega_n*1/s, d(spin)/dtau, (omega3*s*R + omega_n*b)*S + v_nu*C, d(d(x)/dtau)/d(s), d(omega3)/dtau, d(d(omega3)/dtau)/d(omega_tau)" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "" },
     .integral_values = { integral_values, 4, { 0, 12, 9, 0, 0, 2, 5, 6 }, { 9, 30, 0, 0, 0, 2, 9, 6 },
-        "" },
+        "digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = omega3*R*s + omega_n*b, E, v_x, v_y" },
     .integral_gradients = { integral_gradients, 40, { 4, 25, 8, 0, 0, 2, 5, 8 }, { 12, 51, 0, 0, 0, 2, 6, 7 },
-        "" },
+        "digits are lost where terms nearly cancel in b = R*gamma3 + a3, v_tau = s*R*omega3 + omega_n*b, d(E)/d(gamma3), d(E)/d(omega_n), d(E)/d(s), d(v_x)/d(chi), d(v_y)/d(chi)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },

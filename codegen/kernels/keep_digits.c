@@ -1,0 +1,125 @@
+/* A second program for each kernel some of whose sums can be written without cancellation, where it gains something. It
+ * comes after all others: a kernel with nothing to gain is then what it would be without this pass. */
+#include "kernels/kernels.h"
+
+#include "optimize/optimize.h"
+#include "optimize/program_cancel.h"
+#include "optimize/system.h"
+
+#include <stdlib.h>
+
+/* What speaks against a program: outputs that some cancellation reaches, and operations. */
+typedef struct {
+    unsigned outputs, flops;
+} fault;
+
+static bool judge(fault *f, const ttc_kernels *k, const ttc_program *program)
+{
+    size_t n = ttc_program_size(program);
+    ttc_loss *losses = calloc(n + 1, sizeof *losses);
+    unsigned char *is_reached = calloc(n + 1, 1);
+    bool ok = losses != NULL && is_reached != NULL && ttc_program_losses(losses, program, k->field, &k->block);
+    *f = (fault){ .flops = ttc_count_flops(ttc_program_count(program)) };
+    for (size_t v = 0; ok && v < n; v++) {
+        const ttc_instruction *i = ttc_program_at(program, (ttc_value)v);
+        const ttc_value operands[] = { i->a, i->b, i->c };
+        is_reached[v] = losses[v] == TTC_CANCELS;
+        for (unsigned j = 0; j < ttc_op_arity(i->op); j++) is_reached[v] |= is_reached[operands[j]];
+    }
+    for (size_t j = 0; ok && j < ttc_program_output_count(program); j++)
+        f->outputs += is_reached[ttc_program_output_at(program, j)];
+    free(losses);
+    free(is_reached);
+    return ok;
+}
+
+/* No form is worse than the table's, but one that leaves digits lost in as many outputs may not cost more operations. */
+static bool is_better(const fault *a, const fault *b)
+{
+    return a->outputs != b->outputs ? a->outputs < b->outputs : a->flops <= b->flops;
+}
+
+/* True when sums of these expressions have another form. */
+static bool has_other_forms(ttc_field *field, const ttc_id *outputs, size_t count)
+{
+    size_t before = field->form_count;
+    ttc_system *system = outputs == NULL ? NULL : ttc_system_create(field, outputs, count);
+    ttc_system_destroy(system);
+    return field->form_count > before;
+}
+
+/* *program in other forms, where these are better. False: memory. */
+static bool replace(ttc_kernels *k, ttc_program **program, const ttc_id *outputs, const ttc_id *gathered, size_t count,
+                    ttc_purpose purpose, ttc_effort effort, bool *changed)
+{
+    fault old, new;
+    bool is_other = has_other_forms(k->field, outputs, count) || has_other_forms(k->field, gathered, count);
+    if (!is_other) return true;
+    ttc_program *other = ttc_optimize(k->field, outputs, gathered, count, purpose, effort, &k->block);
+    bool ok = other != NULL && judge(&old, k, *program) && judge(&new, k, other);
+    if (!ok || !is_better(&new, &old)) {
+        ttc_program_destroy(other);
+        return ok;
+    }
+    ttc_program_destroy(*program);
+    *program = other;
+    *changed = true;
+    return true;
+}
+
+static bool replace_all(ttc_kernels *k, ttc_effort effort, bool *changed)
+{
+    bool ok = true;
+    for (int kind = 0; ok && kind < TTC_KERNEL_KINDS; kind++) {
+        ttc_kernel *kernel = k->kernels + kind;
+        if (kernel->count == 0) continue;
+        ok = replace(k, &kernel->optimized, kernel->outputs, kernel->gathered, kernel->count,
+                     ttc_kernel_purpose((ttc_kernel_kind)kind), effort, changed);
+    }
+    ttc_id *outputs = ok ? ttc_kernels_jet_outputs(k) : NULL;
+    size_t count = k->field->state_count + (k->field->time != NULL);
+    ok = outputs != NULL && replace(k, &k->jet, outputs, NULL, count, TTC_FOR_JETS, effort, changed);
+    free(outputs);
+    return ok;
+}
+
+/* *program on a block of its own, which takes what the program needs. */
+static bool move_to_block(ttc_program **program, const ttc_block *from, ttc_block *to)
+{
+    size_t size = ttc_block_size(from);
+    uint32_t *numbers = calloc(size + 1, sizeof *numbers);
+    if (numbers == NULL) return false;
+    for (ttc_value v = 0; v < ttc_program_size(*program); v++) {
+        const ttc_instruction *i = ttc_program_at(*program, v);
+        if (i->op == TTC_OP_PARAMETER) numbers[i->index] = ttc_block_index(to, ttc_block_at(from, i->index));
+    }
+    ttc_program *moved = to->failed ? NULL : ttc_program_renumber(*program, numbers);
+    free(numbers);
+    if (moved == NULL) return false;
+    ttc_program_destroy(*program);
+    *program = moved;
+    return true;
+}
+
+/* Entries that no program needs any more leave the block. */
+static bool clear_up_block(ttc_kernels *k)
+{
+    ttc_block block = { .field = k->field };
+    bool ok = true;
+    for (int kind = 0; ok && kind < TTC_KERNEL_KINDS; kind++)
+        if (k->kernels[kind].count > 0) ok = move_to_block(&k->kernels[kind].optimized, &k->block, &block);
+    ok = ok && move_to_block(&k->jet, &k->block, &block);
+    ttc_block_clear(&k->block);
+    k->block = block;
+    if (!ok) return false;
+    ttc_program_destroy(k->prepare);
+    k->prepare = ttc_lower(k->field, k->block.entries, k->block.count, (ttc_lowering){ .share = true });
+    return k->prepare != NULL;
+}
+
+bool ttc_kernels_keep_digits(ttc_kernels *kernels, ttc_effort effort)
+{
+    bool changed = false;
+    kernels->field->keeps_digits = true;
+    return replace_all(kernels, effort, &changed) && (!changed || clear_up_block(kernels));
+}
