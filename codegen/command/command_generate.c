@@ -85,7 +85,8 @@ static bool generate_model(const model_files *f, ttc_kernels **failed)
 }
 
 /* What is written of all tables together. Rows of a table that is kept come from the lists there are. */
-static bool generate_lists(ttc_output *output, ttc_model *const *models, const ttc_plan *plans, size_t count, const kept_lists *kept)
+static bool generate_lists(ttc_output *output, ttc_model *const *models, const ttc_plan *plans, size_t count,
+                           const kept_lists *kept)
 {
     ttc_text *counts = ttc_output_add(output, "counts.tsv");
     if (counts == NULL) return false;
@@ -148,7 +149,8 @@ static void complain(const model_files *f, const ttc_kernels *failed)
         ttc_command_complain(model, place, NULL, "'%s' would be written twice (expected tables, and variants, times and "
                              "eliminations of one, to have names of their own)", f->output->taken);
     else if (ttc_find_wide_number(f->plan, &place))
-        ttc_command_complain(model, place, NULL, "a number is beyond double precision (expected zero, or a size of 2^-1022 to 2^1023)");
+        ttc_command_complain(model, place, NULL, "a number is beyond double precision (expected zero, or a size of 2^-1022 to "
+                             "2^1023)");
     else if (claim != NULL && claim->kind == TTC_CLAIM_CHARPOLY && error == TTC_GRAPH_OK)
         ttc_command_complain(model, claim->place, NULL, "the charpoly of '%s' has no kernel (expected a polynomial in lambda, of "
                              "degree %zu at most)", claim->name, model->state_count);
@@ -214,7 +216,8 @@ static bool mark_unproved(ttc_plan *plan, const ttc_options *options, int *statu
 }
 
 /* Everything that one table is written as. */
-static void generate_table(ttc_output *output, ttc_plan *plan, const ttc_model *model, const ttc_options *options, int *status)
+static void generate_table(ttc_output *output, ttc_plan *plan, const ttc_model *model, const ttc_options *options,
+                           int *status)
 {
     ttc_text unproved = { 0 };
     ttc_kernels *failed = NULL;
@@ -234,9 +237,11 @@ static int write_files(const ttc_output *output, const char *folder)
     bool restored = true;
     int error = ttc_output_write(output, folder, &where, &restored);
     if (error == 0) return TTC_EXIT_DONE;
-    if (where == folder) fprintf(stderr, "ttc: cannot make the folder %s: %s (the one above it must exist)\n", folder, strerror(error));
-    else fprintf(stderr, "ttc: cannot write %s below %s: %s; %s\n", where, folder, strerror(error),
-                 restored ? "nothing was changed" : "some files are new and some are old: their old content, where it differs, is in files that end in .old");
+    if (where == folder)
+        fprintf(stderr, "ttc: cannot make the folder %s: %s (the one above it must exist)\n", folder, strerror(error));
+    else
+        fprintf(stderr, "ttc: cannot write %s below %s: %s; %s\n", where, folder, strerror(error),
+                restored ? "nothing was changed" : "and some files could not be put back: what they were is in files that end in .old");
     return TTC_EXIT_IO;
 }
 
@@ -274,7 +279,8 @@ int ttc_command_generate(const ttc_options *options)
             if (strcmp(models[k]->name, models[i]->name) == 0) refuse_name(models[i], models[k], &status);
     }
     if (status == TTC_EXIT_DONE
-        && (!generate_fixed(&output) || !generate_lists(&output, models, plans, options->file_count, &kept) || is_failed(&output))) {
+        && (!generate_fixed(&output) || !generate_lists(&output, models, plans, options->file_count, &kept)
+            || is_failed(&output))) {
         fprintf(stderr, "ttc: out of memory\n");
         status = TTC_EXIT_IO;
     }

@@ -54,7 +54,8 @@ static bool add_name(ttc_text *name, const row *r)
     return true;
 }
 
-static void add_list(ttc_text *text, const char *manifest, const char *type, const char *prefix, const char *registry, bool balls)
+static void add_list(ttc_text *text, const char *manifest, const char *type, const char *prefix, const char *registry,
+                     bool balls)
 {
     ttc_text entries = { 0 };
     size_t number = 0;
@@ -98,7 +99,9 @@ bool ttc_manifest_has(const char *manifest, const ttc_model *model)
     row r;
     while (next_row(&manifest, &r)) {
         if (!is_named(&r, model->name)) continue;
-        if ((size_t)r.hash_length != strlen(model->sha256) || memcmp(r.hash, model->sha256, (size_t)r.hash_length) != 0) return false;
+        if ((size_t)r.hash_length != strlen(model->sha256)
+            || memcmp(r.hash, model->sha256, (size_t)r.hash_length) != 0)
+            return false;
         count++;
     }
     return count > 0;

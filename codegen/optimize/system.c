@@ -112,6 +112,14 @@ void ttc_polynomial_remove(ttc_polynomial *p, uint32_t index)
     for (uint32_t i = index; i < p->count; i++) p->cubes[i] = p->cubes[i + 1];
 }
 
+void ttc_polynomial_close_gaps(ttc_polynomial *p)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < p->count; i++)
+        if (p->cubes[i].sign != 0) p->cubes[count++] = p->cubes[i];
+    p->count = count;
+}
+
 ttc_cube ttc_cube_one(const ttc_system *system)
 {
     ttc_cube cube = { .scale = system->one, .sign = 1 };

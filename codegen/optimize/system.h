@@ -65,6 +65,7 @@ void ttc_polynomial_add(ttc_system *system, ttc_polynomial *p, const ttc_cube *c
 /* The same, where a cube of equal factors takes the new one in, scales added. */
 void ttc_polynomial_merge(ttc_system *system, ttc_polynomial *p, const ttc_cube *cube);
 void ttc_polynomial_remove(ttc_polynomial *p, uint32_t index); /* keeps the order of the rest */
+void ttc_polynomial_close_gaps(ttc_polynomial *p); /* cubes of sign 0 leave */
 
 ttc_cube ttc_cube_one(const ttc_system *system);
 /* False when the cube is full. */

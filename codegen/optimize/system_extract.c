@@ -388,18 +388,6 @@ static bool extract_best(extractor *e)
     return !e->system->failed;
 }
 
-/* Cubes that are gone leave their sums. */
-static void close_gaps(ttc_system *system)
-{
-    for (uint32_t v = 0; v < system->count; v++) {
-        ttc_polynomial *p = &system->variables[v].definition;
-        uint32_t count = 0;
-        for (uint32_t i = 0; i < p->count; i++)
-            if (p->cubes[i].sign != 0) p->cubes[count++] = p->cubes[i];
-        p->count = count;
-    }
-}
-
 uint64_t ttc_system_extract(ttc_system *system, uint64_t seed, uint64_t pair_limit)
 {
     extractor e = { .system = system, .random = seed, .pair_limit = pair_limit };
@@ -407,7 +395,7 @@ uint64_t ttc_system_extract(ttc_system *system, uint64_t seed, uint64_t pair_lim
     e.noise = seed == 0 ? 0 : noises[seed % 4];
     begin(&e);
     while (extract_best(&e)) continue;
-    close_gaps(system);
+    for (uint32_t v = 0; v < system->count; v++) ttc_polynomial_close_gaps(&system->variables[v].definition);
     ttc_scale_ratios_clear(&e.ratios);
     ttc_extract_index_clear(&e.pairs);
     ttc_extract_index_clear(&e.binomials);

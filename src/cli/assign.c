@@ -140,7 +140,7 @@ jlt_exit jlt_assign_model(const jlt_descriptor **descriptor, double **params, co
         free(values);
         return code;
     }
-    jlt_command_warn_unproved(d->model);
+    jlt_command_warn_unproved(d);
     *descriptor = d;
     *params = values;
     return JLT_EXIT_DONE;

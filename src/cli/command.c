@@ -2,6 +2,8 @@
 
 #include "kernel/descriptor.h"
 #include "report/file.h"
+#include "scene/plan.h"
+#include "scene/tier.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -22,12 +24,29 @@ jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...)
     return code;
 }
 
-void jlt_command_warn_unproved(const char *model)
+static void warn_of(const char *model)
 {
     char claims[1024];
 
     if (!jlt_descriptor_unproved(claims, sizeof claims, model)) return;
     fprintf(stderr, "jellett: warning: kernels of %s rest on claims that are not proved: %s\n", model, claims);
+}
+
+void jlt_command_warn_unproved(const jlt_descriptor *descriptor)
+{
+    const jlt_tier *tier, *other;
+
+    warn_of(descriptor->model);
+    if (!jlt_plan_has_tiers(descriptor)) return;
+    /* The smaller models that may answer in its place, each once. */
+    for (size_t i = 0; (tier = jlt_tier_at(i)) != NULL; i++) {
+        bool is_new = tier->model != NULL && strcmp(tier->model, descriptor->model) != 0;
+        for (size_t k = 0; k < i && is_new; k++) {
+            other = jlt_tier_at(k);
+            is_new = other->model == NULL || strcmp(other->model, tier->model) != 0;
+        }
+        if (is_new) warn_of(tier->model);
+    }
 }
 
 jlt_exit jlt_command_no_memory(void)

@@ -3,6 +3,7 @@
 #define JLT_CLI_COMMAND_H
 
 #include "core/status.h"
+#include "kernel_abi.h"
 
 #include <stdio.h>
 
@@ -56,8 +57,9 @@ __attribute__((format(printf, 2, 3)))
 jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...);
 
 /* Messages of every command. */
-/* One line on standard error when kernels of a model rest on claims that are not proved. */
-void jlt_command_warn_unproved(const char *model);
+/* One line on standard error for a model whose kernels rest on claims that are not proved, and for each smaller model that
+ * may answer in its place. */
+void jlt_command_warn_unproved(const jlt_descriptor *descriptor);
 
 jlt_exit jlt_command_no_memory(void);
 jlt_exit jlt_command_cannot_write(const char *path); /* the reason is errno */

@@ -1,5 +1,6 @@
 #include "cli/bench.h"
 #include "cli/common.h"
+#include "kernel/descriptor.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -115,6 +116,8 @@ static jlt_exit run(int argc, char **argv)
         code = jlt_command_no_memory();
         goto done;
     }
+    const jlt_descriptor *model = jlt_descriptor_find("spherical_top", NULL, NULL, NULL);
+    if (!o.bench.list && model != NULL) jlt_command_warn_unproved(model);
     if (!o.bench.list) write_header(output.stream, &o, command);
     const long before = ftell(output.stream);
     code = o.kind->run(output.stream, &o.bench);

@@ -84,7 +84,7 @@ static jlt_exit run_command(int argc, char **argv)
     argp_parse(&parser, argc, argv, 0, NULL, &run);
     run.descriptor = jlt_descriptor_find(run.model, NULL, NULL, NULL);
     if (run.descriptor == NULL) return jlt_assign_model(&run.descriptor, &params, run.model, &none);
-    jlt_command_warn_unproved(run.model);
+    jlt_command_warn_unproved(run.descriptor);
     st = verify(&run);
     if (st == JLT_OK) st = jlt_command_open(&output);
     if (st == JLT_OK) {
