@@ -1,6 +1,5 @@
 #include "algebra/witness.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -85,7 +84,7 @@ static bool is_function(const ttc_witness *point, slong variable)
     size_t symbol = ttc_valuation_symbol(point->valuation, variable);
     if (symbol >= model->symbol_count) return false;
     switch (model->symbols[symbol].kind) {
-    case TTC_COSINE:
+    case TTC_COSINE: return !is_bound_angle(point, (uint32_t)symbol);
     case TTC_EXP:
     case TTC_LOG:
     case TTC_PI: return true;
@@ -357,114 +356,10 @@ ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *condit
     return truth;
 }
 
-/* The polynomial with the point's rational values put in, what is irrational left as a name. */
-static char *partial_text(ttc_witness *point, const fmpz_mpoly_t polynomial, unsigned char *roots)
+bool ttc_witness_coordinate(fmpq_t out, ttc_witness *point, slong variable)
 {
-    const fmpz_mpoly_ctx_struct *context = point->ring->context;
-    char *text = NULL;
-    size_t size = 0;
-    fmpq_t value, factor;
-    FILE *stream = open_memstream(&text, &size);
-    if (stream == NULL) return NULL;
-    fmpq_init(value);
-    fmpq_init(factor);
-    if (exact_polynomial(value, point, polynomial)) {
-        char *digits = fmpq_get_str(NULL, 10, value);
-        fputs(digits, stream);
-        flint_free(digits);
-    } else {
-        for (slong i = 0; i < fmpz_mpoly_length(polynomial, context); i++) {
-            fmpq_one(value);
-            fmpz_mpoly_get_term_coeff_fmpz(fmpq_numref(value), polynomial, i, context);
-            for (slong v = 0; v < (slong)point->ring->variable_count; v++) {
-                ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context);
-                if (exponent == 0 || point->balls->state[v] != EXACT) continue;
-                fmpq_pow_si(factor, point->balls->exact + v, (slong)exponent);
-                fmpq_mul(value, value, factor);
-            }
-            if (fmpq_is_zero(value)) continue;
-            char *digits = fmpq_get_str(NULL, 10, value);
-            fprintf(stream, "%s%s", *digits == '-' || ftell(stream) == 0 ? "" : "+", digits);
-            flint_free(digits);
-            for (slong v = 0; v < (slong)point->ring->variable_count; v++) {
-                ulong exponent = fmpz_mpoly_get_term_var_exp_ui(polynomial, i, v, context);
-                if (exponent == 0 || point->balls->state[v] == EXACT) continue;
-                roots[v] = 1;
-                fprintf(stream, "*%s", point->ring->names[v]);
-                if (exponent > 1) fprintf(stream, "^%lu", exponent);
-            }
-        }
-    }
-    fmpq_clear(factor);
-    fmpq_clear(value);
-    return fclose(stream) == 0 ? text : NULL;
-}
-
-static void write_ratio(FILE *stream, ttc_witness *point, const ttc_ratio *ratio, unsigned char *roots)
-{
-    fmpq_t value;
-    arb_t ball;
-    fmpq_init(value);
-    arb_init(ball);
-    ttc_witness_enclose(ball, point, ratio, FIRST_PRECISION);
-    if (exact_ratio(value, point, ratio)) {
-        char *digits = fmpq_get_str(NULL, 10, value);
-        fputs(digits, stream);
-        flint_free(digits);
-    } else {
-        char *top = partial_text(point, ratio->numerator, roots), *bottom = partial_text(point, ratio->denominator, roots);
-        if (top != NULL && bottom != NULL && strcmp(bottom, "1") == 0) fputs(top, stream);
-        else if (top != NULL && bottom != NULL) fprintf(stream, "(%s)/(%s)", top, bottom);
-        free(bottom);
-        free(top);
-    }
-    arb_clear(ball);
-    fmpq_clear(value);
-}
-
-static void write_roots(FILE *stream, ttc_witness *point, unsigned char *roots)
-{
-    bool again = true;
-    unsigned char *written = calloc(point->ring->variable_count, 1);
-    while (again && written != NULL) {
-        again = false;
-        for (size_t i = 0; i < point->ring->generator_count; i++) {
-            const ttc_generator *generator = &point->ring->generators[i];
-            slong v = generator->variable;
-            if (!roots[v] || written[v] || is_function(point, v)) continue;
-            written[v] = 1;
-            again = true;
-            fprintf(stream, ", %s = %ssqrt(", point->ring->names[v], !generator->positive && (point->negative >> i & 1) ? "-" : "");
-            write_ratio(stream, point, &generator->square, roots);
-            fputc(')', stream);
-        }
-    }
-    free(written);
-}
-
-char *ttc_witness_text(ttc_witness *point)
-{
-    const ttc_model *model = ttc_valuation_model(point->valuation);
-    char *text = NULL;
-    size_t size = 0;
-    unsigned char *roots = calloc(point->ring->variable_count + 1, 1);
-    FILE *stream = roots == NULL ? NULL : open_memstream(&text, &size);
-    ttc_ratio value;
-    if (stream == NULL) {
-        free(roots);
-        return NULL;
-    }
-    ttc_ratio_init(point->ring, &value);
-    for (uint32_t i = 0; i < model->symbol_count; i++) {
-        ttc_symbol_kind kind = model->symbols[i].kind;
-        if (kind != TTC_PARAM && kind != TTC_STATE && kind != TTC_LEVEL) continue;
-        ttc_evaluate(point->valuation, &value, model->symbols[i].node);
-        if (point->ring->status != TTC_RING_OK) break;
-        fprintf(stream, "%s%s = ", ftell(stream) > 0 ? ", " : "", model->symbols[i].name);
-        write_ratio(stream, point, &value, roots);
-    }
-    write_roots(stream, point, roots);
-    ttc_ratio_clear(point->ring, &value);
-    free(roots);
-    return fclose(stream) == 0 ? text : NULL;
+    enclose_variable(point, variable, point->balls->precision);
+    if (point->balls->state[variable] != EXACT) return false;
+    fmpq_set(out, point->balls->exact + variable);
+    return true;
 }

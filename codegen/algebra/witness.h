@@ -39,6 +39,9 @@ ttc_truth ttc_witness_meets_all(ttc_witness *point, const ttc_conditions *condit
 /* Enclose a ratio; not finite where its denominator may be zero. */
 void ttc_witness_enclose(arb_t out, ttc_witness *point, const ttc_ratio *ratio, slong precision);
 
+/* False: it is irrational. */
+bool ttc_witness_coordinate(fmpq_t out, ttc_witness *point, slong variable);
+
 /** The point as "NAME = VALUE, ..." over parameters, levels and states, for free(): rational numbers as they are, others as
  *  expressions in roots, which follow as "root1 = sqrt(2)". NULL when memory is out. */
 char *ttc_witness_text(ttc_witness *point);

@@ -96,8 +96,13 @@ static void add_operation(const survey *s, ttc_text *out, const ttc_instruction 
     static const char *const signs[] = { [TTC_OP_ADD] = " + ",      [TTC_OP_SUBTRACT] = " - ", [TTC_OP_MULTIPLY] = "*",
                                          [TTC_OP_DIVIDE] = "/",     [TTC_OP_FMA] = " + ",      [TTC_OP_FMS] = " - ",
                                          [TTC_OP_FNMA] = " - ",     [TTC_OP_ROOT] = "sqrt(",   [TTC_OP_COSINE] = "cos(",
-                                         [TTC_OP_SINE] = "sin(",    [TTC_OP_NEGATE] = "-" };
+                                         [TTC_OP_SINE] = "sin(",    [TTC_OP_EXP] = "exp(",     [TTC_OP_LOG] = "log(",
+                                         [TTC_OP_NEGATE] = "-" };
     bool is_factor = i->op == TTC_OP_MULTIPLY || i->op == TTC_OP_DIVIDE;
+    if (i->op == TTC_OP_PI) {
+        ttc_text_add(out, "pi");
+        return;
+    }
     if (i->op == TTC_OP_NEGATE || i->op >= TTC_OP_ROOT) {
         ttc_text_add(out, signs[i->op]);
         add_formula(s, out, i->a, false, i->op == TTC_OP_NEGATE);
@@ -238,7 +243,7 @@ static void name_arguments(survey *s)
         }
         add_operation(s, s->text, ttc_program_at(s->program, (ttc_value)v));
     }
-    if (s->found > 0) ttc_text_add(s->text, " of a rounded argument: digits are lost near its zeros");
+    if (s->found > 0) ttc_text_add(s->text, " of a rounded argument: digits are lost near its zeros, or where an exponent is large");
 }
 
 void ttc_emit_cancellations(ttc_text *text, const ttc_kernels *kernels, ttc_kernel_kind kind)

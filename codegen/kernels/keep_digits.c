@@ -33,10 +33,10 @@ static bool judge(fault *f, const ttc_kernels *k, const ttc_program *program)
     return ok;
 }
 
-/* No form is worse than the table's, but one that leaves digits lost in as many outputs may not cost more operations. */
+/* A program that loses no digits at all may cost more operations than one that does; one that still loses some may not. */
 static bool is_better(const fault *a, const fault *b)
 {
-    return a->outputs != b->outputs ? a->outputs < b->outputs : a->flops <= b->flops;
+    return a->outputs <= b->outputs && (a->flops <= b->flops || (a->outputs == 0 && b->outputs > 0));
 }
 
 /* True when sums of these expressions have another form. */
@@ -72,7 +72,8 @@ static bool replace_all(ttc_kernels *k, ttc_effort effort, bool *changed)
     bool ok = true;
     for (int kind = 0; ok && kind < TTC_KERNEL_KINDS; kind++) {
         ttc_kernel *kernel = k->kernels + kind;
-        if (kernel->count == 0) continue;
+        /* The divergence of an invariant density is zero: it has no digits. */
+        if (kernel->count == 0 || kind == TTC_KERNEL_MEASURE_DIVERGENCES) continue;
         ok = replace(k, &kernel->optimized, kernel->outputs, kernel->gathered, kernel->count,
                      ttc_kernel_purpose((ttc_kernel_kind)kind), effort, changed);
     }

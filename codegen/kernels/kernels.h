@@ -53,8 +53,8 @@ typedef struct {
  *  expression grows beyond the graph's limits. */
 ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort);
 
-/** Every kernel once more, its sums written without cancellation (see fields/simplify.h), and kept where digits are lost in
- *  fewer outputs, or in as many for no more operations. To be called once. False, and the kernels are of no
+/** Every kernel once more, its sums written without cancellation (see fields/simplify.h), and kept where none
+ *  loses digits any more, or fewer do for no more operations. To be called once. False, and the kernels are of no
  *  more use, when memory is out. */
 bool ttc_kernels_keep_digits(ttc_kernels *kernels, ttc_effort effort);
 

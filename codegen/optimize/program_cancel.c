@@ -146,7 +146,7 @@ static fact operation_fact(const reading *r, ttc_value value, ttc_loss *loss)
 {
     const ttc_instruction *i = ttc_program_at(r->program, value);
     const uint64_t atom = VALUE_ATOM | value, product_atom = 2 * VALUE_ATOM | value;
-    const fact *a = r->facts + i->a, *b = i->b == TTC_NO_VALUE ? NULL : r->facts + i->b;
+    const fact *a = i->a == TTC_NO_VALUE ? NULL : r->facts + i->a, *b = i->b == TTC_NO_VALUE ? NULL : r->facts + i->b;
     fact product, other;
     switch (i->op) {
     case TTC_OP_NEGATE:
@@ -169,6 +169,14 @@ static fact operation_fact(const reading *r, ttc_value value, ttc_loss *loss)
         return add(&product, &other, atom, loss);
     case TTC_OP_ROOT:
         return atom_fact(ttc_extent_root(a->extent), atom, false);
+    case TTC_OP_PI:
+        return atom_fact((ttc_extent){ TTC_SIGN_POSITIVE, 3, 4 }, atom, false);
+    case TTC_OP_EXP:
+        if (!a->is_exact) *loss = TTC_ROUNDED_ARGUMENT;
+        return atom_fact(ttc_extent_of_signs(TTC_SIGN_POSITIVE), atom, false);
+    case TTC_OP_LOG:
+        if (!a->is_exact) *loss = TTC_ROUNDED_ARGUMENT;
+        return atom_fact(ttc_extent_any, atom, false);
     default:
         if (!a->is_exact) *loss = TTC_ROUNDED_ARGUMENT;
         return atom_fact((ttc_extent){ TTC_SIGN_ANY, -1, 1 }, atom, false);

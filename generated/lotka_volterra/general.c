@@ -2,7 +2,7 @@
  *
  *  Source:     V. Volterra, Variazioni e fluttuazioni del numero d'individui in specie animali conviventi, Mem. Acad. Lincei Roma 2 (1926) 31-113
  *  Table:      lotka_volterra, SHA-256 1439e966c000a70de17afc97b982f97d90de01742555fdfb815a616ed4b93851
- *  Command:    ttc generate --out DIR lotka_volterra.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR lotka_volterra.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 0    3    2    0    0    0      2    3   (8)
@@ -15,8 +15,7 @@
  *  measure_divergences 0    6    6    1    0    0      7    4   (23)
  *
  *  Accuracy
- *    no denominator or radicand of the field vanishes in the domain
- *    
+ *    digits are lost where terms nearly cancel in d(d(x)/dt)/d(x), d(y)/dt, d(d(y)/dt)/d(y)
  */
 #include "kernel_abi.h"
 #include "kernel_arithmetic.h"
@@ -258,28 +257,28 @@ const jlt_descriptor jlt_kernels_lotka_volterra_general = {
     .title = "Lotka-Volterra equations",
     .source = "V. Volterra, Variazioni e fluttuazioni del numero d'individui in specie animali conviventi, Mem. Acad. Lincei Roma 2 (1926) 31-113",
     .sha256 = "1439e966c000a70de17afc97b982f97d90de01742555fdfb815a616ed4b93851",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_lotka_volterra,
     .state_count = 2, .param_count = 4, .block_count = 7,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 2, { 0, 3, 2, 0, 0, 0, 2, 3 }, { 2, 6, 0, 0, 0, 0, 3, 3 },
-        "" },
+        "digits are lost where terms nearly cancel in d(x)/dt, d(y)/dt" },
     .jacobian = { jacobian, 4, { 0, 2, 2, 0, 0, 0, 1, 1 }, { 3, 4, 0, 0, 0, 0, 2, 2 },
-        "" },
+        "digits are lost where terms nearly cancel in d(d(x)/dt)/d(x), d(d(y)/dt)/d(y)" },
     .rhs_jacobian = { rhs_jacobian, 6, { 0, 4, 3, 0, 0, 0, 2, 3 }, { 5, 10, 0, 0, 0, 0, 3, 3 },
-        "" },
+        "digits are lost where terms nearly cancel in d(d(x)/dt)/d(x), d(y)/dt, d(d(y)/dt)/d(y)" },
     .divergence = { divergence, 1, { 0, 0, 2, 0, 0, 0, 2, 2 }, { 3, 2, 0, 0, 0, 0, 3, 3 },
-        "" },
+        "digits are lost where terms nearly cancel in the divergence" },
     .integral_values = { integral_values, 1, { 0, 1, 3, 0, 0, 2, 4, 3 }, { 3, 4, 0, 0, 0, 2, 5, 3 },
-        "" },
+        "digits are lost where terms nearly cancel in H" },
     .integral_gradients = { integral_gradients, 2, { 2, 0, 0, 2, 0, 0, 2, 2 }, { 2, 0, 0, 2, 0, 0, 2, 2 },
-        "divides by x: values and rounding errors grow without bound where it vanishes; divides by y: values and rounding errors grow without bound where it vanishes" },
+        "divides by x: values and rounding errors grow without bound where it vanishes; divides by y: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in d(H)/d(x), d(H)/d(y)" },
     .measure_values = { measure_values, 1, { 0, 1, 0, 1, 0, 0, 2, 2 }, { 0, 1, 0, 1, 0, 0, 2, 2 },
         "divides by x: values and rounding errors grow without bound where it vanishes; divides by y: values and rounding errors grow without bound where it vanishes" },
     .measure_divergences = { measure_divergences, 1, { 0, 6, 6, 1, 0, 0, 7, 4 }, { 7, 13, 0, 3, 0, 0, 6, 5 },
-        "divides by x: values and rounding errors grow without bound where it vanishes; divides by y: values and rounding errors grow without bound where it vanishes" },
+        "divides by x: values and rounding errors grow without bound where it vanishes; divides by y: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in y*c - d*x*y, x*a - b*x*y, x*(y*c - d*x*y) - y*(x*a - b*x*y), (x*(y*c - d*x*y) - y*(x*a - b*x*y))*((1)/x*y) + a - c, x - y*(b/d), div(rho f)" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
     .integral_count = 1, .measure_count = 1, .equilibria_count = 1,

@@ -2,7 +2,7 @@
  * from the expressions as they stand, without the optimizer.
  *
  *  Table:      lotka_volterra, SHA-256 1439e966c000a70de17afc97b982f97d90de01742555fdfb815a616ed4b93851
- *  Command:    ttc generate --out DIR lotka_volterra.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR lotka_volterra.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
 

@@ -2,7 +2,7 @@
  *
  *  Source:     W. G. Hoover, Canonical dynamics: equilibrium phase-space distributions, Phys. Rev. A 31 (1985) 1695-1697
  *  Table:      nose_hoover, SHA-256 0e94aea4c9b2928c9741d0c1ca85c73ce0d4c8f4262b18320c66e53d04de6370
- *  Command:    ttc generate --out DIR nose_hoover.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR nose_hoover.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1    1    2    0    0    0      2    2   (6)
@@ -13,8 +13,7 @@
  *  measure_divergences 0    0    0    0    0    0      0    0   (50)
  *
  *  Accuracy
- *    no denominator or radicand of the field vanishes in the domain
- *    
+ *    digits are lost where terms nearly cancel in p*z + q, T - p*p
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -188,24 +187,24 @@ const jlt_descriptor jlt_kernels_nose_hoover_general = {
     .title = "Nose-Hoover oscillator",
     .source = "W. G. Hoover, Canonical dynamics: equilibrium phase-space distributions, Phys. Rev. A 31 (1985) 1695-1697",
     .sha256 = "0e94aea4c9b2928c9741d0c1ca85c73ce0d4c8f4262b18320c66e53d04de6370",
-    .generator = "ttc 0.1.0",
+    .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_nose_hoover,
     .state_count = 3, .param_count = 2, .block_count = 6,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 3, { 1, 1, 2, 0, 0, 0, 2, 2 }, { 3, 2, 0, 1, 0, 0, 3, 3 },
-        "" },
+        "digits are lost where terms nearly cancel in p*z + q, T - p*p" },
     .jacobian = { jacobian, 9, { 2, 1, 0, 0, 0, 0, 1, 1 }, { 2, 1, 0, 1, 0, 0, 2, 2 },
         "" },
     .rhs_jacobian = { rhs_jacobian, 12, { 3, 2, 2, 0, 0, 0, 2, 2 }, { 5, 3, 0, 2, 0, 0, 3, 3 },
-        "" },
+        "digits are lost where terms nearly cancel in p*z + q, T - p*p" },
     .divergence = { divergence, 1, { 1, 0, 0, 0, 0, 0, 1, 1 }, { 1, 0, 0, 0, 0, 0, 1, 1 },
         "" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },
     .measure_values = { measure_values, 1, { 0, 4, 2, 0, 0, 1, 6, 3 }, { 3, 12, 0, 2, 2, 1, 9, 5 },
-        "" },
+        "takes exp((-1/2/T)*H/(1/2)) of a rounded argument: digits are lost near its zeros, or where an exponent is large" },
     .measure_divergences = { measure_divergences, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 9, 33, 0, 5, 2, 1, 13, 8 },
         "" },
     .time_factor = { .loses_digits = "" },

@@ -2,7 +2,7 @@
  * from the expressions as they stand, without the optimizer.
  *
  *  Table:      nose_hoover, SHA-256 0e94aea4c9b2928c9741d0c1ca85c73ce0d4c8f4262b18320c66e53d04de6370
- *  Command:    ttc generate --out DIR nose_hoover.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR nose_hoover.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
 

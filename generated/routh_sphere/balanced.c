@@ -13,7 +13,7 @@
  *  integral_values     2   10    8    0    2    0      7    5   (47)
  *  integral_gradients  2   16    7    1    2    0      9    6   (71)
  *  measure_values      2    3    2    0    1    0      5    4   (21)
- *  measure_divergences 0    0    0    0    0    0      0    0   (47)
+ *  measure_divergences 2    7    2    1    2    0      6    4   (47)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
@@ -76,7 +76,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t8 = t1*params[5]; /* m*R*R*I3 */
     out[9] = t8;
     const double t9 = params[5]/t2; /* I3/K */
-    out[37] = t9;
+    out[38] = t9;
     const double t10 = t4 + t9; /* m*R*R/K + I3/K */
     out[10] = t10;
     const double t11 = params[5]*params[5]; /* I3*I3 */
@@ -135,6 +135,10 @@ static void prepare(const double *restrict params, double *restrict out)
     out[34] = t44;
     const double t45 = t8 - t7; /* m*R*R*I3 - I1*m*R*R */
     out[35] = t45;
+    const double t46 = t24 - t14; /* I1*m*R*R - m*R*R*I3 - m*R*R*(I1 - I3) */
+    const double t47 = t2*t46; /* K*(I1*m*R*R - m*R*R*I3 - m*R*R*(I1 - I3)) */
+    const double t48 = -t47; /* -K*(I1*m*R*R - m*R*R*I3 - m*R*R*(I1 - I3)) */
+    out[37] = t48;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -418,9 +422,21 @@ static void measure_values(const double *restrict x, const double *restrict p, d
 
 static void measure_divergences(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    (void)x;
-    (void)p;
-    out[0] = 0.0;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
+    const double t3 = x[0]*p[9]; /* gamma3*m*R^2*I3 */
+    const double t4 = JLT_FMA(x[0], t3, p[7]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t5 = JLT_FMA(p[8], t2, t4); /* Theta = m*R^2*I1*(1 - gamma3)*(gamma3 + 1) + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t6 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
+    const double t7 = p[37]*x[0]; /* (-K*(m*R^2*I1 - m*R^2*I3 - m*R^2*(I1 - I3)))*gamma3 */
+    const double t8 = x[1]*t7; /* omega_tau*(-K*(m*R^2*I1 - m*R^2*I3 - m*R^2*(I1 - I3)))*gamma3 */
+    const double t9 = t5*t8; /* Theta*t8 */
+    const double t10 = t6*t9; /* s*Theta*t8 */
+    const double t11 = sqrt(t5); /* h = sqrt(Theta) */
+    const double t12 = t5*t11; /* Theta*h */
+    const double t13 = t10/t12; /* s*Theta*t8/(Theta*h) */
+    out[0] = t13;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -480,7 +496,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t27[k] = p[15]*t26[k];
         t28[k] = jlt_jet_product(t21, t27, k);
         t29[k] = jlt_jet_product(t21, t25, k);
-        t30[k] = x3[k]*p[37] + t28[k];
+        t30[k] = x3[k]*p[38] + t28[k];
         t31[k] = p[16]*t29[k] + t30[k];
         t32[k] = jlt_jet_product(x2, t31, k);
         t33[k] = -t32[k];
@@ -602,7 +618,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_routh_sphere,
-    .state_count = 4, .param_count = 6, .block_count = 38,
+    .state_count = 4, .param_count = 6, .block_count = 39,
     .states = states,
     .params = params,
     .impose = impose,
@@ -621,8 +637,8 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by h: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -m*R^2*I1 + m*R^2*I3, v_tau/R = omega_n*gamma3 + omega3*s, d(Jellett)/d(gamma3), d(v_tau)/d(gamma3)/R = omega_n - omega3*h*(gamma3/h*s), d(E)/d(omega_n), d(E)/d(omega3)" },
     .measure_values = { measure_values, 1, { 2, 3, 2, 0, 1, 0, 5, 4 }, { 4, 15, 0, 0, 2, 0, 9, 5 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes" },
-    .measure_divergences = { measure_divergences, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 7, 36, 0, 2, 2, 0, 12, 7 },
-        "" },
+    .measure_divergences = { measure_divergences, 1, { 2, 7, 2, 1, 2, 0, 6, 4 }, { 7, 36, 0, 2, 2, 0, 12, 7 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; divides by h: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -K*(m*R^2*I1 - m*R^2*I3 - m*R^2*(I1 - I3))" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
     .integral_count = 3, .measure_count = 1, .equilibria_count = 1,

@@ -9,7 +9,7 @@
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   11    4    1    0    0      5    5   (67)
  *  jacobian            8   30    7    1    0    0      8   12   (241)
- *  rhs_jacobian        11   36    9    1    0    0      9   13   (287)
+ *  rhs_jacobian        10   36    9    1    0    0      8   11   (287)
  *  divergence          1    5    1    1    0    0      4    4   (22)
  *  integral_values     0   10    8    0    1    0      5    4   (44)
  *  integral_gradients  0   16    5    1    1    0      6    5   (62)
@@ -17,11 +17,11 @@
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
- *    digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + s*omega3,
- *      s*omega3*(I3/K) + (m*R^2/K)*v_tau/R, (I1/K)*omega_n*gamma3 + s*omega3*(I3/K) + (m*R^2/K)*v_tau/R,
- *      d(omega_n)/dtau, omega_n*gamma3*(2*I1/K + m*R^2/K) + s*omega3*(I3/K) + (m*R^2/K)*v_tau/R,
- *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s),
- *      d(d(omega3)/dtau)/d(gamma3)
+ *    digits are lost where terms nearly cancel in v_tau/R = s*omega3 + omega_n*gamma3,
+ *      (m*R^2/K)*v_tau/R + (I3/K)*s*omega3, omega_n*gamma3*(I1/K) + (m*R^2/K)*v_tau/R + (I3/K)*s*omega3,
+ *      d(d(omega_n)/dtau)/d(omega_tau), omega_n*gamma3*(2*I1/K + m*R^2/K) + (m*R^2/K)*v_tau/R + (I3/K)*s*omega3,
+ *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3),
+ *      a part of d(d(omega3)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -58,26 +58,26 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[1]*params[1]; /* R*R */
     const double t1 = params[0]*t0; /* m*R*R */
-    out[32] = t1;
+    out[33] = t1;
     const double t2 = params[4] + t1; /* K = I1 + m*R*R */
-    out[33] = t2;
+    out[34] = t2;
     const double t3 = params[4]/t2; /* I1/K */
-    out[20] = t3;
+    out[22] = t3;
     const double t4 = t1/t2; /* m*R*R/K */
     out[21] = t4;
     const double t5 = t3 + t4; /* I1/K + m*R*R/K */
     out[6] = t5;
     const double t6 = params[5]/t2; /* I3/K */
-    out[22] = t6;
+    out[20] = t6;
     const double t7 = t4 + t6; /* m*R*R/K + I3/K */
     out[7] = t7;
     const double t8 = params[4]*t1; /* I1*m*R*R */
-    out[30] = t8;
+    out[31] = t8;
     const double t9 = params[5]*params[5]; /* I3*I3 */
     const double t10 = t1*params[5]; /* m*R*R*I3 */
-    out[31] = t10;
+    out[32] = t10;
     const double t11 = t9 + t10; /* I3*I3 + m*R*R*I3 */
-    out[35] = t11;
+    out[36] = t11;
     const double t12 = t11/t8; /* (I3*I3 + m*R*R*I3)/(I1*m*R*R) */
     out[8] = t12;
     const double t13 = params[5]/t1; /* I3/(m*R*R) */
@@ -125,22 +125,25 @@ static void prepare(const double *restrict params, double *restrict out)
     out[19] = t44;
     const double t45 = t4 + t19; /* m*R*R/K + I1/K*2 */
     out[23] = t45;
-    const double t46 = params[4]/2.0; /* I1/2 */
-    out[24] = t46;
-    const double t47 = params[5]/2.0; /* I3/2 */
-    out[25] = t47;
-    const double t48 = t1/2.0; /* m*R*R/2 */
-    out[26] = t48;
-    const double t49 = params[4]*params[1]; /* I1*R */
-    out[27] = t49;
-    const double t50 = params[1]*params[5]; /* R*I3 */
-    out[28] = t50;
-    const double t51 = params[4]*params[5]; /* I1*I3 */
-    out[29] = t51;
-    const double t52 = -t50; /* -R*I3 */
-    out[34] = t52;
-    const double t53 = t1*t15; /* m*R*R*(I1 - I3) */
-    out[36] = t53;
+    const double t46 = t15*(-2.0); /* (I1 - I3)*(-2) */
+    const double t47 = t46/params[4]; /* (I1 - I3)*(-2)/I1 */
+    out[24] = t47;
+    const double t48 = params[4]/2.0; /* I1/2 */
+    out[25] = t48;
+    const double t49 = params[5]/2.0; /* I3/2 */
+    out[26] = t49;
+    const double t50 = t1/2.0; /* m*R*R/2 */
+    out[27] = t50;
+    const double t51 = params[4]*params[1]; /* I1*R */
+    out[28] = t51;
+    const double t52 = params[1]*params[5]; /* R*I3 */
+    out[29] = t52;
+    const double t53 = params[4]*params[5]; /* I1*I3 */
+    out[30] = t53;
+    const double t54 = -t52; /* -R*I3 */
+    out[35] = t54;
+    const double t55 = t1*t15; /* m*R*R*(I1 - I3) */
+    out[37] = t55;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -250,34 +253,35 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t0 = x[4]*x[1]; /* s*omega_tau */
     const double t1 = x[4]*t0; /* s*s*omega_tau */
     out[0] = t1;
-    const double t2 = x[2]*x[0]; /* omega_n*gamma3 */
-    const double t3 = x[4]*x[3]; /* s*omega3 */
-    const double t4 = t2 + t3; /* v_tau/R = omega_n*gamma3 + s*omega3 */
-    const double t5 = p[21]*t4; /* m*R^2/K*v_tau/R */
-    const double t6 = JLT_FMA(t3, p[22], t5); /* s*omega3*I3/K + m*R^2/K*v_tau/R */
-    const double t7 = JLT_FMA(p[20], t2, t6); /* I1/K*omega_n*gamma3 + s*omega3*I3/K + m*R^2/K*v_tau/R */
-    const double t8 = x[2]*t7; /* omega_n*(I1/K*omega_n*gamma3 + s*omega3*I3/K + m*R^2/K*v_tau/R) */
+    const double t2 = x[4]*x[3]; /* s*omega3 */
+    const double t3 = p[20]*t2; /* I3/K*s*omega3 */
+    const double t4 = x[2]*x[0]; /* omega_n*gamma3 */
+    const double t5 = t2 + t4; /* v_tau/R = s*omega3 + omega_n*gamma3 */
+    const double t6 = JLT_FMA(p[21], t5, t3); /* m*R^2/K*v_tau/R + I3/K*s*omega3 */
+    const double t7 = JLT_FMA(t4, p[22], t6); /* omega_n*gamma3*I1/K + m*R^2/K*v_tau/R + I3/K*s*omega3 */
+    const double t8 = x[2]*t7; /* omega_n*(omega_n*gamma3*I1/K + m*R^2/K*v_tau/R + I3/K*s*omega3) */
     const double t9 = -t8; /* -t8 */
     out[1] = t9;
-    const double t10 = x[1]*t2; /* omega_tau*omega_n*gamma3 */
-    const double t11 = x[3]*p[8]; /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t12 = x[4]*x[4]; /* s*s */
-    out[6] = t12;
-    const double t13 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t14 = p[9] + t12; /* I3/(m*R^2) + s*s */
-    const double t15 = JLT_FMA(p[10], t13, t14); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
-    const double t16 = 1.0/t15; /* 1/(Theta/(m*R^2*I1)) */
-    const double t17 = t0*t16; /* s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t18 = JLT_FMA(t11, t17, t10); /* omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega_tau*1/(Theta/(m*R^2*I1)) + omega_tau*omega_n*gamma3 */
-    out[2] = t18;
-    const double t19 = x[3]*t17; /* omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t20 = x[4]*x[0]; /* s*gamma3 */
-    const double t21 = p[11]*t20; /* (I1 - I3)/I1*s*gamma3 */
-    const double t22 = t19*t21; /* omega3*s*omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
-    out[3] = t22;
-    const double t23 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t24 = -t23; /* -s*omega_tau*gamma3 */
-    out[4] = t24;
+    const double t10 = x[4]*x[4]; /* s*s */
+    out[6] = t10;
+    const double t11 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t12 = p[9] + t10; /* I3/(m*R^2) + s*s */
+    const double t13 = JLT_FMA(p[10], t11, t12); /* Theta/(m*R^2*I1) = I3/I1*gamma3*gamma3 + I3/(m*R^2) + s*s */
+    const double t14 = 1.0/t13; /* 1/(Theta/(m*R^2*I1)) */
+    const double t15 = t2*t14; /* s*omega3*1/(Theta/(m*R^2*I1)) */
+    const double t16 = JLT_FMA(p[8], t15, t4); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 */
+    out[16] = t16;
+    const double t17 = x[1]*t16; /* omega_tau*t16 */
+    out[2] = t17;
+    const double t18 = x[4]*x[0]; /* s*gamma3 */
+    const double t19 = p[11]*t18; /* (I1 - I3)/I1*s*gamma3 */
+    const double t20 = t15*t19; /* s*omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
+    out[21] = t20;
+    const double t21 = x[1]*t20; /* omega_tau*s*omega3*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
+    out[3] = t21;
+    const double t22 = t0*x[0]; /* s*omega_tau*gamma3 */
+    const double t23 = -t22; /* -s*omega_tau*gamma3 */
+    out[4] = t23;
     out[5] = 0.0;
     out[7] = 0.0;
     out[8] = 0.0;
@@ -285,55 +289,53 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[22] = 0.0;
     out[27] = 0.0;
     out[28] = 0.0;
-    const double t25 = t0*2.0; /* s*omega_tau*2 */
-    out[9] = t25;
-    const double t26 = x[2]*p[12]; /* omega_n*(-I1/K - m*R^2/K) */
-    const double t27 = x[2]*t26; /* omega_n*omega_n*(-I1/K - m*R^2/K) */
-    out[10] = t27;
-    const double t28 = JLT_FMA(t2, p[23], t6); /* omega_n*gamma3*(2*I1/K + m*R^2/K) + s*omega3*I3/K + m*R^2/K*v_tau/R */
-    const double t29 = -t28; /* -t28 */
-    out[12] = t29;
-    const double t30 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
-    const double t31 = x[4]*t30; /* s*omega_n*(I3/K + m*R^2/K) */
-    const double t32 = -t31; /* -s*omega_n*(I3/K + m*R^2/K) */
-    out[13] = t32;
-    const double t33 = x[3]*t30; /* omega3*omega_n*(I3/K + m*R^2/K) */
-    const double t34 = -t33; /* -omega3*omega_n*(I3/K + m*R^2/K) */
-    out[14] = t34;
-    const double t35 = x[1]*x[2]; /* omega_tau*omega_n */
-    const double t36 = x[0]*t16; /* gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t37 = t19*t36; /* omega3*s*omega_tau*1/(Theta/(m*R^2*I1))*gamma3*1/(Theta/(m*R^2*I1)) */
-    const double t38 = JLT_FNMA(p[16], t37, t35); /* omega_tau*omega_n - 2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2)*t37 */
+    const double t24 = t0*2.0; /* s*omega_tau*2 */
+    out[9] = t24;
+    const double t25 = x[2]*p[12]; /* omega_n*(-I1/K - m*R^2/K) */
+    const double t26 = x[2]*t25; /* omega_n*omega_n*(-I1/K - m*R^2/K) */
+    out[10] = t26;
+    const double t27 = JLT_FMA(t4, p[23], t6); /* omega_n*gamma3*(2*I1/K + m*R^2/K) + m*R^2/K*v_tau/R + I3/K*s*omega3 */
+    const double t28 = -t27; /* -t27 */
+    out[12] = t28;
+    const double t29 = x[2]*p[7]; /* omega_n*(I3/K + m*R^2/K) */
+    const double t30 = x[4]*t29; /* s*omega_n*(I3/K + m*R^2/K) */
+    const double t31 = -t30; /* -s*omega_n*(I3/K + m*R^2/K) */
+    out[13] = t31;
+    const double t32 = x[3]*t29; /* omega3*omega_n*(I3/K + m*R^2/K) */
+    const double t33 = -t32; /* -omega3*omega_n*(I3/K + m*R^2/K) */
+    out[14] = t33;
+    const double t34 = x[1]*x[2]; /* omega_tau*omega_n */
+    const double t35 = x[1]*x[0]; /* omega_tau*gamma3 */
+    out[17] = t35;
+    const double t36 = t15*t35; /* s*omega3*1/(Theta/(m*R^2*I1))*omega_tau*gamma3 */
+    const double t37 = t14*p[16]; /* 1/(Theta/(m*R^2*I1))*2*(m*R^2*I3^3 + m^2*R^4*I3^2)/(m^2*R^4*I1^2) */
+    const double t38 = JLT_FNMA(t36, t37, t34); /* omega_tau*omega_n - s*omega3*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*t37 */
     out[15] = t38;
-    const double t39 = t3*t16; /* s*omega3*1/(Theta/(m*R^2*I1)) */
-    const double t40 = JLT_FMA(p[8], t39, t2); /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega3*1/(Theta/(m*R^2*I1)) + omega_n*gamma3 */
-    out[16] = t40;
-    const double t41 = x[1]*x[0]; /* omega_tau*gamma3 */
-    out[17] = t41;
-    const double t42 = p[8]*t17; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    out[18] = t42;
-    const double t43 = x[1]*t11; /* omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
-    const double t44 = t3*t17; /* s*omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t45 = JLT_FNMA(p[17], t44, t43); /* omega_tau*omega3*(I3^2 + m*R^2*I3)/(m*R^2*I1) - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*s*omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t46 = t16*t45; /* 1/(Theta/(m*R^2*I1))*t45 */
-    out[19] = t46;
-    const double t47 = p[11]*t44; /* (I1 - I3)/I1*s*omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
-    const double t48 = t37*p[18]; /* t37*2*I3*(I1 - I3)/I1^2 */
-    const double t49 = JLT_FNMA(t20, t48, t47); /* (I1 - I3)/I1*s*omega3*s*omega_tau*1/(Theta/(m*R^2*I1)) - s*gamma3*t37*2*I3*(I1 - I3)/I1^2 */
+    const double t39 = t0*t14; /* s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t40 = p[8]*t39; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[18] = t40;
+    const double t41 = x[1]*p[8]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t42 = x[3]*t41; /* omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t43 = t14*t42; /* 1/(Theta/(m*R^2*I1))*omega3*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I1) */
+    const double t44 = t15*t39; /* s*omega3*1/(Theta/(m*R^2*I1))*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t45 = JLT_FNMA(p[17], t44, t43); /* t43 - 2*(m*R^2*I1*I3^2 + m^2*R^4*I1*I3)/(m^2*R^4*I1^2)*t44 */
+    out[19] = t45;
+    const double t46 = t0*p[11]; /* s*omega_tau*(I1 - I3)/I1 */
+    const double t47 = t15*t46; /* s*omega3*1/(Theta/(m*R^2*I1))*s*omega_tau*(I1 - I3)/I1 */
+    const double t48 = t11*p[18]; /* gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t49 = JLT_FNMA(t44, t48, t47); /* s*omega3*1/(Theta/(m*R^2*I1))*s*omega_tau*(I1 - I3)/I1 - t44*gamma3*gamma3*2*I3*(I1 - I3)/I1^2 */
     out[20] = t49;
-    const double t50 = t21*t39; /* (I1 - I3)/I1*s*gamma3*s*omega3*1/(Theta/(m*R^2*I1)) */
-    out[21] = t50;
-    const double t51 = t17*t21; /* s*omega_tau*1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*s*gamma3 */
-    out[23] = t51;
-    const double t52 = t13 + p[19]; /* gamma3*gamma3 + I1/(m*R^2) */
-    const double t53 = t48*t52; /* t37*2*I3*(I1 - I3)/I1^2*(gamma3*gamma3 + I1/(m*R^2)) */
-    out[24] = t53;
-    const double t54 = -t0; /* -s*omega_tau */
-    out[25] = t54;
-    const double t55 = -t20; /* -s*gamma3 */
-    out[26] = t55;
-    const double t56 = -t41; /* -omega_tau*gamma3 */
-    out[29] = t56;
+    const double t50 = t19*t39; /* (I1 - I3)/I1*s*gamma3*s*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[23] = t50;
+    const double t51 = JLT_FMS(t18, t44, t36); /* s*gamma3*t44 - s*omega3*1/(Theta/(m*R^2*I1))*omega_tau*gamma3 */
+    const double t52 = p[24]*t51; /* (-2*(I1 - I3)/I1)*t51 */
+    out[24] = t52;
+    const double t53 = -t0; /* -s*omega_tau */
+    out[25] = t53;
+    const double t54 = -t18; /* -s*gamma3 */
+    out[26] = t54;
+    const double t55 = -t35; /* -omega_tau*gamma3 */
+    out[29] = t55;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -351,26 +353,26 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*p[30]; /* s*m*R^2*I1 */
-    const double t1 = JLT_FMA(x[4], t0, p[29]); /* s*s*m*R^2*I1 + I1*I3 */
-    const double t2 = x[0]*p[31]; /* gamma3*m*R^2*I3 */
+    const double t0 = x[4]*p[31]; /* s*m*R^2*I1 */
+    const double t1 = JLT_FMA(x[4], t0, p[30]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t2 = x[0]*p[32]; /* gamma3*m*R^2*I3 */
     const double t3 = JLT_FMA(x[0], t2, t1); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t4 = sqrt(t3); /* h = sqrt(Theta) */
     const double t5 = x[3]*t4; /* omega3*h */
     out[2] = t5;
     const double t6 = x[1]*x[1]; /* omega_tau*omega_tau */
     const double t7 = JLT_FMA(x[2], x[2], t6); /* omega_n*omega_n + omega_tau*omega_tau */
-    const double t8 = p[24]*t7; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
+    const double t8 = p[25]*t7; /* 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
     const double t9 = x[3]*x[4]; /* omega3*s */
     const double t10 = JLT_FMA(x[2], x[0], t9); /* v_tau/R = omega_n*gamma3 + omega3*s */
     const double t11 = JLT_FMA(t10, t10, t6); /* v_tau/R*v_tau/R + omega_tau*omega_tau */
-    const double t12 = p[25]*x[3]; /* 1/2*I3*omega3 */
+    const double t12 = p[26]*x[3]; /* 1/2*I3*omega3 */
     const double t13 = JLT_FMA(x[3], t12, t8); /* omega3*1/2*I3*omega3 + 1/2*I1*(omega_n*omega_n + omega_tau*omega_tau) */
-    const double t14 = JLT_FMA(p[26], t11, t13); /* 1/2*m*R^2*(v_tau/R*v_tau/R + omega_tau*omega_tau) + t13 */
+    const double t14 = JLT_FMA(p[27], t11, t13); /* 1/2*m*R^2*(v_tau/R*v_tau/R + omega_tau*omega_tau) + t13 */
     out[0] = t14;
-    const double t15 = x[2]*p[27]; /* omega_n*R*I1 */
+    const double t15 = x[2]*p[28]; /* omega_n*R*I1 */
     const double t16 = x[4]*t15; /* s*omega_n*R*I1 */
-    const double t17 = x[3]*p[28]; /* omega3*R*I3 */
+    const double t17 = x[3]*p[29]; /* omega3*R*I3 */
     const double t18 = JLT_FNMA(x[0], t17, t16); /* s*omega_n*R*I1 - gamma3*omega3*R*I3 */
     out[1] = t18;
 }
@@ -379,10 +381,10 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 {
     const double t0 = x[3]*x[4]; /* omega3*s */
     const double t1 = JLT_FMA(x[2], x[0], t0); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t2 = p[32]*t1; /* m*R^2*v_tau/R */
+    const double t2 = p[33]*t1; /* m*R^2*v_tau/R */
     const double t3 = x[2]*t2; /* omega_n*m*R^2*v_tau/R */
     out[0] = t3;
-    const double t4 = p[33]*x[1]; /* (I1 + m*R^2)*omega_tau */
+    const double t4 = p[34]*x[1]; /* (I1 + m*R^2)*omega_tau */
     out[1] = t4;
     const double t5 = x[2]*p[4]; /* omega_n*I1 */
     const double t6 = JLT_FMA(x[0], t2, t5); /* gamma3*m*R^2*v_tau/R + omega_n*I1 */
@@ -392,20 +394,20 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[3] = t8;
     const double t9 = x[3]*t2; /* omega3*m*R^2*v_tau/R */
     out[4] = t9;
-    const double t10 = x[3]*p[34]; /* omega3*(-R*I3) */
+    const double t10 = x[3]*p[35]; /* omega3*(-R*I3) */
     out[5] = t10;
     out[6] = 0.0;
     out[11] = 0.0;
     out[12] = 0.0;
-    const double t11 = x[4]*p[27]; /* s*R*I1 */
+    const double t11 = x[4]*p[28]; /* s*R*I1 */
     out[7] = t11;
-    const double t12 = x[0]*p[34]; /* gamma3*(-R*I3) */
+    const double t12 = x[0]*p[35]; /* gamma3*(-R*I3) */
     out[8] = t12;
-    const double t13 = x[2]*p[27]; /* omega_n*R*I1 */
+    const double t13 = x[2]*p[28]; /* omega_n*R*I1 */
     out[9] = t13;
-    const double t14 = x[0]*p[31]; /* gamma3*m*R^2*I3 */
-    const double t15 = x[4]*p[30]; /* s*m*R^2*I1 */
-    const double t16 = JLT_FMA(x[4], t15, p[29]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t14 = x[0]*p[32]; /* gamma3*m*R^2*I3 */
+    const double t15 = x[4]*p[31]; /* s*m*R^2*I1 */
+    const double t16 = JLT_FMA(x[4], t15, p[30]); /* s*s*m*R^2*I1 + I1*I3 */
     const double t17 = JLT_FMA(x[0], t14, t16); /* Theta = gamma3*gamma3*m*R^2*I3 + s*s*m*R^2*I1 + I1*I3 */
     const double t18 = sqrt(t17); /* h = sqrt(Theta) */
     out[13] = t18;
@@ -457,9 +459,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[4] = x4[0] = x[4];
     coefficients[5] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t12[k] = x4[k]*p[30];
-        t13[k] = jlt_jet_product(x4, t12, k) + (k == 0 ? p[29] : 0);
-        t14[k] = x0[k]*p[31];
+        t12[k] = x4[k]*p[31];
+        t13[k] = jlt_jet_product(x4, t12, k) + (k == 0 ? p[30] : 0);
+        t14[k] = x0[k]*p[32];
         t15[k] = jlt_jet_product(x0, t14, k) + t13[k];
         t16[k] = jlt_jet_product(x4, x3, k);
         t17[k] = jlt_jet_quotient(t16[k], t15, t17, k);
@@ -468,9 +470,9 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t20[k] = jlt_jet_product(x4, t19, k);
         t21[k] = jlt_jet_product(x0, t19, k);
         t22[k] = -t21[k];
-        t23[k] = p[36]*t21[k];
+        t23[k] = p[37]*t21[k];
         t24[k] = jlt_jet_product(t17, t23, k);
-        t25[k] = p[35]*t17[k] + t18[k];
+        t25[k] = p[36]*t17[k] + t18[k];
         t26[k] = jlt_jet_product(x1, t25, k);
         t27[k] = p[6]*t18[k];
         t28[k] = p[7]*t16[k] + t27[k];
@@ -551,7 +553,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular = {
     .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_routh_sphere,
-    .state_count = 5, .param_count = 6, .block_count = 37,
+    .state_count = 5, .param_count = 6, .block_count = 38,
     .states = states,
     .params = params,
     .impose = impose,
@@ -560,8 +562,8 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular = {
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in a part of d(omega_n)/dtau, (I3/K + m*R^2/K)*s*omega3 + (I1/K + m*R^2/K)*omega_n*gamma3" },
     .jacobian = { jacobian, 25, { 8, 30, 7, 1, 0, 0, 8, 12 }, { 33, 182, 0, 26, 0, 0, 12, 6 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + s*omega3, d(d(omega_tau)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 36, 9, 1, 0, 0, 9, 13 }, { 40, 215, 0, 32, 0, 0, 12, 8 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + s*omega3, s*omega3*(I3/K) + (m*R^2/K)*v_tau/R, (I1/K)*omega_n*gamma3 + s*omega3*(I3/K) + (m*R^2/K)*v_tau/R, d(omega_n)/dtau, omega_n*gamma3*(2*I1/K + m*R^2/K) + s*omega3*(I3/K) + (m*R^2/K)*v_tau/R, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 10, 36, 9, 1, 0, 0, 8, 11 }, { 40, 215, 0, 32, 0, 0, 12, 8 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; digits are lost where terms nearly cancel in v_tau/R = s*omega3 + omega_n*gamma3, (m*R^2/K)*v_tau/R + (I3/K)*s*omega3, omega_n*gamma3*(I1/K) + (m*R^2/K)*v_tau/R + (I3/K)*s*omega3, d(d(omega_n)/dtau)/d(omega_tau), omega_n*gamma3*(2*I1/K + m*R^2/K) + (m*R^2/K)*v_tau/R + (I3/K)*s*omega3, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(gamma3), a part of d(d(omega3)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 5, 1, 1, 0, 0, 4, 4 }, { 3, 18, 0, 1, 0, 0, 7, 5 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are" },
     .integral_values = { integral_values, 3, { 0, 10, 8, 0, 1, 0, 5, 4 }, { 8, 35, 0, 0, 1, 0, 8, 5 },

@@ -1,24 +1,23 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
- *  Variant:    balanced_equal: a3 = 0, I1 = I3
- *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
+ *  Variant:    balanced_equal: a3 = 0, I3 = I1
+ *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   15    3    1    1    0      9    5   (61)
- *  jacobian            8   26    3    1    1    0      9    5   (143)
+ *  jacobian            7   26    4    1    1    0      9    6   (143)
  *  rhs_jacobian        11   32    4    1    1    0     10    9   (186)
  *  divergence          2    7    1    1    1    0      7    5   (25)
- *  integral_values     2   10    7    0    1    0      8    5   (42)
- *  integral_gradients  2   14    6    1    1    0      7    5   (53)
+ *  integral_values     2   10    7    0    1    0      8    4   (42)
+ *  integral_gradients  2   14    6    1    1    0      8    4   (53)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
- *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu,
- *      omega3 + gamma3*omega_n*((1)/(I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s, omega_tau - 1/Theta*(m*R*I3)*V,
+ *      omega3 + omega_n*gamma3*((1)/(m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s, omega_tau - 1/Theta*(m*R*I1)*V,
  *      d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n),
  *      d(d(omega_n)/dt)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
@@ -43,8 +42,8 @@ static void impose(const double *restrict x, const double *restrict params, doub
     out[1] = params[1];
     out[2] = params[2];
     out[3] = 0.0;
-    out[4] = params[5];
-    out[5] = params[5];
+    out[4] = params[4];
+    out[5] = params[4];
 }
 
 static void prepare(const double *restrict params, double *restrict out)
@@ -55,41 +54,42 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = params[5]*params[5]; /* I3*I3 */
-    out[9] = t0;
-    const double t1 = params[1]*params[1]; /* R*R */
-    out[14] = t1;
-    const double t2 = params[0]*t1; /* m*R*R */
-    out[17] = t2;
-    const double t3 = params[5]*t2; /* I3*m*R*R */
-    const double t4 = t0 + t3; /* I3*I3 + I3*m*R*R */
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = params[0]*t0; /* m*R*R */
+    out[17] = t1;
+    const double t2 = t1*params[4]; /* m*R*R*I1 */
+    const double t3 = params[4]*params[4]; /* I1*I1 */
+    out[9] = t3;
+    const double t4 = t2 + t3; /* m*R*R*I1 + I1*I1 */
     out[6] = t4;
     const double t5 = params[0]*params[1]; /* m*R */
-    const double t6 = params[5]*t5; /* I3*m*R */
+    const double t6 = params[4]*t5; /* I1*m*R */
     out[7] = t6;
-    const double t7 = -t6; /* -I3*m*R */
+    const double t7 = -t6; /* -I1*m*R */
     out[8] = t7;
-    const double t8 = -t3; /* -I3*m*R*R */
+    const double t8 = -t2; /* -m*R*R*I1 */
     out[10] = t8;
-    const double t9 = t4*t6; /* (I3*I3 + I3*m*R*R)*I3*m*R */
-    const double t10 = -t9; /* -(I3*I3 + I3*m*R*R)*I3*m*R */
+    const double t9 = t4*t6; /* (m*R*R*I1 + I1*I1)*I1*m*R */
+    const double t10 = -t9; /* -(m*R*R*I1 + I1*I1)*I1*m*R */
     out[11] = t10;
-    const double t11 = params[0]/2.0; /* m/2 */
+    const double t11 = params[4]/2.0; /* I1/2 */
     out[12] = t11;
-    const double t12 = params[5]/params[0]; /* I3/m */
+    const double t12 = params[0]/params[4]; /* m/I1 */
     out[13] = t12;
-    const double t13 = params[5]*params[1]; /* I3*R */
-    out[18] = t13;
-    const double t14 = -t13; /* -I3*R */
+    const double t13 = t1/params[4]; /* m*R*R/I1 */
+    out[14] = t13;
+    const double t14 = params[1]*params[4]; /* R*I1 */
     out[15] = t14;
-    const double t15 = t0*params[0]; /* I3*I3*m */
+    const double t15 = params[0]*t3; /* m*I1*I1 */
     out[16] = t15;
-    const double t16 = params[0]*2.0; /* m*2 */
-    const double t17 = t0*t16; /* I3*I3*m*2 */
-    out[19] = t17;
-    const double t18 = params[1]*t16; /* R*m*2 */
-    const double t19 = t0*t18; /* I3*I3*R*m*2 */
-    out[20] = t19;
+    const double t16 = -t14; /* -R*I1 */
+    out[18] = t16;
+    const double t17 = params[0]*2.0; /* m*2 */
+    const double t18 = t3*t17; /* I1*I1*m*2 */
+    out[19] = t18;
+    const double t19 = params[1]*t17; /* R*m*2 */
+    const double t20 = t3*t19; /* I1*I1*R*m*2 */
+    out[20] = t20;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -100,29 +100,29 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     const double t4 = x[2]*t3; /* omega_tau*s */
     out[0] = t4;
-    const double t5 = t2*p[6]; /* s^2*(I3^2 + m*R^2*I3) */
-    const double t6 = 1.0/t5; /* 1/(s^2*(I3^2 + m*R^2*I3)) */
-    const double t7 = x[0]*p[6]; /* gamma3*(I3^2 + m*R^2*I3) */
-    const double t8 = x[3]*t7; /* omega_n*gamma3*(I3^2 + m*R^2*I3) */
-    const double t9 = t6*t8; /* 1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
-    const double t10 = t3*t9; /* s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
-    const double t11 = x[4] + t10; /* omega3 + s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
+    const double t5 = t2*p[6]; /* s^2*(m*R^2*I1 + I1^2) */
+    const double t6 = 1.0/t5; /* 1/(s^2*(m*R^2*I1 + I1^2)) */
+    const double t7 = x[0]*p[6]; /* gamma3*(m*R^2*I1 + I1^2) */
+    const double t8 = x[3]*t7; /* omega_n*gamma3*(m*R^2*I1 + I1^2) */
+    const double t9 = t6*t8; /* 1/(s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2) */
+    const double t10 = t3*t9; /* s*1/(s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2) */
+    const double t11 = x[4] + t10; /* omega3 + s*1/(s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2) */
     const double t12 = x[3]*t11; /* omega_n*t11 */
     const double t13 = p[1]*t12; /* R*omega_n*t11 */
     out[1] = t13;
     const double t14 = -t12; /* -omega_n*t11 */
     out[2] = t14;
-    const double t15 = t2*t6; /* 1/Theta = s^2*1/(s^2*(I3^2 + m*R^2*I3)) */
-    const double t16 = x[4]*p[6]; /* omega3*(I3^2 + m*R^2*I3) */
-    const double t17 = JLT_FMA(t15, t16, t10); /* 1/Theta*omega3*(I3^2 + m*R^2*I3) + s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3) */
+    const double t15 = t2*t6; /* 1/Theta = s^2*1/(s^2*(m*R^2*I1 + I1^2)) */
+    const double t16 = x[4]*p[6]; /* omega3*(m*R^2*I1 + I1^2) */
+    const double t17 = JLT_FMA(t15, t16, t10); /* 1/Theta*omega3*(m*R^2*I1 + I1^2) + s*1/(s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2) */
     const double t18 = x[2]*t17; /* omega_tau*t17 */
     const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t20 = p[7]*t19; /* m*R*I3*V */
-    const double t21 = t15*t20; /* 1/Theta*m*R*I3*V */
-    const double t22 = JLT_FNMA(t10, t21, t18); /* omega_tau*t17 - s*1/(s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3)*1/Theta*m*R*I3*V */
+    const double t20 = p[7]*t19; /* m*R*I1*V */
+    const double t21 = t15*t20; /* 1/Theta*m*R*I1*V */
+    const double t22 = JLT_FNMA(t10, t21, t18); /* omega_tau*t17 - s*1/(s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2)*1/Theta*m*R*I1*V */
     out[3] = t22;
-    const double t23 = x[3]*t21; /* omega_n*1/Theta*m*R*I3*V */
-    const double t24 = -t23; /* -omega_n*1/Theta*m*R*I3*V */
+    const double t23 = x[3]*t21; /* omega_n*1/Theta*m*R*I1*V */
+    const double t24 = -t23; /* -omega_n*1/Theta*m*R*I1*V */
     out[4] = t24;
 }
 
@@ -137,61 +137,61 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[12] = 0.0;
     out[20] = 0.0;
     out[24] = 0.0;
-    const double t0 = -x[3]; /* -omega_n */
-    out[14] = t0;
-    const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t2 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t4 = p[6]*t3; /* (I3^2 + m*R^2*I3)*s^2 */
-    const double t5 = 1.0/t4; /* 1/((I3^2 + m*R^2*I3)*s^2) */
-    const double t6 = sqrt(t3); /* s = sqrt(s^2) */
-    out[2] = t6;
-    const double t7 = t3*t5; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
-    const double t8 = p[6]*t5; /* 1/s^2 = (I3^2 + m*R^2*I3)*1/((I3^2 + m*R^2*I3)*s^2) */
-    const double t9 = t6*t8; /* s*1/s^2 */
-    const double t10 = x[3]*t8; /* omega_n*1/s^2 */
-    const double t11 = t9*t10; /* s*1/s^2*omega_n*1/s^2 */
-    const double t12 = x[0]*t9; /* gamma3*s*1/s^2 */
-    const double t13 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t14 = p[7]*t13; /* m*R*I3*V */
-    const double t15 = t7*t14; /* 1/Theta*m*R*I3*V */
-    const double t16 = -t15; /* -1/Theta*m*R*I3*V */
-    out[23] = t16;
-    const double t17 = x[2] - t15; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t18 = t11*t17; /* s*1/s^2*omega_n*1/s^2*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[15] = t18;
-    const double t19 = t12*t17; /* gamma3*s*1/s^2*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[18] = t19;
-    const double t20 = x[3]*2.0; /* omega_n*2 */
-    const double t21 = JLT_FMA(t12, t20, x[4]); /* gamma3*s*1/s^2*omega_n*2 + omega3 */
-    const double t22 = p[1]*t21; /* R*(gamma3*s*1/s^2*omega_n*2 + omega3) */
-    out[8] = t22;
-    const double t23 = -t21; /* -(gamma3*s*1/s^2*omega_n*2 + omega3) */
-    out[13] = t23;
-    const double t24 = x[3]*t7; /* omega_n*1/Theta */
-    const double t25 = p[6]*t7; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t26 = x[2]*t25; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[19] = t26;
-    const double t27 = x[4]*t25; /* omega3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t28 = p[8]*t24; /* (-m*R*I3)*omega_n*1/Theta */
-    out[21] = t28;
-    const double t29 = p[10]*t24; /* (-m*R^2*I3)*omega_n*1/Theta */
-    out[22] = t29;
-    const double t30 = t12*t24; /* gamma3*s*1/s^2*omega_n*1/Theta */
-    const double t31 = JLT_FMA(p[9], t30, t27); /* I3^2*gamma3*s*1/s^2*omega_n*1/Theta + omega3*(I3^2 + m*R^2*I3)*1/Theta */
-    out[17] = t31;
-    const double t32 = p[8]*t30; /* (-m*R*I3)*gamma3*s*1/s^2*omega_n*1/Theta */
-    out[16] = t32;
-    const double t33 = x[2]*t12; /* omega_tau*gamma3*s*1/s^2 */
-    const double t34 = -t33; /* -omega_tau*gamma3*s*1/s^2 */
-    out[0] = t34;
-    const double t35 = p[1]*x[3]; /* R*omega_n */
-    out[9] = t35;
-    const double t36 = t11*t35; /* s*1/s^2*omega_n*1/s^2*R*omega_n */
-    out[5] = t36;
-    const double t37 = x[3]*t11; /* omega_n*s*1/s^2*omega_n*1/s^2 */
-    const double t38 = -t37; /* -omega_n*s*1/s^2*omega_n*1/s^2 */
-    out[10] = t38;
+    const double t0 = p[1]*x[3]; /* R*omega_n */
+    out[9] = t0;
+    const double t1 = -x[3]; /* -omega_n */
+    out[14] = t1;
+    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t3 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t4 = t2*t3; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t5 = p[6]*t4; /* (m*R^2*I1 + I1^2)*s^2 */
+    const double t6 = 1.0/t5; /* 1/((m*R^2*I1 + I1^2)*s^2) */
+    const double t7 = sqrt(t4); /* s = sqrt(s^2) */
+    out[2] = t7;
+    const double t8 = p[6]*t7; /* (m*R^2*I1 + I1^2)*s */
+    const double t9 = t6*t8; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t10 = t4*t6; /* 1/Theta = s^2*1/((m*R^2*I1 + I1^2)*s^2) */
+    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t12 = p[7]*t11; /* m*R*I1*V */
+    const double t13 = t10*t12; /* 1/Theta*m*R*I1*V */
+    const double t14 = -t13; /* -1/Theta*m*R*I1*V */
+    out[23] = t14;
+    const double t15 = x[3]*t9; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t16 = x[2]*t9; /* omega_tau*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t17 = JLT_FNMA(t9, t13, t16); /* omega_tau*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s - 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*1/Theta*m*R*I1*V */
+    const double t18 = t9*t15; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t19 = x[0]*t16; /* gamma3*omega_tau*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t20 = -t19; /* -t19 */
+    out[0] = t20;
+    const double t21 = t17*t18; /* t17*t18 */
+    out[15] = t21;
+    const double t22 = x[0]*t17; /* gamma3*t17 */
+    out[18] = t22;
+    const double t23 = t15*t18; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t18 */
+    const double t24 = x[0]*t15; /* gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t25 = p[1]*t23; /* R*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t18 */
+    out[5] = t25;
+    const double t26 = -t23; /* -omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t18 */
+    out[10] = t26;
+    const double t27 = p[6]*t10; /* (m*R^2*I1 + I1^2)*1/Theta */
+    const double t28 = x[2]*t27; /* omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
+    out[19] = t28;
+    const double t29 = x[4]*t27; /* omega3*(m*R^2*I1 + I1^2)*1/Theta */
+    const double t30 = JLT_FMA(2.0, t24, x[4]); /* 2*gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s + omega3 */
+    const double t31 = t10*t24; /* 1/Theta*gamma3*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t32 = JLT_FMA(p[9], t31, t29); /* I1^2*t31 + omega3*(m*R^2*I1 + I1^2)*1/Theta */
+    out[17] = t32;
+    const double t33 = p[8]*t31; /* (-m*R*I1)*t31 */
+    out[16] = t33;
+    const double t34 = x[3]*t10; /* omega_n*1/Theta */
+    const double t35 = p[1]*t30; /* R*t30 */
+    out[8] = t35;
+    const double t36 = -t30; /* -t30 */
+    out[13] = t36;
+    const double t37 = p[8]*t34; /* (-m*R*I1)*omega_n*1/Theta */
+    out[21] = t37;
+    const double t38 = p[10]*t34; /* (-m*R^2*I1)*omega_n*1/Theta */
+    out[22] = t38;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -210,70 +210,70 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t2 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(1 + gamma3) */
-    const double t4 = p[6]*t3; /* (I3^2 + m*R^2*I3)*s^2 */
-    const double t5 = 1.0/t4; /* 1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t4 = p[6]*t3; /* (m*R^2*I1 + I1^2)*s^2 */
+    const double t5 = 1.0/t4; /* 1/((m*R^2*I1 + I1^2)*s^2) */
     const double t6 = sqrt(t3); /* s = sqrt(s^2) */
     out[7] = t6;
-    const double t7 = t3*t5; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t7 = t3*t5; /* 1/Theta = s^2*1/((m*R^2*I1 + I1^2)*s^2) */
     const double t8 = x[2]*t6; /* omega_tau*s */
     out[0] = t8;
-    const double t9 = p[6]*t6; /* (I3^2 + m*R^2*I3)*s */
-    const double t10 = t5*t9; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
+    const double t9 = p[6]*t6; /* (m*R^2*I1 + I1^2)*s */
+    const double t10 = t5*t9; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
     const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t12 = p[7]*t11; /* m*R*I3*V */
-    const double t13 = t7*t12; /* 1/Theta*m*R*I3*V */
-    const double t14 = -t13; /* -1/Theta*m*R*I3*V */
+    const double t12 = p[7]*t11; /* m*R*I1*V */
+    const double t13 = t7*t12; /* 1/Theta*m*R*I1*V */
+    const double t14 = -t13; /* -1/Theta*m*R*I1*V */
     out[28] = t14;
-    const double t15 = x[3]*t10; /* omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t16 = x[0]*t15; /* gamma3*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t17 = x[4] + t16; /* omega3 + gamma3*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t18 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t19 = x[3]*t13; /* omega_n*1/Theta*m*R*I3*V */
-    const double t20 = -t19; /* -omega_n*1/Theta*m*R*I3*V */
-    out[4] = t20;
-    const double t21 = p[6]*t7; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t22 = x[2]*t21; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    out[24] = t22;
-    const double t23 = x[4]*t21; /* omega3*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t24 = x[0]*t10; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t25 = t18*t24; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    out[23] = t25;
-    const double t26 = x[2]*t24; /* omega_tau*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t27 = -t26; /* -t26 */
-    out[5] = t27;
-    const double t28 = t10*t15; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t29 = t15*t28; /* omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t28 */
-    const double t30 = t10*t18; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t31 = t28*t30; /* t28*t30 */
-    out[20] = t31;
-    const double t32 = t16*t18; /* gamma3*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t33 = JLT_FMA(x[2], t23, t32); /* omega_tau*omega3*(I3^2 + m*R^2*I3)*1/Theta + t32 */
-    out[3] = t33;
-    const double t34 = p[1]*t29; /* R*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t28 */
-    out[10] = t34;
-    const double t35 = -t29; /* -omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*t28 */
-    out[15] = t35;
-    const double t36 = x[3]*p[1]; /* omega_n*R */
-    out[14] = t36;
-    const double t37 = t17*t36; /* t17*omega_n*R */
-    out[1] = t37;
-    const double t38 = x[3]*t17; /* omega_n*t17 */
-    const double t39 = -t38; /* -omega_n*t17 */
-    out[2] = t39;
-    const double t40 = JLT_FMA(2.0, t16, x[4]); /* 2*gamma3*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s + omega3 */
-    const double t41 = t7*t16; /* 1/Theta*gamma3*omega_n*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t42 = JLT_FMA(p[9], t41, t23); /* I3^2*t41 + omega3*(I3^2 + m*R^2*I3)*1/Theta */
+    const double t15 = x[0]*t10; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t16 = x[3]*t15; /* omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t17 = x[3]*t10; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t18 = x[4] + t16; /* omega3 + omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t19 = x[2] - t13; /* omega_tau - 1/Theta*m*R*I1*V */
+    const double t20 = x[3]*t13; /* omega_n*1/Theta*m*R*I1*V */
+    const double t21 = -t20; /* -omega_n*1/Theta*m*R*I1*V */
+    out[4] = t21;
+    const double t22 = t15*t19; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
+    out[23] = t22;
+    const double t23 = x[2]*t15; /* omega_tau*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t24 = -t23; /* -t23 */
+    out[5] = t24;
+    const double t25 = p[6]*t7; /* (m*R^2*I1 + I1^2)*1/Theta */
+    const double t26 = t10*t17; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t27 = t10*t26; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t26 */
+    const double t28 = t17*t26; /* omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t26 */
+    const double t29 = -t28; /* -omega_n*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t26 */
+    out[15] = t29;
+    const double t30 = t19*t27; /* (omega_tau - 1/Theta*m*R*I1*V)*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t26 */
+    out[20] = t30;
+    const double t31 = t16*t19; /* omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(omega_tau - 1/Theta*m*R*I1*V) */
+    const double t32 = p[1]*x[3]; /* R*omega_n */
+    out[14] = t32;
+    const double t33 = t27*t32; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t26*R*omega_n */
+    out[10] = t33;
+    const double t34 = t18*t32; /* t18*R*omega_n */
+    out[1] = t34;
+    const double t35 = x[3]*t18; /* omega_n*t18 */
+    const double t36 = -t35; /* -omega_n*t18 */
+    out[2] = t36;
+    const double t37 = x[2]*t25; /* omega_tau*(m*R^2*I1 + I1^2)*1/Theta */
+    out[24] = t37;
+    const double t38 = JLT_FMA(x[4], t37, t31); /* omega3*omega_tau*(m*R^2*I1 + I1^2)*1/Theta + t31 */
+    out[3] = t38;
+    const double t39 = x[4]*t25; /* omega3*(m*R^2*I1 + I1^2)*1/Theta */
+    const double t40 = JLT_FMA(2.0, t16, x[4]); /* 2*omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s + omega3 */
+    const double t41 = t7*t16; /* 1/Theta*omega_n*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t42 = JLT_FMA(p[9], t41, t39); /* I1^2*t41 + omega3*(m*R^2*I1 + I1^2)*1/Theta */
     out[22] = t42;
-    const double t43 = p[8]*t41; /* (-m*R*I3)*t41 */
+    const double t43 = p[8]*t41; /* (-m*R*I1)*t41 */
     out[21] = t43;
     const double t44 = x[3]*t7; /* omega_n*1/Theta */
     const double t45 = p[1]*t40; /* R*t40 */
     out[13] = t45;
     const double t46 = -t40; /* -t40 */
     out[18] = t46;
-    const double t47 = p[8]*t44; /* (-m*R*I3)*omega_n*1/Theta */
+    const double t47 = p[8]*t44; /* (-m*R*I1)*omega_n*1/Theta */
     out[26] = t47;
-    const double t48 = p[10]*t44; /* (-m*R^2*I3)*omega_n*1/Theta */
+    const double t48 = p[10]*t44; /* (-m*R^2*I1)*omega_n*1/Theta */
     out[27] = t48;
 }
 
@@ -284,13 +284,13 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t5 = t3*p[6]; /* s*(I3^2 + m*R^2*I3) */
-    const double t6 = 1.0/t5; /* 1/(s*(I3^2 + m*R^2*I3)) */
-    const double t7 = p[11]*x[0]; /* (-m*R*I3*(I3^2 + m*R^2*I3))*gamma3 */
-    const double t8 = t4*t7; /* V*(-m*R*I3*(I3^2 + m*R^2*I3))*gamma3 */
-    const double t9 = t3*t8; /* s*V*(-m*R*I3*(I3^2 + m*R^2*I3))*gamma3 */
-    const double t10 = t6*t9; /* 1/(s*(I3^2 + m*R^2*I3))*s*V*(-m*R*I3*(I3^2 + m*R^2*I3))*gamma3 */
-    const double t11 = t6*t10; /* 1/(s*(I3^2 + m*R^2*I3))*t10 */
+    const double t5 = t3*p[6]; /* s*(m*R^2*I1 + I1^2) */
+    const double t6 = 1.0/t5; /* 1/(s*(m*R^2*I1 + I1^2)) */
+    const double t7 = p[11]*x[0]; /* (-m*R*I1*(m*R^2*I1 + I1^2))*gamma3 */
+    const double t8 = t4*t7; /* V*(-m*R*I1*(m*R^2*I1 + I1^2))*gamma3 */
+    const double t9 = t3*t8; /* s*V*(-m*R*I1*(m*R^2*I1 + I1^2))*gamma3 */
+    const double t10 = t6*t9; /* 1/(s*(m*R^2*I1 + I1^2))*s*V*(-m*R*I1*(m*R^2*I1 + I1^2))*gamma3 */
+    const double t11 = t6*t10; /* 1/(s*(m*R^2*I1 + I1^2))*t10 */
     out[0] = t11;
 }
 
@@ -300,56 +300,31 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[4]*x[4]; /* omega3*omega3 */
-    const double t5 = JLT_FMA(x[3], x[3], t4); /* omega_n*omega_n + omega3*omega3 */
-    const double t6 = JLT_FMA(x[2], x[2], t5); /* omega_tau*omega_tau + omega_n*omega_n + omega3*omega3 */
+    const double t4 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t5 = JLT_FMA(x[2], x[2], t4); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t6 = JLT_FMA(x[4], x[4], t5); /* omega3*omega3 + omega_tau*omega_tau + omega_n*omega_n */
     const double t7 = x[4]*t3; /* omega3*s */
     const double t8 = JLT_FMA(x[3], x[0], t7); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t9 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t10 = JLT_FMA(p[13], t6, t9); /* I3/m*(omega_tau*omega_tau + omega_n*omega_n + omega3*omega3) + v_nu*v_nu */
-    const double t11 = p[14]*t8; /* R^2*v_tau/R */
-    const double t12 = JLT_FMA(t8, t11, t10); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + t10 */
-    const double t13 = p[12]*t12; /* 1/2*m*energy/(1/2*m) */
-    out[0] = t13;
-    const double t14 = x[4]*x[0]; /* omega3*gamma3 */
-    const double t15 = JLT_FNMA(x[3], t3, t14); /* omega3*gamma3 - omega_n*s */
-    const double t16 = p[15]*t15; /* (-R*I3)*(omega3*gamma3 - omega_n*s) */
-    out[1] = t16;
+    const double t9 = x[3]*t3; /* omega_n*s */
+    const double t10 = JLT_FNMA(x[4], x[0], t9); /* omega_n*s - omega3*gamma3 */
+    const double t11 = p[15]*t10; /* R*I1*(omega_n*s - omega3*gamma3) */
+    out[1] = t11;
+    const double t12 = p[13]*x[1]; /* m/I1*v_nu */
+    const double t13 = JLT_FMA(x[1], t12, t6); /* v_nu*m/I1*v_nu + omega3*omega3 + omega_tau*omega_tau + omega_n*omega_n */
+    const double t14 = p[14]*t8; /* m*R^2/I1*v_tau/R */
+    const double t15 = JLT_FMA(t8, t14, t13); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t13 */
+    const double t16 = p[12]*t15; /* 1/2*I1*energy/(1/2*I1) */
+    out[0] = t16;
     const double t17 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     out[3] = t17;
-    const double t18 = p[16]*t17; /* m*I3^2*(omega_tau*R + v_nu) */
-    const double t19 = t17*t18; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
+    const double t18 = p[16]*t17; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t19 = t17*t18; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[2] = t19;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[16] = 1.0;
-    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t1 = x[0] + 1.0; /* gamma3 + 1 */
-    const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = sqrt(t2); /* s = sqrt(s^2) */
-    const double t4 = x[0]/t2; /* gamma3/s^2 */
-    const double t5 = t3*t4; /* s*gamma3/s^2 */
-    const double t6 = JLT_FNMA(x[4], t5, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
-    const double t7 = x[4]*t3; /* omega3*s */
-    const double t8 = JLT_FMA(x[3], x[0], t7); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t9 = p[17]*t8; /* m*R^2*v_tau/R */
-    const double t10 = t6*t9; /* d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R */
-    out[0] = t10;
-    const double t11 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t11;
-    const double t12 = p[5]*x[2]; /* I3*omega_tau */
-    out[2] = t12;
-    const double t13 = x[3]*p[5]; /* omega_n*I3 */
-    const double t14 = JLT_FMA(x[0], t9, t13); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau/R + omega_n*I3 */
-    out[3] = t14;
-    const double t15 = x[4]*p[5]; /* omega3*I3 */
-    const double t16 = JLT_FMA(t3, t9, t15); /* d(energy)/d(omega3) = s*m*R^2*v_tau/R + omega3*I3 */
-    out[4] = t16;
-    const double t17 = JLT_FMA(x[3], t5, x[4]); /* omega_n*s*gamma3/s^2 + omega3 */
-    const double t18 = p[15]*t17; /* (-R*I3)*(omega_n*s*gamma3/s^2 + omega3) */
-    out[5] = t18;
     out[6] = 0.0;
     out[7] = 0.0;
     out[10] = 0.0;
@@ -358,15 +333,40 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[15] = 0.0;
     out[18] = 0.0;
     out[19] = 0.0;
-    const double t19 = t3*p[18]; /* s*R*I3 */
-    out[8] = t19;
-    const double t20 = x[0]*p[15]; /* gamma3*(-R*I3) */
-    out[9] = t20;
     out[17] = p[1];
+    const double t0 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t0;
+    const double t1 = p[4]*x[2]; /* I1*omega_tau */
+    out[2] = t1;
+    const double t2 = x[0]*p[18]; /* gamma3*(-R*I1) */
+    out[9] = t2;
+    const double t3 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t4 = x[0] + 1.0; /* gamma3 + 1 */
+    const double t5 = t3*t4; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
+    const double t6 = sqrt(t5); /* s = sqrt(s^2) */
+    const double t7 = x[0]/t5; /* gamma3/s^2 */
+    const double t8 = t6*t7; /* s*gamma3/s^2 */
+    const double t9 = p[15]*t6; /* R*I1*s */
+    out[8] = t9;
+    const double t10 = x[4]*t6; /* omega3*s */
+    const double t11 = JLT_FMA(x[3], x[0], t10); /* v_tau/R = omega_n*gamma3 + omega3*s */
+    const double t12 = p[17]*t11; /* m*R^2*v_tau/R */
+    const double t13 = t6*t12; /* s*m*R^2*v_tau/R */
+    const double t14 = JLT_FMA(x[4], p[4], t13); /* d(energy)/d(omega3) = omega3*I1 + s*m*R^2*v_tau/R */
+    out[4] = t14;
+    const double t15 = JLT_FNMA(x[4], t8, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
+    const double t16 = t12*t15; /* m*R^2*v_tau/R*d(v_tau)/d(gamma3)/R */
+    out[0] = t16;
+    const double t17 = JLT_FMA(x[3], t8, x[4]); /* omega_n*s*gamma3/s^2 + omega3 */
+    const double t18 = p[18]*t17; /* (-R*I1)*(omega_n*s*gamma3/s^2 + omega3) */
+    out[5] = t18;
+    const double t19 = x[3]*p[4]; /* omega_n*I1 */
+    const double t20 = JLT_FMA(x[0], t12, t19); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau/R + omega_n*I1 */
+    out[3] = t20;
     const double t21 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t22 = p[19]*t21; /* 2*m*I3^2*(omega_tau*R + v_nu) */
+    const double t22 = p[19]*t21; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[11] = t22;
-    const double t23 = t21*p[20]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
+    const double t23 = p[20]*t21; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
     out[12] = t23;
 }
 
@@ -456,10 +456,10 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[1] = (v_omega_n*v_omega_n*v_b/v_s)
         + (v_R*v_omega_n*v_omega3);
     const double v_m = params[0];
-    const double v_I3 = params[5];
-    const double v_I1 = (v_I3);
+    const double v_I1 = params[4];
     const double complex v_D = (v_I1 + v_m*v_a3*v_a3*v_s*v_s);
     const double v_g = params[2];
+    const double v_I3 = (v_I1);
     out[2] = (v_m*v_a3*v_a3*v_gamma3*v_omega_tau*v_omega_tau*v_s/v_D)
         + (-v_m*v_g*v_a3*v_s/v_D)
         + (-v_I1*v_gamma3*v_omega_n*v_omega_n/(v_s*v_D))
@@ -503,26 +503,26 @@ static void family0_point(const double *restrict x, const double *restrict param
 static void family0_trace(const double *restrict x, const double *restrict params, double *restrict out)
 {
     const double t0 = params[0]*params[1]; /* m*R */
-    const double t1 = t0*params[5]; /* m*R*I3 */
-    const double t2 = t1*x[0]; /* m*R*I3*gamma3 */
-    const double t3 = t2*x[1]; /* m*R*I3*gamma3*v_nu */
+    const double t1 = t0*params[4]; /* m*R*I1 */
+    const double t2 = t1*x[0]; /* m*R*I1*gamma3 */
+    const double t3 = t2*x[1]; /* m*R*I1*gamma3*v_nu */
     const double t4 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t5 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t6 = t4*t5; /* (1 - gamma3)*(1 + gamma3) */
     const double t7 = sqrt(t6); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t8 = params[5]*params[5]; /* I3*I3 */
-    const double t9 = params[1]*params[1]; /* R*R */
-    const double t10 = params[0]*t9; /* m*R*R */
-    const double t11 = params[5]*t10; /* I3*m*R*R */
-    const double t12 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t13 = t11*t12; /* I3*m*R*R*gamma3*gamma3 */
-    const double t14 = t8 + t13; /* I3*I3 + I3*m*R*R*gamma3*gamma3 */
-    const double t15 = t7*t7; /* s*s */
-    const double t16 = t11*t15; /* I3*m*R*R*s*s */
-    const double t17 = t14 + t16; /* Theta = I3*I3 + I3*m*R*R*gamma3*gamma3 + I3*m*R*R*s*s */
+    const double t8 = params[1]*params[1]; /* R*R */
+    const double t9 = params[0]*t8; /* m*R*R */
+    const double t10 = params[4]*t9; /* I1*m*R*R */
+    const double t11 = t7*t7; /* s*s */
+    const double t12 = t10*t11; /* I1*m*R*R*s*s */
+    const double t13 = params[4]*params[4]; /* I1*I1 */
+    const double t14 = t12 + t13; /* I1*m*R*R*s*s + I1*I1 */
+    const double t15 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t16 = t10*t15; /* I1*m*R*R*gamma3*gamma3 */
+    const double t17 = t14 + t16; /* Theta = I1*m*R*R*s*s + I1*I1 + I1*m*R*R*gamma3*gamma3 */
     const double t18 = t7*t17; /* s*Theta */
-    const double t19 = t3/t18; /* m*R*I3*gamma3*v_nu/(s*Theta) */
-    const double t20 = -t19; /* -m*R*I3*gamma3*v_nu/(s*Theta) */
+    const double t19 = t3/t18; /* m*R*I1*gamma3*v_nu/(s*Theta) */
+    const double t20 = -t19; /* -m*R*I1*gamma3*v_nu/(s*Theta) */
     out[0] = t20;
 }
 
@@ -532,32 +532,32 @@ static void family0_charpoly(const double *restrict x, const double *restrict pa
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = params[5]*t3; /* I3*s */
+    const double t4 = params[4]*t3; /* I1*s */
     out[3] = 0.0;
     out[4] = 0.0;
     out[5] = 0.0;
-    const double t5 = params[5]*params[5]; /* I3*I3 */
-    const double t6 = params[1]*params[1]; /* R*R */
-    const double t7 = params[0]*t6; /* m*R*R */
-    const double t8 = params[5]*t7; /* I3*m*R*R */
-    const double t9 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t10 = t8*t9; /* I3*m*R*R*gamma3*gamma3 */
-    const double t11 = t5 + t10; /* I3*I3 + I3*m*R*R*gamma3*gamma3 */
-    const double t12 = t3*t3; /* s*s */
-    const double t13 = t8*t12; /* I3*m*R*R*s*s */
-    const double t14 = t11 + t13; /* Theta = I3*I3 + I3*m*R*R*gamma3*gamma3 + I3*m*R*R*s*s */
-    const double t15 = t4*t14; /* I3*s*Theta */
+    const double t5 = params[1]*params[1]; /* R*R */
+    const double t6 = params[0]*t5; /* m*R*R */
+    const double t7 = params[4]*t6; /* I1*m*R*R */
+    const double t8 = t3*t3; /* s*s */
+    const double t9 = t7*t8; /* I1*m*R*R*s*s */
+    const double t10 = params[4]*params[4]; /* I1*I1 */
+    const double t11 = t9 + t10; /* I1*m*R*R*s*s + I1*I1 */
+    const double t12 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t13 = t7*t12; /* I1*m*R*R*gamma3*gamma3 */
+    const double t14 = t11 + t13; /* Theta = I1*m*R*R*s*s + I1*I1 + I1*m*R*R*gamma3*gamma3 */
+    const double t15 = t4*t14; /* I1*s*Theta */
     out[0] = t15;
     const double t16 = params[0]*params[1]; /* m*R */
-    const double t17 = t5*t16; /* I3*I3*m*R */
-    const double t18 = x[0]*t17; /* gamma3*I3*I3*m*R */
-    const double t19 = t18*x[1]; /* gamma3*I3*I3*m*R*v_nu */
+    const double t17 = t10*t16; /* I1*I1*m*R */
+    const double t18 = x[0]*t17; /* gamma3*I1*I1*m*R */
+    const double t19 = t18*x[1]; /* gamma3*I1*I1*m*R*v_nu */
     out[1] = t19;
     const double t20 = x[4]*x[4]; /* omega3*omega3 */
-    const double t21 = t5*t20; /* I3*I3*omega3*omega3 */
-    const double t22 = t3*t21; /* s*I3*I3*omega3*omega3 */
-    const double t23 = params[5] + t7; /* I3 + m*R*R */
-    const double t24 = t22*t23; /* s*I3*I3*omega3*omega3*(I3 + m*R*R) */
+    const double t21 = t10*t20; /* I1*I1*omega3*omega3 */
+    const double t22 = t3*t21; /* s*I1*I1*omega3*omega3 */
+    const double t23 = params[4] + t6; /* I1 + m*R*R */
+    const double t24 = t22*t23; /* s*I1*I1*omega3*omega3*(I1 + m*R*R) */
     out[2] = t24;
 }
 
@@ -591,32 +591,32 @@ static void family0_matrix(const double *restrict x, const double *restrict para
     out[8] = t4;
     const double t5 = -x[4]; /* -omega3 */
     out[13] = t5;
-    const double t6 = x[4]*params[5]; /* omega3*I3 */
-    const double t7 = params[5]*params[5]; /* I3*I3 */
-    const double t8 = params[1]*params[1]; /* R*R */
-    const double t9 = params[0]*t8; /* m*R*R */
-    const double t10 = params[5]*t9; /* I3*m*R*R */
-    const double t11 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t12 = t10*t11; /* I3*m*R*R*gamma3*gamma3 */
-    const double t13 = t7 + t12; /* I3*I3 + I3*m*R*R*gamma3*gamma3 */
-    const double t14 = t3*t3; /* s*s */
-    const double t15 = t10*t14; /* I3*m*R*R*s*s */
-    const double t16 = t13 + t15; /* Theta = I3*I3 + I3*m*R*R*gamma3*gamma3 + I3*m*R*R*s*s */
-    const double t17 = params[5] + t9; /* I3 + m*R*R */
-    const double t18 = t6*t17; /* omega3*I3*(I3 + m*R*R) */
-    const double t19 = t18/t16; /* omega3*I3*(I3 + m*R*R)/Theta */
+    const double t6 = x[4]*params[4]; /* omega3*I1 */
+    const double t7 = params[1]*params[1]; /* R*R */
+    const double t8 = params[0]*t7; /* m*R*R */
+    const double t9 = params[4]*t8; /* I1*m*R*R */
+    const double t10 = t3*t3; /* s*s */
+    const double t11 = t9*t10; /* I1*m*R*R*s*s */
+    const double t12 = params[4]*params[4]; /* I1*I1 */
+    const double t13 = t11 + t12; /* I1*m*R*R*s*s + I1*I1 */
+    const double t14 = x[0]*x[0]; /* gamma3*gamma3 */
+    const double t15 = t9*t14; /* I1*m*R*R*gamma3*gamma3 */
+    const double t16 = t13 + t15; /* Theta = I1*m*R*R*s*s + I1*I1 + I1*m*R*R*gamma3*gamma3 */
+    const double t17 = params[4] + t8; /* I1 + m*R*R */
+    const double t18 = t6*t17; /* omega3*I1*(I1 + m*R*R) */
+    const double t19 = t18/t16; /* omega3*I1*(I1 + m*R*R)/Theta */
     out[17] = t19;
     const double t20 = params[1]*params[0]; /* R*m */
-    const double t21 = params[5]*t20; /* I3*R*m */
-    const double t22 = x[0]*t21; /* gamma3*I3*R*m */
-    const double t23 = t22*x[1]; /* gamma3*I3*R*m*v_nu */
+    const double t21 = params[4]*t20; /* I1*R*m */
+    const double t22 = x[0]*t21; /* gamma3*I1*R*m */
+    const double t23 = t22*x[1]; /* gamma3*I1*R*m*v_nu */
     const double t24 = t3*t16; /* s*Theta */
-    const double t25 = t23/t24; /* gamma3*I3*R*m*v_nu/(s*Theta) */
-    const double t26 = -t25; /* -gamma3*I3*R*m*v_nu/(s*Theta) */
+    const double t25 = t23/t24; /* gamma3*I1*R*m*v_nu/(s*Theta) */
+    const double t26 = -t25; /* -gamma3*I1*R*m*v_nu/(s*Theta) */
     out[18] = t26;
-    const double t27 = t21*x[1]; /* I3*R*m*v_nu */
-    const double t28 = t27/t16; /* I3*R*m*v_nu/Theta */
-    const double t29 = -t28; /* -I3*R*m*v_nu/Theta */
+    const double t27 = t21*x[1]; /* I1*R*m*v_nu */
+    const double t28 = t27/t16; /* I1*R*m*v_nu/Theta */
+    const double t29 = -t28; /* -I1*R*m*v_nu/Theta */
     out[23] = t29;
 }
 
@@ -647,28 +647,28 @@ static void family0_left_null_gradients(const double *restrict x, const double *
     const double t14 = x[0]*t13; /* gamma3*m*R */
     const double t15 = t5*t14; /* d(energy)/d(omega_n) = v_tau*gamma3*m*R */
     out[3] = t15;
-    const double t16 = x[4]*params[5]; /* omega3*I3 */
-    const double t17 = t4*t13; /* s*m*R */
-    const double t18 = t5*t17; /* v_tau*s*m*R */
-    const double t19 = t16 + t18; /* d(energy)/d(omega3) = omega3*I3 + v_tau*s*m*R */
+    const double t16 = t4*t13; /* s*m*R */
+    const double t17 = t5*t16; /* v_tau*s*m*R */
+    const double t18 = x[4]*params[4]; /* omega3*I1 */
+    const double t19 = t17 + t18; /* d(energy)/d(omega3) = v_tau*s*m*R + omega3*I1 */
     out[4] = t19;
-    const double t20 = params[1]*params[5]; /* R*I3 */
-    const double t21 = x[4]*t20; /* omega3*R*I3 */
-    const double t22 = -t21; /* -omega3*R*I3 */
-    out[5] = t22;
-    const double t23 = x[0]*t20; /* gamma3*R*I3 */
-    const double t24 = t4*t20; /* s*R*I3 */
+    const double t20 = params[1]*params[4]; /* R*I1 */
+    const double t21 = x[0]*t20; /* gamma3*R*I1 */
+    const double t22 = x[4]*t20; /* omega3*R*I1 */
+    const double t23 = -t22; /* -omega3*R*I1 */
+    out[5] = t23;
+    const double t24 = t4*t20; /* s*R*I1 */
     out[8] = t24;
-    const double t25 = -t23; /* -gamma3*R*I3 */
+    const double t25 = -t21; /* -gamma3*R*I1 */
     out[9] = t25;
     const double t26 = params[0]*2.0; /* m*2 */
-    const double t27 = params[5]*params[5]; /* I3*I3 */
-    const double t28 = t26*t27; /* m*2*I3*I3 */
-    const double t29 = x[1]*t28; /* v_nu*m*2*I3*I3 */
+    const double t27 = params[4]*params[4]; /* I1*I1 */
+    const double t28 = t26*t27; /* m*2*I1*I1 */
+    const double t29 = x[1]*t28; /* v_nu*m*2*I1*I1 */
     out[11] = t29;
     const double t30 = params[1]*t26; /* R*m*2 */
-    const double t31 = t27*t30; /* I3*I3*R*m*2 */
-    const double t32 = x[1]*t31; /* v_nu*I3*I3*R*m*2 */
+    const double t31 = t27*t30; /* I1*I1*R*m*2 */
+    const double t32 = x[1]*t31; /* v_nu*I1*I1*R*m*2 */
     out[12] = t32;
 }
 
@@ -722,7 +722,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
+    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
     .state_count = 5, .param_count = 6, .block_count = 21,
@@ -730,18 +730,18 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 5, 15, 3, 1, 1, 0, 9, 5 }, { 11, 42, 0, 7, 1, 0, 10, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3 + s*((1)/s^2*(I3^2 + m*R^2*I3))*omega_n*gamma3*(I3^2 + m*R^2*I3), a part of d(omega_n)/dt, V = omega_tau*R + v_nu, d(omega_n)/dt" },
-    .jacobian = { jacobian, 25, { 8, 26, 3, 1, 1, 0, 9, 5 }, { 24, 95, 0, 23, 1, 0, 10, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I3)*V, gamma3*s*1/s^2*omega_n*(2) + omega3, d(d(omega_n)/dt)/d(omega_tau)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 32, 4, 1, 1, 0, 10, 9 }, { 31, 124, 0, 30, 1, 0, 10, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, omega3 + gamma3*omega_n*((1)/(I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s, omega_tau - 1/Theta*(m*R*I3)*V, d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau)" },
-    .divergence = { divergence, 1, { 2, 7, 1, 1, 1, 0, 7, 5 }, { 5, 18, 0, 1, 1, 0, 9, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu" },
-    .integral_values = { integral_values, 4, { 2, 10, 7, 0, 1, 0, 8, 5 }, { 9, 32, 0, 0, 1, 0, 11, 5 },
-        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, omega3*gamma3 - omega_n*s, F_linear" },
-    .integral_gradients = { integral_gradients, 20, { 2, 14, 6, 1, 1, 0, 7, 5 }, { 10, 40, 0, 2, 1, 0, 7, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in d(v_tau)/d(gamma3)/R = omega_n - omega3*s*(gamma3/s^2), v_tau/R = omega_n*gamma3 + omega3*s, d(E)/d(omega_n), d(E)/d(omega3), omega_n*s*(gamma3/s^2) + omega3, omega_tau*R + v_nu" },
+    .rhs = { rhs, 5, { 5, 15, 3, 1, 1, 0, 9, 5 }, { 11, 42, 0, 7, 1, 0, 12, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3 + s*((1)/s^2*(m*R^2*I1 + I1^2))*omega_n*gamma3*(m*R^2*I1 + I1^2), a part of d(omega_n)/dt, V = omega_tau*R + v_nu, d(omega_n)/dt" },
+    .jacobian = { jacobian, 25, { 7, 26, 4, 1, 1, 0, 9, 6 }, { 24, 95, 0, 23, 1, 0, 12, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, a part of d(d(omega_n)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(omega_n), a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 11, 32, 4, 1, 1, 0, 10, 9 }, { 31, 124, 0, 30, 1, 0, 12, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, omega3 + omega_n*gamma3*((1)/(m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s, omega_tau - 1/Theta*(m*R*I1)*V, d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(omega_n) and of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(omega_tau)" },
+    .divergence = { divergence, 1, { 2, 7, 1, 1, 1, 0, 7, 5 }, { 5, 18, 0, 1, 1, 0, 10, 6 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu" },
+    .integral_values = { integral_values, 4, { 2, 10, 7, 0, 1, 0, 8, 4 }, { 9, 32, 0, 0, 1, 0, 11, 5 },
+        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, omega_n*s - omega3*gamma3, F_linear" },
+    .integral_gradients = { integral_gradients, 20, { 2, 14, 6, 1, 1, 0, 8, 4 }, { 10, 40, 0, 2, 1, 0, 7, 6 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, d(E)/d(omega3), d(v_tau)/d(gamma3)/R = omega_n - omega3*s*(gamma3/s^2), omega_n*s*(gamma3/s^2) + omega3, d(E)/d(omega_n), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },

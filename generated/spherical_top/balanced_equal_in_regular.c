@@ -1,28 +1,27 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
- *  Variant:    balanced_equal: a3 = 0, I1 = I3
+ *  Variant:    balanced_equal: a3 = 0, I3 = I1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
+ *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   14    5    1    0    0      7    6   (63)
- *  jacobian            7   36   12    1    0    0      8    9   (242)
- *  rhs_jacobian        12   44   11    1    0    0      8   10   (290)
- *  divergence          0    3    3    1    0    0      4    4   (21)
+ *  rhs                 4   12    5    1    0    0      6    5   (63)
+ *  jacobian            11   33    9    1    0    0      9    8   (242)
+ *  rhs_jacobian        15   38   10    1    0    0      8   10   (290)
+ *  divergence          1    1    3    1    0    0      4    3   (21)
  *  integral_values     0    9    7    0    0    0      6    4   (39)
- *  integral_gradients  0   14    4    0    0    0      4    3   (46)
+ *  integral_gradients  0   14    4    0    0    0      5    3   (46)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy
- *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
- *    digits are lost where terms nearly cancel in V = omega_tau*R + v_nu,
- *      numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V,
- *      d(omega_n)/dtau, d(d(omega_n)/dtau)/d(s), s*omega3 + omega_n*gamma3, omega_tau - ((1)/Theta)*(m*R*I3)*V,
- *      d(d(omega3)/dtau)/d(s), (2)*omega_n*gamma3 + s*omega3,
- *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3,
- *      d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(gamma3)
+ *    digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau,
+ *      numerator of d(omega_n)/dt over Theta/(m*R^2*I1) = s*omega3*omega_tau*((m*R^2*I1 + I1^2)/(m*R^2*I1)) - omega_n*gamma3*V/R,
+ *      d(omega_n)/dtau, omega_n*gamma3 + s*omega3, omega_tau - ((1)/Theta/(m*R^2*I1))*V/R,
+ *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), (2)*omega_n*gamma3 + s*omega3,
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) = ((m*R^2*I1 + I1^2)/(m*R^2*I1))*s*omega3 - omega_n*gamma3,
+ *      d(d(omega_n)/dtau)/d(omega_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -45,8 +44,8 @@ static void impose(const double *restrict x, const double *restrict params, doub
     out[1] = params[1];
     out[2] = params[2];
     out[3] = 0.0;
-    out[4] = params[5];
-    out[5] = params[5];
+    out[4] = params[4];
+    out[5] = params[4];
 }
 
 static void prepare(const double *restrict params, double *restrict out)
@@ -57,82 +56,70 @@ static void prepare(const double *restrict params, double *restrict out)
     out[3] = params[3];
     out[4] = params[4];
     out[5] = params[5];
-    const double t0 = params[5]*params[5]; /* I3*I3 */
-    out[7] = t0;
-    const double t1 = params[1]*params[1]; /* R*R */
-    out[16] = t1;
-    const double t2 = params[0]*t1; /* m*R*R */
-    out[19] = t2;
-    const double t3 = params[5]*t2; /* I3*m*R*R */
-    out[8] = t3;
-    const double t4 = t0 + t3; /* I3*I3 + I3*m*R*R */
-    out[6] = t4;
-    const double t5 = params[0]*params[1]; /* m*R */
-    const double t6 = params[5]*t5; /* I3*m*R */
-    out[9] = t6;
-    const double t7 = params[0]*2.0; /* m*2 */
-    const double t8 = t1*t7; /* R*R*m*2 */
-    const double t9 = params[5]*t8; /* I3*R*R*m*2 */
+    const double t0 = params[1]*params[1]; /* R*R */
+    const double t1 = params[0]*t0; /* m*R*R */
+    out[15] = t1;
+    const double t2 = t1*params[4]; /* m*R*R*I1 */
+    const double t3 = params[4]*params[4]; /* I1*I1 */
+    const double t4 = t2 + t3; /* m*R*R*I1 + I1*I1 */
+    const double t5 = t4/t2; /* (m*R*R*I1 + I1*I1)/(m*R*R*I1) */
+    out[6] = t5;
+    const double t6 = params[4]/t1; /* I1/(m*R*R) */
+    out[7] = t6;
+    const double t7 = 1.0/params[1]; /* 1/R */
+    out[8] = t7;
+    const double t8 = (-1.0)/params[1]; /* (-1)/R */
+    out[9] = t8;
+    const double t9 = params[4]/2.0; /* I1/2 */
     out[10] = t9;
-    const double t10 = -t6; /* -I3*m*R */
+    const double t10 = params[0]/params[4]; /* m/I1 */
     out[11] = t10;
-    const double t11 = params[0]*params[0]; /* m*m */
-    const double t12 = 2.0*t11; /* 2*m*m */
-    const double t13 = params[1]*t1; /* R*R*R */
-    const double t14 = t12*t13; /* 2*m*m*R*R*R */
-    const double t15 = t0*t14; /* I3*I3*2*m*m*R*R*R */
-    out[12] = t15;
-    const double t16 = -t3; /* -I3*m*R*R */
-    out[13] = t16;
-    const double t17 = params[0]/2.0; /* m/2 */
-    out[14] = t17;
-    const double t18 = params[5]/params[0]; /* I3/m */
-    out[15] = t18;
-    const double t19 = params[5]*params[1]; /* I3*R */
-    out[20] = t19;
-    const double t20 = -t19; /* -I3*R */
-    out[17] = t20;
-    const double t21 = t0*params[0]; /* I3*I3*m */
-    out[18] = t21;
-    const double t22 = t0*t7; /* I3*I3*m*2 */
-    out[21] = t22;
-    const double t23 = params[1]*t7; /* R*m*2 */
-    const double t24 = t0*t23; /* I3*I3*R*m*2 */
-    out[22] = t24;
+    const double t11 = t1/params[4]; /* m*R*R/I1 */
+    out[12] = t11;
+    const double t12 = params[1]*params[4]; /* R*I1 */
+    out[13] = t12;
+    const double t13 = params[0]*t3; /* m*I1*I1 */
+    out[14] = t13;
+    const double t14 = -t12; /* -R*I1 */
+    out[16] = t14;
+    const double t15 = params[0]*2.0; /* m*2 */
+    const double t16 = t3*t15; /* I1*I1*m*2 */
+    out[17] = t16;
+    const double t17 = params[1]*t15; /* R*m*2 */
+    const double t18 = t3*t17; /* I1*I1*R*m*2 */
+    out[18] = t18;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[5]*x[2]; /* s*omega_tau */
-    const double t1 = x[5]*t0; /* s*s*omega_tau */
-    out[0] = t1;
-    const double t2 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t0 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I1/(m*R^2) */
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* Theta/(m*R^2*I1) = gamma3*gamma3 + s*s + I1/(m*R^2) */
+    const double t2 = 1.0/t1; /* 1/(Theta/(m*R^2*I1)) */
     const double t3 = x[5]*x[4]; /* s*omega3 */
-    const double t4 = t2 + t3; /* omega_n*gamma3 + s*omega3 */
-    const double t5 = x[3]*t4; /* omega_n*(omega_n*gamma3 + s*omega3) */
-    const double t6 = p[1]*t5; /* R*omega_n*(omega_n*gamma3 + s*omega3) */
-    out[1] = t6;
-    const double t7 = -t5; /* -omega_n*(omega_n*gamma3 + s*omega3) */
-    out[2] = t7;
-    const double t8 = x[5]*x[5]; /* s*s */
-    const double t9 = JLT_FMA(x[0], x[0], t8); /* gamma3*gamma3 + s*s */
-    const double t10 = JLT_FMA(p[8], t9, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t11 = 1.0/t10; /* 1/Theta */
-    const double t12 = t3*p[6]; /* s*omega3*(I3^2 + m*R^2*I3) */
-    const double t13 = JLT_FMA(t11, t12, t2); /* 1/Theta*s*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3 */
-    const double t14 = x[2]*t13; /* omega_tau*(1/Theta*s*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3) */
-    const double t15 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t16 = p[9]*t15; /* m*R*I3*V */
-    const double t17 = t11*t16; /* 1/Theta*m*R*I3*V */
-    const double t18 = JLT_FNMA(t2, t17, t14); /* t14 - omega_n*gamma3*1/Theta*m*R*I3*V */
-    out[3] = t18;
+    const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t5 = p[6]*t3; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega3 */
+    const double t6 = t3 + t4; /* s*omega3 + omega_n*gamma3 */
+    const double t7 = JLT_FMA(t2, t5, t4); /* 1/(Theta/(m*R^2*I1))*(m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega3 + omega_n*gamma3 */
+    const double t8 = x[3]*t6; /* omega_n*(s*omega3 + omega_n*gamma3) */
+    const double t9 = x[2]*t7; /* omega_tau*t7 */
+    const double t10 = p[1]*t8; /* R*omega_n*(s*omega3 + omega_n*gamma3) */
+    out[1] = t10;
+    const double t11 = -t8; /* -omega_n*(s*omega3 + omega_n*gamma3) */
+    out[2] = t11;
+    const double t12 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t13 = t2*t12; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t14 = JLT_FNMA(t4, t13, t9); /* omega_tau*t7 - omega_n*gamma3*1/(Theta/(m*R^2*I1))*V/R */
+    out[3] = t14;
+    const double t15 = x[5]*x[2]; /* s*omega_tau */
+    const double t16 = x[5]*t15; /* s*s*omega_tau */
+    out[0] = t16;
+    const double t17 = x[0]*t15; /* gamma3*s*omega_tau */
+    const double t18 = -t17; /* -gamma3*s*omega_tau */
+    out[5] = t18;
     const double t19 = x[5]*x[3]; /* s*omega_n */
-    const double t20 = t17*t19; /* 1/Theta*m*R*I3*V*s*omega_n */
-    const double t21 = -t20; /* -1/Theta*m*R*I3*V*s*omega_n */
+    const double t20 = t13*t19; /* 1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
+    const double t21 = -t20; /* -1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
     out[4] = t21;
-    const double t22 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t23 = -t22; /* -s*omega_tau*gamma3 */
-    out[5] = t23;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -151,84 +138,82 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[34] = 0.0;
     const double t0 = x[5]*x[5]; /* s*s */
     out[2] = t0;
-    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t2 = JLT_FMA(p[8], t1, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t3 = 1.0/t2; /* 1/Theta */
-    const double t4 = x[5]*x[4]; /* s*omega3 */
-    const double t5 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t6 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t7 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t8 = p[9]*t5; /* m*R*I3*V */
-    const double t9 = t4*t6; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t10 = JLT_FNMA(t7, t8, t9); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
-    const double t11 = t3*t8; /* 1/Theta*m*R*I3*V */
-    const double t12 = p[10]*t10; /* 2*m*R^2*I3*numerator of d(omega_n)/dt over Theta */
-    const double t13 = t3*t12; /* 1/Theta*2*m*R^2*I3*numerator of d(omega_n)/dt over Theta */
-    const double t14 = x[5]*t3; /* s*1/Theta */
-    const double t15 = t5*t14; /* V*s*1/Theta */
-    const double t16 = t6*t14; /* omega_tau*(I3^2 + m*R^2*I3)*s*1/Theta */
-    out[22] = t16;
-    const double t17 = x[4]*t6; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t18 = t3*t17; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t19 = JLT_FNMA(t13, t14, t18); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 1/Theta*2*m*R^2*I3*numerator of d(omega_n)/dt over Theta*s*1/Theta */
-    out[23] = t19;
-    const double t20 = x[3]*t14; /* omega_n*s*1/Theta */
-    const double t21 = p[11]*t20; /* (-m*R*I3)*omega_n*s*1/Theta */
-    out[25] = t21;
-    const double t22 = p[13]*t20; /* (-m*R^2*I3)*omega_n*s*1/Theta */
-    out[26] = t22;
-    const double t23 = p[11]*t15; /* (-m*R*I3)*V*s*1/Theta */
-    out[27] = t23;
-    const double t24 = p[12]*t15; /* 2*m^2*R^3*I3^2*V*s*1/Theta */
-    const double t25 = x[3]*t11; /* omega_n*1/Theta*m*R*I3*V */
-    const double t26 = JLT_FMS(t20, t24, t25); /* omega_n*s*1/Theta*2*m^2*R^3*I3^2*V*s*1/Theta - omega_n*1/Theta*m*R*I3*V */
-    out[29] = t26;
-    const double t27 = JLT_FMS(x[2], x[3], t25); /* omega_tau*omega_n - omega_n*1/Theta*m*R*I3*V */
-    const double t28 = p[6]*t4; /* (I3^2 + m*R^2*I3)*s*omega3 */
-    const double t29 = JLT_FMA(2.0, t7, t4); /* 2*omega_n*gamma3 + s*omega3 */
-    const double t30 = JLT_FNMA(p[8], t7, t28); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
-    const double t31 = JLT_FMA(t3, t30, t7); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[20] = t31;
-    const double t32 = t3*t7; /* 1/Theta*omega_n*gamma3 */
-    const double t33 = t24*t32; /* 2*m^2*R^3*I3^2*V*s*1/Theta*1/Theta*omega_n*gamma3 */
-    out[24] = t33;
-    const double t34 = p[11]*t32; /* (-m*R*I3)*1/Theta*omega_n*gamma3 */
-    out[19] = t34;
-    const double t35 = x[0]*t3; /* gamma3*1/Theta */
-    const double t36 = JLT_FNMA(t13, t35, t27); /* omega_tau*omega_n - omega_n*1/Theta*m*R*I3*V - 1/Theta*2*m*R^2*I3*numerator of d(omega_n)/dt over Theta*gamma3*1/Theta */
-    out[18] = t36;
-    const double t37 = p[1]*t29; /* R*(2*omega_n*gamma3 + s*omega3) */
-    out[9] = t37;
-    const double t38 = -t29; /* -(2*omega_n*gamma3 + s*omega3) */
-    out[15] = t38;
-    const double t39 = x[5]*x[2]; /* s*omega_tau */
-    const double t40 = 2.0*t39; /* 2*s*omega_tau */
-    out[5] = t40;
-    const double t41 = -t39; /* -s*omega_tau */
-    out[30] = t41;
-    const double t42 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t43 = p[1]*t42; /* R*omega_n*omega_n */
-    out[6] = t43;
-    const double t44 = -t42; /* -omega_n*omega_n */
-    out[12] = t44;
-    const double t45 = x[5]*x[3]; /* s*omega_n */
-    const double t46 = p[1]*t45; /* R*s*omega_n */
-    out[10] = t46;
-    const double t47 = -t45; /* -s*omega_n */
-    out[16] = t47;
-    const double t48 = x[3]*x[4]; /* omega_n*omega3 */
-    const double t49 = p[1]*t48; /* R*omega_n*omega3 */
-    out[11] = t49;
-    const double t50 = -t48; /* -omega_n*omega3 */
-    out[17] = t50;
-    const double t51 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t52 = JLT_FNMA(x[0], t11, t51); /* omega_tau*gamma3 - gamma3*1/Theta*m*R*I3*V */
-    out[21] = t52;
-    const double t53 = -t51; /* -omega_tau*gamma3 */
+    const double t1 = p[7] + t0; /* I1/(m*R^2) + s*s */
+    const double t2 = JLT_FMA(x[0], x[0], t1); /* Theta/(m*R^2*I1) = gamma3*gamma3 + I1/(m*R^2) + s*s */
+    const double t3 = 1.0/t2; /* 1/(Theta/(m*R^2*I1)) */
+    const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t5 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t6 = x[5]*x[4]; /* s*omega3 */
+    const double t7 = t3*t5; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t8 = t4*t5; /* omega_n*gamma3*V/R */
+    const double t9 = x[2]*p[6]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t10 = JLT_FMS(t6, t9, t8); /* numerator of d(omega_n)/dt over Theta/(m*R^2*I1) = s*omega3*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) - omega_n*gamma3*V/R */
+    const double t11 = t3*t10; /* 1/(Theta/(m*R^2*I1))*numerator of d(omega_n)/dt over Theta/(m*R^2*I1) */
+    const double t12 = t3*t9; /* 1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t13 = x[5]*t12; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    out[22] = t13;
+    const double t14 = x[4]*t12; /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t15 = 2.0*t3; /* 2*1/(Theta/(m*R^2*I1)) */
+    const double t16 = t11*t15; /* t11*2*1/(Theta/(m*R^2*I1)) */
+    const double t17 = JLT_FNMA(x[5], t16, t14); /* t14 - s*t11*2*1/(Theta/(m*R^2*I1)) */
+    out[23] = t17;
+    const double t18 = x[5]*t7; /* s*1/(Theta/(m*R^2*I1))*V/R */
+    const double t19 = t15*t18; /* 2*1/(Theta/(m*R^2*I1))*s*1/(Theta/(m*R^2*I1))*V/R */
+    const double t20 = -t18; /* -s*1/(Theta/(m*R^2*I1))*V/R */
+    out[27] = t20;
+    const double t21 = t4*t19; /* omega_n*gamma3*2*1/(Theta/(m*R^2*I1))*s*1/(Theta/(m*R^2*I1))*V/R */
+    out[24] = t21;
+    const double t22 = x[5]*x[3]; /* s*omega_n */
+    const double t23 = t19*t22; /* 2*1/(Theta/(m*R^2*I1))*s*1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
+    const double t24 = JLT_FNMA(x[3], t7, t23); /* 2*1/(Theta/(m*R^2*I1))*s*1/(Theta/(m*R^2*I1))*V/R*s*omega_n - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    out[29] = t24;
+    const double t25 = x[2] - t7; /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
+    const double t26 = p[1]*t22; /* R*s*omega_n */
+    out[10] = t26;
+    const double t27 = -t22; /* -s*omega_n */
+    out[16] = t27;
+    const double t28 = t3*t22; /* 1/(Theta/(m*R^2*I1))*s*omega_n */
+    const double t29 = x[0]*t25; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    out[21] = t29;
+    const double t30 = x[3]*t25; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t31 = JLT_FNMA(x[0], t16, t30); /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) - gamma3*t11*2*1/(Theta/(m*R^2*I1)) */
+    out[18] = t31;
+    const double t32 = p[9]*t28; /* (-1/R)*1/(Theta/(m*R^2*I1))*s*omega_n */
+    out[25] = t32;
+    const double t33 = -t28; /* -1/(Theta/(m*R^2*I1))*s*omega_n */
+    out[26] = t33;
+    const double t34 = x[5]*x[2]; /* s*omega_tau */
+    const double t35 = 2.0*t34; /* 2*s*omega_tau */
+    out[5] = t35;
+    const double t36 = -t34; /* -s*omega_tau */
+    out[30] = t36;
+    const double t37 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t38 = p[1]*t37; /* R*omega_n*omega_n */
+    out[6] = t38;
+    const double t39 = -t37; /* -omega_n*omega_n */
+    out[12] = t39;
+    const double t40 = JLT_FMA(2.0, t4, t6); /* 2*omega_n*gamma3 + s*omega3 */
+    const double t41 = JLT_FMS(p[6], t6, t4); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) = (m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega3 - omega_n*gamma3 */
+    const double t42 = JLT_FMA(t3, t41, t4); /* 1/(Theta/(m*R^2*I1))*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) + omega_n*gamma3 */
+    out[20] = t42;
+    const double t43 = p[9]*t4; /* (-1/R)*omega_n*gamma3 */
+    const double t44 = t3*t43; /* 1/(Theta/(m*R^2*I1))*(-1/R)*omega_n*gamma3 */
+    out[19] = t44;
+    const double t45 = p[1]*t40; /* R*(2*omega_n*gamma3 + s*omega3) */
+    out[9] = t45;
+    const double t46 = -t40; /* -(2*omega_n*gamma3 + s*omega3) */
+    out[15] = t46;
+    const double t47 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t48 = p[1]*t47; /* R*omega_n*omega3 */
+    out[11] = t48;
+    const double t49 = -t47; /* -omega_n*omega3 */
+    out[17] = t49;
+    const double t50 = x[5]*x[0]; /* s*gamma3 */
+    const double t51 = -t50; /* -s*gamma3 */
+    out[32] = t51;
+    const double t52 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t53 = -t52; /* -omega_tau*gamma3 */
     out[35] = t53;
-    const double t54 = x[5]*x[0]; /* s*gamma3 */
-    const double t55 = -t54; /* -s*gamma3 */
-    out[32] = t55;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -247,137 +232,132 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[40] = 0.0;
     const double t0 = x[5]*x[5]; /* s*s */
     out[8] = t0;
-    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t2 = JLT_FMA(p[8], t1, p[7]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t3 = 1.0/t2; /* 1/Theta */
-    const double t4 = x[5]*x[4]; /* s*omega3 */
-    const double t5 = x[2]*p[6]; /* omega_tau*(I3^2 + m*R^2*I3) */
-    const double t6 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t7 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t8 = t4*t5; /* s*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t9 = p[9]*t6; /* m*R*I3*V */
-    const double t10 = JLT_FNMA(t7, t9, t8); /* numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*m*R*I3*V */
-    const double t11 = t3*t10; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t12 = JLT_FMA(x[2], t7, t11); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t1 = p[7] + t0; /* I1/(m*R^2) + s*s */
+    const double t2 = JLT_FMA(x[0], x[0], t1); /* Theta/(m*R^2*I1) = gamma3*gamma3 + I1/(m*R^2) + s*s */
+    const double t3 = 1.0/t2; /* 1/(Theta/(m*R^2*I1)) */
+    const double t4 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t5 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t6 = x[5]*x[4]; /* s*omega3 */
+    const double t7 = t4*t5; /* omega_n*gamma3*V/R */
+    const double t8 = x[2]*p[6]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t9 = JLT_FMS(t6, t8, t7); /* numerator of d(omega_n)/dt over Theta/(m*R^2*I1) = s*omega3*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) - omega_n*gamma3*V/R */
+    const double t10 = t3*t9; /* 1/(Theta/(m*R^2*I1))*numerator of d(omega_n)/dt over Theta/(m*R^2*I1) */
+    const double t11 = t3*t8; /* 1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t12 = JLT_FMA(x[2], t4, t10); /* omega_tau*omega_n*gamma3 + t10 */
     out[3] = t12;
-    const double t13 = p[10]*t11; /* 2*m*R^2*I3*1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t14 = x[5]*t3; /* s*1/Theta */
-    const double t15 = t6*t14; /* V*s*1/Theta */
-    const double t16 = t5*t14; /* omega_tau*(I3^2 + m*R^2*I3)*s*1/Theta */
-    out[28] = t16;
-    const double t17 = x[4]*t5; /* omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t18 = t3*t17; /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) */
-    const double t19 = JLT_FNMA(t13, t14, t18); /* 1/Theta*omega3*omega_tau*(I3^2 + m*R^2*I3) - 2*m*R^2*I3*1/Theta*numerator of d(omega_n)/dt over Theta*s*1/Theta */
-    out[29] = t19;
-    const double t20 = x[3]*t14; /* omega_n*s*1/Theta */
-    const double t21 = p[11]*t20; /* (-m*R*I3)*omega_n*s*1/Theta */
-    out[31] = t21;
-    const double t22 = p[13]*t20; /* (-m*R^2*I3)*omega_n*s*1/Theta */
-    out[32] = t22;
-    const double t23 = p[11]*t15; /* (-m*R*I3)*V*s*1/Theta */
-    out[33] = t23;
-    const double t24 = p[12]*t15; /* 2*m^2*R^3*I3^2*V*s*1/Theta */
-    const double t25 = t3*t9; /* 1/Theta*m*R*I3*V */
-    const double t26 = t9*t20; /* m*R*I3*V*omega_n*s*1/Theta */
-    const double t27 = -t26; /* -m*R*I3*V*omega_n*s*1/Theta */
-    out[4] = t27;
-    const double t28 = x[5]*x[2]; /* s*omega_tau */
-    const double t29 = x[5]*t28; /* s*s*omega_tau */
-    out[0] = t29;
-    const double t30 = 2.0*t28; /* 2*s*omega_tau */
-    out[11] = t30;
-    const double t31 = -t28; /* -s*omega_tau */
-    out[36] = t31;
-    const double t32 = x[0]*t28; /* gamma3*s*omega_tau */
-    const double t33 = -t32; /* -gamma3*s*omega_tau */
-    out[5] = t33;
-    const double t34 = t4 + t7; /* s*omega3 + omega_n*gamma3 */
-    const double t35 = x[2] - t25; /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t36 = x[3]*t25; /* omega_n*1/Theta*m*R*I3*V */
-    const double t37 = JLT_FMS(t20, t24, t36); /* omega_n*s*1/Theta*2*m^2*R^3*I3^2*V*s*1/Theta - omega_n*1/Theta*m*R*I3*V */
-    out[35] = t37;
-    const double t38 = x[0]*t35; /* gamma3*(omega_tau - 1/Theta*m*R*I3*V) */
-    out[27] = t38;
-    const double t39 = x[3]*t35; /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t40 = p[6]*t4; /* (I3^2 + m*R^2*I3)*s*omega3 */
-    const double t41 = JLT_FMA(2.0, t7, t4); /* 2*omega_n*gamma3 + s*omega3 */
-    const double t42 = JLT_FNMA(p[8], t7, t40); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - m*R^2*I3*omega_n*gamma3 */
-    const double t43 = JLT_FMA(t3, t42, t7); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[26] = t43;
-    const double t44 = t3*t7; /* 1/Theta*omega_n*gamma3 */
-    const double t45 = t24*t44; /* 2*m^2*R^3*I3^2*V*s*1/Theta*1/Theta*omega_n*gamma3 */
-    out[30] = t45;
-    const double t46 = p[11]*t44; /* (-m*R*I3)*1/Theta*omega_n*gamma3 */
-    out[25] = t46;
-    const double t47 = x[0]*t3; /* gamma3*1/Theta */
-    const double t48 = JLT_FNMA(t13, t47, t39); /* omega_n*(omega_tau - 1/Theta*m*R*I3*V) - 2*m*R^2*I3*1/Theta*numerator of d(omega_n)/dt over Theta*gamma3*1/Theta */
-    out[24] = t48;
-    const double t49 = p[1]*t41; /* R*(2*omega_n*gamma3 + s*omega3) */
-    out[15] = t49;
-    const double t50 = -t41; /* -(2*omega_n*gamma3 + s*omega3) */
-    out[21] = t50;
-    const double t51 = x[3]*p[1]; /* omega_n*R */
-    const double t52 = t34*t51; /* (s*omega3 + omega_n*gamma3)*omega_n*R */
-    out[1] = t52;
-    const double t53 = x[3]*t34; /* omega_n*(s*omega3 + omega_n*gamma3) */
-    const double t54 = -t53; /* -omega_n*(s*omega3 + omega_n*gamma3) */
-    out[2] = t54;
-    const double t55 = x[3]*t51; /* omega_n*omega_n*R */
-    out[12] = t55;
-    const double t56 = x[5]*t51; /* s*omega_n*R */
-    out[16] = t56;
-    const double t57 = x[4]*t51; /* omega3*omega_n*R */
-    out[17] = t57;
-    const double t58 = x[3]*x[3]; /* omega_n*omega_n */
-    const double t59 = -t58; /* -omega_n*omega_n */
-    out[18] = t59;
-    const double t60 = x[5]*x[3]; /* s*omega_n */
-    const double t61 = -t60; /* -s*omega_n */
-    out[22] = t61;
-    const double t62 = x[4]*x[3]; /* omega3*omega_n */
-    const double t63 = -t62; /* -omega3*omega_n */
-    out[23] = t63;
-    const double t64 = x[5]*x[0]; /* s*gamma3 */
-    const double t65 = -t64; /* -s*gamma3 */
-    out[38] = t65;
-    const double t66 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t67 = -t66; /* -omega_tau*gamma3 */
-    out[41] = t67;
+    const double t13 = x[5]*t11; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    out[28] = t13;
+    const double t14 = x[4]*t11; /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t15 = x[5]*x[3]; /* s*omega_n */
+    const double t16 = p[1]*t15; /* R*s*omega_n */
+    out[16] = t16;
+    const double t17 = -t15; /* -s*omega_n */
+    out[22] = t17;
+    const double t18 = t3*t15; /* 1/(Theta/(m*R^2*I1))*s*omega_n */
+    const double t19 = p[9]*t18; /* (-1/R)*1/(Theta/(m*R^2*I1))*s*omega_n */
+    out[31] = t19;
+    const double t20 = -t18; /* -1/(Theta/(m*R^2*I1))*s*omega_n */
+    out[32] = t20;
+    const double t21 = t3*t5; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t22 = t5*t18; /* V/R*1/(Theta/(m*R^2*I1))*s*omega_n */
+    const double t23 = -t22; /* -V/R*1/(Theta/(m*R^2*I1))*s*omega_n */
+    out[4] = t23;
+    const double t24 = x[5]*x[2]; /* s*omega_tau */
+    const double t25 = x[5]*t24; /* s*s*omega_tau */
+    out[0] = t25;
+    const double t26 = 2.0*t24; /* 2*s*omega_tau */
+    out[11] = t26;
+    const double t27 = -t24; /* -s*omega_tau */
+    out[36] = t27;
+    const double t28 = x[0]*t24; /* gamma3*s*omega_tau */
+    const double t29 = -t28; /* -gamma3*s*omega_tau */
+    out[5] = t29;
+    const double t30 = t4 + t6; /* omega_n*gamma3 + s*omega3 */
+    const double t31 = x[3]*t30; /* omega_n*(omega_n*gamma3 + s*omega3) */
+    const double t32 = p[1]*t31; /* R*omega_n*(omega_n*gamma3 + s*omega3) */
+    out[1] = t32;
+    const double t33 = -t31; /* -omega_n*(omega_n*gamma3 + s*omega3) */
+    out[2] = t33;
+    const double t34 = x[2] - t21; /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
+    const double t35 = x[0]*t34; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    out[27] = t35;
+    const double t36 = x[3]*t34; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t37 = 2.0*t3; /* 2*1/(Theta/(m*R^2*I1)) */
+    const double t38 = t10*t37; /* t10*2*1/(Theta/(m*R^2*I1)) */
+    const double t39 = JLT_FNMA(x[0], t38, t36); /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) - gamma3*t10*2*1/(Theta/(m*R^2*I1)) */
+    out[24] = t39;
+    const double t40 = JLT_FNMA(x[5], t38, t14); /* t14 - s*t10*2*1/(Theta/(m*R^2*I1)) */
+    out[29] = t40;
+    const double t41 = x[5]*t21; /* s*1/(Theta/(m*R^2*I1))*V/R */
+    const double t42 = x[3]*t21; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t43 = -t41; /* -s*1/(Theta/(m*R^2*I1))*V/R */
+    out[33] = t43;
+    const double t44 = 2.0*t41; /* 2*s*1/(Theta/(m*R^2*I1))*V/R */
+    const double t45 = JLT_FMS(t18, t44, t42); /* 1/(Theta/(m*R^2*I1))*s*omega_n*2*s*1/(Theta/(m*R^2*I1))*V/R - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    out[35] = t45;
+    const double t46 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t47 = p[1]*t46; /* R*omega_n*omega_n */
+    out[12] = t47;
+    const double t48 = -t46; /* -omega_n*omega_n */
+    out[18] = t48;
+    const double t49 = JLT_FMA(2.0, t4, t6); /* 2*omega_n*gamma3 + s*omega3 */
+    const double t50 = JLT_FMS(p[6], t6, t4); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) = (m*R^2*I1 + I1^2)/(m*R^2*I1)*s*omega3 - omega_n*gamma3 */
+    const double t51 = JLT_FMA(t3, t50, t4); /* 1/(Theta/(m*R^2*I1))*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) + omega_n*gamma3 */
+    out[26] = t51;
+    const double t52 = t3*t4; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t53 = t44*t52; /* 2*s*1/(Theta/(m*R^2*I1))*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[30] = t53;
+    const double t54 = p[9]*t52; /* (-1/R)*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[25] = t54;
+    const double t55 = p[1]*t49; /* R*(2*omega_n*gamma3 + s*omega3) */
+    out[15] = t55;
+    const double t56 = -t49; /* -(2*omega_n*gamma3 + s*omega3) */
+    out[21] = t56;
+    const double t57 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t58 = p[1]*t57; /* R*omega_n*omega3 */
+    out[17] = t58;
+    const double t59 = -t57; /* -omega_n*omega3 */
+    out[23] = t59;
+    const double t60 = x[5]*x[0]; /* s*gamma3 */
+    const double t61 = -t60; /* -s*gamma3 */
+    out[38] = t61;
+    const double t62 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t63 = -t62; /* -omega_tau*gamma3 */
+    out[41] = t63;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t1 = JLT_FMA(x[5], x[5], t0); /* s*s + gamma3*gamma3 */
-    const double t2 = JLT_FMA(p[8], t1, p[7]); /* Theta = m*R^2*I3*(s*s + gamma3*gamma3) + I3^2 */
-    const double t3 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
-    const double t4 = p[11]*x[0]; /* (-m*R*I3)*gamma3 */
-    const double t5 = t3*t4; /* V*(-m*R*I3)*gamma3 */
-    const double t6 = t5/t2; /* V*(-m*R*I3)*gamma3/Theta */
-    out[0] = t6;
+    const double t0 = JLT_FMA(x[5], x[5], p[7]); /* s*s + I1/(m*R^2) */
+    const double t1 = JLT_FMA(x[0], x[0], t0); /* Theta/(m*R^2*I1) = gamma3*gamma3 + s*s + I1/(m*R^2) */
+    const double t2 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t3 = x[0]*t2; /* gamma3*V/R */
+    const double t4 = t3/t1; /* gamma3*V/R/(Theta/(m*R^2*I1)) */
+    const double t5 = -t4; /* -gamma3*V/R/(Theta/(m*R^2*I1)) */
+    out[0] = t5;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[4]*x[4]; /* omega3*omega3 */
-    const double t1 = JLT_FMA(x[3], x[3], t0); /* omega_n*omega_n + omega3*omega3 */
-    const double t2 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n + omega3*omega3 */
+    const double t0 = x[3]*x[3]; /* omega_n*omega_n */
+    const double t1 = JLT_FMA(x[2], x[2], t0); /* omega_tau*omega_tau + omega_n*omega_n */
+    const double t2 = JLT_FMA(x[4], x[4], t1); /* omega3*omega3 + omega_tau*omega_tau + omega_n*omega_n */
     const double t3 = x[4]*x[5]; /* omega3*s */
     const double t4 = JLT_FMA(x[3], x[0], t3); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t5 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t6 = JLT_FMA(p[15], t2, t5); /* I3/m*(omega_tau*omega_tau + omega_n*omega_n + omega3*omega3) + v_nu*v_nu */
-    const double t7 = p[16]*t4; /* R^2*v_tau/R */
-    const double t8 = JLT_FMA(t4, t7, t6); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + t6 */
-    const double t9 = p[14]*t8; /* 1/2*m*energy/(1/2*m) */
+    const double t5 = p[11]*x[1]; /* m/I1*v_nu */
+    const double t6 = JLT_FMA(x[1], t5, t2); /* v_nu*m/I1*v_nu + omega3*omega3 + omega_tau*omega_tau + omega_n*omega_n */
+    const double t7 = p[12]*t4; /* m*R^2/I1*v_tau/R */
+    const double t8 = JLT_FMA(t4, t7, t6); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t6 */
+    const double t9 = p[10]*t8; /* 1/2*I1*energy/(1/2*I1) */
     out[0] = t9;
-    const double t10 = x[4]*x[0]; /* omega3*gamma3 */
-    const double t11 = JLT_FNMA(x[3], x[5], t10); /* omega3*gamma3 - omega_n*s */
-    const double t12 = p[17]*t11; /* (-R*I3)*(omega3*gamma3 - omega_n*s) */
+    const double t10 = x[3]*x[5]; /* omega_n*s */
+    const double t11 = JLT_FNMA(x[4], x[0], t10); /* omega_n*s - omega3*gamma3 */
+    const double t12 = p[13]*t11; /* R*I1*(omega_n*s - omega3*gamma3) */
     out[1] = t12;
     const double t13 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
     out[3] = t13;
-    const double t14 = p[18]*t13; /* m*I3^2*(omega_tau*R + v_nu) */
-    const double t15 = t13*t14; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
+    const double t14 = p[14]*t13; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t15 = t13*t14; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[2] = t15;
 }
 
@@ -385,22 +365,22 @@ static void integral_gradients(const double *restrict x, const double *restrict 
 {
     const double t0 = x[4]*x[5]; /* omega3*s */
     const double t1 = JLT_FMA(x[3], x[0], t0); /* v_tau/R = omega_n*gamma3 + omega3*s */
-    const double t2 = p[19]*t1; /* m*R^2*v_tau/R */
+    const double t2 = p[15]*t1; /* m*R^2*v_tau/R */
     const double t3 = x[3]*t2; /* omega_n*m*R^2*v_tau/R */
     out[0] = t3;
     const double t4 = p[0]*x[1]; /* m*v_nu */
     out[1] = t4;
-    const double t5 = p[5]*x[2]; /* I3*omega_tau */
+    const double t5 = p[4]*x[2]; /* I1*omega_tau */
     out[2] = t5;
-    const double t6 = x[3]*p[5]; /* omega_n*I3 */
-    const double t7 = JLT_FMA(x[0], t2, t6); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau/R + omega_n*I3 */
+    const double t6 = x[3]*p[4]; /* omega_n*I1 */
+    const double t7 = JLT_FMA(x[0], t2, t6); /* d(energy)/d(omega_n) = gamma3*m*R^2*v_tau/R + omega_n*I1 */
     out[3] = t7;
-    const double t8 = x[4]*p[5]; /* omega3*I3 */
-    const double t9 = JLT_FMA(x[5], t2, t8); /* d(energy)/d(omega3) = s*m*R^2*v_tau/R + omega3*I3 */
+    const double t8 = x[5]*t2; /* s*m*R^2*v_tau/R */
+    const double t9 = JLT_FMA(x[4], p[4], t8); /* d(energy)/d(omega3) = omega3*I1 + s*m*R^2*v_tau/R */
     out[4] = t9;
     const double t10 = x[4]*t2; /* omega3*m*R^2*v_tau/R */
     out[5] = t10;
-    const double t11 = x[4]*p[17]; /* omega3*(-R*I3) */
+    const double t11 = x[4]*p[16]; /* omega3*(-R*I1) */
     out[6] = t11;
     out[7] = 0.0;
     out[8] = 0.0;
@@ -412,17 +392,17 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[21] = 0.0;
     out[22] = 0.0;
     out[23] = 0.0;
-    const double t12 = x[5]*p[20]; /* s*R*I3 */
+    const double t12 = x[5]*p[13]; /* s*R*I1 */
     out[9] = t12;
-    const double t13 = x[0]*p[17]; /* gamma3*(-R*I3) */
+    const double t13 = x[0]*p[16]; /* gamma3*(-R*I1) */
     out[10] = t13;
-    const double t14 = x[3]*p[20]; /* omega_n*R*I3 */
+    const double t14 = x[3]*p[13]; /* omega_n*R*I1 */
     out[11] = t14;
     out[20] = p[1];
     const double t15 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t16 = p[21]*t15; /* 2*m*I3^2*(omega_tau*R + v_nu) */
+    const double t16 = p[17]*t15; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[13] = t16;
-    const double t17 = t15*p[22]; /* (omega_tau*R + v_nu)*2*m*R*I3^2 */
+    const double t17 = t15*p[18]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[14] = t17;
     out[19] = 1.0;
 }
@@ -442,30 +422,28 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x3[JLT_JET_ORDER_MAX + 1];
     double x4[JLT_JET_ORDER_MAX + 1];
     double x5[JLT_JET_ORDER_MAX + 1];
-    double t2[JLT_JET_ORDER_MAX + 1];
-    double t3[JLT_JET_ORDER_MAX + 1];
-    double t8[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
-    double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
+    double t13[JLT_JET_ORDER_MAX + 1];
+    double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
+    double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
     double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
-    double t33[JLT_JET_ORDER_MAX + 1];
-    double t34[JLT_JET_ORDER_MAX + 1];
-    double t35[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -474,37 +452,35 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[5] = x5[0] = x[5];
     coefficients[6] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t2[k] = jlt_jet_product(x5, x2, k);
-        t3[k] = jlt_jet_product(x5, t2, k);
-        t8[k] = jlt_jet_product(x3, x0, k);
-        t9[k] = jlt_jet_product(x5, x4, k) + t8[k];
-        t10[k] = jlt_jet_product(x3, t9, k);
-        t11[k] = p[1]*t10[k];
-        t12[k] = -t10[k];
-        t16[k] = jlt_jet_product(x5, x5, k);
-        t17[k] = jlt_jet_product(x0, x0, k) + t16[k];
-        t18[k] = p[8]*t17[k] + (k == 0 ? p[7] : 0);
-        t20[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t18, t20, k);
-        t22[k] = x2[k]*p[1] + x1[k];
-        t23[k] = p[9]*t22[k];
-        t24[k] = jlt_jet_product(t20, t23, k);
-        t25[k] = x2[k] - t24[k];
-        t26[k] = jlt_jet_product(t8, t25, k);
+        t11[k] = jlt_jet_product(x5, x5, k) + (k == 0 ? p[7] : 0);
+        t12[k] = jlt_jet_product(x0, x0, k) + t11[k];
+        t13[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t12, t13, k);
+        t14[k] = p[8]*x1[k] + x2[k];
+        t15[k] = jlt_jet_product(t13, t14, k);
+        t16[k] = jlt_jet_product(x5, x3, k);
+        t17[k] = jlt_jet_product(x5, x2, k);
+        t18[k] = jlt_jet_product(x5, t17, k);
+        t19[k] = jlt_jet_product(x4, t16, k);
+        t20[k] = jlt_jet_product(t15, t16, k);
+        t21[k] = -t20[k];
+        t22[k] = x2[k] - t15[k];
+        t23[k] = jlt_jet_product(x3, x0, k);
+        t24[k] = jlt_jet_product(x3, t23, k) + t19[k];
+        t25[k] = jlt_jet_product(t22, t23, k);
+        t26[k] = p[1]*t24[k];
+        t27[k] = -t24[k];
         t28[k] = x4[k]*p[6];
-        t29[k] = jlt_jet_product(t2, t28, k);
-        t30[k] = jlt_jet_product(t20, t29, k) + t26[k];
-        t31[k] = jlt_jet_product(x5, x3, k);
-        t32[k] = jlt_jet_product(t24, t31, k);
-        t33[k] = -t32[k];
-        t34[k] = jlt_jet_product(t2, x0, k);
-        t35[k] = -t34[k];
+        t29[k] = jlt_jet_product(t17, t28, k);
+        t30[k] = jlt_jet_product(t13, t29, k) + t25[k];
+        t31[k] = jlt_jet_product(x0, t17, k);
+        t32[k] = -t31[k];
         double *restrict next = coefficients + (k + 1)*7;
-        next[0] = x0[k + 1] = t3[k]/(k + 1);
-        next[1] = x1[k + 1] = t11[k]/(k + 1);
-        next[2] = x2[k + 1] = t12[k]/(k + 1);
+        next[0] = x0[k + 1] = t18[k]/(k + 1);
+        next[1] = x1[k + 1] = t26[k]/(k + 1);
+        next[2] = x2[k + 1] = t27[k]/(k + 1);
         next[3] = x3[k + 1] = t30[k]/(k + 1);
-        next[4] = x4[k + 1] = t33[k]/(k + 1);
-        next[5] = x5[k + 1] = t35[k]/(k + 1);
+        next[4] = x4[k + 1] = t21[k]/(k + 1);
+        next[5] = x5[k + 1] = t32[k]/(k + 1);
         next[6] = x5[k]/(k + 1);
     }
 }
@@ -524,10 +500,10 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     out[1] = (v_s)*((v_omega_n*v_omega_n*v_b/v_s)
         + (v_R*v_omega_n*v_omega3));
     const double v_m = params[0];
-    const double v_I3 = params[5];
-    const double v_I1 = (v_I3);
+    const double v_I1 = params[4];
     const double complex v_D = (v_I1 + v_m*v_a3*v_a3*v_s*v_s);
     const double v_g = params[2];
+    const double v_I3 = (v_I1);
     out[2] = (v_s)*((v_m*v_a3*v_a3*v_gamma3*v_omega_tau*v_omega_tau*v_s/v_D)
         + (-v_m*v_g*v_a3*v_s/v_D)
         + (-v_I1*v_gamma3*v_omega_n*v_omega_n/(v_s*v_D))
@@ -578,25 +554,25 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
+    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
-    .state_count = 6, .param_count = 6, .block_count = 23,
+    .state_count = 6, .param_count = 6, .block_count = 19,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 6, { 4, 14, 5, 1, 0, 0, 7, 6 }, { 11, 48, 0, 4, 0, 0, 10, 6 },
-        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in omega_n*gamma3 + s*omega3, ((1)/Theta)*s*omega3*(I3^2 + m*R^2*I3) + omega_n*gamma3, V = omega_tau*R + v_nu, d(omega_n)/dtau" },
-    .jacobian = { jacobian, 36, { 7, 36, 12, 1, 0, 0, 8, 9 }, { 30, 190, 0, 22, 0, 0, 12, 6 },
-        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V, d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), (2)*omega_n*gamma3 + s*omega3, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n)" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 12, 44, 11, 1, 0, 0, 8, 10 }, { 38, 226, 0, 26, 0, 0, 12, 6 },
-        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, numerator of d(omega_n)/dt over Theta = s*omega3*omega_tau*(I3^2 + m*R^2*I3) - omega_n*gamma3*(m*R*I3)*V, d(omega_n)/dtau, d(d(omega_n)/dtau)/d(s), s*omega3 + omega_n*gamma3, omega_tau - ((1)/Theta)*(m*R*I3)*V, d(d(omega3)/dtau)/d(s), (2)*omega_n*gamma3 + s*omega3, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = (I3^2 + m*R^2*I3)*s*omega3 - (m*R^2*I3)*omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(gamma3)" },
-    .divergence = { divergence, 1, { 0, 3, 3, 1, 0, 0, 4, 4 }, { 4, 16, 0, 1, 0, 0, 8, 5 },
-        "divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu" },
+    .rhs = { rhs, 6, { 4, 12, 5, 1, 0, 0, 6, 5 }, { 11, 48, 0, 4, 0, 0, 10, 6 },
+        "digits are lost where terms nearly cancel in s*omega3 + omega_n*gamma3, a part of d(omega_n)/dtau, V/R = (1/R)*v_nu + omega_tau, d(omega_n)/dtau" },
+    .jacobian = { jacobian, 36, { 11, 33, 9, 1, 0, 0, 9, 8 }, { 30, 190, 0, 22, 0, 0, 13, 6 },
+        "digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau, numerator of d(omega_n)/dt over Theta/(m*R^2*I1) = s*omega3*omega_tau*((m*R^2*I1 + I1^2)/(m*R^2*I1)) - omega_n*gamma3*V/R, d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), omega_tau - ((1)/Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dtau)/d(gamma3), (2)*omega_n*gamma3 + s*omega3, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) = ((m*R^2*I1 + I1^2)/(m*R^2*I1))*s*omega3 - omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 42, { 15, 38, 10, 1, 0, 0, 8, 10 }, { 38, 226, 0, 26, 0, 0, 13, 6 },
+        "digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau, numerator of d(omega_n)/dt over Theta/(m*R^2*I1) = s*omega3*omega_tau*((m*R^2*I1 + I1^2)/(m*R^2*I1)) - omega_n*gamma3*V/R, d(omega_n)/dtau, omega_n*gamma3 + s*omega3, omega_tau - ((1)/Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(s), d(d(omega3)/dtau)/d(s), (2)*omega_n*gamma3 + s*omega3, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) = ((m*R^2*I1 + I1^2)/(m*R^2*I1))*s*omega3 - omega_n*gamma3, d(d(omega_n)/dtau)/d(omega_tau)" },
+    .divergence = { divergence, 1, { 1, 1, 3, 1, 0, 0, 4, 3 }, { 4, 16, 0, 1, 0, 0, 8, 5 },
+        "digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau" },
     .integral_values = { integral_values, 4, { 0, 9, 7, 0, 0, 0, 6, 4 }, { 8, 31, 0, 0, 0, 0, 9, 4 },
-        "digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, omega3*gamma3 - omega_n*s, F_linear" },
-    .integral_gradients = { integral_gradients, 24, { 0, 14, 4, 0, 0, 0, 4, 3 }, { 7, 39, 0, 0, 0, 0, 5, 4 },
+        "digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, omega_n*s - omega3*gamma3, F_linear" },
+    .integral_gradients = { integral_gradients, 24, { 0, 14, 4, 0, 0, 0, 5, 3 }, { 7, 39, 0, 0, 0, 0, 5, 4 },
         "digits are lost where terms nearly cancel in v_tau/R = omega_n*gamma3 + omega3*s, d(E)/d(omega_n), d(E)/d(omega3), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },

@@ -1,25 +1,24 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
- *  Variant:    balanced_equal: a3 = 0, I1 = I3
+ *  Variant:    balanced_equal: a3 = 0, I3 = I1
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
+ *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 3   15    3    1    1    0      9    5   (45)
- *  jacobian            8   24    5    1    1    0     12    8   (123)
- *  rhs_jacobian        9   29    5    1    1    0     12   10   (143)
+ *  rhs                 3   13    3    1    1    0      9    5   (45)
+ *  jacobian            8   22    5    1    1    0     11    8   (123)
+ *  rhs_jacobian        10   26    5    1    1    0     11    9   (143)
  *  divergence          2    7    2    1    1    0      7    4   (28)
- *  integral_values     2   11    7    1    1    0      9    4   (42)
- *  integral_gradients  2   14    6    1    1    0     10    5   (68)
- *  eliminated          2    3    1    1    1    0      4    3   (10)
+ *  integral_values     2    9    7    1    1    0      8    5   (42)
+ *  integral_gradients  2   10    5    1    1    0     11    5   (68)
+ *  eliminated          2    1    1    1    1    0      4    3   (10)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
- *    divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, V = omega_tau*R + v_nu,
+ *    digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1), V = omega_tau*R + v_nu,
  *      a part of d(v_nu)/dt and of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3),
  *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(omega3),
  *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3),
@@ -46,8 +45,8 @@ static void impose(const double *restrict x, const double *restrict params, doub
     out[1] = params[1];
     out[2] = params[2];
     out[3] = 0.0;
-    out[4] = params[5];
-    out[5] = params[5];
+    out[4] = params[4];
+    out[5] = params[4];
     out[6] = params[6];
 }
 
@@ -60,46 +59,38 @@ static void prepare(const double *restrict params, double *restrict out)
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
-    const double t0 = params[1]*params[5]; /* R*I3 */
-    out[8] = t0;
-    const double t1 = 1.0/t0; /* 1/(R*I3) */
+    const double t0 = params[1]*params[4]; /* R*I1 */
+    const double t1 = params[6]/t0; /* G_level/(R*I1) */
     out[7] = t1;
-    const double t2 = params[5]*params[5]; /* I3*I3 */
-    const double t3 = params[1]*params[1]; /* R*R */
-    out[17] = t3;
-    const double t4 = params[0]*t3; /* m*R*R */
-    out[21] = t4;
-    const double t5 = params[5]*t4; /* I3*m*R*R */
-    const double t6 = t2 + t5; /* I3*I3 + I3*m*R*R */
-    out[9] = t6;
-    const double t7 = -params[0]; /* -m */
-    out[12] = t7;
-    const double t8 = params[1]*params[0]; /* R*m */
-    const double t9 = -t8; /* -R*m */
-    out[13] = t9;
-    const double t10 = params[5]*t8; /* I3*R*m */
+    const double t2 = params[1]*params[1]; /* R*R */
+    const double t3 = params[0]*t2; /* m*R*R */
+    const double t4 = params[4]*t3; /* I1*m*R*R */
+    const double t5 = params[4]*params[4]; /* I1*I1 */
+    const double t6 = t4 + t5; /* I1*m*R*R + I1*I1 */
+    out[8] = t6;
+    const double t7 = params[1]*params[0]; /* R*m */
+    const double t8 = params[4]*t7; /* I1*R*m */
+    out[10] = t8;
+    const double t9 = -t8; /* -I1*R*m */
+    out[9] = t9;
+    const double t10 = -t4; /* -I1*m*R*R */
     out[11] = t10;
-    const double t11 = -t10; /* -I3*R*m */
-    out[10] = t11;
-    const double t12 = -t2; /* -I3*I3 */
-    const double t13 = t12 - t5; /* -I3*I3 - I3*m*R*R */
+    const double t11 = t10 - t5; /* -I1*m*R*R - I1*I1 */
+    out[12] = t11;
+    const double t12 = params[4]/2.0; /* I1/2 */
+    out[13] = t12;
+    const double t13 = params[0]/params[4]; /* m/I1 */
     out[14] = t13;
-    const double t14 = params[0]/2.0; /* m/2 */
+    const double t14 = t3/params[4]; /* m*R*R/I1 */
     out[15] = t14;
-    const double t15 = params[5]/params[0]; /* I3/m */
+    const double t15 = params[0]*t5; /* m*I1*I1 */
     out[16] = t15;
-    const double t16 = t2*params[0]; /* I3*I3*m */
-    out[18] = t16;
-    const double t17 = 1.0/params[1]; /* 1/R */
-    out[19] = t17;
-    const double t18 = t8/params[5]; /* R*m/I3 */
-    out[20] = t18;
-    const double t19 = params[0]*2.0; /* m*2 */
-    const double t20 = t2*t19; /* I3*I3*m*2 */
-    out[22] = t20;
-    const double t21 = params[1]*t19; /* R*m*2 */
-    const double t22 = t2*t21; /* I3*I3*R*m*2 */
-    out[23] = t22;
+    const double t16 = params[0]*2.0; /* m*2 */
+    const double t17 = t5*t16; /* I1*I1*m*2 */
+    out[17] = t17;
+    const double t18 = params[1]*t16; /* R*m*2 */
+    const double t19 = t5*t18; /* I1*I1*R*m*2 */
+    out[18] = t19;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -110,27 +101,25 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     const double t4 = x[2]*t3; /* omega_tau*s */
     out[0] = t4;
-    const double t5 = x[0]*p[8]; /* gamma3*R*I3 */
-    const double t6 = JLT_FMA(x[3], t5, p[6]); /* omega3*gamma3*R*I3 + G_level */
-    const double t7 = t2*p[9]; /* s^2*(I3^2 + m*R^2*I3) */
-    const double t8 = 1.0/t7; /* 1/(s^2*(I3^2 + m*R^2*I3)) */
-    const double t9 = t3*p[9]; /* s*(I3^2 + m*R^2*I3) */
-    const double t10 = t8*t9; /* 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
-    const double t11 = p[7]*t6; /* 1/(R*I3)*(omega3*gamma3*R*I3 + G_level) */
-    const double t12 = t10*t11; /* omega_n = 1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3)*1/(R*I3)*(omega3*gamma3*R*I3 + G_level) */
-    const double t13 = x[0]*t10; /* gamma3*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) */
-    const double t14 = JLT_FMA(t12, t13, x[3]); /* omega_n*gamma3*1/(s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) + omega3 */
-    const double t15 = t12*t14; /* omega_n*t14 */
-    const double t16 = p[1]*t15; /* R*omega_n*t14 */
-    out[1] = t16;
-    const double t17 = -t15; /* -omega_n*t14 */
-    out[2] = t17;
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t19 = t2*p[10]; /* s^2*(-m*R*I3) */
-    const double t20 = t18*t19; /* V*s^2*(-m*R*I3) */
-    const double t21 = t8*t20; /* 1/(s^2*(I3^2 + m*R^2*I3))*V*s^2*(-m*R*I3) */
-    const double t22 = t12*t21; /* omega_n*1/(s^2*(I3^2 + m*R^2*I3))*V*s^2*(-m*R*I3) */
-    out[3] = t22;
+    const double t5 = JLT_FMA(x[0], x[3], p[7]); /* gamma3*omega3 + G_level/(R*I1) */
+    const double t6 = t2*p[8]; /* s^2*(m*R^2*I1 + I1^2) */
+    const double t7 = 1.0/t6; /* 1/(s^2*(m*R^2*I1 + I1^2)) */
+    const double t8 = t3*p[8]; /* s*(m*R^2*I1 + I1^2) */
+    const double t9 = t7*t8; /* 1/(s^2*(m*R^2*I1 + I1^2))*s*(m*R^2*I1 + I1^2) */
+    const double t10 = t5*t9; /* omega_n = (gamma3*omega3 + G_level/(R*I1))*1/(s^2*(m*R^2*I1 + I1^2))*s*(m*R^2*I1 + I1^2) */
+    const double t11 = x[0]*t9; /* gamma3*1/(s^2*(m*R^2*I1 + I1^2))*s*(m*R^2*I1 + I1^2) */
+    const double t12 = JLT_FMA(t10, t11, x[3]); /* omega_n*gamma3*1/(s^2*(m*R^2*I1 + I1^2))*s*(m*R^2*I1 + I1^2) + omega3 */
+    const double t13 = t10*t12; /* omega_n*t12 */
+    const double t14 = p[1]*t13; /* R*omega_n*t12 */
+    out[1] = t14;
+    const double t15 = -t13; /* -omega_n*t12 */
+    out[2] = t15;
+    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t17 = t2*p[9]; /* s^2*(-m*R*I1) */
+    const double t18 = t16*t17; /* V*s^2*(-m*R*I1) */
+    const double t19 = t7*t18; /* 1/(s^2*(m*R^2*I1 + I1^2))*V*s^2*(-m*R*I1) */
+    const double t20 = t10*t19; /* omega_n*1/(s^2*(m*R^2*I1 + I1^2))*V*s^2*(-m*R*I1) */
+    out[3] = t20;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -144,52 +133,50 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = p[9]*t2; /* (I3^2 + m*R^2*I3)*s^2 */
-    const double t4 = 1.0/t3; /* 1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t3 = p[8]*t2; /* (m*R^2*I1 + I1^2)*s^2 */
+    const double t4 = 1.0/t3; /* 1/((m*R^2*I1 + I1^2)*s^2) */
     const double t5 = sqrt(t2); /* s = sqrt(s^2) */
     out[2] = t5;
-    const double t6 = p[9]*t5; /* (I3^2 + m*R^2*I3)*s */
-    const double t7 = t4*t6; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t8 = t2*t4; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
-    const double t9 = x[0]*p[8]; /* gamma3*R*I3 */
-    const double t10 = JLT_FMA(x[3], t9, p[6]); /* omega3*gamma3*R*I3 + G_level */
-    const double t11 = t7*t10; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega3*gamma3*R*I3 + G_level) */
-    const double t12 = x[0]*t7; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t13 = p[7]*t11; /* 1/(R*I3)*t11 */
-    const double t14 = t8*t11; /* 1/Theta*t11 */
-    const double t15 = p[12]*t14; /* (-m)*1/Theta*t11 */
-    out[13] = t15;
-    const double t16 = p[13]*t14; /* (-m*R)*1/Theta*t11 */
-    out[14] = t16;
-    const double t17 = t7*t13; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t11 */
-    const double t18 = t12*t13; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t11 */
-    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t20 = p[11]*t19; /* m*R*I3*V */
-    const double t21 = t8*t20; /* 1/Theta*m*R*I3*V */
-    const double t22 = t7*t17; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t11 */
-    const double t23 = t17*t22; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t11*t22 */
-    const double t24 = x[3] + t18; /* omega3 + t18 */
-    const double t25 = t7*t24; /* d(omega_n)/d(gamma3) = 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega3 + t18) */
-    const double t26 = JLT_FMA(2.0, t18, x[3]); /* 2*t18 + omega3 */
-    const double t27 = JLT_FMA(t25, t26, t23); /* d(omega_n)/d(gamma3)*(2*t18 + omega3) + t23 */
-    const double t28 = JLT_FMA(t12, t26, t13); /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(2*t18 + omega3) + 1/(R*I3)*t11 */
-    const double t29 = t21*t25; /* 1/Theta*m*R*I3*V*d(omega_n)/d(gamma3) */
-    const double t30 = -t29; /* -1/Theta*m*R*I3*V*d(omega_n)/d(gamma3) */
-    out[12] = t30;
-    const double t31 = t12*t21; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/Theta*m*R*I3*V */
+    const double t6 = p[8]*t5; /* (m*R^2*I1 + I1^2)*s */
+    const double t7 = t4*t6; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t8 = t2*t4; /* 1/Theta = s^2*1/((m*R^2*I1 + I1^2)*s^2) */
+    const double t9 = JLT_FMA(x[0], x[3], p[7]); /* gamma3*omega3 + G_level/(R*I1) */
+    const double t10 = t7*t9; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t11 = x[0]*t7; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t12 = t7*t10; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t10 */
+    const double t13 = t10*t11; /* t10*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t14 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t15 = p[10]*t14; /* m*R*I1*V */
+    const double t16 = t8*t15; /* 1/Theta*m*R*I1*V */
+    const double t17 = t8*t10; /* 1/Theta*t10 */
+    const double t18 = p[9]*t17; /* (-m*R*I1)*1/Theta*t10 */
+    out[13] = t18;
+    const double t19 = p[11]*t17; /* (-m*R^2*I1)*1/Theta*t10 */
+    out[14] = t19;
+    const double t20 = t7*t12; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t10 */
+    const double t21 = t12*t20; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t10*t20 */
+    const double t22 = x[3] + t13; /* omega3 + t10*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t23 = t7*t22; /* d(omega_n)/d(gamma3) = 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t22 */
+    const double t24 = JLT_FMA(2.0, t13, x[3]); /* 2*t10*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s + omega3 */
+    const double t25 = JLT_FMA(t23, t24, t21); /* d(omega_n)/d(gamma3)*t24 + 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t10*t20 */
+    const double t26 = JLT_FMA(t11, t24, t10); /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t24 + t10 */
+    const double t27 = t16*t23; /* 1/Theta*m*R*I1*V*d(omega_n)/d(gamma3) */
+    const double t28 = -t27; /* -1/Theta*m*R*I1*V*d(omega_n)/d(gamma3) */
+    out[12] = t28;
+    const double t29 = t11*t16; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*1/Theta*m*R*I1*V */
+    const double t30 = -t29; /* -t29 */
+    out[15] = t30;
+    const double t31 = x[2]*t11; /* omega_tau*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
     const double t32 = -t31; /* -t31 */
-    out[15] = t32;
-    const double t33 = x[2]*t12; /* omega_tau*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t34 = -t33; /* -t33 */
-    out[0] = t34;
-    const double t35 = p[1]*t27; /* R*(d(omega_n)/d(gamma3)*(2*t18 + omega3) + t23) */
-    out[4] = t35;
-    const double t36 = -t27; /* -(d(omega_n)/d(gamma3)*(2*t18 + omega3) + t23) */
-    out[8] = t36;
-    const double t37 = p[1]*t28; /* R*t28 */
-    out[7] = t37;
-    const double t38 = -t28; /* -t28 */
-    out[11] = t38;
+    out[0] = t32;
+    const double t33 = p[1]*t25; /* R*t25 */
+    out[4] = t33;
+    const double t34 = -t25; /* -t25 */
+    out[8] = t34;
+    const double t35 = p[1]*t26; /* R*t26 */
+    out[7] = t35;
+    const double t36 = -t26; /* -t26 */
+    out[11] = t36;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -203,62 +190,60 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
-    const double t3 = p[9]*t2; /* (I3^2 + m*R^2*I3)*s^2 */
-    const double t4 = 1.0/t3; /* 1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t3 = p[8]*t2; /* (m*R^2*I1 + I1^2)*s^2 */
+    const double t4 = 1.0/t3; /* 1/((m*R^2*I1 + I1^2)*s^2) */
     const double t5 = sqrt(t2); /* s = sqrt(s^2) */
     out[6] = t5;
-    const double t6 = t2*t4; /* 1/Theta = s^2*1/((I3^2 + m*R^2*I3)*s^2) */
+    const double t6 = t2*t4; /* 1/Theta = s^2*1/((m*R^2*I1 + I1^2)*s^2) */
     const double t7 = x[2]*t5; /* omega_tau*s */
     out[0] = t7;
-    const double t8 = p[9]*t5; /* (I3^2 + m*R^2*I3)*s */
-    const double t9 = t4*t8; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t10 = x[0]*p[8]; /* gamma3*R*I3 */
-    const double t11 = JLT_FMA(x[3], t10, p[6]); /* omega3*gamma3*R*I3 + G_level */
-    const double t12 = t9*t11; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega3*gamma3*R*I3 + G_level) */
-    const double t13 = p[7]*t12; /* 1/(R*I3)*t12 */
-    const double t14 = x[0]*t9; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t15 = t13*t14; /* 1/(R*I3)*t12*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t17 = t6*t16; /* 1/Theta*V */
-    const double t18 = t6*t12; /* 1/Theta*t12 */
-    const double t19 = p[12]*t18; /* (-m)*1/Theta*t12 */
-    out[17] = t19;
-    const double t20 = p[13]*t18; /* (-m*R)*1/Theta*t12 */
-    out[18] = t20;
-    const double t21 = t9*t13; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t12 */
-    const double t22 = x[3] + t15; /* omega3 + t15 */
-    const double t23 = JLT_FMA(2.0, t15, x[3]); /* 2*t15 + omega3 */
-    const double t24 = t9*t21; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t12 */
-    const double t25 = t21*t24; /* 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*1/(R*I3)*t12*t24 */
-    const double t26 = t9*t22; /* d(omega_n)/d(gamma3) = 1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(omega3 + t15) */
-    const double t27 = t13*t22; /* 1/(R*I3)*t12*(omega3 + t15) */
-    const double t28 = JLT_FMA(t23, t26, t25); /* (2*t15 + omega3)*d(omega_n)/d(gamma3) + t25 */
-    const double t29 = JLT_FMA(t14, t23, t13); /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*(2*t15 + omega3) + 1/(R*I3)*t12 */
-    const double t30 = p[1]*t27; /* R*1/(R*I3)*t12*(omega3 + t15) */
-    out[1] = t30;
-    const double t31 = -t27; /* -1/(R*I3)*t12*(omega3 + t15) */
-    out[2] = t31;
-    const double t32 = p[1]*t28; /* R*((2*t15 + omega3)*d(omega_n)/d(gamma3) + t25) */
-    out[8] = t32;
-    const double t33 = -t28; /* -((2*t15 + omega3)*d(omega_n)/d(gamma3) + t25) */
-    out[12] = t33;
-    const double t34 = p[1]*t29; /* R*t29 */
-    out[11] = t34;
-    const double t35 = -t29; /* -t29 */
-    out[15] = t35;
-    const double t36 = p[11]*t17; /* m*R*I3*1/Theta*V */
-    const double t37 = p[12]*t17; /* (-m)*1/Theta*V */
-    const double t38 = t12*t37; /* t12*(-m)*1/Theta*V */
-    out[3] = t38;
-    const double t39 = t26*t36; /* d(omega_n)/d(gamma3)*m*R*I3*1/Theta*V */
-    const double t40 = -t39; /* -d(omega_n)/d(gamma3)*m*R*I3*1/Theta*V */
-    out[16] = t40;
-    const double t41 = t14*t36; /* gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s*m*R*I3*1/Theta*V */
-    const double t42 = -t41; /* -t41 */
-    out[19] = t42;
-    const double t43 = x[2]*t14; /* omega_tau*gamma3*1/((I3^2 + m*R^2*I3)*s^2)*(I3^2 + m*R^2*I3)*s */
-    const double t44 = -t43; /* -t43 */
-    out[4] = t44;
+    const double t8 = p[8]*t5; /* (m*R^2*I1 + I1^2)*s */
+    const double t9 = t4*t8; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t10 = JLT_FMA(x[0], x[3], p[7]); /* gamma3*omega3 + G_level/(R*I1) */
+    const double t11 = t9*t10; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t12 = x[0]*t9; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t13 = t11*t12; /* t11*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t14 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t15 = p[10]*t14; /* m*R*I1*V */
+    const double t16 = t6*t15; /* 1/Theta*m*R*I1*V */
+    const double t17 = t6*t11; /* 1/Theta*t11 */
+    const double t18 = p[9]*t17; /* (-m*R*I1)*1/Theta*t11 */
+    out[17] = t18;
+    const double t19 = p[11]*t17; /* (-m*R^2*I1)*1/Theta*t11 */
+    out[18] = t19;
+    const double t20 = t9*t11; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t11 */
+    const double t21 = x[3] + t13; /* omega3 + t11*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t22 = JLT_FMA(2.0, t13, x[3]); /* 2*t11*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s + omega3 */
+    const double t23 = t9*t20; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t11 */
+    const double t24 = t20*t23; /* 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t11*t23 */
+    const double t25 = t9*t21; /* d(omega_n)/d(gamma3) = 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t21 */
+    const double t26 = t11*t21; /* t11*t21 */
+    const double t27 = JLT_FMA(t22, t25, t24); /* t22*d(omega_n)/d(gamma3) + 1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t11*t23 */
+    const double t28 = JLT_FMA(t12, t22, t11); /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*t22 + t11 */
+    const double t29 = t11*t16; /* t11*1/Theta*m*R*I1*V */
+    const double t30 = -t29; /* -t11*1/Theta*m*R*I1*V */
+    out[3] = t30;
+    const double t31 = t16*t25; /* 1/Theta*m*R*I1*V*d(omega_n)/d(gamma3) */
+    const double t32 = -t31; /* -1/Theta*m*R*I1*V*d(omega_n)/d(gamma3) */
+    out[16] = t32;
+    const double t33 = t12*t16; /* gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s*1/Theta*m*R*I1*V */
+    const double t34 = -t33; /* -t33 */
+    out[19] = t34;
+    const double t35 = x[2]*t12; /* omega_tau*gamma3*1/((m*R^2*I1 + I1^2)*s^2)*(m*R^2*I1 + I1^2)*s */
+    const double t36 = -t35; /* -t35 */
+    out[4] = t36;
+    const double t37 = p[1]*t26; /* R*t11*t21 */
+    out[1] = t37;
+    const double t38 = -t26; /* -t11*t21 */
+    out[2] = t38;
+    const double t39 = p[1]*t27; /* R*t27 */
+    out[8] = t39;
+    const double t40 = -t27; /* -t27 */
+    out[12] = t40;
+    const double t41 = p[1]*t28; /* R*t28 */
+    out[11] = t41;
+    const double t42 = -t28; /* -t28 */
+    out[15] = t42;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -268,14 +253,14 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t5 = t3*p[9]; /* s*(I3^2 + m*R^2*I3) */
-    const double t6 = 1.0/t5; /* 1/(s*(I3^2 + m*R^2*I3)) */
-    const double t7 = p[11]*t4; /* m*R*I3*V */
-    const double t8 = t3*t7; /* s*m*R*I3*V */
-    const double t9 = JLT_FMA(t6, t8, x[2]); /* 1/(s*(I3^2 + m*R^2*I3))*s*m*R*I3*V + omega_tau */
-    const double t10 = p[14]*x[0]; /* (-I3^2 - m*R^2*I3)*gamma3 */
-    const double t11 = t6*t10; /* 1/(s*(I3^2 + m*R^2*I3))*(-I3^2 - m*R^2*I3)*gamma3 */
-    const double t12 = t9*t11; /* (1/(s*(I3^2 + m*R^2*I3))*s*m*R*I3*V + omega_tau)*1/(s*(I3^2 + m*R^2*I3))*(-I3^2 - m*R^2*I3)*gamma3 */
+    const double t5 = t3*p[8]; /* s*(m*R^2*I1 + I1^2) */
+    const double t6 = 1.0/t5; /* 1/(s*(m*R^2*I1 + I1^2)) */
+    const double t7 = p[10]*t4; /* m*R*I1*V */
+    const double t8 = t3*t7; /* s*m*R*I1*V */
+    const double t9 = JLT_FMA(t6, t8, x[2]); /* 1/(s*(m*R^2*I1 + I1^2))*s*m*R*I1*V + omega_tau */
+    const double t10 = p[12]*x[0]; /* (-m*R^2*I1 - I1^2)*gamma3 */
+    const double t11 = t6*t10; /* 1/(s*(m*R^2*I1 + I1^2))*(-m*R^2*I1 - I1^2)*gamma3 */
+    const double t12 = t9*t11; /* (1/(s*(m*R^2*I1 + I1^2))*s*m*R*I1*V + omega_tau)*1/(s*(m*R^2*I1 + I1^2))*(-m*R^2*I1 - I1^2)*gamma3 */
     out[0] = t12;
 }
 
@@ -284,68 +269,61 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
-    const double t3 = x[3]*p[8]; /* omega3*R*I3 */
-    const double t4 = JLT_FMA(x[0], t3, p[6]); /* gamma3*omega3*R*I3 + G_level */
-    const double t5 = p[7]*t4; /* 1/(R*I3)*(gamma3*omega3*R*I3 + G_level) */
-    const double t6 = t5/t2; /* 1/(R*I3)*(gamma3*omega3*R*I3 + G_level)/s^2 */
-    const double t7 = sqrt(t2); /* s = sqrt(s^2) */
-    const double t8 = t6*t7; /* omega_n = 1/(R*I3)*(gamma3*omega3*R*I3 + G_level)/s^2*s */
-    const double t9 = x[3]*t7; /* omega3*s */
-    const double t10 = JLT_FMA(x[0], t8, t9); /* v_tau/R = gamma3*omega_n + omega3*s */
-    const double t11 = x[3]*x[3]; /* omega3*omega3 */
-    const double t12 = JLT_FMA(x[2], x[2], t11); /* omega_tau*omega_tau + omega3*omega3 */
-    const double t13 = JLT_FMA(t8, t8, t12); /* omega_n*omega_n + omega_tau*omega_tau + omega3*omega3 */
-    const double t14 = x[1]*x[1]; /* v_nu*v_nu */
-    const double t15 = JLT_FMA(p[16], t13, t14); /* I3/m*(omega_n*omega_n + omega_tau*omega_tau + omega3*omega3) + v_nu*v_nu */
-    const double t16 = p[17]*t10; /* R^2*v_tau/R */
-    const double t17 = JLT_FMA(t10, t16, t15); /* energy/(1/2*m) = v_tau/R*R^2*v_tau/R + t15 */
-    const double t18 = p[15]*t17; /* 1/2*m*energy/(1/2*m) */
-    out[0] = t18;
-    const double t19 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    out[2] = t19;
-    const double t20 = p[18]*t19; /* m*I3^2*(omega_tau*R + v_nu) */
-    const double t21 = t19*t20; /* (omega_tau*R + v_nu)*m*I3^2*(omega_tau*R + v_nu) */
-    out[1] = t21;
+    const double t3 = JLT_FMA(x[0], x[3], p[7]); /* gamma3*omega3 + G_level/(R*I1) */
+    const double t4 = t3/t2; /* (gamma3*omega3 + G_level/(R*I1))/s^2 */
+    const double t5 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t6 = t4*t5; /* omega_n = (gamma3*omega3 + G_level/(R*I1))/s^2*s */
+    const double t7 = x[3]*t5; /* omega3*s */
+    const double t8 = JLT_FMA(x[0], t6, t7); /* v_tau/R = gamma3*omega_n + omega3*s */
+    const double t9 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t10 = JLT_FMA(x[3], x[3], t9); /* omega3*omega3 + omega_tau*omega_tau */
+    const double t11 = p[14]*x[1]; /* m/I1*v_nu */
+    const double t12 = JLT_FMA(x[1], t11, t10); /* v_nu*m/I1*v_nu + omega3*omega3 + omega_tau*omega_tau */
+    const double t13 = JLT_FMA(t6, t6, t12); /* omega_n*omega_n + v_nu*m/I1*v_nu + omega3*omega3 + omega_tau*omega_tau */
+    const double t14 = p[15]*t8; /* m*R^2/I1*v_tau/R */
+    const double t15 = JLT_FMA(t8, t14, t13); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t13 */
+    const double t16 = p[13]*t15; /* 1/2*I1*energy/(1/2*I1) */
+    out[0] = t16;
+    const double t17 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    out[2] = t17;
+    const double t18 = p[16]*t17; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t19 = t17*t18; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
+    out[1] = t19;
 }
 
 static void integral_gradients(const double *restrict x, const double *restrict p, double *restrict out)
 {
     out[9] = 1.0;
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t4 = 1.0/t3; /* 1/s */
+    const double t5 = JLT_FMA(x[0], x[3], p[7]); /* gamma3*omega3 + G_level/(R*I1) */
+    const double t6 = t4*t5; /* 1/s*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t7 = x[0]*t6; /* gamma3*1/s*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t8 = JLT_FMA(t3, x[3], t7); /* v_tau/R = s*omega3 + gamma3*1/s*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t9 = JLT_FMA(p[15], t8, t7); /* m*R^2/I1*v_tau/R + gamma3*1/s*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t10 = JLT_FMA(t4, t9, x[3]); /* 1/s*t9 + omega3 */
+    const double t11 = p[4]*t10; /* I1*(1/s*t9 + omega3) */
+    out[3] = t11;
+    const double t12 = t4*t6; /* 1/s*1/s*(gamma3*omega3 + G_level/(R*I1)) */
+    const double t13 = t11*t12; /* I1*(1/s*t9 + omega3)*1/s*1/s*(gamma3*omega3 + G_level/(R*I1)) */
+    out[0] = t13;
+    const double t14 = p[0]*x[1]; /* m*v_nu */
+    out[1] = t14;
+    const double t15 = p[4]*x[2]; /* I1*omega_tau */
+    out[2] = t15;
     out[4] = 0.0;
     out[7] = 0.0;
     out[8] = 0.0;
     out[11] = 0.0;
     out[10] = p[1];
-    const double t0 = p[0]*x[1]; /* m*v_nu */
-    out[1] = t0;
-    const double t1 = p[5]*x[2]; /* I3*omega_tau */
-    out[2] = t1;
-    const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
-    const double t3 = 1.0 + x[0]; /* 1 + gamma3 */
-    const double t4 = t2*t3; /* (1 - gamma3)*(1 + gamma3) */
-    const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t6 = x[0]*p[8]; /* gamma3*R*I3 */
-    const double t7 = JLT_FMA(x[3], t6, p[6]); /* omega3*gamma3*R*I3 + G_level */
-    const double t8 = 1.0/t5; /* 1/s */
-    const double t9 = t7*t8; /* (omega3*gamma3*R*I3 + G_level)*1/s */
-    const double t10 = x[0]*p[7]; /* gamma3*1/(R*I3) */
-    const double t11 = t9*t10; /* (omega3*gamma3*R*I3 + G_level)*1/s*gamma3*1/(R*I3) */
-    const double t12 = JLT_FMA(x[3], t5, t11); /* omega3*s + (omega3*gamma3*R*I3 + G_level)*1/s*gamma3*1/(R*I3) */
-    const double t13 = JLT_FMA(t8, t11, x[3]); /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/s*gamma3*1/(R*I3) + omega3 */
-    const double t14 = t8*t12; /* 1/s*t12 */
-    const double t15 = t8*t9; /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/s */
-    const double t16 = p[19]*t13; /* 1/R*t13 */
-    const double t17 = JLT_FMA(p[20], t14, t16); /* m*R/I3*1/s*t12 + 1/R*t13 */
-    const double t18 = t15*t17; /* 1/s*(omega3*gamma3*R*I3 + G_level)*1/s*(m*R/I3*1/s*t12 + 1/R*t13) */
-    out[0] = t18;
-    const double t19 = p[5]*t13; /* I3*t13 */
-    const double t20 = JLT_FMA(p[21], t14, t19); /* d(energy)/d(omega3) = m*R^2*1/s*t12 + I3*t13 */
-    out[3] = t20;
-    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t22 = p[22]*t21; /* 2*m*I3^2*(omega_tau*R + v_nu) */
-    out[5] = t22;
-    const double t23 = p[23]*t21; /* 2*m*R*I3^2*(omega_tau*R + v_nu) */
-    out[6] = t23;
+    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
+    const double t17 = p[17]*t16; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    out[5] = t17;
+    const double t18 = t16*p[18]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    out[6] = t18;
 }
 
 static void eliminated(const double *restrict x, const double *restrict p, double *restrict out)
@@ -354,11 +332,9 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
-    const double t4 = x[0]*p[8]; /* gamma3*R*I3 */
-    const double t5 = JLT_FMA(x[3], t4, p[6]); /* omega3*gamma3*R*I3 + G_level */
-    const double t6 = p[7]*t5; /* 1/(R*I3)*(omega3*gamma3*R*I3 + G_level) */
-    const double t7 = t6/t3; /* 1/(R*I3)*(omega3*gamma3*R*I3 + G_level)/s */
-    out[0] = t7;
+    const double t4 = JLT_FMA(x[0], x[3], p[7]); /* gamma3*omega3 + G_level/(R*I1) */
+    const double t5 = t4/t3; /* (gamma3*omega3 + G_level/(R*I1))/s */
+    out[0] = t5;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -373,23 +349,21 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t5[JLT_JET_ORDER_MAX + 1];
     double t6[JLT_JET_ORDER_MAX + 1];
     double t7[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
     double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
     double t21[JLT_JET_ORDER_MAX + 1];
-    double t22[JLT_JET_ORDER_MAX + 1];
-    double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
+    double t26[JLT_JET_ORDER_MAX + 1];
+    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
-    double t29[JLT_JET_ORDER_MAX + 1];
-    double t30[JLT_JET_ORDER_MAX + 1];
-    double t31[JLT_JET_ORDER_MAX + 1];
-    double t32[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -400,28 +374,26 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t5[k] = jlt_jet_product(t3, t4, k);
         t6[k] = jlt_jet_root(t5[k], t6, k);
         t7[k] = jlt_jet_product(x2, t6, k);
-        t13[k] = x0[k]*p[8];
-        t14[k] = jlt_jet_product(x3, t13, k) + (k == 0 ? p[6] : 0);
-        t16[k] = t6[k]*p[9];
-        t17[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t16, t17, k);
-        t18[k] = p[9]*t17[k];
-        t19[k] = p[7]*t14[k];
-        t20[k] = jlt_jet_product(t18, t19, k);
-        t21[k] = jlt_jet_product(x0, t18, k);
-        t22[k] = jlt_jet_product(t20, t21, k) + x3[k];
-        t23[k] = jlt_jet_product(t20, t22, k);
-        t24[k] = p[1]*t23[k];
-        t25[k] = -t23[k];
-        t28[k] = x2[k]*p[1] + x1[k];
-        t29[k] = p[10]*t28[k];
-        t30[k] = jlt_jet_product(t6, t29, k);
-        t31[k] = jlt_jet_product(t17, t30, k);
-        t32[k] = jlt_jet_product(t20, t31, k);
+        t11[k] = jlt_jet_product(x0, x3, k) + (k == 0 ? p[7] : 0);
+        t13[k] = t6[k]*p[8];
+        t14[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t13, t14, k);
+        t15[k] = p[8]*t14[k];
+        t16[k] = jlt_jet_product(t11, t15, k);
+        t17[k] = jlt_jet_product(x0, t15, k);
+        t18[k] = jlt_jet_product(t16, t17, k) + x3[k];
+        t19[k] = jlt_jet_product(t16, t18, k);
+        t20[k] = p[1]*t19[k];
+        t21[k] = -t19[k];
+        t24[k] = x2[k]*p[1] + x1[k];
+        t25[k] = p[9]*t24[k];
+        t26[k] = jlt_jet_product(t6, t25, k);
+        t27[k] = jlt_jet_product(t14, t26, k);
+        t28[k] = jlt_jet_product(t16, t27, k);
         double *restrict next = coefficients + (k + 1)*4;
         next[0] = x0[k + 1] = t7[k]/(k + 1);
-        next[1] = x1[k + 1] = t24[k]/(k + 1);
-        next[2] = x2[k + 1] = t25[k]/(k + 1);
-        next[3] = x3[k + 1] = t32[k]/(k + 1);
+        next[1] = x1[k + 1] = t20[k]/(k + 1);
+        next[2] = x2[k + 1] = t21[k]/(k + 1);
+        next[3] = x3[k + 1] = t28[k]/(k + 1);
     }
 }
 
@@ -433,9 +405,9 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
     const double complex v_s = csqrt(1.0 - v_gamma3*v_gamma3);
     out[0] = (v_omega_tau*v_s);
     const double v_R = params[1];
-    const double v_I3 = params[5];
-    const double v_I1 = (v_I3);
+    const double v_I1 = params[4];
     const double v_G_level = params[6];
+    const double v_I3 = (v_I1);
     const double complex v_omega3 = x[3];
     const double v_a3 = (0.0);
     const double complex v_b = (v_a3 + v_R*v_gamma3);
@@ -488,31 +460,31 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G = {
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
+    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 24,
+    .state_count = 4, .param_count = 7, .block_count = 19,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 3, 15, 3, 1, 1, 0, 9, 5 }, { 9, 31, 0, 4, 1, 0, 10, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, omega_n*gamma3*((1)/s^2*(I3^2 + m*R^2*I3))*s*(I3^2 + m*R^2*I3) + omega3, V = omega_tau*R + v_nu" },
-    .jacobian = { jacobian, 16, { 8, 24, 5, 1, 1, 0, 12, 8 }, { 24, 80, 0, 18, 1, 0, 13, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, V = omega_tau*R + v_nu, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(omega3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(omega3)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 9, 29, 5, 1, 1, 0, 12, 10 }, { 28, 93, 0, 21, 1, 0, 13, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, V = omega_tau*R + v_nu, a part of d(v_nu)/dt and of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(omega3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(omega3)" },
-    .divergence = { divergence, 1, { 2, 7, 2, 1, 1, 0, 7, 4 }, { 6, 19, 0, 2, 1, 0, 9, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I3^2, m*R^2*I3*gamma3^2 and m*R^2*I3*s^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, ((1)/s*(I3^2 + m*R^2*I3))*s*(m*R*I3)*V + omega_tau" },
-    .integral_values = { integral_values, 3, { 2, 11, 7, 1, 1, 0, 9, 4 }, { 9, 31, 0, 1, 1, 0, 13, 6 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3*(R*I3) + G_level, v_tau/R = gamma3*omega_n + omega3*s, F_linear" },
-    .integral_gradients = { integral_gradients, 12, { 2, 14, 6, 1, 1, 0, 10, 5 }, { 13, 48, 0, 6, 1, 0, 12, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, omega3*s + (omega3*gamma3*(R*I3) + G_level)*((1)/s)*gamma3*(1/(R*I3)), a part of d(E)/d(gamma3) and of d(E)/d(omega3), a part of d(E)/d(gamma3), d(E)/d(omega3), omega_tau*R + v_nu" },
+    .rhs = { rhs, 4, { 3, 13, 3, 1, 1, 0, 9, 5 }, { 9, 31, 0, 4, 1, 0, 10, 6 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1), omega_n*gamma3*((1)/s^2*(m*R^2*I1 + I1^2))*s*(m*R^2*I1 + I1^2) + omega3, V = omega_tau*R + v_nu" },
+    .jacobian = { jacobian, 16, { 8, 22, 5, 1, 1, 0, 11, 8 }, { 24, 80, 0, 18, 1, 0, 13, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1), V = omega_tau*R + v_nu, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(omega3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(omega3)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 10, 26, 5, 1, 1, 0, 11, 9 }, { 28, 93, 0, 21, 1, 0, 13, 10 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1), V = omega_tau*R + v_nu, a part of d(v_nu)/dt and of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(omega3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(omega3) and of d(d(omega_tau)/dt)/d(omega3)" },
+    .divergence = { divergence, 1, { 2, 7, 2, 1, 1, 0, 7, 4 }, { 6, 19, 0, 2, 1, 0, 10, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, ((1)/s*(m*R^2*I1 + I1^2))*s*(m*R*I1)*V + omega_tau" },
+    .integral_values = { integral_values, 3, { 2, 9, 7, 1, 1, 0, 8, 5 }, { 9, 31, 0, 1, 1, 0, 13, 5 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1), v_tau/R = gamma3*omega_n + omega3*s, F_linear" },
+    .integral_gradients = { integral_gradients, 12, { 2, 10, 5, 1, 1, 0, 11, 5 }, { 13, 48, 0, 6, 1, 0, 12, 9 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1), v_tau/R = s*omega3 + gamma3*((1)/s)*(gamma3*omega3 + G_level/(R*I1)), (m*R^2/I1)*v_tau/R + gamma3*((1)/s)*(gamma3*omega3 + G_level/(R*I1)), a part of d(E)/d(gamma3) and of d(E)/d(omega3), omega_tau*R + v_nu" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
-    .eliminated = { eliminated, 1, { 2, 3, 1, 1, 1, 0, 4, 3 }, { 2, 6, 0, 1, 1, 0, 5, 3 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level" },
+    .eliminated = { eliminated, 1, { 2, 1, 1, 1, 1, 0, 4, 3 }, { 2, 6, 0, 1, 1, 0, 5, 3 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1)" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
     .jet = jet,

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    rod: I3 = 0
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d
+ *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -108,6 +108,10 @@ static void prepare(const double *restrict params, double *restrict out)
     out[24] = t26;
     const double t27 = 1.0/t0; /* 1/(R*I1) */
     out[25] = t27;
+    const double t28 = params[0]*(-2.0); /* m*(-2) */
+    const double t29 = t2*t28; /* a3*a3*m*(-2) */
+    const double t30 = t29/t0; /* a3*a3*m*(-2)/(R*I1) */
+    out[26] = t30;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -568,10 +572,10 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G = {
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "0e279c3be65fce16666172ab5cb8604a9e517a6b4e013b63a672fd315ee5a03d",
+    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 26,
+    .state_count = 4, .param_count = 7, .block_count = 27,
     .states = states,
     .params = params,
     .impose = impose,

@@ -1,7 +1,7 @@
 /* Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
- *  Table:      spherical_top_balanced, SHA-256 70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10
+ *  Table:      spherical_top_balanced, SHA-256 7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069
  *  Command:    ttc generate --effort full --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -492,7 +492,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10",
+    .sha256 = "7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_balanced,
     .state_count = 3, .param_count = 6, .block_count = 32,

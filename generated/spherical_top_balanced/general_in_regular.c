@@ -2,7 +2,7 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_balanced, SHA-256 70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10
+ *  Table:      spherical_top_balanced, SHA-256 7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069
  *  Command:    ttc generate --effort full --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -539,7 +539,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10",
+    .sha256 = "7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_balanced,
     .state_count = 4, .param_count = 6, .block_count = 38,

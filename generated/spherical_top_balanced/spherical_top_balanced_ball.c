@@ -1,7 +1,7 @@
 /* Balanced sphere with one nonholonomic constraint, on levels of Jellett's integral and of the horizontal momentum: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_balanced, SHA-256 70ff20361cc8550a994847ce02cbc8dfe6b50b8424b0daf5121bfd70d4951a10
+ *  Table:      spherical_top_balanced, SHA-256 7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069
  *  Command:    ttc generate --effort full --out DIR spherical_top_balanced.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    balanced: a3 = 0
- *  Table:      spherical_top_level, SHA-256 0e21006c5ed6b2b43f047938803c9f453803feabeb018bd596d20a035cf11dee
+ *  Table:      spherical_top_level, SHA-256 a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   25    7    1    1    0     15    7   (94)
- *  jacobian            8   45   22    1    1    0     17   17   (464)
- *  rhs_jacobian        11   50   24    1    1    0     17   21   (541)
+ *  jacobian            9   46   21    1    1    0     17   19   (464)
+ *  rhs_jacobian        11   51   23    1    1    0     17   23   (541)
  *  divergence          3   13    5    1    1    0     12    6   (46)
  *  integral_values     3   12    7    1    1    0      8    6   (50)
  *  integral_gradients  3   27    7    1    1    0     12    9   (123)
@@ -19,15 +19,14 @@
  *    divides by Theta, small only where all of m*K and I1*I3 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s,
- *      v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau),
- *      a part of d(d(v_tau)/dt)/d(gamma3), v_nu - V*(I1*I3/m)*1/(Theta/m), a part of d(v_tau)/dt,
- *      (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3),
- *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau),
- *      v_tau*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(omega_tau)/dt, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
- *      d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(v_tau)
+ *      v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      v_nu - 1/(Theta/m)*(I1*I3/m)*V, d(d(v_nu)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      d(d(v_tau)/dt)/d(omega_tau), a part of d(v_tau)/dt, v_tau*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1,
+ *      a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3),
+ *      a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(v_tau)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -213,86 +212,87 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t4 = x[0]*p[8]; /* gamma3*R^2*I3 */
     const double t5 = JLT_FMA(x[0], t4, t3); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s^2 */
     const double t6 = p[9] + t5; /* Theta/m = I1*I3/m + K */
-    const double t7 = t2*t5; /* s^2*K */
-    const double t8 = t6*t7; /* Theta/m*s^2*K */
-    const double t9 = 1.0/t8; /* 1/(Theta/m*s^2*K) */
-    const double t10 = t6*t9; /* Theta/m*1/(Theta/m*s^2*K) */
-    const double t11 = t7*t9; /* 1/(Theta/m) = s^2*K*1/(Theta/m*s^2*K) */
-    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
-    out[2] = t12;
-    const double t13 = t5*t12; /* K*s */
-    const double t14 = t10*t13; /* Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t15 = t2*t10; /* 1/K = s^2*Theta/m*1/(Theta/m*s^2*K) */
-    const double t16 = x[3]*p[11]; /* v_tau*R*I3 */
-    const double t17 = x[0]*t16; /* gamma3*v_tau*R*I3 */
-    const double t18 = JLT_FMA(p[10], t12, t17); /* R*G*s + gamma3*v_tau*R*I3 */
-    const double t19 = t15*t18; /* 1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t20 = x[0]*t14; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t21 = JLT_FMS(p[10], t20, t16); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 */
-    const double t22 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t23 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t24 = p[9]*t23; /* I1*I3/m*V */
-    const double t25 = t11*t24; /* 1/(Theta/m)*I1*I3/m*V */
-    const double t26 = t19*t22; /* 1/K*(R*G*s + gamma3*v_tau*R*I3)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t27 = x[3]*t12; /* v_tau*s */
-    const double t28 = JLT_FNMA(x[0], p[12], t27); /* v_tau*s - gamma3*G/I1 */
-    const double t29 = t26 - t21; /* 1/K*(R*G*s + gamma3*v_tau*R*I3)*gamma3*(2*R^2*I1 - 2*R^2*I3) - (R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3) */
-    const double t30 = JLT_FNMA(2.0, t26, t21); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - 2*1/K*(R*G*s + gamma3*v_tau*R*I3)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t31 = t14*t15; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K */
-    const double t32 = t14*t19; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t33 = JLT_FMA(t17, t31, t32); /* gamma3*v_tau*R*I3*Theta/m*1/(Theta/m*s^2*K)*K*s*1/K + t32 */
-    out[7] = t33;
-    const double t34 = t29*t31; /* t29*Theta/m*1/(Theta/m*s^2*K)*K*s*1/K */
-    const double t35 = t14*t32; /* Theta/m*1/(Theta/m*s^2*K)*K*s*t32 */
-    const double t36 = JLT_FMA(t20, t35, t34); /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*Theta/m*1/(Theta/m*s^2*K)*K*s*t32 + t29*Theta/m*1/(Theta/m*s^2*K)*K*s*1/K */
-    const double t37 = t32*t35; /* t32*Theta/m*1/(Theta/m*s^2*K)*K*s*t32 */
-    const double t38 = x[3]*t36; /* v_tau*t36 */
-    out[4] = t38;
-    const double t39 = x[0]*t15; /* gamma3*1/K */
-    const double t40 = p[11]*t15; /* R*I3*1/K */
-    const double t41 = t15*t28; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t42 = JLT_FMA(t11, t28, t41); /* 1/(Theta/m)*(v_tau*s - gamma3*G/I1) + 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t43 = JLT_FMA(x[3], t20, p[12]); /* v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1 */
-    const double t44 = JLT_FMS(t22, t42, t43); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t42 - (v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
-    const double t45 = t19*t43; /* 1/K*(R*G*s + gamma3*v_tau*R*I3)*(v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
-    const double t46 = JLT_FMA(t30, t41, t45); /* t30*1/K*(v_tau*s - gamma3*G/I1) + t45 */
-    const double t47 = JLT_FMS(t40, t46, t37); /* R*I3*1/K*(t30*1/K*(v_tau*s - gamma3*G/I1) + t45) - t32*Theta/m*1/(Theta/m*s^2*K)*K*s*t32 */
-    const double t48 = t12*t19; /* s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t49 = t22*t25; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V */
-    const double t50 = x[1] - t25; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t51 = t36*t50; /* t36*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t52 = t40*t50; /* R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t53 = t20*t52; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t54 = x[2]*t20; /* omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t55 = -t54; /* -omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    out[0] = t55;
-    const double t56 = JLT_FMA(t39, t44, t41); /* gamma3*1/K*t44 + 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t57 = x[0]*t41; /* gamma3*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t58 = JLT_FMA(p[11], t57, t48); /* R*I3*gamma3*1/K*(v_tau*s - gamma3*G/I1) + s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
-    const double t59 = p[13]*t11; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t60 = t11*t32; /* 1/(Theta/m)*t32 */
-    const double t61 = JLT_FMS(t49, t60, t51); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*I1*I3/m*V*1/(Theta/m)*t32 - t36*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t62 = JLT_FMS(p[9], t60, t32); /* I1*I3/m*1/(Theta/m)*t32 - t32 */
-    out[13] = t62;
-    const double t63 = t32*t39; /* t32*gamma3*1/K */
-    const double t64 = p[16]*t60; /* R*I1*I3/m*1/(Theta/m)*t32 */
-    const double t65 = JLT_FNMA(t57, t59, t64); /* R*I1*I3/m*1/(Theta/m)*t32 - gamma3*1/K*(v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    out[14] = t65;
-    const double t66 = x[2]*t59; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t67 = JLT_FNMA(t56, t66, t61); /* t61 - (gamma3*1/K*t44 + 1/K*(v_tau*s - gamma3*G/I1))*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    out[12] = t67;
-    const double t68 = t12*t66; /* s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t69 = JLT_FMA(t39, t68, t53); /* gamma3*1/K*s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) + t53 */
-    const double t70 = -t69; /* -t69 */
-    out[15] = t70;
-    const double t71 = x[0]*p[15]; /* gamma3*2*R*I3 */
-    const double t72 = t63*t71; /* t32*gamma3*1/K*gamma3*2*R*I3 */
-    const double t73 = JLT_FMA(t40, t58, t72); /* R*I3*1/K*t58 + t32*gamma3*1/K*gamma3*2*R*I3 */
-    const double t74 = -t73; /* -(R*I3*1/K*t58 + t32*gamma3*1/K*gamma3*2*R*I3) */
-    out[11] = t74;
-    const double t75 = 2.0*t63; /* 2*t32*gamma3*1/K */
-    const double t76 = JLT_FNMA(t29, t75, t47); /* t47 - t29*2*t32*gamma3*1/K */
-    out[8] = t76;
+    const double t7 = t2*t6; /* s^2*Theta/m */
+    const double t8 = t5*t7; /* K*s^2*Theta/m */
+    const double t9 = 1.0/t8; /* 1/(K*s^2*Theta/m) */
+    const double t10 = t5*t9; /* K*1/(K*s^2*Theta/m) */
+    const double t11 = t7*t9; /* 1/K = s^2*Theta/m*1/(K*s^2*Theta/m) */
+    const double t12 = x[3]*p[11]; /* v_tau*R*I3 */
+    const double t13 = sqrt(t2); /* s = sqrt(s^2) */
+    out[2] = t13;
+    const double t14 = t6*t13; /* Theta/m*s */
+    const double t15 = t10*t14; /* K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t16 = t2*t10; /* 1/(Theta/m) = s^2*K*1/(K*s^2*Theta/m) */
+    const double t17 = x[0]*t12; /* gamma3*v_tau*R*I3 */
+    const double t18 = JLT_FMA(p[10], t13, t17); /* R*G*s + gamma3*v_tau*R*I3 */
+    const double t19 = t11*t18; /* 1/K*(R*G*s + gamma3*v_tau*R*I3) */
+    const double t20 = x[3]*t13; /* v_tau*s */
+    const double t21 = JLT_FNMA(x[0], p[12], t20); /* v_tau*s - gamma3*G/I1 */
+    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t23 = p[9]*t22; /* I1*I3/m*V */
+    const double t24 = t16*t23; /* 1/(Theta/m)*I1*I3/m*V */
+    const double t25 = t15*t19; /* K*1/(K*s^2*Theta/m)*Theta/m*s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
+    const double t26 = x[0]*t11; /* gamma3*1/K */
+    const double t27 = x[0]*t15; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t28 = JLT_FMS(p[10], t27, t12); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 */
+    const double t29 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t30 = t21*t26; /* (v_tau*s - gamma3*G/I1)*gamma3*1/K */
+    const double t31 = t11*t21; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t32 = t16*t25; /* 1/(Theta/m)*t25 */
+    const double t33 = JLT_FMS(p[9], t32, t25); /* I1*I3/m*1/(Theta/m)*t25 - t25 */
+    out[13] = t33;
+    const double t34 = t11 + t16; /* 1/K + 1/(Theta/m) */
+    const double t35 = p[13]*t16; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t36 = t30*t34; /* (v_tau*s - gamma3*G/I1)*gamma3*1/K*(1/K + 1/(Theta/m)) */
+    const double t37 = t19*t29; /* 1/K*(R*G*s + gamma3*v_tau*R*I3)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t38 = t24*t32; /* 1/(Theta/m)*I1*I3/m*V*1/(Theta/m)*t25 */
+    const double t39 = x[1] - t24; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t40 = p[16]*t32; /* R*I1*I3/m*1/(Theta/m)*t25 */
+    const double t41 = JLT_FNMA(t30, t35, t40); /* R*I1*I3/m*1/(Theta/m)*t25 - (v_tau*s - gamma3*G/I1)*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    out[14] = t41;
+    const double t42 = x[2]*t35; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t43 = JLT_FNMA(t36, t42, t38); /* 1/(Theta/m)*I1*I3/m*V*1/(Theta/m)*t25 - (v_tau*s - gamma3*G/I1)*gamma3*1/K*(1/K + 1/(Theta/m))*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t44 = t29*t43; /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t43 */
+    const double t45 = t15*t25; /* K*1/(K*s^2*Theta/m)*Theta/m*s*t25 */
+    const double t46 = t25*t26; /* t25*gamma3*1/K */
+    const double t47 = JLT_FNMA(2.0, t37, t28); /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 2*1/K*(R*G*s + gamma3*v_tau*R*I3)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t48 = t28 - t37; /* R*G*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s - v_tau*R*I3 - 1/K*(R*G*s + gamma3*v_tau*R*I3)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t49 = t31*t47; /* 1/K*(v_tau*s - gamma3*G/I1)*t47 */
+    const double t50 = JLT_FMA(x[3], t27, p[12]); /* v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1 */
+    const double t51 = JLT_FMS(t26, t50, t31); /* gamma3*1/K*(v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1) - 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t52 = JLT_FMA(t19, t50, t49); /* 1/K*(R*G*s + gamma3*v_tau*R*I3)*(v_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s + G/I1) + 1/K*(v_tau*s - gamma3*G/I1)*t47 */
+    const double t53 = JLT_FMA(t42, t51, t44); /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t51 + gamma3*(2*R^2*I1 - 2*R^2*I3)*t43 */
+    const double t54 = t13*t19; /* s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
+    const double t55 = t13*t42; /* s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t56 = JLT_FMA(p[11], t30, t54); /* R*I3*(v_tau*s - gamma3*G/I1)*gamma3*1/K + s*1/K*(R*G*s + gamma3*v_tau*R*I3) */
+    const double t57 = x[0]*p[15]; /* gamma3*2*R*I3 */
+    const double t58 = t46*t57; /* t25*gamma3*1/K*gamma3*2*R*I3 */
+    const double t59 = 2.0*t46; /* 2*t25*gamma3*1/K */
+    const double t60 = p[11]*t15; /* R*I3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t61 = JLT_FMA(t39, t60, t55); /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*K*1/(K*s^2*Theta/m)*Theta/m*s + s*omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t62 = t26*t61; /* gamma3*1/K*t61 */
+    const double t63 = -t62; /* -gamma3*1/K*t61 */
+    out[15] = t63;
+    const double t64 = t11*t15; /* 1/K*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t65 = JLT_FMA(t17, t64, t25); /* gamma3*v_tau*R*I3*1/K*K*1/(K*s^2*Theta/m)*Theta/m*s + t25 */
+    out[7] = t65;
+    const double t66 = t25*t45; /* t25*K*1/(K*s^2*Theta/m)*Theta/m*s*t25 */
+    const double t67 = JLT_FMS(t48, t59, t66); /* t48*2*t25*gamma3*1/K - t25*K*1/(K*s^2*Theta/m)*Theta/m*s*t25 */
+    const double t68 = t27*t45; /* gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s*K*1/(K*s^2*Theta/m)*Theta/m*s*t25 */
+    const double t69 = JLT_FNMA(t48, t64, t68); /* t68 - t48*1/K*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t70 = JLT_FNMA(t39, t69, t53); /* t53 - (v_nu - 1/(Theta/m)*I1*I3/m*V)*(t68 - t48*1/K*K*1/(K*s^2*Theta/m)*Theta/m*s) */
+    out[12] = t70;
+    const double t71 = x[3]*t69; /* v_tau*(t68 - t48*1/K*K*1/(K*s^2*Theta/m)*Theta/m*s) */
+    out[4] = t71;
+    const double t72 = p[11]*t11; /* R*I3*1/K */
+    const double t73 = JLT_FMA(t52, t72, t67); /* t52*R*I3*1/K + t48*2*t25*gamma3*1/K - t25*K*1/(K*s^2*Theta/m)*Theta/m*s*t25 */
+    out[8] = t73;
+    const double t74 = JLT_FMA(t56, t72, t58); /* t56*R*I3*1/K + t25*gamma3*1/K*gamma3*2*R*I3 */
+    const double t75 = -t74; /* -(t56*R*I3*1/K + t25*gamma3*1/K*gamma3*2*R*I3) */
+    out[11] = t75;
+    const double t76 = x[2]*t27; /* omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    const double t77 = -t76; /* -omega_tau*gamma3*K*1/(K*s^2*Theta/m)*Theta/m*s */
+    out[0] = t77;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -324,85 +324,85 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t17 = x[3]*p[11]; /* v_tau*R*I3 */
     const double t18 = JLT_FMA(x[0], t17, t16); /* gamma3*v_tau*R*I3 + R*G*s */
     const double t19 = t13*t18; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t20 = x[3]*t12; /* v_tau*s */
-    const double t21 = JLT_FNMA(x[0], p[12], t20); /* v_tau*s - gamma3*G/I1 */
-    const double t22 = p[13]*t11; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t23 = x[0]*t13; /* gamma3*1/K */
-    const double t24 = t15*t19; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
-    const double t25 = x[3]*t24; /* v_tau*t24 */
-    out[1] = t25;
-    const double t26 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t27 = p[9]*t11; /* I1*I3/m*1/(Theta/m) */
-    const double t28 = t26*t27; /* V*I1*I3/m*1/(Theta/m) */
-    const double t29 = JLT_FMS(t24, t27, t24); /* t24*I1*I3/m*1/(Theta/m) - t24 */
-    out[17] = t29;
-    const double t30 = t22*t23; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t31 = x[2]*t22; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t32 = t21*t30; /* (v_tau*s - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t33 = x[0]*t15; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t34 = t11*t24; /* 1/(Theta/m)*t24 */
-    const double t35 = t11 + t13; /* 1/(Theta/m) + 1/K */
-    const double t36 = JLT_FMS(p[16], t34, t32); /* R*I1*I3/m*1/(Theta/m)*t24 - t32 */
-    out[18] = t36;
-    const double t37 = x[2]*t32; /* omega_tau*t32 */
-    const double t38 = t28*t34; /* V*I1*I3/m*1/(Theta/m)*1/(Theta/m)*t24 */
-    const double t39 = JLT_FNMA(t35, t37, t38); /* V*I1*I3/m*1/(Theta/m)*1/(Theta/m)*t24 - (1/(Theta/m) + 1/K)*omega_tau*t32 */
-    const double t40 = x[1] - t28; /* v_nu - V*I1*I3/m*1/(Theta/m) */
-    const double t41 = JLT_FMA(t24, t40, t37); /* t24*(v_nu - V*I1*I3/m*1/(Theta/m)) + omega_tau*t32 */
-    const double t42 = -t41; /* -(t24*(v_nu - V*I1*I3/m*1/(Theta/m)) + omega_tau*t32) */
-    out[3] = t42;
-    const double t43 = p[11]*t13; /* R*I3*1/K */
-    const double t44 = JLT_FMS(p[10], t33, t17); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 */
-    const double t45 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t46 = t39*t45; /* t39*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t47 = t13*t21; /* 1/K*(v_tau*s - gamma3*G/I1) */
-    const double t48 = p[17]*t23; /* R^2*I3^2*gamma3*1/K */
-    const double t49 = t47*t48; /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
-    const double t50 = x[2]*t12; /* omega_tau*s */
-    out[0] = t50;
-    const double t51 = t30*t50; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*omega_tau*s */
-    const double t52 = t19*t43; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t53 = JLT_FMA(t12, t52, t49); /* s*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K + 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
-    const double t54 = t21*t52; /* (v_tau*s - gamma3*G/I1)*1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t55 = t43*t47; /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1) */
-    const double t56 = t15*t24; /* Theta/m*1/(Theta/m*s^2*K)*K*s*t24 */
-    const double t57 = t15*t44; /* Theta/m*1/(Theta/m*s^2*K)*K*s*(R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3) */
-    const double t58 = JLT_FNMA(t24, t45, t57); /* t57 - t24*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t59 = t19*t45; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t60 = t15*t23; /* Theta/m*1/(Theta/m*s^2*K)*K*s*gamma3*1/K */
-    const double t61 = JLT_FMA(t17, t60, t24); /* v_tau*R*I3*Theta/m*1/(Theta/m*s^2*K)*K*s*gamma3*1/K + t24 */
-    out[11] = t61;
-    const double t62 = JLT_FMA(x[3], t33, p[12]); /* v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1 */
-    const double t63 = t52*t62; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
-    const double t64 = JLT_FNMA(t23, t62, t47); /* 1/K*(v_tau*s - gamma3*G/I1) - gamma3*1/K*(v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
-    const double t65 = JLT_FNMA(t31, t64, t46); /* t39*gamma3*(2*R^2*I1 - 2*R^2*I3) - omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*t64 */
-    const double t66 = x[0]*t24; /* gamma3*t24 */
-    const double t67 = JLT_FMA(t19, t66, t54); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t24 + t54 */
-    const double t68 = -t67; /* -(1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*t24 + t54) */
-    out[2] = t68;
-    const double t69 = t33*t56; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*Theta/m*1/(Theta/m*s^2*K)*K*s*t24 */
-    const double t70 = JLT_FNMA(t13, t58, t69); /* t69 - 1/K*(t57 - t24*gamma3*(2*R^2*I1 - 2*R^2*I3)) */
-    const double t71 = JLT_FNMA(t40, t70, t65); /* t65 - (v_nu - V*I1*I3/m*1/(Theta/m))*(t69 - 1/K*(t57 - t24*gamma3*(2*R^2*I1 - 2*R^2*I3))) */
-    out[16] = t71;
-    const double t72 = x[3]*t70; /* v_tau*(t69 - 1/K*(t57 - t24*gamma3*(2*R^2*I1 - 2*R^2*I3))) */
-    out[8] = t72;
-    const double t73 = p[11]*t40; /* R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t74 = JLT_FMA(t60, t73, t51); /* Theta/m*1/(Theta/m*s^2*K)*K*s*gamma3*1/K*R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) + R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K*omega_tau*s */
-    const double t75 = -t74; /* -t74 */
-    out[19] = t75;
-    const double t76 = x[2]*t33; /* omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    const double t77 = -t76; /* -omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
-    out[4] = t77;
-    const double t78 = t44 - t59; /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t79 = JLT_FNMA(2.0, t59, t44); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
-    const double t80 = JLT_FMA(t55, t79, t63); /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1)*t79 + t63 */
-    const double t81 = 2.0*t23; /* 2*gamma3*1/K */
-    const double t82 = JLT_FNMA(t78, t81, t56); /* Theta/m*1/(Theta/m*s^2*K)*K*s*t24 - t78*2*gamma3*1/K */
-    const double t83 = JLT_FNMA(t24, t82, t80); /* R*I3*1/K*1/K*(v_tau*s - gamma3*G/I1)*t79 + t63 - t24*(Theta/m*1/(Theta/m*s^2*K)*K*s*t24 - t78*2*gamma3*1/K) */
-    out[12] = t83;
-    const double t84 = p[15]*t23; /* 2*R*I3*gamma3*1/K */
-    const double t85 = JLT_FMA(t66, t84, t53); /* gamma3*t24*2*R*I3*gamma3*1/K + t53 */
-    const double t86 = -t85; /* -(gamma3*t24*2*R*I3*gamma3*1/K + t53) */
+    const double t20 = t11*t18; /* 1/(Theta/m)*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t21 = t15*t20; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/(Theta/m)*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t22 = -t21; /* -t21 */
+    out[17] = t22;
+    const double t23 = t15*t19; /* Theta/m*1/(Theta/m*s^2*K)*K*s*1/K*(gamma3*v_tau*R*I3 + R*G*s) */
+    const double t24 = x[3]*t23; /* v_tau*t23 */
+    out[1] = t24;
+    const double t25 = x[3]*t12; /* v_tau*s */
+    const double t26 = JLT_FNMA(x[0], p[12], t25); /* v_tau*s - gamma3*G/I1 */
+    const double t27 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t28 = p[9]*t27; /* I1*I3/m*V */
+    const double t29 = t11*t28; /* 1/(Theta/m)*I1*I3/m*V */
+    const double t30 = x[0]*t15; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
+    const double t31 = JLT_FMS(p[10], t30, t17); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 */
+    const double t32 = x[0]*p[14]; /* gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t33 = x[0]*t13; /* gamma3*1/K */
+    const double t34 = t15*t23; /* Theta/m*1/(Theta/m*s^2*K)*K*s*t23 */
+    const double t35 = t13*t15; /* 1/K*Theta/m*1/(Theta/m*s^2*K)*K*s */
+    const double t36 = t19*t32; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t37 = t13*t26; /* 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t38 = p[11]*t13; /* R*I3*1/K */
+    const double t39 = p[13]*t11; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t40 = t30*t34; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*Theta/m*1/(Theta/m*s^2*K)*K*s*t23 */
+    const double t41 = t31 - t36; /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - 1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t42 = JLT_FNMA(t35, t41, t40); /* t40 - 1/K*Theta/m*1/(Theta/m*s^2*K)*K*s*t41 */
+    const double t43 = JLT_FNMA(2.0, t36, t31); /* R*G*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s - v_tau*R*I3 - 2*1/K*(gamma3*v_tau*R*I3 + R*G*s)*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t44 = x[3]*t42; /* v_tau*(t40 - 1/K*Theta/m*1/(Theta/m*s^2*K)*K*s*t41) */
+    out[8] = t44;
+    const double t45 = p[17]*t33; /* R^2*I3^2*gamma3*1/K */
+    const double t46 = t37*t45; /* 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
+    const double t47 = x[0]*t23; /* gamma3*t23 */
+    const double t48 = x[1] - t29; /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t49 = t42*t48; /* (t40 - 1/K*Theta/m*1/(Theta/m*s^2*K)*K*s*t41)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t50 = t29*t32; /* 1/(Theta/m)*I1*I3/m*V*gamma3*(2*R^2*I1 - 2*R^2*I3) */
+    const double t51 = t33*t39; /* gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t52 = x[2]*t39; /* omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t53 = t30*t38; /* gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*R*I3*1/K */
+    const double t54 = JLT_FMA(x[3], t53, t23); /* v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*R*I3*1/K + t23 */
+    out[11] = t54;
+    const double t55 = t48*t53; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s*R*I3*1/K */
+    const double t56 = t23*t48; /* t23*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t57 = 2.0*t33; /* 2*gamma3*1/K */
+    const double t58 = JLT_FNMA(t41, t57, t34); /* Theta/m*1/(Theta/m*s^2*K)*K*s*t23 - t41*2*gamma3*1/K */
+    const double t59 = t23*t58; /* t23*(Theta/m*1/(Theta/m*s^2*K)*K*s*t23 - t41*2*gamma3*1/K) */
+    const double t60 = t11*t23; /* 1/(Theta/m)*t23 */
+    const double t61 = JLT_FMS(t50, t60, t49); /* 1/(Theta/m)*I1*I3/m*V*gamma3*(2*R^2*I1 - 2*R^2*I3)*1/(Theta/m)*t23 - t49 */
+    const double t62 = JLT_FMA(t11, t26, t37); /* 1/(Theta/m)*(v_tau*s - gamma3*G/I1) + 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t63 = t26*t51; /* (v_tau*s - gamma3*G/I1)*gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t64 = JLT_FMS(p[16], t60, t63); /* R*I1*I3/m*1/(Theta/m)*t23 - t63 */
+    out[18] = t64;
+    const double t65 = JLT_FMA(x[2], t63, t56); /* omega_tau*t63 + t23*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t66 = -t65; /* -(omega_tau*t63 + t23*(v_nu - 1/(Theta/m)*I1*I3/m*V)) */
+    out[3] = t66;
+    const double t67 = JLT_FMA(x[3], t30, p[12]); /* v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1 */
+    const double t68 = JLT_FMS(t32, t62, t67); /* gamma3*(2*R^2*I1 - 2*R^2*I3)*t62 - (v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
+    const double t69 = t19*t67; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*(v_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s + G/I1) */
+    const double t70 = JLT_FMA(t37, t43, t69); /* 1/K*(v_tau*s - gamma3*G/I1)*t43 + t69 */
+    const double t71 = JLT_FMS(t38, t70, t59); /* R*I3*1/K*(1/K*(v_tau*s - gamma3*G/I1)*t43 + t69) - t23*(Theta/m*1/(Theta/m*s^2*K)*K*s*t23 - t41*2*gamma3*1/K) */
+    out[12] = t71;
+    const double t72 = t12*t38; /* s*R*I3*1/K */
+    const double t73 = JLT_FMA(t19, t72, t46); /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*s*R*I3*1/K + 1/K*(v_tau*s - gamma3*G/I1)*R^2*I3^2*gamma3*1/K */
+    const double t74 = x[2]*t12; /* omega_tau*s */
+    out[0] = t74;
+    const double t75 = JLT_FMA(t51, t74, t55); /* gamma3*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*omega_tau*s + t55 */
+    const double t76 = -t75; /* -t75 */
+    out[19] = t76;
+    const double t77 = x[2]*t30; /* omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
+    const double t78 = -t77; /* -omega_tau*gamma3*Theta/m*1/(Theta/m*s^2*K)*K*s */
+    out[4] = t78;
+    const double t79 = JLT_FMA(t33, t68, t37); /* gamma3*1/K*t68 + 1/K*(v_tau*s - gamma3*G/I1) */
+    const double t80 = JLT_FNMA(t52, t79, t61); /* t61 - omega_tau*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*(gamma3*1/K*t68 + 1/K*(v_tau*s - gamma3*G/I1)) */
+    out[16] = t80;
+    const double t81 = JLT_FMA(p[11], t37, t47); /* R*I3*1/K*(v_tau*s - gamma3*G/I1) + gamma3*t23 */
+    const double t82 = t19*t81; /* 1/K*(gamma3*v_tau*R*I3 + R*G*s)*(R*I3*1/K*(v_tau*s - gamma3*G/I1) + gamma3*t23) */
+    const double t83 = -t82; /* -t82 */
+    out[2] = t83;
+    const double t84 = p[15]*t33; /* 2*R*I3*gamma3*1/K */
+    const double t85 = JLT_FMA(t47, t84, t73); /* gamma3*t23*2*R*I3*gamma3*1/K + t73 */
+    const double t86 = -t85; /* -(gamma3*t23*2*R*I3*gamma3*1/K + t73) */
     out[15] = t86;
 }
 
@@ -826,7 +826,7 @@ static const jlt_quantity states[] = {
 static const jlt_quantity params[] = {
     { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
     { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "g", "m/s^2", "free-fall acceleration", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "g", "m/s^2", "free-fall acceleration", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0 },
     { "I1", "kg m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (1.0 / 3.0) },
     { "I3", "kg m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 3.0) },
     { "a3", "m", "displacement of the centre of mass along the symmetry axis", -INFINITY, INFINITY, JLT_ANY_SIGN, (51.0 / 100.0) },
@@ -845,7 +845,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "0e21006c5ed6b2b43f047938803c9f453803feabeb018bd596d20a035cf11dee",
+    .sha256 = "a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level,
     .state_count = 4, .param_count = 7, .block_count = 36,
@@ -855,10 +855,10 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced = {
     .prepare = prepare,
     .rhs = { rhs, 4, { 5, 25, 7, 1, 1, 0, 15, 7 }, { 16, 71, 0, 6, 1, 0, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in v_tau*s - gamma3*(G/I1), v_tau*gamma3*(R*I3) + (R*G)*s, V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(omega_tau)/dt, a part of d(v_tau)/dt" },
-    .jacobian = { jacobian, 16, { 8, 45, 22, 1, 1, 0, 17, 17 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, (R*G)*s + gamma3*v_tau*(R*I3), (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3), V = omega_tau*R + v_nu, v_tau*s - gamma3*(G/I1), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), v_tau*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), d(d(omega_tau)/dt)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 11, 50, 24, 1, 1, 0, 17, 21 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s, v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(gamma3), v_nu - V*(I1*I3/m)*1/(Theta/m), a part of d(v_tau)/dt, (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), v_tau*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(omega_tau)/dt, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau)" },
+    .jacobian = { jacobian, 16, { 9, 46, 21, 1, 1, 0, 17, 19 }, { 72, 350, 0, 41, 1, 0, 20, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, (R*G)*s + gamma3*v_tau*(R*I3), v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s - v_tau*(R*I3), d(d(v_tau)/dt)/d(v_nu), v_nu - 1/(Theta/m)*(I1*I3/m)*V, d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), v_tau*gamma3*K*((1)/K*s^2*Theta/m)*Theta/m*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 11, 51, 23, 1, 1, 0, 17, 23 }, { 84, 409, 0, 47, 1, 0, 20, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*R^2*I1 - 2*R^2*I3, gamma3*v_tau*(R*I3) + (R*G)*s, v_tau*s - gamma3*(G/I1), V = omega_tau*R + v_nu, (R*G)*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s - v_tau*(R*I3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), v_nu - 1/(Theta/m)*(I1*I3/m)*V, d(d(v_nu)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), a part of d(v_tau)/dt, v_tau*gamma3*Theta/m*((1)/Theta/m*s^2*K)*K*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), a part of d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(v_tau)" },
     .divergence = { divergence, 1, { 3, 13, 5, 1, 1, 0, 12, 6 }, { 9, 32, 0, 4, 1, 0, 12, 8 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of the divergence, V = R*omega_tau + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 2, { 3, 12, 7, 1, 1, 0, 8, 6 }, { 10, 36, 0, 3, 1, 0, 14, 7 },

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    rod: I3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_level, SHA-256 0e21006c5ed6b2b43f047938803c9f453803feabeb018bd596d20a035cf11dee
+ *  Table:      spherical_top_level, SHA-256 a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 2   15    3    1    0    0      8    7   (42)
+ *  rhs                 2   15    3    1    0    0      8    6   (42)
  *  jacobian            6   25    4    1    0    0     10    7   (119)
- *  rhs_jacobian        7   29    6    1    0    0     12    9   (156)
+ *  rhs_jacobian        7   29    6    1    0    0     12    8   (156)
  *  divergence          1    4    1    1    0    0      5    4   (15)
  *  integral_values     0    6    5    1    0    0      6    4   (35)
  *  integral_gradients  0    8    2    1    0    0      3    4   (25)
@@ -98,26 +98,26 @@ static void prepare(const double *restrict params, double *restrict out)
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[4]*x[4]; /* s*s */
-    const double t1 = JLT_FMA(p[8], t0, p[3]); /* D = m*a3^2*s*s + I1 */
-    const double t2 = x[4]*t1; /* s*D */
-    const double t3 = 1.0/t2; /* 1/(s*D) */
-    const double t4 = t1*t3; /* 1/s = D*1/(s*D) */
-    const double t5 = x[4]*t3; /* s*1/(s*D) */
-    const double t6 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t7 = x[2]*t0; /* omega_tau*s*s */
-    out[0] = t7;
-    const double t8 = p[8]*t6; /* m*a3^2*omega_tau*gamma3 */
-    const double t9 = t7*t8; /* omega_tau*s*s*m*a3^2*omega_tau*gamma3 */
-    const double t10 = JLT_FNMA(p[10], t0, t9); /* omega_tau*s*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s*s */
-    const double t11 = x[4]*t6; /* s*omega_tau*gamma3 */
-    const double t12 = -t11; /* -s*omega_tau*gamma3 */
+    const double t1 = x[2]*t0; /* omega_tau*s*s */
+    out[0] = t1;
+    const double t2 = JLT_FMA(p[8], t0, p[3]); /* D = m*a3^2*s*s + I1 */
+    const double t3 = x[4]*t2; /* s*D */
+    const double t4 = 1.0/t3; /* 1/(s*D) */
+    const double t5 = t2*t4; /* 1/s = D*1/(s*D) */
+    const double t6 = x[4]*t4; /* s*1/(s*D) */
+    const double t7 = x[2]*x[4]; /* omega_tau*s */
+    const double t8 = x[0]*t7; /* gamma3*omega_tau*s */
+    const double t9 = p[8]*t7; /* m*a3^2*omega_tau*s */
+    const double t10 = t8*t9; /* gamma3*omega_tau*s*m*a3^2*omega_tau*s */
+    const double t11 = JLT_FNMA(p[10], t0, t10); /* gamma3*omega_tau*s*m*a3^2*omega_tau*s - m*g*a3*s*s */
+    const double t12 = -t8; /* -gamma3*omega_tau*s */
     out[4] = t12;
     const double t13 = x[0]*p[9]; /* gamma3*G^2/(R^2*I1) */
-    const double t14 = t4*t13; /* 1/s*gamma3*G^2/(R^2*I1) */
-    const double t15 = JLT_FNMA(t4, t14, t10); /* omega_tau*s*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s*s - 1/s*1/s*gamma3*G^2/(R^2*I1) */
-    const double t16 = t5*t15; /* s*1/(s*D)*t15 */
+    const double t14 = t5*t13; /* 1/s*gamma3*G^2/(R^2*I1) */
+    const double t15 = JLT_FNMA(t5, t14, t11); /* gamma3*omega_tau*s*m*a3^2*omega_tau*s - m*g*a3*s*s - 1/s*1/s*gamma3*G^2/(R^2*I1) */
+    const double t16 = t6*t15; /* s*1/(s*D)*t15 */
     out[2] = t16;
-    const double t17 = p[7]*t4; /* G/(R*I1)*1/s */
+    const double t17 = p[7]*t5; /* G/(R*I1)*1/s */
     const double t18 = x[3]*t17; /* v_tau*G/(R*I1)*1/s */
     out[1] = t18;
     const double t19 = x[1]*t17; /* v_nu*G/(R*I1)*1/s */
@@ -224,34 +224,34 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t12 = x[0]*t6; /* gamma3*s*omega_tau */
     const double t13 = -t12; /* -gamma3*s*omega_tau */
     out[4] = t13;
-    const double t14 = t4*t4; /* 1/s*1/s */
-    const double t15 = JLT_FNMA(p[9], t14, t11); /* s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s */
-    const double t16 = t5*t15; /* 1/D*(s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s) */
-    out[15] = t16;
-    const double t17 = x[0]*t15; /* gamma3*(s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s) */
-    const double t18 = JLT_FNMA(p[10], t0, t17); /* numerator of d(omega_tau)/dt over D = t17 - m*g*a3*s*s */
-    const double t19 = t5*t18; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t19;
-    const double t20 = x[2]*p[11]; /* omega_tau*2*m*a3^2 */
-    const double t21 = t12*t20; /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 */
-    const double t22 = JLT_FNMA(x[4], p[15], t21); /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
-    const double t23 = p[7]*t4; /* G/(R*I1)*1/s */
-    out[13] = t23;
-    const double t24 = -t23; /* -G/(R*I1)*1/s */
-    out[21] = t24;
-    const double t25 = x[4]*p[11]; /* s*2*m*a3^2 */
-    const double t26 = t5*t25; /* 1/D*s*2*m*a3^2 */
-    const double t27 = t12*t26; /* gamma3*s*omega_tau*1/D*s*2*m*a3^2 */
-    out[17] = t27;
-    const double t28 = t19*t26; /* 1/D*numerator of d(omega_tau)/dt over D*1/D*s*2*m*a3^2 */
+    const double t14 = p[11]*t12; /* 2*m*a3^2*gamma3*s*omega_tau */
+    const double t15 = t4*t4; /* 1/s*1/s */
+    const double t16 = JLT_FNMA(p[9], t15, t11); /* s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s */
+    const double t17 = t5*t16; /* 1/D*(s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s) */
+    out[15] = t17;
+    const double t18 = x[0]*t16; /* gamma3*(s*omega_tau*m*a3^2*s*omega_tau - G^2/(R^2*I1)*1/s*1/s) */
+    const double t19 = JLT_FNMA(p[10], t0, t18); /* numerator of d(omega_tau)/dt over D = t18 - m*g*a3*s*s */
+    const double t20 = t5*t19; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t20;
+    const double t21 = p[7]*t4; /* G/(R*I1)*1/s */
+    out[13] = t21;
+    const double t22 = -t21; /* -G/(R*I1)*1/s */
+    out[21] = t22;
+    const double t23 = x[4]*t5; /* s*1/D */
+    const double t24 = t14*t23; /* 2*m*a3^2*gamma3*s*omega_tau*s*1/D */
+    out[17] = t24;
+    const double t25 = x[2]*t14; /* omega_tau*2*m*a3^2*gamma3*s*omega_tau */
+    const double t26 = p[11]*t23; /* 2*m*a3^2*s*1/D */
+    const double t27 = t20*t26; /* 1/D*numerator of d(omega_tau)/dt over D*2*m*a3^2*s*1/D */
+    const double t28 = JLT_FNMA(x[4], p[15], t25); /* omega_tau*2*m*a3^2*gamma3*s*omega_tau - s*2*m*g*a3 */
     const double t29 = x[0]*p[16]; /* gamma3*2*G^2/(R^2*I1) */
     const double t30 = t4*t29; /* 1/s*gamma3*2*G^2/(R^2*I1) */
-    const double t31 = JLT_FMA(t14, t30, t22); /* d(numerator of d(omega_tau)/dt over D)/d(s) = 1/s*1/s*1/s*gamma3*2*G^2/(R^2*I1) + gamma3*s*omega_tau*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
-    const double t32 = JLT_FMS(t5, t31, t28); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - 1/D*numerator of d(omega_tau)/dt over D*1/D*s*2*m*a3^2 */
+    const double t31 = JLT_FMA(t15, t30, t28); /* d(numerator of d(omega_tau)/dt over D)/d(s) = 1/s*1/s*1/s*gamma3*2*G^2/(R^2*I1) + omega_tau*2*m*a3^2*gamma3*s*omega_tau - s*2*m*g*a3 */
+    const double t32 = JLT_FMS(t5, t31, t27); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) - 1/D*numerator of d(omega_tau)/dt over D*2*m*a3^2*s*1/D */
     out[19] = t32;
-    const double t33 = x[3]*t23; /* v_tau*G/(R*I1)*1/s */
+    const double t33 = x[3]*t21; /* v_tau*G/(R*I1)*1/s */
     out[1] = t33;
-    const double t34 = x[1]*t23; /* v_nu*G/(R*I1)*1/s */
+    const double t34 = x[1]*t21; /* v_nu*G/(R*I1)*1/s */
     const double t35 = t4*t33; /* 1/s*v_tau*G/(R*I1)*1/s */
     const double t36 = -t35; /* -1/s*v_tau*G/(R*I1)*1/s */
     out[14] = t36;
@@ -365,28 +365,28 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[5] = 0;
     for (unsigned k = 0; k < order; k++) {
         t11[k] = jlt_jet_product(x4, x4, k);
-        t12[k] = p[8]*t11[k] + (k == 0 ? p[3] : 0);
-        t13[k] = jlt_jet_product(x4, t12, k);
-        t14[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t13, t14, k);
-        t15[k] = jlt_jet_product(t12, t14, k);
-        t16[k] = jlt_jet_product(x4, t14, k);
-        t17[k] = jlt_jet_product(x4, x2, k);
-        t18[k] = jlt_jet_product(x4, t17, k);
-        t19[k] = jlt_jet_product(x0, t17, k);
-        t20[k] = p[8]*t17[k];
+        t12[k] = jlt_jet_product(x2, t11, k);
+        t13[k] = p[8]*t11[k] + (k == 0 ? p[3] : 0);
+        t14[k] = jlt_jet_product(x4, t13, k);
+        t15[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t14, t15, k);
+        t16[k] = jlt_jet_product(t13, t15, k);
+        t17[k] = jlt_jet_product(x4, t15, k);
+        t18[k] = jlt_jet_product(x2, x4, k);
+        t19[k] = jlt_jet_product(x0, t18, k);
+        t20[k] = p[8]*t18[k];
         t21[k] = jlt_jet_product(t19, t20, k);
         t22[k] = t21[k] - p[10]*t11[k];
         t23[k] = -t19[k];
         t24[k] = x0[k]*p[9];
-        t25[k] = jlt_jet_product(t15, t24, k);
-        t26[k] = t22[k] - jlt_jet_product(t15, t25, k);
-        t27[k] = jlt_jet_product(t16, t26, k);
-        t28[k] = p[7]*t15[k];
+        t25[k] = jlt_jet_product(t16, t24, k);
+        t26[k] = t22[k] - jlt_jet_product(t16, t25, k);
+        t27[k] = jlt_jet_product(t17, t26, k);
+        t28[k] = p[7]*t16[k];
         t29[k] = jlt_jet_product(x3, t28, k);
         t30[k] = jlt_jet_product(x1, t28, k);
         t31[k] = -t30[k];
         double *restrict next = coefficients + (k + 1)*6;
-        next[0] = x0[k + 1] = t18[k]/(k + 1);
+        next[0] = x0[k + 1] = t12[k]/(k + 1);
         next[1] = x1[k + 1] = t29[k]/(k + 1);
         next[2] = x2[k + 1] = t27[k]/(k + 1);
         next[3] = x3[k + 1] = t31[k]/(k + 1);
@@ -441,7 +441,7 @@ static const jlt_quantity states[] = {
 static const jlt_quantity params[] = {
     { "m", "kg", "mass", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
     { "R", "m", "radius", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
-    { "g", "m/s^2", "free-fall acceleration", -INFINITY, INFINITY, JLT_POSITIVE, 1.0 },
+    { "g", "m/s^2", "free-fall acceleration", -INFINITY, INFINITY, JLT_NONNEGATIVE, 1.0 },
     { "I1", "kg m^2", "equatorial moment of inertia", -INFINITY, INFINITY, JLT_POSITIVE, (1.0 / 3.0) },
     { "I3", "kg m^2", "axial moment of inertia", -INFINITY, INFINITY, JLT_NONNEGATIVE, (1.0 / 3.0) },
     { "a3", "m", "displacement of the centre of mass along the symmetry axis", -INFINITY, INFINITY, JLT_ANY_SIGN, (51.0 / 100.0) },
@@ -460,7 +460,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "0e21006c5ed6b2b43f047938803c9f453803feabeb018bd596d20a035cf11dee",
+    .sha256 = "a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level,
     .state_count = 5, .param_count = 7, .block_count = 19,
@@ -468,11 +468,11 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 2, 15, 3, 1, 0, 0, 8, 7 }, { 5, 32, 0, 5, 0, 0, 8, 6 },
+    .rhs = { rhs, 5, { 2, 15, 3, 1, 0, 0, 8, 6 }, { 5, 32, 0, 5, 0, 0, 8, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of d(omega_tau)/dtau" },
     .jacobian = { jacobian, 25, { 6, 25, 4, 1, 0, 0, 10, 7 }, { 12, 94, 0, 13, 0, 0, 12, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 7, 29, 6, 1, 0, 0, 12, 9 }, { 16, 122, 0, 18, 0, 0, 12, 6 },
+    .rhs_jacobian = { rhs_jacobian, 30, { 7, 29, 6, 1, 0, 0, 12, 8 }, { 16, 122, 0, 18, 0, 0, 12, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in s*omega_tau*(m*a3^2)*s*omega_tau - (G^2/(R^2*I1))*1/s*1/s, numerator of d(omega_tau)/dt over D, d(numerator of d(omega_tau)/dt over D)/d(s), d(d(omega_tau)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 1, 4, 1, 1, 0, 0, 5, 4 }, { 2, 12, 0, 1, 0, 0, 8, 4 },
         "digits are lost where terms nearly cancel in the divergence" },

@@ -1,22 +1,21 @@
 /* Balanced sphere with one nonholonomic constraint, on a level of all three integrals
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
- *  Variant:    equal_moments: I1 = I3
+ *  Variant:    equal_moments: I3 = I1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_plane, SHA-256 a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44
+ *  Table:      spherical_top_plane, SHA-256 f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 1    7    4    1    0    2      5    5   (45)
- *  jacobian            0   20    6    1    0    2      8    8   (95)
- *  rhs_jacobian        2   22    6    1    0    2      8    8   (118)
- *  divergence          1    3    4    1    0    1      8    3   (30)
+ *  rhs                 1    7    4    1    0    2      5    6   (45)
+ *  jacobian            1   20    5    1    0    2      7    8   (95)
+ *  rhs_jacobian        3   21    6    1    0    2      8    8   (118)
+ *  divergence          1    2    4    1    0    1      6    4   (30)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
  *
  *  Accuracy
- *    divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are
- *    digits are lost where terms nearly cancel in (I3*M)*gamma3*C + s*(G*J3/R), m*R*v_slip - M*S,
- *      d(d(psi)/dtau)/d(gamma3), G*J3/R - s*(2*m*R^2*I3)*((1)/Theta)*((I3*M)*gamma3*C + s*(G*J3/R))
+ *    digits are lost where terms nearly cancel in gamma3*(I1*M)*C + s*(G*J3/R), m*R*v_slip - M*S,
+ *      d(d(psi)/dtau)/d(gamma3), G*J3/R - s*(2*m*R^2*I1)*((1)/Theta)*(gamma3*(I1*M)*C + s*(G*J3/R))
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -37,8 +36,8 @@ static void impose(const double *restrict x, const double *restrict params, doub
     (void)x;
     out[0] = params[0];
     out[1] = params[1];
-    out[2] = params[3];
-    out[3] = params[3];
+    out[2] = params[2];
+    out[3] = params[2];
     out[4] = params[4];
     out[5] = params[5];
     out[6] = params[6];
@@ -55,23 +54,23 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = params[6];
     const double t0 = params[1]*params[1]; /* R*R */
     const double t1 = params[0]*t0; /* m*R*R */
-    const double t2 = params[3] + t1; /* J1 = I3 + m*R*R */
+    const double t2 = params[2] + t1; /* J1 = I1 + m*R*R */
     const double t3 = 1.0/t2; /* 1/J1 */
     out[7] = t3;
     const double t4 = params[0]*params[1]; /* m*R */
-    const double t5 = params[3]*params[3]; /* I3*I3 */
+    const double t5 = params[2]*params[2]; /* I1*I1 */
     out[9] = t5;
-    const double t6 = params[0]*t5; /* m*I3*I3 */
-    const double t7 = params[6]/t6; /* F0/(m*I3*I3) */
-    const double t8 = sqrt(t7); /* v_slip = sqrt(F0/(m*I3*I3)) */
+    const double t6 = params[0]*t5; /* m*I1*I1 */
+    const double t7 = params[6]/t6; /* F0/(m*I1*I1) */
+    const double t8 = sqrt(t7); /* v_slip = sqrt(F0/(m*I1*I1)) */
     const double t9 = t4*t8; /* m*R*v_slip */
     out[8] = t9;
-    const double t10 = params[3]*t1; /* I3*m*R*R */
+    const double t10 = params[2]*t1; /* I1*m*R*R */
     out[10] = t10;
     const double t11 = t2*params[4]; /* J1*G */
     const double t12 = t11/params[1]; /* J1*G/R */
     out[11] = t12;
-    const double t13 = params[3]*params[5]; /* I3*M */
+    const double t13 = params[2]*params[5]; /* I1*M */
     out[12] = t13;
     const double t14 = params[5]/t2; /* M/J1 */
     out[21] = t14;
@@ -79,48 +78,48 @@ static void prepare(const double *restrict params, double *restrict out)
     out[13] = t15;
     const double t16 = 2.0/t2; /* 2/J1 */
     out[14] = t16;
-    const double t17 = t13/t1; /* I3*M/(m*R*R) */
+    const double t17 = params[2]/t1; /* I1/(m*R*R) */
     out[15] = t17;
-    const double t18 = t5/t1; /* I3*I3/(m*R*R) */
+    const double t18 = params[5]/t1; /* M/(m*R*R) */
     out[16] = t18;
-    const double t19 = params[3]*2.0; /* I3*2 */
-    const double t20 = t19/t1; /* I3*2/(m*R*R) */
-    out[17] = t20;
-    const double t21 = -t13; /* -I3*M */
-    out[23] = t21;
-    const double t22 = -t17; /* -I3*M/(m*R*R) */
-    out[18] = t22;
-    const double t23 = params[1]*t0; /* R*R*R */
-    const double t24 = params[0]*t23; /* m*R*R*R */
-    const double t25 = t11/t24; /* J1*G/(m*R*R*R) */
-    out[19] = t25;
-    const double t26 = (-1.0)/t2; /* (-1)/J1 */
-    out[20] = t26;
-    const double t27 = params[0]*2.0; /* m*2 */
-    const double t28 = t0*t27; /* R*R*m*2 */
-    const double t29 = params[3]*t28; /* I3*R*R*m*2 */
-    out[22] = t29;
+    const double t19 = 2.0/t10; /* 2/(I1*m*R*R) */
+    out[17] = t19;
+    const double t20 = -t18; /* -M/(m*R*R) */
+    out[18] = t20;
+    const double t21 = params[1]*t0; /* R*R*R */
+    const double t22 = params[0]*t21; /* m*R*R*R */
+    const double t23 = params[2]*t22; /* I1*m*R*R*R */
+    const double t24 = t11/t23; /* J1*G/(I1*m*R*R*R) */
+    out[19] = t24;
+    const double t25 = (-1.0)/t2; /* (-1)/J1 */
+    out[20] = t25;
+    const double t26 = params[0]*2.0; /* m*2 */
+    const double t27 = t0*t26; /* R*R*m*2 */
+    const double t28 = params[2]*t27; /* I1*R*R*m*2 */
+    out[22] = t28;
+    const double t29 = -t13; /* -I1*M */
+    out[23] = t29;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[2]*x[2]; /* s*s */
-    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t2 = JLT_FMA(p[10], t1, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
-    const double t3 = x[2]*p[11]; /* s*G*J3/R */
-    const double t4 = cos(x[1]); /* C = cos(psi) */
-    const double t5 = x[0]*p[12]; /* gamma3*I3*M */
-    const double t6 = JLT_FMA(t4, t5, t3); /* C*gamma3*I3*M + s*G*J3/R */
-    const double t7 = t6/t2; /* (C*gamma3*I3*M + s*G*J3/R)/Theta */
-    out[1] = t7;
-    const double t8 = sin(x[1]); /* S = sin(psi) */
-    const double t9 = JLT_FNMA(p[5], t8, p[8]); /* m*R*v_slip - M*S */
-    const double t10 = x[2]*p[7]; /* s*1/J1 */
-    const double t11 = t9*t10; /* (m*R*v_slip - M*S)*s*1/J1 */
-    const double t12 = x[2]*t11; /* s*(m*R*v_slip - M*S)*s*1/J1 */
-    out[0] = t12;
-    const double t13 = x[0]*t11; /* gamma3*(m*R*v_slip - M*S)*s*1/J1 */
-    const double t14 = -t13; /* -gamma3*(m*R*v_slip - M*S)*s*1/J1 */
+    const double t1 = sin(x[1]); /* S = sin(psi) */
+    const double t2 = JLT_FNMA(p[5], t1, p[8]); /* m*R*v_slip - M*S */
+    const double t3 = p[7]*t2; /* 1/J1*(m*R*v_slip - M*S) */
+    const double t4 = t0*t3; /* s*s*1/J1*(m*R*v_slip - M*S) */
+    out[0] = t4;
+    const double t5 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
+    const double t6 = JLT_FMA(p[10], t5, p[9]); /* Theta = m*R^2*I1*(gamma3*gamma3 + s*s) + I1^2 */
+    const double t7 = x[2]*p[11]; /* s*G*J3/R */
+    const double t8 = cos(x[1]); /* C = cos(psi) */
+    const double t9 = x[0]*p[12]; /* gamma3*I1*M */
+    const double t10 = JLT_FMA(t8, t9, t7); /* C*gamma3*I1*M + s*G*J3/R */
+    const double t11 = t10/t6; /* (C*gamma3*I1*M + s*G*J3/R)/Theta */
+    out[1] = t11;
+    const double t12 = x[2]*x[0]; /* s*gamma3 */
+    const double t13 = t3*t12; /* 1/J1*(m*R*v_slip - M*S)*s*gamma3 */
+    const double t14 = -t13; /* -1/J1*(m*R*v_slip - M*S)*s*gamma3 */
     out[2] = t14;
 }
 
@@ -128,30 +127,30 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
 {
     out[0] = 0.0;
     const double t0 = x[2]*x[2]; /* s*s */
-    const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t2 = JLT_FMA(p[3], t1, p[16]); /* Theta/(m*R^2) = I3*(gamma3*gamma3 + s*s) + I3^2/(m*R^2) */
-    const double t3 = 1.0/t2; /* 1/(Theta/(m*R^2)) */
+    const double t1 = p[15] + t0; /* I1/(m*R^2) + s*s */
+    const double t2 = JLT_FMA(x[0], x[0], t1); /* Theta/(m*R^2*I1) = gamma3*gamma3 + I1/(m*R^2) + s*s */
+    const double t3 = 1.0/t2; /* 1/(Theta/(m*R^2*I1)) */
     const double t4 = p[13]*t0; /* (-M/J1)*s*s */
     const double t5 = cos(x[1]); /* C = cos(psi) */
     const double t6 = t4*t5; /* (-M/J1)*s*s*C */
     out[1] = t6;
     const double t7 = x[2]*p[11]; /* s*G*J3/R */
     const double t8 = x[0]*t5; /* gamma3*C */
-    const double t9 = JLT_FMA(p[12], t8, t7); /* I3*M*gamma3*C + s*G*J3/R */
-    const double t10 = sin(x[1]); /* S = sin(psi) */
-    const double t11 = p[17]*t3; /* 2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t12 = t9*t11; /* (I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t13 = JLT_FNMA(p[5], t10, p[8]); /* m*R*v_slip - M*S */
-    const double t14 = p[15]*t3; /* I3*M/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t15 = t5*t14; /* C*I3*M/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t16 = x[0]*t3; /* gamma3*1/(Theta/(m*R^2)) */
-    const double t17 = JLT_FNMA(t12, t16, t15); /* C*I3*M/(m*R^2)*1/(Theta/(m*R^2)) - (I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2))*gamma3*1/(Theta/(m*R^2)) */
-    out[3] = t17;
-    const double t18 = p[18]*t16; /* (-I3*M/(m*R^2))*gamma3*1/(Theta/(m*R^2)) */
-    const double t19 = t10*t18; /* S*(-I3*M/(m*R^2))*gamma3*1/(Theta/(m*R^2)) */
-    out[4] = t19;
-    const double t20 = JLT_FNMA(x[2], t12, p[19]); /* G*J3/(m*R^3) - s*(I3*M*gamma3*C + s*G*J3/R)*2*I3/(m*R^2)*1/(Theta/(m*R^2)) */
-    const double t21 = t3*t20; /* 1/(Theta/(m*R^2))*t20 */
+    const double t9 = JLT_FMA(p[12], t8, t7); /* I1*M*gamma3*C + s*G*J3/R */
+    const double t10 = p[16]*t5; /* M/(m*R^2)*C */
+    const double t11 = p[17]*t9; /* 2/(m*R^2*I1)*(I1*M*gamma3*C + s*G*J3/R) */
+    const double t12 = sin(x[1]); /* S = sin(psi) */
+    const double t13 = JLT_FNMA(p[5], t12, p[8]); /* m*R*v_slip - M*S */
+    const double t14 = x[0]*t3; /* gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t15 = JLT_FNMA(t11, t14, t10); /* M/(m*R^2)*C - 2/(m*R^2*I1)*(I1*M*gamma3*C + s*G*J3/R)*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t16 = t3*t15; /* 1/(Theta/(m*R^2*I1))*t15 */
+    out[3] = t16;
+    const double t17 = p[18]*t14; /* (-M/(m*R^2))*gamma3*1/(Theta/(m*R^2*I1)) */
+    const double t18 = t12*t17; /* S*(-M/(m*R^2))*gamma3*1/(Theta/(m*R^2*I1)) */
+    out[4] = t18;
+    const double t19 = x[2]*t3; /* s*1/(Theta/(m*R^2*I1)) */
+    const double t20 = JLT_FNMA(t11, t19, p[19]); /* G*J3/(m*R^3*I1) - 2/(m*R^2*I1)*(I1*M*gamma3*C + s*G*J3/R)*s*1/(Theta/(m*R^2*I1)) */
+    const double t21 = t3*t20; /* 1/(Theta/(m*R^2*I1))*t20 */
     out[5] = t21;
     const double t22 = x[2]*t13; /* s*(m*R*v_slip - M*S) */
     const double t23 = p[14]*t22; /* 2/J1*s*(m*R*v_slip - M*S) */
@@ -171,63 +170,62 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[3] = 0.0;
     const double t0 = x[2]*x[2]; /* s*s */
     const double t1 = JLT_FMA(x[0], x[0], t0); /* gamma3*gamma3 + s*s */
-    const double t2 = JLT_FMA(p[10], t1, p[9]); /* Theta = m*R^2*I3*(gamma3*gamma3 + s*s) + I3^2 */
+    const double t2 = JLT_FMA(p[10], t1, p[9]); /* Theta = m*R^2*I1*(gamma3*gamma3 + s*s) + I1^2 */
     const double t3 = 1.0/t2; /* 1/Theta */
-    const double t4 = p[13]*t0; /* (-M/J1)*s*s */
-    const double t5 = cos(x[1]); /* C = cos(psi) */
-    const double t6 = t4*t5; /* (-M/J1)*s*s*C */
-    out[4] = t6;
-    const double t7 = sin(x[1]); /* S = sin(psi) */
-    const double t8 = x[2]*p[11]; /* s*G*J3/R */
-    const double t9 = x[0]*t5; /* gamma3*C */
-    const double t10 = JLT_FMA(p[12], t9, t8); /* I3*M*gamma3*C + s*G*J3/R */
-    const double t11 = t3*t10; /* 1/Theta*(I3*M*gamma3*C + s*G*J3/R) */
-    out[1] = t11;
-    const double t12 = p[22]*t11; /* 2*m*R^2*I3*1/Theta*(I3*M*gamma3*C + s*G*J3/R) */
-    const double t13 = JLT_FNMA(p[5], t7, p[8]); /* m*R*v_slip - M*S */
-    const double t14 = x[2]*t13; /* s*(m*R*v_slip - M*S) */
-    const double t15 = p[14]*t14; /* 2/J1*s*(m*R*v_slip - M*S) */
-    out[5] = t15;
-    const double t16 = p[7]*t14; /* 1/J1*s*(m*R*v_slip - M*S) */
-    const double t17 = x[2]*t16; /* s*1/J1*s*(m*R*v_slip - M*S) */
-    out[0] = t17;
-    const double t18 = -t16; /* -1/J1*s*(m*R*v_slip - M*S) */
-    out[9] = t18;
-    const double t19 = x[0]*t16; /* gamma3*1/J1*s*(m*R*v_slip - M*S) */
-    const double t20 = -t19; /* -gamma3*1/J1*s*(m*R*v_slip - M*S) */
-    out[2] = t20;
-    const double t21 = p[12]*t3; /* I3*M*1/Theta */
-    const double t22 = t5*t21; /* C*I3*M*1/Theta */
-    const double t23 = x[0]*t3; /* gamma3*1/Theta */
-    const double t24 = JLT_FNMA(t12, t23, t22); /* C*I3*M*1/Theta - 2*m*R^2*I3*1/Theta*(I3*M*gamma3*C + s*G*J3/R)*gamma3*1/Theta */
-    out[6] = t24;
-    const double t25 = p[23]*t23; /* (-I3*M)*gamma3*1/Theta */
-    const double t26 = t7*t25; /* S*(-I3*M)*gamma3*1/Theta */
-    out[7] = t26;
-    const double t27 = JLT_FNMA(x[2], t12, p[11]); /* G*J3/R - s*2*m*R^2*I3*1/Theta*(I3*M*gamma3*C + s*G*J3/R) */
-    const double t28 = t3*t27; /* 1/Theta*(G*J3/R - s*2*m*R^2*I3*1/Theta*(I3*M*gamma3*C + s*G*J3/R)) */
-    out[8] = t28;
-    const double t29 = x[2]*p[21]; /* s*M/J1 */
-    const double t30 = t9*t29; /* gamma3*C*s*M/J1 */
-    out[10] = t30;
+    const double t4 = cos(x[1]); /* C = cos(psi) */
+    const double t5 = sin(x[1]); /* S = sin(psi) */
+    const double t6 = x[2]*p[11]; /* s*G*J3/R */
+    const double t7 = p[12]*t4; /* I1*M*C */
+    const double t8 = JLT_FMA(x[0], t7, t6); /* gamma3*I1*M*C + s*G*J3/R */
+    const double t9 = t3*t8; /* 1/Theta*(gamma3*I1*M*C + s*G*J3/R) */
+    out[1] = t9;
+    const double t10 = p[22]*t9; /* 2*m*R^2*I1*1/Theta*(gamma3*I1*M*C + s*G*J3/R) */
+    const double t11 = t3*t7; /* 1/Theta*I1*M*C */
+    const double t12 = JLT_FNMA(p[5], t5, p[8]); /* m*R*v_slip - M*S */
+    const double t13 = x[2]*t12; /* s*(m*R*v_slip - M*S) */
+    const double t14 = p[14]*t13; /* 2/J1*s*(m*R*v_slip - M*S) */
+    out[5] = t14;
+    const double t15 = p[7]*t13; /* 1/J1*s*(m*R*v_slip - M*S) */
+    const double t16 = x[2]*t15; /* s*1/J1*s*(m*R*v_slip - M*S) */
+    out[0] = t16;
+    const double t17 = -t15; /* -1/J1*s*(m*R*v_slip - M*S) */
+    out[9] = t17;
+    const double t18 = x[0]*t15; /* gamma3*1/J1*s*(m*R*v_slip - M*S) */
+    const double t19 = -t18; /* -gamma3*1/J1*s*(m*R*v_slip - M*S) */
+    out[2] = t19;
+    const double t20 = x[2]*p[21]; /* s*M/J1 */
+    const double t21 = t4*t20; /* C*s*M/J1 */
+    const double t22 = x[0]*t21; /* gamma3*C*s*M/J1 */
+    out[10] = t22;
+    const double t23 = x[2]*t21; /* s*C*s*M/J1 */
+    const double t24 = -t23; /* -s*C*s*M/J1 */
+    out[4] = t24;
+    const double t25 = x[0]*t3; /* gamma3*1/Theta */
+    const double t26 = JLT_FNMA(t10, t25, t11); /* 1/Theta*I1*M*C - 2*m*R^2*I1*1/Theta*(gamma3*I1*M*C + s*G*J3/R)*gamma3*1/Theta */
+    out[6] = t26;
+    const double t27 = p[23]*t25; /* (-I1*M)*gamma3*1/Theta */
+    const double t28 = t5*t27; /* S*(-I1*M)*gamma3*1/Theta */
+    out[7] = t28;
+    const double t29 = JLT_FNMA(x[2], t10, p[11]); /* G*J3/R - s*2*m*R^2*I1*1/Theta*(gamma3*I1*M*C + s*G*J3/R) */
+    const double t30 = t3*t29; /* 1/Theta*(G*J3/R - s*2*m*R^2*I1*1/Theta*(gamma3*I1*M*C + s*G*J3/R)) */
+    out[8] = t30;
     const double t31 = x[0]*p[20]; /* gamma3*(-1/J1) */
-    const double t32 = t13*t31; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
+    const double t32 = t12*t31; /* (m*R*v_slip - M*S)*gamma3*(-1/J1) */
     out[11] = t32;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = sin(x[1]); /* S = sin(psi) */
-    const double t1 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t2 = JLT_FMA(x[2], x[2], t1); /* s*s + gamma3*gamma3 */
-    const double t3 = JLT_FMA(p[3], t2, p[16]); /* Theta/(m*R^2) = I3*(s*s + gamma3*gamma3) + I3^2/(m*R^2) */
-    const double t4 = p[15]/t3; /* I3*M/(m*R^2)/(Theta/(m*R^2)) */
-    const double t5 = t0*t4; /* S*I3*M/(m*R^2)/(Theta/(m*R^2)) */
-    const double t6 = JLT_FNMA(t0, p[5], p[8]); /* m*R*v_slip - S*M */
-    const double t7 = JLT_FMA(p[7], t6, t5); /* 1/J1*(m*R*v_slip - S*M) + S*I3*M/(m*R^2)/(Theta/(m*R^2)) */
-    const double t8 = x[0]*t7; /* gamma3*(1/J1*(m*R*v_slip - S*M) + S*I3*M/(m*R^2)/(Theta/(m*R^2))) */
-    const double t9 = -t8; /* -t8 */
-    out[0] = t9;
+    const double t1 = JLT_FNMA(p[5], t0, p[8]); /* m*R*v_slip - M*S */
+    const double t2 = p[7]*t1; /* 1/J1*(m*R*v_slip - M*S) */
+    const double t3 = JLT_FMA(x[2], x[2], p[15]); /* s*s + I1/(m*R^2) */
+    const double t4 = JLT_FMA(x[0], x[0], t3); /* Theta/(m*R^2*I1) = gamma3*gamma3 + s*s + I1/(m*R^2) */
+    const double t5 = p[16]/t4; /* M/(m*R^2)/(Theta/(m*R^2*I1)) */
+    const double t6 = JLT_FMA(t0, t5, t2); /* S*M/(m*R^2)/(Theta/(m*R^2*I1)) + 1/J1*(m*R*v_slip - M*S) */
+    const double t7 = x[0]*t6; /* gamma3*(S*M/(m*R^2)/(Theta/(m*R^2*I1)) + 1/J1*(m*R*v_slip - M*S)) */
+    const double t8 = -t7; /* -t7 */
+    out[0] = t8;
 }
 
 static void time_factor(const double *restrict x, const double *restrict p, double *restrict out)
@@ -242,15 +240,15 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x0[JLT_JET_ORDER_MAX + 1];
     double x1[JLT_JET_ORDER_MAX + 1];
     double x2[JLT_JET_ORDER_MAX + 1];
-    double t1[JLT_JET_ORDER_MAX + 1];
-    double t6[JLT_JET_ORDER_MAX + 1];
-    double u6[JLT_JET_ORDER_MAX + 1];
-    double t7[JLT_JET_ORDER_MAX + 1];
-    double t8[JLT_JET_ORDER_MAX + 1];
-    double t9[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
+    double t11[JLT_JET_ORDER_MAX + 1];
+    double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
+    double u14[JLT_JET_ORDER_MAX + 1];
+    double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
     double u18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
@@ -264,24 +262,24 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[2] = x2[0] = x[2];
     coefficients[3] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t1[k] = jlt_jet_product(x2, x2, k);
-        t6[k] = jlt_jet_sine(x1, t6, u6, k);
-        t7[k] = (k == 0 ? p[8] : 0) - p[5]*t6[k];
-        t8[k] = p[7]*t7[k];
-        t9[k] = jlt_jet_product(t1, t8, k);
-        t13[k] = jlt_jet_product(x0, x0, k) + t1[k];
-        t14[k] = p[10]*t13[k] + (k == 0 ? p[9] : 0);
-        t16[k] = x2[k]*p[11];
-        t18[k] = jlt_jet_cosine(x1, t18, u18, k);
-        t19[k] = x0[k]*p[12];
-        t20[k] = jlt_jet_product(t18, t19, k) + t16[k];
-        t21[k] = jlt_jet_quotient(t20[k], t14, t21, k);
-        t22[k] = jlt_jet_product(x2, x0, k);
-        t23[k] = jlt_jet_product(t8, t22, k);
+        t10[k] = jlt_jet_product(x2, x2, k);
+        t11[k] = jlt_jet_product(x0, x0, k) + t10[k];
+        t12[k] = p[10]*t11[k] + (k == 0 ? p[9] : 0);
+        t13[k] = x2[k]*p[11];
+        t14[k] = jlt_jet_cosine(x1, t14, u14, k);
+        t15[k] = x0[k]*p[12];
+        t16[k] = jlt_jet_product(t14, t15, k) + t13[k];
+        t17[k] = jlt_jet_quotient(t16[k], t12, t17, k);
+        t18[k] = jlt_jet_sine(x1, t18, u18, k);
+        t19[k] = (k == 0 ? p[8] : 0) - p[5]*t18[k];
+        t20[k] = x2[k]*p[7];
+        t21[k] = jlt_jet_product(t19, t20, k);
+        t22[k] = jlt_jet_product(x2, t21, k);
+        t23[k] = jlt_jet_product(x0, t21, k);
         t24[k] = -t23[k];
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t9[k]/(k + 1);
-        next[1] = x1[k + 1] = t21[k]/(k + 1);
+        next[0] = x0[k + 1] = t22[k]/(k + 1);
+        next[1] = x1[k + 1] = t17[k]/(k + 1);
         next[2] = x2[k + 1] = t24[k]/(k + 1);
         next[3] = x2[k]/(k + 1);
     }
@@ -291,12 +289,12 @@ static void rhs_complex(const double complex *restrict x, const double *restrict
                         double complex *restrict out)
 {
     const double complex v_s = x[2];
-    const double v_I3 = params[3];
-    const double v_I1 = (v_I3);
+    const double v_I1 = params[2];
     const double v_m = params[0];
     const double v_R = params[1];
     const double complex v_J1 = (v_I1 + v_m*v_R*v_R);
     const double v_F0 = params[6];
+    const double v_I3 = (v_I1);
     const double complex v_gamma3 = x[0];
     const double complex v_Theta = (v_I1*v_I3 + v_m*v_R*v_R*(v_I1*v_s*v_s + v_I3*v_gamma3*v_gamma3));
     const double v_M = params[5];
@@ -337,7 +335,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = 
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44",
+    .sha256 = "f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane,
     .state_count = 3, .param_count = 7, .block_count = 24,
@@ -345,14 +343,14 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = 
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 3, { 1, 7, 4, 1, 0, 2, 5, 5 }, { 8, 29, 0, 5, 1, 2, 9, 8 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in C*gamma3*(I3*M) + s*(G*J3/R), m*R*v_slip - M*S" },
-    .jacobian = { jacobian, 9, { 0, 20, 6, 1, 0, 2, 8, 8 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in (I3*M)*gamma3*C + s*(G*J3/R), m*R*v_slip - M*S, d(d(psi)/dtau)/d(gamma3), a part of d(d(psi)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 12, { 2, 22, 6, 1, 0, 2, 8, 8 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in (I3*M)*gamma3*C + s*(G*J3/R), m*R*v_slip - M*S, d(d(psi)/dtau)/d(gamma3), G*J3/R - s*(2*m*R^2*I3)*((1)/Theta)*((I3*M)*gamma3*C + s*(G*J3/R))" },
-    .divergence = { divergence, 1, { 1, 3, 4, 1, 0, 1, 8, 3 }, { 6, 19, 0, 3, 1, 1, 9, 7 },
-        "divides by Theta, small only where all of I3^2 and m*R^2*(I3*gamma3^2 + I3*s^2) are; digits are lost where terms nearly cancel in m*R*v_slip - S*M, (1/J1)*(m*R*v_slip - S*M) + S*((I3*M/(m*R^2))/Theta/(m*R^2))" },
+    .rhs = { rhs, 3, { 1, 7, 4, 1, 0, 2, 5, 6 }, { 8, 29, 0, 5, 1, 2, 9, 8 },
+        "digits are lost where terms nearly cancel in m*R*v_slip - M*S, C*gamma3*(I1*M) + s*(G*J3/R)" },
+    .jacobian = { jacobian, 9, { 1, 20, 5, 1, 0, 2, 7, 8 }, { 15, 64, 0, 13, 1, 2, 10, 12 },
+        "digits are lost where terms nearly cancel in (I1*M)*gamma3*C + s*(G*J3/R), m*R*v_slip - M*S, a part of d(d(psi)/dtau)/d(gamma3), a part of d(d(psi)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 12, { 3, 21, 6, 1, 0, 2, 8, 8 }, { 19, 79, 0, 17, 1, 2, 10, 12 },
+        "digits are lost where terms nearly cancel in gamma3*(I1*M)*C + s*(G*J3/R), m*R*v_slip - M*S, d(d(psi)/dtau)/d(gamma3), G*J3/R - s*(2*m*R^2*I1)*((1)/Theta)*(gamma3*(I1*M)*C + s*(G*J3/R))" },
+    .divergence = { divergence, 1, { 1, 2, 4, 1, 0, 1, 6, 4 }, { 6, 19, 0, 3, 1, 1, 10, 7 },
+        "digits are lost where terms nearly cancel in m*R*v_slip - M*S, S*((M/(m*R^2))/Theta/(m*R^2*I1)) + (1/J1)*(m*R*v_slip - M*S)" },
     .integral_values = { .loses_digits = "" },
     .integral_gradients = { .loses_digits = "" },
     .measure_values = { .loses_digits = "" },

@@ -1,7 +1,7 @@
 /* Balanced sphere with one nonholonomic constraint, on a level of all three integrals
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1
- *  Table:      spherical_top_plane, SHA-256 a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44
+ *  Table:      spherical_top_plane, SHA-256 f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -447,7 +447,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .elimination = "",
     .title = "Balanced sphere with one nonholonomic constraint, on a level of all three integrals",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
-    .sha256 = "a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44",
+    .sha256 = "f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_plane,
     .state_count = 2, .param_count = 7, .block_count = 33,

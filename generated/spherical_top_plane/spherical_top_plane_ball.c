@@ -1,7 +1,7 @@
 /* Balanced sphere with one nonholonomic constraint, on a level of all three integrals: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_plane, SHA-256 a4968b3c5759c8d01110b5ac20002cbaa9743f70ebbbb6790df56f7c04f68c44
+ *  Table:      spherical_top_plane, SHA-256 f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8
  *  Command:    ttc generate --effort full --out DIR spherical_top_plane.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -2,7 +2,7 @@
  * from the expressions as they stand, without the optimizer.
  *
  *  Table:      toda, SHA-256 79463385d67ae1dc70b05259d1ce33196f59471c740553d39ca06f4200dd41de
- *  Command:    ttc generate --out DIR toda.tt (ttc 0.1.0); do not edit
+ *  Command:    ttc generate --effort full --out DIR toda.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"
 
