@@ -45,7 +45,8 @@ static ttc_check_outcome try_point(trial *t)
 {
     char fault[256];
     for (size_t i = 0; i < sizeof precisions / sizeof *precisions; i++) {
-        ttc_place_in_domain place = ttc_random_point_place(t->check.probe, &t->point, &t->subject.situation, precisions[i], fault, sizeof fault);
+        ttc_place_in_domain place = ttc_random_point_place(t->check.probe, &t->point, &t->subject.situation, precisions[i],
+                                                           fault, sizeof fault);
         t->check.outcome = TTC_HOLDS;
         t->check.what[0] = '\0';
         if (fault[0] != '\0') ttc_check_violate(&t->check, "the family leaves the domain:", fault);
@@ -98,7 +99,8 @@ static void judge(trial *t, ttc_challenge_result *result)
     const bool many = result->tried >= POINTS_THAT_TELL;
     if (result->status == TTC_PROVED) {
         if (t->violated > 0) contradict(t, result, t->check.what);
-        else if (many && t->wants_witness && !t->has_witness) contradict(t, result, "proved, though it says nothing: all is zero, as");
+        else if (many && t->wants_witness && !t->has_witness)
+            contradict(t, result, "proved, though it says nothing: all is zero, as");
     } else if (result->status == TTC_REFUTED && t->violated == 0) {
         if (t->subject.refuted_by_witness) {
             if (t->has_witness) contradict(t, result, "refuted, though the trace is not zero, as");
@@ -154,7 +156,8 @@ bool ttc_challenge(const ttc_model *model, const ttc_proof_report *proofs, ttc_r
     for (size_t i = 0; made->results != NULL && i < proofs->proof_count; i++) {
         const ttc_proof *proof = &proofs->proofs[i];
         ttc_challenge_result *result = &made->results[made->count];
-        *result = (ttc_challenge_result){ .kind = proof->kind, .name = proof->name, .place = proof->place, .status = proof->status };
+        *result = (ttc_challenge_result){ .kind = proof->kind, .name = proof->name, .place = proof->place,
+                                          .status = proof->status };
         if (proof->status != TTC_PROVED && proof->status != TTC_REFUTED) continue;
         if (!challenge_one(model, resolver, context, points, seed + UINT64_C(0x100000001b3) * (i + 1), result)) {
             ttc_challenge_report_destroy(made);

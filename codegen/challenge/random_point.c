@@ -177,7 +177,8 @@ static void set_pivots(ttc_probe *probe, const ttc_random_point *point, const tt
 }
 
 /* Whatever can be set is set until nothing is left: what is bound may need what is free, and ends of intervals both. */
-bool ttc_random_point_set(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision, arb_srcptr pivots)
+bool ttc_random_point_set(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision,
+                          arb_srcptr pivots)
 {
     const ttc_model *model = situation->model;
     size_t left = SIZE_MAX, before;
@@ -213,15 +214,16 @@ static bool divisors_are_not_zero(ttc_probe *probe, const ttc_situation *situati
     return true;
 }
 
-ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision,
-                                    char *fault, size_t fault_size)
+ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation,
+                                           long precision, char *fault, size_t fault_size)
 {
     bool set = situation->level_count == 0 ? ttc_random_point_set(probe, point, situation, precision, NULL)
                                            : ttc_level_meet(probe, point, situation, precision);
     fault[0] = '\0';
     if (!set) return TTC_OUTSIDE;
     ttc_probe_seed_states(probe);
-    ttc_place_in_domain place = ttc_domain_locate(probe, situation->model, &situation->family, situation->own_root, fault, fault_size);
+    ttc_place_in_domain place = ttc_domain_locate(probe, situation->model, &situation->family, situation->own_root, fault,
+                                                  fault_size);
     if (place == TTC_INSIDE && !divisors_are_not_zero(probe, situation)) return TTC_OUTSIDE;
     return place;
 }

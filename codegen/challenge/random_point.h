@@ -41,8 +41,8 @@ typedef enum { TTC_INSIDE, TTC_OUTSIDE, TTC_UNCLEAR } ttc_place_in_domain;
 /** Set every symbol of the probe at that precision, solve for the levels, and seed the states.
  *  INSIDE: the balls hold a point of the domain that meets every condition; OUTSIDE: they hold none; UNCLEAR: neither is
  *  known. `fault`: of at least `fault_size` bytes; what the family breaks, by its own fault, or empty. */
-ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation, long precision,
-                                    char *fault, size_t fault_size);
+ttc_place_in_domain ttc_random_point_place(ttc_probe *probe, const ttc_random_point *point, const ttc_situation *situation,
+                                           long precision, char *fault, size_t fault_size);
 
 /** Set the free and bound symbols; pivots have the values given, shape (level_count,), and are the spare tangents. False when
  *  something has no value there. */

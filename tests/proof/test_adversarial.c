@@ -134,7 +134,8 @@ static size_t check_table(const table *t, char *file_text)
                 proof->kind, proof->name, ttc_proof_status_name(proof->status), verdict, reason,
                 proof->remainder != NULL ? proof->remainder : "no remainder");
     }
-    if (seen != marks(t)) fprintf(stderr, "%s:%u: %zu verdicts stand on lines without a claim\n", t->file, t->first_line, marks(t) - seen);
+    if (seen != marks(t))
+        fprintf(stderr, "%s:%u: %zu verdicts stand on lines without a claim\n", t->file, t->first_line, marks(t) - seen);
     return wrong + marks(t) - seen;
 }
 

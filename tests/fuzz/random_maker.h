@@ -1,0 +1,59 @@
+/** Inside of random_table.h: a table under construction, and what its parts are made with. */
+#ifndef RANDOM_MAKER_H
+#define RANDOM_MAKER_H
+
+#include "fuzz/random_polynomial.h"
+#include "fuzz/random_table.h"
+
+enum { MOST_PARAMS = 3, MOST_STATES = 4, FIRST_STATE = MOST_PARAMS };
+
+typedef enum { ANY, POSITIVE, NONNEGATIVE, NONZERO, SIGNS } sign;
+
+typedef struct {
+    ttc_random random;
+    FILE *out;
+    made_table *made;
+    size_t params, states;
+    sign signs[MOST_PARAMS];
+    bool bounded[MOST_STATES];    /* has an interval */
+    polynomial field[MOST_STATES];
+    polynomial radicand;          /* of the root r, 1 + e^2 */
+    polynomial exponent;          /* of the exponential E; the logarithm L is of the radicand */
+    bool has_root, has_angle, has_exponential, random_root, has_region;
+    const char *names[VARIABLES];
+} maker;
+
+uint64_t below(maker *m, uint64_t bound);
+bool chance(maker *m, uint64_t in); /* one in so many */
+unsigned param_mask(const maker *m), state_mask(const maker *m), any_mask(const maker *m); /* of variables */
+
+/* Never zero, and no number where the mask offers variables. */
+polynomial some(maker *m, unsigned mask, size_t terms, unsigned degree);
+
+/* Write, every %P being replaced by the next polynomial. */
+void write_polynomials(maker *m, const char *format, const polynomial *const *list);
+
+#define WRITE(m, format, ...) write_polynomials((m), (format), (const polynomial *const[]){ __VA_ARGS__, NULL })
+
+/* Open a record of a claim with a name of its own: "KIND NAME". After an overflow nothing is known of it. */
+void open_claim(maker *m, const char *kind, claim_truth truth);
+const char *last_name(const maker *m);
+
+/* Records that say what the model is. Each make_ chooses the field, and returns what is known of it. */
+void write_declarations(maker *m, size_t states);
+void write_definitions(maker *m);
+polynomial make_orthogonal(maker *m, bool *constant);
+polynomial make_darboux(maker *m, bool integral);
+void make_linear(maker *m, polynomial matrix[2][2], polynomial rest[2]);
+void write_field(maker *m);
+
+/* Claims about any model. */
+void claim_identities(maker *m);
+void claim_roots_and_angles(maker *m);
+void claim_exponentials(maker *m);
+void claim_rates(maker *m);
+void claim_signs(maker *m);
+void claim_reductions(maker *m, FILE *target); /* writes the target as well */
+void claim_towers(maker *m);
+
+#endif
