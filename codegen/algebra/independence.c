@@ -61,8 +61,8 @@ static bool decides(const usage *u)
 }
 
 /* The coefficient, in numbers, of the term's monomial in free variables. */
-static void coefficient_of(const ttc_ring *ring, fmpz_mpoly_t coefficient, const fmpz_mpoly_t polynomial, slong term, slong *variables,
-                           ulong *exponents)
+static void coefficient_of(const ttc_ring *ring, fmpz_mpoly_t coefficient, const fmpz_mpoly_t polynomial, slong term,
+                           slong *variables, ulong *exponents)
 {
     slong count = 0;
     for (slong v = 0; v < (slong)ring->variable_count; v++) {

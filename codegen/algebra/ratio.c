@@ -317,17 +317,16 @@ void ttc_ratio_add_product(ttc_ring *ring, ttc_ratio *sum, const ttc_ratio *a, c
 
 bool ttc_ratio_is_zero(ttc_ring *ring, const ttc_ratio *a)
 {
-    if (fmpz_mpoly_is_zero(a->numerator, ring->context) || ring->status != TTC_RING_OK) {
-        return fmpz_mpoly_is_zero(a->numerator, ring->context) != 0;
-    }
-    if (ttc_ring_settles(ring, a->numerator)) return false;
+    if (fmpz_mpoly_is_zero(a->numerator, ring->context)) return true;
+    if (ring->status != TTC_RING_OK || ttc_ring_settles(ring, a->numerator)) return false;
     ttc_ring_fail(ring, TTC_RING_NOT_SETTLED);
     return true;
 }
 
 bool ttc_ratio_equal(const ttc_ring *ring, const ttc_ratio *a, const ttc_ratio *b)
 {
-    return fmpz_mpoly_equal(a->numerator, b->numerator, ring->context) && fmpz_mpoly_equal(a->denominator, b->denominator, ring->context);
+    return fmpz_mpoly_equal(a->numerator, b->numerator, ring->context)
+           && fmpz_mpoly_equal(a->denominator, b->denominator, ring->context);
 }
 
 void ttc_ratio_norm(ttc_ring *ring, fmpz_mpoly_t norm, const ttc_ratio *a)

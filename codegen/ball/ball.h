@@ -39,8 +39,8 @@ void ttc_ball_bind(ttc_ball *ball, uint32_t symbol, ttc_id id);
  *  value changes. */
 bool ttc_ball_enclose(ttc_enclosure *out, ttc_ball *ball, ttc_id id);
 
-/** Exact sign (-1, 0, 1), in rational arithmetic. False when a root on the way is irrational, another function or pi is met, a symbol has
- *  no value, or a denominator vanishes. */
+/** Exact sign (-1, 0, 1), in rational arithmetic. False when a root on the way is irrational, another function or pi is met,
+ *  a symbol has no value, or a denominator vanishes. */
 bool ttc_ball_exact_sign(int *sign, ttc_ball *ball, ttc_id id);
 
 /* The exact value as a fraction, for the caller to free(); NULL when there is none, as above. */

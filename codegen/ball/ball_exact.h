@@ -19,8 +19,8 @@ typedef struct {
     unsigned char *state;
 } ttc_ball_exact;
 
-/** The value of an expression, until the next call; NULL when a root on the way is irrational, another function or pi is met, a symbol
- *  has no value, a denominator vanishes, or memory is out. Cost: one visit a node, remembered until forgotten. */
+/** The value of an expression, until the next call; NULL when a root on the way is irrational, another function or pi is
+ *  met, a symbol has no value, a denominator vanishes, or memory is out. Cost: one visit a node, remembered until forgotten. */
 const fmpq *ttc_ball_exact_value(ttc_ball_exact *exact, const ttc_ball_symbols *symbols, ttc_id id);
 
 void ttc_ball_exact_forget(ttc_ball_exact *exact); /* what a symbol stands for has changed */

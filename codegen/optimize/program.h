@@ -2,8 +2,8 @@
  *
  *  A program is a list of instructions, each of which uses values made before it (static single assignment), and a list
  *  of outputs. It is the one source of everything emitted, and can be read again: its values are rational functions of
- *  inputs, parameters, pi, and of roots, cosines, sines, exponentials and logarithms of such. Equal instructions are one value, constants are folded,
- *  and x + 0, x * 1, x * 0, (x/y) * y, -(-x) and the like vanish while it is built.
+ *  inputs, parameters, pi, and of roots, cosines, sines, exponentials and logarithms of such. Equal instructions are one
+ *  value, constants are folded, and x + 0, x * 1, x * 0, (x/y) * y, -(-x) and the like vanish while it is built.
  *
  *  Errors: memory or a division by a zero constant makes the program failed for good; every later call then returns
  *  TTC_NO_VALUE, and ttc_program_failed() tells. */

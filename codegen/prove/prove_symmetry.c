@@ -60,7 +60,8 @@ static void set_matrix(ttc_task *task, ttc_ratio *matrix)
         for (size_t j = 0; j < n && ttc_task_open(task); j++) {
             ttc_evaluate(task->field, &matrix[i * n + j], ttc_derive_state(task->model, image_of_state(task, i), j));
             if (ttc_task_open(task) && !is_fixed(task, &matrix[i * n + j]))
-                ttc_task_unsettle(task, "the image of %s is not affine in the states", task->model->symbols[task->model->states[i]].name);
+                ttc_task_unsettle(task, "the image of %s is not affine in the states",
+                                task->model->symbols[task->model->states[i]].name);
         }
 }
 

@@ -268,7 +268,8 @@ static bool has_name(const ttc_parser *parser, ttc_claim_kind kind)
 {
     if (!is_map(kind)) return true;
     const ttc_token *token = ttc_parse_peek(parser);
-    return kind == TTC_CLAIM_SYMMETRY && token[0].kind == TTC_TOKEN_NAME && token[1].kind == TTC_TOKEN_MARK && token[1].text[0] == ':';
+    return kind == TTC_CLAIM_SYMMETRY && token[0].kind == TTC_TOKEN_NAME && token[1].kind == TTC_TOKEN_MARK &&
+           token[1].text[0] == ':';
 }
 
 static bool parse_parts(ttc_parser *parser, const ttc_token *keyword, ttc_claim *claim)

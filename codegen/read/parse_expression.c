@@ -116,7 +116,9 @@ static ttc_id parse_base(ttc_parser *parser)
     if (token->kind == TTC_TOKEN_NAME) {
         parser->at++;
         if (ttc_parse_at_mark(parser, '(')) {
-            ttc_parse_unexpected(parser, "an operator: names stand for quantities, not for functions");
+            ttc_parse_unexpected(parser, token->keyword == TTC_KEYWORD_EXP || token->keyword == TTC_KEYWORD_LOG
+                                             ? "an operator: a function gets a name by its own record, such as 'exp e = exp(x)'"
+                                             : "an operator: names stand for quantities, not for functions");
             return TTC_NONE;
         }
         return parse_symbol(parser, token);

@@ -1,7 +1,7 @@
 /* Recurrences of the exponential and the logarithm of a power series, against Arb's series at 256 bits.
  *
- * Tolerance: the radius to which the same recurrence grows in 53-bit balls, which bounds what rounding does to it, and twice that as
- * doubles add in another order; C's exp and log at order 0 are given one unit in the last place, as glibc's have. */
+ * Tolerance: the radius to which the same recurrence grows in 53-bit balls, which bounds what rounding does to it, and twice that
+ * as doubles add in another order; C's exp and log at order 0 are given one unit in the last place, as glibc's have. */
 #include "../unit/check.h"
 
 #include "ball/ball.h"

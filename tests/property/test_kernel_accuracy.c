@@ -109,7 +109,7 @@ static void compare(worst *w, const sample *s, double value, const arb_t fine, c
     double *most = s->is_edge ? &w->edge_ulp : &w->inner_ulp;
     if (exact > 0x1p-500 && off / ulp > *most) *most = off / ulp;
     /* Half an ulp belongs to the rounding of the output itself. */
-    double ratio = off / (bound + ulp / 2);
+    double ratio = off == 0 ? 0 : off / (bound + ulp / 2); /* half an ulp of a value that is zero is no double */
     if (!(ratio <= w->ratio)) w->ratio = ratio;
     w->compared++;
 }

@@ -84,6 +84,9 @@ static const mistake mistakes[] = {
     { HEAD "let b = a(x)\n", "7:10: error: unexpected '(' (expected an operator: names stand for quantities, not for "
                               "functions)" },
 
+    { HEAD "let b = log(x)\n", "7:12: error: unexpected '(' (expected an operator: a function gets a name by its own record, such "
+                               "as 'exp e = exp(x)')" },
+
     /* names */
     { HEAD "let b = q\n", "7:9: error: unknown name 'q' (expected a name defined above)" },
     { HEAD "let omega = a\nlet b = omga\n", "8:9: error: unknown name 'omga' (expected a name defined above; did you mean "

@@ -15,7 +15,7 @@ import sympy as sp
 
 KEYWORDS = {"model", "title", "source", "param", "state", "root", "angle", "let", "eq", "variant", "time", "eliminate",
             "default", "integral", "invariant", "measure", "reversor", "equilibria", "trace", "charpoly", "obstructs",
-            "equal", "matrix", "leftnull", "reduction", "rate"}
+            "equal", "matrix", "leftnull", "reduction", "rate", "symmetry", "exp", "log"}
 
 
 def records(path):
@@ -50,7 +50,7 @@ class Model:
 
     def expression(self, text):
         """A table's expression with lets and roots written out."""
-        names = {**self.symbols, **self.values}
+        names = {"pi": sp.pi, **self.symbols, **self.values}
         return sp.sympify(text.replace("^", "**"), locals=names, rational=True)
 
     def bindings(self, text):
@@ -81,6 +81,14 @@ class Model:
         angle = self.expression(re.match(r"\s*cos\((.*)\)\s*sin\(", values).group(1))
         for name, value in zip(names.split(), (sp.cos(angle), sp.sin(angle))):
             self.values[name] = value
+
+    def read_exp(self, rest):
+        name, argument = re.match(r"(\w+)\s*=\s*exp\((.*)\)$", rest).groups()
+        self.values[name] = sp.exp(self.expression(argument))
+
+    def read_log(self, rest):
+        name, argument = re.match(r"(\w+)\s*=\s*log\((.*)\)$", rest).groups()
+        self.values[name] = sp.log(self.expression(argument))
 
     def read_let(self, rest):
         name, _, value = rest.partition("=")
