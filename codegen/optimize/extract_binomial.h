@@ -11,7 +11,7 @@ typedef struct {
 } ttc_binomial;
 
 /* Quotients of scales, each made once. Zeroed before first use, as is a cleared one. */
-typedef struct {
+typedef struct ttc_scale_ratios {
     struct ttc_scale_ratio *items; /* open addressing by the two scales */
     size_t count, capacity;
 } ttc_scale_ratios;

@@ -220,6 +220,21 @@ static int compare_ranked(const void *left, const void *right)
     return a->key < b->key ? -1 : a->key > b->key;
 }
 
+/* Few groups change in a step. */
+static void sort_ranked(ttc_ranked *items, size_t count)
+{
+    if (count > 32) {
+        qsort(items, count, sizeof *items, compare_ranked);
+        return;
+    }
+    for (size_t i = 1; i < count; i++) {
+        ttc_ranked item = items[i];
+        size_t at = i;
+        for (; at > 0 && items[at - 1].key > item.key; at--) items[at] = items[at - 1];
+        items[at] = item;
+    }
+}
+
 /* Merge the changed groups, sorted, into the ranking. An entry of the ranking that changed gives way. */
 static void merge(ttc_extract_index *index, const ttc_ranked *changed, size_t changed_count)
 {
@@ -262,7 +277,7 @@ void ttc_extract_index_rank(ttc_extract_index *index)
         if (index->groups[group].size == 0) discard(index, group);
     }
     if (!index->failed) {
-        qsort(changed, count, sizeof *changed, compare_ranked);
+        sort_ranked(changed, count);
         merge(index, changed, count);
         index->changed_count = 0;
     }

@@ -1,6 +1,7 @@
 /* Several deterministic ways to the same program; the cheapest is kept. */
 #include "optimize/optimize.h"
 
+#include "optimize/extract_binomial.h"
 #include "optimize/system.h"
 #include "optimize/system_lower.h"
 
@@ -248,7 +249,11 @@ ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id 
 {
     ttc_system *starts[STARTS], *best = NULL;
     ttc_program *program = NULL, *scheduled = NULL;
-    if (make_starts(starts, field, outputs, other, count)) best = search_all(starts, efforts + effort);
+    ttc_scale_ratios ratios = { 0 };
+    bool ok = make_starts(starts, field, outputs, other, count);
+    for (int k = 0; k < STARTS && ok; k++)
+        if (starts[k] != NULL) starts[k]->ratios = &ratios;
+    if (ok) best = search_all(starts, efforts + effort);
     if (best != NULL) {
         choice c = choose_quick(best, purpose, efforts + effort);
         program = finish(c.system, block, c.how);
@@ -257,5 +262,6 @@ ttc_program *ttc_optimize(ttc_field *field, const ttc_id *outputs, const ttc_id 
     if (program != NULL) scheduled = ttc_program_schedule(program);
     ttc_program_destroy(program);
     for (int k = 0; k < STARTS; k++) ttc_system_destroy(starts[k]);
+    ttc_scale_ratios_clear(&ratios);
     return scheduled;
 }

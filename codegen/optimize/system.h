@@ -44,6 +44,7 @@ typedef struct {
     uint32_t count, capacity;
     uint32_t *outputs; /* variables */
     uint32_t output_count;
+    struct ttc_scale_ratios *ratios; /* quotients of scales that extractions share, borrowed; NULL: each makes its own */
     char **names; /* labels made here; a clone does not have them */
     size_t name_count;
     bool failed;       /* memory is out, or the graph refused */

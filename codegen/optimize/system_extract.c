@@ -33,7 +33,7 @@ typedef struct {
 
 typedef struct {
     ttc_system *system;
-    ttc_scale_ratios ratios;
+    ttc_scale_ratios own_ratios, *ratios;
     ttc_extract_index pairs, binomials;
     sum *sums; /* by variable */
     cube_state *cubes;
@@ -132,7 +132,7 @@ static void add_binomial(extractor *e, uint32_t variable, uint32_t first, uint32
     ttc_system *system = e->system;
     const ttc_cube *a = definition_of(e, variable)->cubes + first, *b = definition_of(e, variable)->cubes + second;
     ttc_binomial s;
-    if (!ttc_binomial_of(system, &e->ratios, &s, a, b)) return;
+    if (!ttc_binomial_of(system, e->ratios, &s, a, b)) return;
     int before = (int)ttc_cube_cost(system, a) + (int)ttc_cube_cost(system, b) + 1;
     ttc_cube after = s.common;
     ttc_cube_multiply(&after, 0);
@@ -327,7 +327,7 @@ static void extract_terms(extractor *e, uint32_t group)
         const ttc_term_pair *at = places + i;
         ttc_polynomial *p = definition_of(e, at->variable);
         if (state_of(e, at->variable, at->first)->is_changed || state_of(e, at->variable, at->second)->is_changed) continue;
-        if (!ttc_binomial_of(system, &e->ratios, i == 0 ? &wanted : &found, p->cubes + at->first, p->cubes + at->second)) break;
+        if (!ttc_binomial_of(system, e->ratios, i == 0 ? &wanted : &found, p->cubes + at->first, p->cubes + at->second)) break;
         if (i == 0) found = wanted;
         if (!ttc_binomial_same(&wanted, &found) || !ttc_cube_multiply(&found.common, unit)) continue;
         retract(e, at->variable, at->first);
@@ -393,10 +393,11 @@ uint64_t ttc_system_extract(ttc_system *system, uint64_t seed, uint64_t pair_lim
     extractor e = { .system = system, .random = seed, .pair_limit = pair_limit };
     static const unsigned noises[] = { 32, 64, 96, 160 };
     e.noise = seed == 0 ? 0 : noises[seed % 4];
+    e.ratios = system->ratios != NULL ? system->ratios : &e.own_ratios;
     begin(&e);
     while (extract_best(&e)) continue;
     for (uint32_t v = 0; v < system->count; v++) ttc_polynomial_close_gaps(&system->variables[v].definition);
-    ttc_scale_ratios_clear(&e.ratios);
+    ttc_scale_ratios_clear(&e.own_ratios);
     ttc_extract_index_clear(&e.pairs);
     ttc_extract_index_clear(&e.binomials);
     free(e.sums);

@@ -40,19 +40,65 @@ static ttc_cube divided(const rescaling *r, const ttc_cube *cube)
     return after;
 }
 
-static bool holds(const ttc_polynomial *p, uint32_t a, uint32_t b)
+/* Variables whose sums hold each one as a factor, ascending. Rescaling changes no factors, so they are found once. */
+typedef struct {
+    size_t *first; /* by variable, shape (count + 1,): where its users begin */
+    uint32_t *all;
+} user_lists;
+
+/* Visit every factor of every sum, equal ones that follow each other once. all == NULL: count them alone. */
+static void visit_factors(const ttc_system *system, size_t *position, uint32_t *all, uint32_t *last)
 {
-    for (uint32_t i = 0; i < p->count; i++)
-        for (unsigned j = 0; j < p->cubes[i].count; j++)
-            if (p->cubes[i].factors[j] == a || p->cubes[i].factors[j] == b) return true;
-    return false;
+    for (uint32_t v = 0; v < system->count; v++) last[v] = UINT32_MAX;
+    for (uint32_t v = 0; v < system->count; v++)
+        for (uint32_t i = 0; i < system->variables[v].definition.count; i++) {
+            const ttc_cube *cube = system->variables[v].definition.cubes + i;
+            for (unsigned j = 0; j < cube->count; j++) {
+                uint32_t factor = cube->factors[j];
+                if (last[factor] == v) continue;
+                last[factor] = v;
+                if (all != NULL) all[position[factor]] = v;
+                position[factor]++;
+            }
+        }
 }
 
-static void find_users(rescaling *r)
+static bool list_users(const ttc_system *system, user_lists *lists)
 {
+    uint32_t *last = malloc((system->count + 1) * sizeof *last);
+    size_t *position = calloc(system->count + 1, sizeof *position), total = 0;
+    lists->first = calloc((size_t)system->count + 1, sizeof *lists->first);
+    bool ok = last != NULL && position != NULL && lists->first != NULL;
+    if (ok) visit_factors(system, position, NULL, last);
+    for (uint32_t v = 0; v < system->count && ok; v++) {
+        lists->first[v] = total;
+        total += position[v];
+        position[v] = lists->first[v];
+    }
+    if (ok) lists->first[system->count] = total;
+    lists->all = ok ? malloc((total + 1) * sizeof *lists->all) : NULL;
+    if (lists->all != NULL) visit_factors(system, position, lists->all, last);
+    free(last);
+    free(position);
+    return lists->all != NULL;
+}
+
+/* Users of the unit and of its reciprocal, and the unit itself, ascending. */
+static void find_users(rescaling *r, const user_lists *lists)
+{
+    size_t i = lists->first[r->unit], i_end = lists->first[r->unit + 1];
+    size_t j = lists->first[r->reciprocal], j_end = r->reciprocal == r->unit ? j : lists->first[r->reciprocal + 1];
+    bool self = true;
     r->user_count = 0;
-    for (uint32_t v = 0; v < r->system->count; v++)
-        if (v == r->unit || holds(&r->system->variables[v].definition, r->unit, r->reciprocal)) r->users[r->user_count++] = v;
+    while (i < i_end || j < j_end || self) {
+        uint32_t next = self ? r->unit : UINT32_MAX;
+        if (i < i_end && lists->all[i] < next) next = lists->all[i];
+        if (j < j_end && lists->all[j] < next) next = lists->all[j];
+        if (i < i_end && lists->all[i] == next) i++;
+        if (j < j_end && lists->all[j] == next) j++;
+        self = self && next != r->unit;
+        r->users[r->user_count++] = next;
+    }
 }
 
 static int gain_of(const rescaling *r)
@@ -81,7 +127,7 @@ static void apply(const rescaling *r)
     if (r->reciprocal != r->unit) system->variables[r->reciprocal].label = NULL;
 }
 
-static bool rescale_unit(ttc_system *system, uint32_t unit, uint32_t *users)
+static bool rescale_unit(ttc_system *system, uint32_t unit, uint32_t *users, const user_lists *lists)
 {
     rescaling best = { .system = system, .unit = unit, .reciprocal = unit, .users = users };
     int best_gain = 0;
@@ -91,7 +137,7 @@ static bool rescale_unit(ttc_system *system, uint32_t unit, uint32_t *users)
     if (!has_scale || system->variables[unit].kind != TTC_VARIABLE_UNIT || system->variables[unit].is_output
         || is_operand_of_other(system, unit, &best.reciprocal))
         return false;
-    find_users(&best);
+    find_users(&best, lists);
     for (uint32_t i = 0; i < definition->count && !system->failed; i++) {
         rescaling r = best;
         r.scale = definition->cubes[i].scale;
@@ -108,10 +154,13 @@ static bool rescale_unit(ttc_system *system, uint32_t unit, uint32_t *users)
 void ttc_system_rescale(ttc_system *system)
 {
     uint32_t *users = calloc(system->count + 1, sizeof *users);
-    system->failed |= users == NULL;
+    user_lists lists = { 0 };
+    system->failed |= users == NULL || !list_users(system, &lists);
     for (bool changed_any = true; changed_any && !system->failed;) {
         changed_any = false;
-        for (uint32_t v = 0; v < system->count && !system->failed; v++) changed_any |= rescale_unit(system, v, users);
+        for (uint32_t v = 0; v < system->count && !system->failed; v++) changed_any |= rescale_unit(system, v, users, &lists);
     }
     free(users);
+    free(lists.first);
+    free(lists.all);
 }
