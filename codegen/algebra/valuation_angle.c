@@ -198,7 +198,8 @@ void ttc_valuation_angle_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol
     if (!v->has_basis) find_basis(v);
     if (!in_basis(v, cosine)) value_at_angle(v, out, &angle, is_sine, cosine);
     if (!in_basis(v, cosine)) goto done;
-    ttc_ratio_set_variable(v->ring, out, v->variable[cosine]);
+    if (v->known[cosine] == TTC_VALUE_BUSY) ttc_ratio_set_variable(v->ring, out, v->variable[cosine]);
+    else ttc_valuation_value(v, out, cosine); /* which may be bound, on a zero level */
     if (is_sine) {
         ttc_ratio_multiply(v->ring, out, out, out);
         ttc_ratio_set_integer(v->ring, &one, 1);
