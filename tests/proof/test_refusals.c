@@ -241,6 +241,17 @@ static void angles_obey_their_circle_and_nothing_else(void **state)
     expect(table, "charpoly", "down", TTC_PROVED, NULL);
 }
 
+/* On cos(q) = 0 the sine is 1 or -1; with a cosine that is free there, its square would not be 1. */
+static void a_sine_follows_its_cosine_onto_a_zero_level(void **state)
+{
+    (void)state;
+    const char *table = "model pendulum\nstate q\nstate p\nangle c s = cos(q) sin(q)\neq q = p\neq p = -s\ninvariant K = c\n"
+                        "equal side : s^2 = 1 modulo K\nequal one_side : s = 1 modulo K\nequal nowhere : s = 2 modulo K\n";
+    expect(table, "equal", "side", TTC_PROVED, NULL);
+    expect(table, "equal", "one_side", TTC_MEANINGLESS, NULL);
+    expect(table, "equal", "nowhere", TTC_REFUTED, NULL);
+}
+
 static void a_reduction_answers_for_every_state_and_root_of_its_target(void **state)
 {
     (void)state;
@@ -307,6 +318,7 @@ int main(void)
         cmocka_unit_test(a_reversor_must_hold_in_every_equation),
         cmocka_unit_test(a_reversor_maps_roots_by_their_radicands),
         cmocka_unit_test(angles_obey_their_circle_and_nothing_else),
+        cmocka_unit_test(a_sine_follows_its_cosine_onto_a_zero_level),
         cmocka_unit_test(a_reduction_answers_for_every_state_and_root_of_its_target),
         cmocka_unit_test(variants_times_and_eliminations_are_held_to_the_field),
     };
