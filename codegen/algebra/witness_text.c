@@ -36,11 +36,41 @@ static void put_in(description *d, fmpq_mpoly_t out, const fmpz_mpoly_t polynomi
     }
     fmpq_mpoly_sort_terms(out, d->context);
     fmpq_mpoly_combine_like_terms(out, d->context);
-    for (slong v = 0; v < count; v++)
-        if (fmpq_mpoly_degree_si(out, v, d->context) > 0) d->used[v] = 1;
     fmpq_clear(factor);
     fmpq_clear(value);
     free(exponents);
+}
+
+static bool is_root(const description *d, slong variable)
+{
+    const ttc_ring *ring = d->point->ring;
+    for (size_t i = 0; i < ring->generator_count; i++)
+        if (ring->generators[i].variable == variable) return true;
+    return false;
+}
+
+/* Notes the roots of a polynomial. False: it has other variables whose values are irrational, such as angles. */
+static bool note_roots(description *d, const fmpq_mpoly_t polynomial)
+{
+    bool roots_alone = true;
+    for (slong v = 0; v < (slong)d->point->ring->variable_count; v++) {
+        if (fmpq_mpoly_degree_si(polynomial, v, d->context) < 1) continue;
+        if (is_root(d, v)) d->used[v] = 1;
+        else roots_alone = false;
+    }
+    return roots_alone;
+}
+
+static void write_digits(description *d, const ttc_ratio *ratio)
+{
+    enum { PRECISION = 128, DIGITS = 17 };
+    arb_t ball;
+    arb_init(ball);
+    ttc_witness_enclose(ball, d->point, ratio, PRECISION);
+    char *digits = arb_get_str(ball, DIGITS, ARB_STR_NO_RADIUS);
+    fprintf(d->stream, "%s...", digits);
+    flint_free(digits);
+    arb_clear(ball);
 }
 
 static void write_ratio(description *d, const ttc_ratio *ratio)
@@ -59,7 +89,8 @@ static void write_ratio(description *d, const ttc_ratio *ratio)
     }
     char *above = fmpq_mpoly_get_str_pretty(top, d->point->ring->names, d->context);
     char *below = fmpq_mpoly_get_str_pretty(bottom, d->point->ring->names, d->context);
-    if (fmpq_mpoly_is_one(bottom, d->context)) fputs(above, d->stream);
+    if (!note_roots(d, top) || !note_roots(d, bottom)) write_digits(d, ratio);
+    else if (fmpq_mpoly_is_one(bottom, d->context)) fputs(above, d->stream);
     else fprintf(d->stream, "(%s)/(%s)", above, below);
     flint_free(below);
     flint_free(above);
@@ -90,16 +121,13 @@ static void explain_roots(description *d)
 /* A state that a level gives as a square root is explained with the roots. */
 static bool is_root_itself(description *d, uint32_t symbol)
 {
-    const ttc_ring *ring = d->point->ring;
     slong variable = ttc_valuation_variable(d->point->valuation, symbol);
-    bool is_root = false;
     fmpq_t value;
     fmpq_init(value);
-    for (size_t i = 0; i < ring->generator_count; i++) is_root |= ring->generators[i].variable == variable;
-    if (is_root && !ttc_witness_coordinate(value, d->point, variable)) d->used[variable] = 1;
-    else is_root = false;
+    bool irrational = variable >= 0 && is_root(d, variable) && !ttc_witness_coordinate(value, d->point, variable);
+    if (irrational) d->used[variable] = 1;
     fmpq_clear(value);
-    return is_root;
+    return irrational;
 }
 
 static void write_coordinates(description *d)

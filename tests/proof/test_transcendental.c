@@ -2,6 +2,7 @@
  * overlooked. */
 #include "prove_text.h"
 
+#define STILL "model t\nstate x in (0, inf)\nstate y in (0, inf)\nstate z\neq x = 0\neq y = 0\neq z = 0\n"
 #define HEAD "model t\nparam a\nparam b\nstate x in (0, inf)\nstate y in (0, inf)\nstate z\neq x = x\neq y = -y\neq z = 1\n"
 
 static void exponentials_of_whole_multiples_are_powers(void **state)
@@ -26,8 +27,8 @@ static void an_exponent_that_is_a_fraction_of_others_is_an_error(void **state)
     (void)state;
     const char *table = HEAD "exp p = exp(2*z)\nexp q = exp(3*z)\nequal sixth : p^3 = q^2\nlog l = log(x)\nexp half = exp(l/2)\n"
                              "equal halved : half^2 = x\n";
-    expect(table, "equal", "sixth", TTC_MEANINGLESS, "common part");
-    expect(table, "equal", "halved", TTC_MEANINGLESS, "common part");
+    expect(table, "equal", "sixth", TTC_UNSETTLED, "common part");
+    expect(table, "equal", "halved", TTC_UNSETTLED, "common part");
 }
 
 static void logarithms_of_dependent_arguments_are_sums(void **state)
@@ -68,10 +69,10 @@ static void an_argument_that_is_not_positive_is_an_error(void **state)
     const char *table = HEAD "log l = log(x - a)\nlog m = log(-x - y)\nlog n = log(z)\nlog o = log(-z)\n"
                              "equal zero : l = 0 when x = 1, a = 1\nequal negative : m = l\nequal opposite : n = o\n"
                              "equal number : l = 2 when x = 1, a = 3\n";
-    expect(table, "equal", "zero", TTC_MEANINGLESS, "vanishes");
-    expect(table, "equal", "negative", TTC_MEANINGLESS, "not positive");
-    expect(table, "equal", "opposite", TTC_MEANINGLESS, "not positive");
-    expect(table, "equal", "number", TTC_MEANINGLESS, "not positive");
+    expect(table, "equal", "zero", TTC_UNSETTLED, "zero or negative");
+    expect(table, "equal", "negative", TTC_UNSETTLED, NULL);
+    expect(table, "equal", "opposite", TTC_UNSETTLED, NULL);
+    expect(table, "equal", "number", TTC_UNSETTLED, "zero or negative");
 }
 
 /* exp(1), log(2) and pi are transcendental, each for itself; whether two of them are related is mostly unknown. */
@@ -89,15 +90,15 @@ static void a_relation_of_numbers_is_refuted_only_where_it_is_known_to_fail(void
     expect(table, "equal", "two", TTC_REFUTED, "e*er");
     expect(table, "equal", "circle", TTC_REFUTED, NULL);
     expect(table, "equal", "linear", TTC_REFUTED, "pi");
-    expect(table, "equal", "mixed", TTC_MEANINGLESS, "independence");
-    expect(table, "equal", "squares", TTC_MEANINGLESS, "independence");
-    expect(table, "equal", "gelfond", TTC_MEANINGLESS, "independence");
+    expect(table, "equal", "mixed", TTC_REFUTED, "e*l");
+    expect(table, "equal", "squares", TTC_REFUTED, "l^2");
+    expect(table, "equal", "gelfond", TTC_REFUTED, "ep");
     expect(table, "equal", "moving", TTC_REFUTED, "x*e*l");
     expect(table, "equal", "shift", TTC_PROVED, NULL);
     expect(table, "equal", "shift_wrong", TTC_REFUTED, NULL);
-    expect(table, "equal", "over", TTC_MEANINGLESS, "independence");
+    expect(table, "equal", "over", TTC_REFUTED, "24*ez");
     expect(table, "equal", "true_anyway", TTC_PROVED, NULL);
-    expect(table, "equal", "divided", TTC_MEANINGLESS, "independence");
+    expect(table, "equal", "divided", TTC_UNSETTLED, "independence");
     expect(table, "equal", "product", TTC_PROVED, NULL);
 }
 
@@ -108,10 +109,10 @@ static void functions_of_shifted_exponentials_are_not_taken_for_independent(void
     const char *table = HEAD "exp f = exp(z)\nexp g = exp(z + 1)\nexp e = exp(g/f)\nequal number : e = 15\n"
                              "log l = log(x)\nlog k = log(2*x)\nexp h = exp(k - l + z)\nequal doubled : h = 2*f\n"
                              "equal doubled_wrong : h = 3*f\nlog m = log(k - l)\nequal nested : m = 1\n";
-    expect(table, "equal", "number", TTC_MEANINGLESS, NULL);
+    expect(table, "equal", "number", TTC_REFUTED, "e-15");
     expect(table, "equal", "doubled", TTC_PROVED, NULL);
     expect(table, "equal", "doubled_wrong", TTC_REFUTED, "f");
-    expect(table, "equal", "nested", TTC_MEANINGLESS, NULL);
+    expect(table, "equal", "nested", TTC_REFUTED, "m-1");
 }
 
 /* Nobody knows that exp(1) log(2) is not pi: then exp(pi z) would be exp(e l z), and so with angles and arguments. */
@@ -121,13 +122,13 @@ static void functions_of_numbers_that_may_be_equal_are_not_taken_for_independent
     const char *table = HEAD "exp e = exp(1)\nlog l = log(2)\nexp p = exp(pi*z)\nexp q = exp(e*l*z)\nlog lp = log(x + pi)\n"
                              "log lq = log(x + e*l)\nangle c s = cos(pi*z) sin(pi*z)\nangle d t = cos(e*l*z) sin(e*l*z)\n"
                              "equal powers : p = q\nequal sums : lp = lq\nequal circles : c = d\n";
-    expect(table, "equal", "powers", TTC_MEANINGLESS, "independence");
-    expect(table, "equal", "sums", TTC_MEANINGLESS, "independence");
-    expect(table, "equal", "circles", TTC_MEANINGLESS, "independence");
+    expect(table, "equal", "powers", TTC_REFUTED, "p-q");
+    expect(table, "equal", "sums", TTC_REFUTED, "lp-lq");
+    expect(table, "equal", "circles", TTC_REFUTED, "c-d");
     const char *shifted = HEAD "log l = log(x)\nlog m = log(2*x)\nlog n = log(pi*x)\nequal rational : m - l = 2/3\n"
                                "equal circle : n - l = 8/7\nequal twice : n - l = 8/7 + n - l\n";
     expect(shifted, "equal", "rational", TTC_REFUTED, "m");
-    expect(shifted, "equal", "circle", TTC_MEANINGLESS, "independence");
+    expect(shifted, "equal", "circle", TTC_REFUTED, "n");
     expect(shifted, "equal", "twice", TTC_REFUTED, "8");
     expect(HEAD "exp p = exp(pi*z)\nequal alone : p = x\n", "equal", "alone", TTC_REFUTED, "p");
     expect(HEAD "log p = log(x + pi)\nequal alone : p = x\n", "equal", "alone", TTC_REFUTED, "p");
@@ -135,14 +136,14 @@ static void functions_of_numbers_that_may_be_equal_are_not_taken_for_independent
 }
 
 /* log(r - z) = -log(r + z), as (r - z)(r + z) = 1: seen; log of (r + z)^2: not seen, and so neither proved nor refuted. */
-static void a_logarithm_of_roots_is_never_refuted(void **state)
+static void a_logarithm_of_roots_is_refuted_at_points_alone(void **state)
 {
     (void)state;
     const char *table = HEAD "root r = sqrt(1 + z^2)\nlog l = log(r + z)\nlog k = log(r - z)\nlog m = log(1 + 2*z^2 + 2*z*r)\n"
                              "equal inverse : k = -l\nequal square : m = 2*l\nequal wrong : m = 3*l\nrate slope : l = 1/r\n";
     expect(table, "equal", "inverse", TTC_PROVED, NULL);
-    expect(table, "equal", "square", TTC_MEANINGLESS, "independence");
-    expect(table, "equal", "wrong", TTC_MEANINGLESS, "independence");
+    expect(table, "equal", "square", TTC_UNSETTLED, "not zero identically");
+    expect(table, "equal", "wrong", TTC_REFUTED, "3*l");
     expect(table, "rate", "slope", TTC_PROVED, NULL);
 }
 
@@ -157,10 +158,10 @@ static void angles_turn_by_quarters_of_two_pi_and_no_other_part(void **state)
                              "rate wave_slope : h = -2*pi*q\n";
     expect(table, "equal", "turned", TTC_PROVED, NULL);
     expect(table, "equal", "turned_wrong", TTC_REFUTED, "s");
-    expect(table, "equal", "third", TTC_MEANINGLESS, "common part");
+    expect(table, "equal", "third", TTC_UNSETTLED, "common part");
     expect(table, "equal", "whole", TTC_PROVED, NULL);
     expect(table, "equal", "half", TTC_PROVED, NULL);
-    expect(table, "equal", "eighth", TTC_MEANINGLESS, "common part");
+    expect(table, "equal", "eighth", TTC_UNSETTLED, "common part");
     expect(table, "equal", "wave", TTC_PROVED, NULL);
     expect(table, "equal", "wave_wrong", TTC_REFUTED, NULL);
     expect(table, "rate", "wave_slope", TTC_PROVED, NULL);
@@ -170,16 +171,17 @@ static void angles_turn_by_quarters_of_two_pi_and_no_other_part(void **state)
 static void zero_levels_with_exponentials_are_solved_or_refused(void **state)
 {
     (void)state;
-    const char *table = HEAD "exp e = exp(z)\ninvariant graph = y - e\ninvariant circle = z - e\ninvariant product = e*(x - y)\n"
+    const char *table = STILL "exp e = exp(z)\ninvariant graph = y - e\ninvariant circle = z - e\ninvariant product = e*(x - y)\n"
                              "invariant nothing = e\n"
                              "equal on_graph : y^2 = e^2 modulo graph\nequal on_graph_wrong : y = e^2 modulo graph\n"
                              "equal on_circle : z = e modulo circle\nequal on_product : x = y modulo product\n"
                              "equal on_nothing : x = y modulo nothing\n";
     expect(table, "equal", "on_graph", TTC_PROVED, NULL);
     expect(table, "equal", "on_graph_wrong", TTC_REFUTED, NULL);
-    expect(table, "equal", "on_circle", TTC_MEANINGLESS, "cannot be solved");
+    expect(table, "invariant", "circle", TTC_UNSETTLED, "cannot be solved");
+    expect(table, "equal", "on_circle", TTC_UNSETTLED, "cannot be solved");
     expect(table, "equal", "on_product", TTC_PROVED, NULL);
-    expect(table, "equal", "on_nothing", TTC_MEANINGLESS, "empty");
+    expect(table, "equal", "on_nothing", TTC_UNSETTLED, "not proved");
 }
 
 int main(void)
@@ -193,7 +195,7 @@ int main(void)
         cmocka_unit_test(a_relation_of_numbers_is_refuted_only_where_it_is_known_to_fail),
         cmocka_unit_test(functions_of_shifted_exponentials_are_not_taken_for_independent),
         cmocka_unit_test(functions_of_numbers_that_may_be_equal_are_not_taken_for_independent),
-        cmocka_unit_test(a_logarithm_of_roots_is_never_refuted),
+        cmocka_unit_test(a_logarithm_of_roots_is_refuted_at_points_alone),
         cmocka_unit_test(angles_turn_by_quarters_of_two_pi_and_no_other_part),
         cmocka_unit_test(zero_levels_with_exponentials_are_solved_or_refused),
     };

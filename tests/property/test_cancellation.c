@@ -37,9 +37,9 @@ static fixture open_table(ttc_model *model)
     ttc_field *field = NULL;
     assert_non_null(f.ball);
     assert_int_equal(ttc_field_create(&field, model, NULL, NULL, NULL), TTC_FIELD_OK);
-    f.kernels = ttc_kernels_create(field);
+    f.kernels = ttc_kernels_create(field, TTC_EFFORT_FULL);
     assert_non_null(f.kernels);
-    assert_true(ttc_kernels_keep_digits(f.kernels));
+    assert_true(ttc_kernels_keep_digits(f.kernels, TTC_EFFORT_FULL));
     assert_true(field->state_count <= MOST_STATES && field->param_count <= MOST_PARAMS);
     return f;
 }

@@ -108,14 +108,14 @@ static void verdicts_agree_with_balls_at_random_points(void **unused)
         for (size_t k = 0; k < CLAIMS; k++) {
             ttc_proof_status status = report->proofs[k].status;
             unsigned differing = differing_points(model, &model->claims[k]);
-            if ((status == TTC_PROVED) != (differing == 0) && status != TTC_MEANINGLESS)
+            if ((status == TTC_PROVED) != (differing == 0) && status != TTC_UNSETTLED)
                 print_error("%s%s: %s, but different at %u points\n", text, model->claims[k].name, ttc_proof_status_name(status),
                             differing);
             if (status == TTC_PROVED) assert_int_equal(differing, 0);
             if (status == TTC_REFUTED) assert_true(differing > 0);
             proved += status == TTC_PROVED;
             refuted += status == TTC_REFUTED;
-            open += status == TTC_MEANINGLESS;
+            open += status == TTC_UNSETTLED;
         }
         ttc_proof_report_destroy(report);
         ttc_model_destroy(model);
