@@ -81,6 +81,7 @@ static void check_silence(ttc_loss loss, rounded a, rounded b)
 
 static rounded operation(const ttc_instruction *i, const rounded *values, ttc_loss loss)
 {
+    if (i->op == TTC_OP_PI) return (rounded){ acos(-1), 1 };
     rounded a = values[i->a], b = ttc_op_arity(i->op) > 1 ? values[i->b] : a, c = ttc_op_arity(i->op) > 2 ? values[i->c] : a;
     switch (i->op) {
     case TTC_OP_NEGATE:
@@ -100,6 +101,10 @@ static rounded operation(const ttc_instruction *i, const rounded *values, ttc_lo
         return (rounded){ cos(a.value), a.error == 0 ? 2 : fabs(a.value * tan(a.value)) * a.error + 2 };
     case TTC_OP_SINE:
         return (rounded){ sin(a.value), a.error == 0 ? 2 : fabs(a.value / tan(a.value)) * a.error + 2 };
+    case TTC_OP_EXP:
+        return (rounded){ exp(a.value), a.error == 0 ? 2 : fabs(a.value) * a.error + 2 };
+    case TTC_OP_LOG:
+        return (rounded){ log(a.value), a.error == 0 ? 2 : a.error / fabs(log(a.value)) + 2 };
     default:
         a = product_of(a, b);
         b = c;
