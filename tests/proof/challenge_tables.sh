@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# No verdict on any table of the project, or of these tests, is contradicted at random points of its domain. Tables of the
+# tests make false claims as well, so that every status but that of a contradiction, and of a signal, will do.
+set -euo pipefail
+points=40
+for table in "$JLT_SOURCE_DIR"/codegen/models/*.tt "$JLT_SOURCE_DIR"/tests/proof/models/*.tt; do
+    status=0
+    said=$(ttc prove --challenge $points "$table" 2>&1) || status=$?
+    if [ $status -eq 70 ] || [ $status -ge 124 ]; then
+        printf '%s\n' "$said"
+        echo "$table: status $status"
+        exit 1
+    fi
+    printf '%s\n' "$said" | tail -n 1
+done
