@@ -72,9 +72,9 @@ static unsigned sum(unsigned a, unsigned b)
 {
     if (a == TTC_CAN_BE_ZERO) return b;
     if (b == TTC_CAN_BE_ZERO) return a;
-    unsigned both = a | b;
-    if (!(both & TTC_CAN_BE_NEGATIVE)) return a == TTC_CAN_BE_POSITIVE || b == TTC_CAN_BE_POSITIVE ? (unsigned)TTC_CAN_BE_POSITIVE : both;
-    if (!(both & TTC_CAN_BE_POSITIVE)) return a == TTC_CAN_BE_NEGATIVE || b == TTC_CAN_BE_NEGATIVE ? (unsigned)TTC_CAN_BE_NEGATIVE : both;
+    const unsigned both = a | b, positive = TTC_CAN_BE_POSITIVE, negative = TTC_CAN_BE_NEGATIVE;
+    if (!(both & negative)) return a == positive || b == positive ? positive : both;
+    if (!(both & positive)) return a == negative || b == negative ? negative : both;
     return TTC_CAN_BE_ANY;
 }
 

@@ -98,9 +98,10 @@ static uint32_t angle_of(const ttc_witness *point, slong variable)
 {
     const ttc_model *model = ttc_valuation_model(point->valuation);
     size_t symbol = ttc_valuation_symbol(point->valuation, variable);
-    for (uint32_t i = 1; symbol < model->symbol_count && i < model->symbol_count; i++)
-        if (model->symbols[i].kind == TTC_COSINE && is_bound_angle(point, i) && model->symbols[i].definition == model->symbols[symbol].node)
-            return i;
+    for (uint32_t i = 1; symbol < model->symbol_count && i < model->symbol_count; i++) {
+        bool is_given = model->symbols[i].kind == TTC_COSINE && is_bound_angle(point, i);
+        if (is_given && model->symbols[i].definition == model->symbols[symbol].node) return i;
+    }
     return 0;
 }
 

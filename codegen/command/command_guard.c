@@ -125,7 +125,8 @@ static read_result receive_proof(int descriptor, ttc_proof_run *run, bool *settl
         return result;
     }
     ttc_proof verdict = { .status = m.status, .remainder = texts[0], .point = texts[1], .note = texts[2],
-                          .has_smooth_density = m.has_smooth_density, .relies_on_solver = m.relies_on_solver, .seconds = m.seconds };
+                          .has_smooth_density = m.has_smooth_density, .relies_on_solver = m.relies_on_solver,
+                          .seconds = m.seconds };
     ttc_proof_run_accept(run, m.index, &verdict);
     settled[m.index] = true;
     return READ_DONE;
@@ -142,7 +143,8 @@ static void give_up(ttc_proof_run *run, bool *settled, size_t index, read_result
 {
     char text[120];
     if (result == READ_LATE)
-        snprintf(text, sizeof text, "its proof passes the limit of %d s a claim, or of %d s a table", SECONDS_A_CLAIM, SECONDS_A_TABLE);
+        snprintf(text, sizeof text, "its proof passes the limit of %d s a claim, or of %d s a table", SECONDS_A_CLAIM,
+                 SECONDS_A_TABLE);
     else snprintf(text, sizeof text, "its proof passes the limit of %d MiB", MEMORY_MIB);
     ttc_proof verdict = { .status = TTC_UNSETTLED, .remainder = strdup(text) };
     ttc_proof_run_accept(run, index, &verdict);

@@ -71,7 +71,8 @@ static const command commands[] = {
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 static const char exit_text[] =
-    "\vExit status: 0 done; 1 a claim is refuted; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; 5 a file cannot be "
+    "\vExit status: 0 done; 1 a claim is refuted; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; "
+    "5 a file cannot be "
     "read or written; 70 a point contradicts a verdict, which is an error of this program.";
 
 /* A whole number of the command line, in decimal. */

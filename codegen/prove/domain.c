@@ -238,7 +238,8 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
         if (entry->kind == TTC_STATE) add_state(task, c, entry, &value, &end);
         if (entry->kind == TTC_PARAM && entry->sign != TTC_ANY_SIGN && ttc_valuation_is_bound(task->field, i)) {
             ttc_evaluate(task->field, &value, entry->node);
-            add(task, c, &value, relation_of(entry->sign), "%s lies outside its domain under the conditions of this claim", entry->name);
+            add(task, c, &value, relation_of(entry->sign), "%s lies outside its domain under the conditions of this claim",
+                entry->name);
         }
         if (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) add_root(task, c, i, &value);
         /* A cosine that a level has bound has a sine only between -1 and 1. */
@@ -251,7 +252,8 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
             && (task->tested_root != 0 || !depends_on_states(model, model->regions[i].expression)))
             continue;
         ttc_evaluate(task->field, &value, model->regions[i].expression);
-        add(task, c, &value, TTC_IS_POSITIVE, "the domain record %s excludes what the conditions of this claim say", model->regions[i].name);
+        add(task, c, &value, TTC_IS_POSITIVE, "the domain record %s excludes what the conditions of this claim say",
+            model->regions[i].name);
     }
     for (size_t i = 0; i < model->divisor_count; i++)
         if (divisor_counts(task, &model->divisors[i], support, extent)) add_divisor(task, c, model->divisors[i].divisor, &value);
@@ -262,7 +264,8 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
 }
 
 /* end: TTC_NONE, or an end of the interval; direction 1: the state lies above it. */
-static void require_end(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry, ttc_id end, int direction, const char *where)
+static void require_end(ttc_task *task, ttc_valuation *map, const ttc_symbol_entry *entry, ttc_id end, int direction,
+                        const char *where)
 {
     ttc_ratio value, limit;
     if (end == TTC_NONE || !ttc_task_open(task)) return;
@@ -291,8 +294,8 @@ void ttc_domain_require_symbol(ttc_task *task, ttc_valuation *map, const ttc_mod
         bool of_definition = entry->kind != TTC_PARAM;
         ttc_evaluate(map, &value, of_definition ? entry->definition : entry->node);
         ttc_task_require(task, &value, of_definition ? TTC_IS_POSITIVE : relation_of(entry->sign), "%s%s%s",
-                         of_definition ? "not positive: what the root or logarithm is taken of, " : "the sign is broken, of ", entry->name,
-                         where);
+                         of_definition ? "not positive: what the root or logarithm is taken of, " : "the sign is broken, of ",
+                         entry->name, where);
         ttc_ratio_clear(task->ring, &value);
     }
 }

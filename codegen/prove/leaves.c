@@ -90,14 +90,14 @@ static void check_foundations(ttc_task *task)
             ttc_evaluate(task->field, &bound, level->when.items[k].expression);
             ttc_ratio_subtract(task->ring, &value, &value, &bound);
             if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &value))
-                ttc_task_unsettle(task, "it rests on %s, which holds under a condition on %s that this claim does not make", level->name,
-                                  model->symbols[level->when.items[k].symbol].name);
+                ttc_task_unsettle(task, "it rests on %s, which holds under a condition on %s that this claim does not make",
+                                  level->name, model->symbols[level->when.items[k].symbol].name);
         }
         for (size_t k = 0; k < level->modulo_count && ttc_task_open(task); k++) {
             ttc_evaluate(task->field, &value, model->claims[level->modulo[k]].expression);
             if (ttc_task_open(task) && !ttc_ratio_is_zero(task->ring, &value))
-                ttc_task_unsettle(task, "it rests on %s, which holds on a zero level of %s that this claim does not take", level->name,
-                                  model->claims[level->modulo[k]].name);
+                ttc_task_unsettle(task, "it rests on %s, which holds on a zero level of %s that this claim does not take",
+                                  level->name, model->claims[level->modulo[k]].name);
         }
     }
     ttc_ratio_clear(task->ring, &bound);

@@ -69,8 +69,10 @@ static void clear_proof(ttc_proof *proof)
     *proof = (ttc_proof){ .name = NULL };
 }
 
+typedef void (*task_user)(ttc_proof_run *run, size_t index, ttc_task *task, const char *name, const char *kind, ttc_prover prove);
+
 /* Runs what `use` does with the task of a claim, derived or of the table. */
-static void with_task(ttc_proof_run *run, size_t index, void (*use)(ttc_proof_run *, size_t, ttc_task *, const char *, const char *, ttc_prover))
+static void with_task(ttc_proof_run *run, size_t index, task_user use)
 {
     const ttc_model *model = run->model;
     ttc_task task = { .model = model, .resolver = run->resolver, .resolver_context = run->resolver_context };
@@ -152,7 +154,7 @@ static void prove_task(ttc_proof_run *run, size_t index, ttc_task *task, const c
     proof->point = task->point;
     proof->note = task->note;
     proof->has_smooth_density = task->status == TTC_PROVED && task->has_smooth_density;
-    proof->relies_on_solver = task->relies_on_solver;
+    proof->relies_on_solver = task->relies_on_solver && task->status != TTC_REFUTED; /* a point needs nobody's word */
     proof->seconds = seconds() - start;
 }
 

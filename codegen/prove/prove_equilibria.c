@@ -34,11 +34,10 @@ void ttc_prove_equilibria(ttc_task *task)
 {
     for (uint32_t i = 0; i < task->model->symbol_count && ttc_task_open(task); i++) {
         const ttc_symbol_entry *entry = &task->model->symbols[i];
-        bool bound = false;
+        bool follows = entry->kind == TTC_ROOT || entry->kind == TTC_LOG, bound = false;
         for (size_t k = 0; k < task->claim->bindings.count; k++) {
             uint32_t symbol = task->claim->bindings.items[k].symbol;
-            bound |= entry->kind == TTC_STATE ? symbol == i
-                                              : (entry->kind == TTC_ROOT || entry->kind == TTC_LOG) && ttc_model_depends(task->model, entry->node, symbol);
+            bound |= symbol == i || (follows && ttc_model_depends(task->model, entry->node, symbol));
         }
         if (bound) ttc_domain_require_symbol(task, NULL, task->model, i, " on the family");
     }

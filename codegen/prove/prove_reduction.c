@@ -199,8 +199,9 @@ static void require_dimension(ttc_task *task, const ttc_model *target)
         uint32_t symbol;
         if (!ttc_model_find_symbol(target, task->claim->target_names[i], &symbol)) continue;
         if (target->symbols[symbol].kind == TTC_ROOT) continue;
-        add_gradient(task, matrix + count++ * n, task->claim->bindings.items[i].expression);
-        if (target->symbols[symbol].kind == TTC_PARAM) add_gradient(task, levels + parameters++ * n, task->claim->bindings.items[i].expression);
+        ttc_id image = task->claim->bindings.items[i].expression;
+        add_gradient(task, matrix + count++ * n, image);
+        if (target->symbols[symbol].kind == TTC_PARAM) add_gradient(task, levels + parameters++ * n, image);
     }
     if (matrix != NULL && levels != NULL) {
         bool onto = task->claim->kind == TTC_CLAIM_REDUCTION;

@@ -237,7 +237,8 @@ bool ttc_task_refute_at_point(ttc_task *task, ttc_id id, const char *name)
 {
     enum { MANY_ROOTS = 5, DIGITS = 12 };
     bool refuted = false, excludes_zero = false;
-    if (!ttc_task_open(task) || root_count(task->model) < MANY_ROOTS || task->claim->modulo_count > 0 || id == TTC_NONE) return false;
+    if (!ttc_task_open(task) || root_count(task->model) < MANY_ROOTS) return false;
+    if (task->claim->modulo_count > 0 || id == TTC_NONE) return false;
     ttc_ball *ball = ttc_ball_create(task->model);
     ttc_witness point;
     if (ttc_witness_init(&point, task->field) && ball != NULL && ttc_search_point(&point, &task->domain) == TTC_POINT_FOUND

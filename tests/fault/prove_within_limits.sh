@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# A claim whose proof outgrows the machine is not settled, by name, and takes no other claim with it: the characteristic
+# polynomial of a full symbolic 9 x 9 matrix of fractions, beside a trace that is proved.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+awk 'BEGIN {
+    n = 9
+    print "model dense"
+    for (i = 0; i < n; i++) for (j = 0; j < n; j++) print "param a" i j
+    for (i = 0; i < n; i++) print "state x" i
+    for (i = 0; i < n; i++) {
+        print "eq x" i " ="
+        for (j = 0; j < n; j++) print "    + a" i j "*x" j "/(1 + a" j i "^2)"
+    }
+    printf "equilibria rest : "
+    for (i = 0; i < n; i++) printf "%sx%d = 0", i ? ", " : "", i
+    print "\ncharpoly rest = lambda^" n
+    printf "trace rest = "
+    for (i = 0; i < n; i++) printf "%sa%d%d/(1 + a%d%d^2)", i ? " + " : "", i, i, i, i
+    print ""
+}' > "$scratch/dense.tt"
+ttc prove --json "$scratch/dense.tt" > "$scratch/out" 2> "$scratch/err"
+status=$?
+[ $status -eq 3 ] || { echo "status $status, not 3"; exit 1; }
+grep -Eq 'dense\.tt:[0-9]+:[0-9]+: error: the charpoly claim .* passes the limit of' "$scratch/err" ||
+    { echo "the limit is not named with its place:"; cat "$scratch/err"; exit 1; }
+[ "$(grep -c '"status": "proved"' "$scratch/out")" -eq 2 ] || { echo "claims beside it are not proved:"; cat "$scratch/out"; exit 1; }
