@@ -1,8 +1,10 @@
 /* Constants and expressions as C, and as formulas for readers. */
+/* Before FLINT's headers: FLINT 3 declares fmpq_get_mpfr only where it has been. */
+#include <mpfr.h>
+
 #include "fields/formula.h"
 
 #include <math.h>
-#include <mpfr.h>
 #include <stdlib.h>
 
 static bool is_exact_integer(const fmpz_t n) { return fmpz_bits(n) <= 53; }

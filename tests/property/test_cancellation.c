@@ -293,8 +293,8 @@ static const char *const repaired[] = {
 /* Tables with true changes of sign. */
 static const char *const named[] = {
     "model gravity\nstate x\nstate y\nstate z\nroot r = sqrt(x^2 + y^2 + z^2)\neq x = x/r^3\neq y = y/r^3\neq z = z/r^3\n",
-    "model attraction\nstate x\nstate y\nroot r = sqrt((x - 1)^2 + y^2)\nroot q = sqrt((x + 1)^2 + y^2)\n"
-    "eq x = (x - 1)/r^3 + (x + 1)/q^3\neq y = y/r^3 + y/q^3\n",
+    ("model attraction\nstate x\nstate y\nroot r = sqrt((x - 1)^2 + y^2)\nroot q = sqrt((x + 1)^2 + y^2)\n"
+    "eq x = (x - 1)/r^3 + (x + 1)/q^3\neq y = y/r^3 + y/q^3\n"),
     "model linear\nparam a\nparam b\nstate x\nstate y\neq x = a*x + b*y\neq y = (a - b)*x - x*y + 1\n",
     "model turning\nstate x\nstate y\nangle c s = cos(x + y) sin(x + y)\neq x = c\neq y = s\n",
     "model sphere\nstate x\nstate y\nroot s = sqrt(1 - x^2 - y^2)\neq x = s\neq y = x*s\n",

@@ -45,7 +45,7 @@ foreach(kind shared static)
   target_link_libraries(by_cmake_${kind} PRIVATE jellett::${kind} m)
 endforeach()
 CMAKE
-cmake -S "$scratch/project" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$tree" -DCMAKE_C_COMPILER="$JLT_CC" \
+cmake -G Ninja -S "$scratch/project" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$tree" -DCMAKE_C_COMPILER="$JLT_CC" \
     -DCMAKE_C_FLAGS="${sanitize[*]}" > "$scratch/log" && cmake --build "$scratch/build" >> "$scratch/log" ||
     { cat "$scratch/log"; exit 1; }
 
