@@ -102,16 +102,22 @@ unsigned ttc_conditions_signs(const ttc_conditions *c, const fmpz_mpoly_t polyno
     return signs;
 }
 
-static bool is_known(const ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation)
+static ttc_condition *find(const ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation)
 {
     for (size_t i = 0; i < c->count; i++)
-        if (c->items[i].relation == relation && fmpz_mpoly_equal(c->items[i].polynomial, polynomial, c->ring->context)) return true;
-    return false;
+        if (c->items[i].relation == relation && fmpz_mpoly_equal(c->items[i].polynomial, polynomial, c->ring->context))
+            return &c->items[i];
+    return NULL;
 }
 
-static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation)
+static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient, bool is_denominator)
 {
-    if (is_known(c, polynomial, relation)) return;
+    ttc_condition *known = find(c, polynomial, relation);
+    if (known != NULL) {
+        known->of_quotient &= of_quotient;
+        known->is_denominator &= is_denominator;
+        return;
+    }
     if (c->count == c->capacity) {
         size_t capacity = 2 * c->capacity + 16;
         ttc_condition *items = realloc(c->items, capacity * sizeof *items);
@@ -124,6 +130,8 @@ static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relatio
     }
     ttc_condition *item = &c->items[c->count++];
     item->relation = relation;
+    item->of_quotient = of_quotient;
+    item->is_denominator = is_denominator;
     fmpz_mpoly_init(item->polynomial, c->ring->context);
     fmpz_mpoly_set(item->polynomial, polynomial, c->ring->context);
 }
@@ -139,11 +147,11 @@ static unsigned allowed(ttc_relation relation)
     return TTC_CAN_BE_ZERO;
 }
 
-static void require(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation)
+static void require(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient)
 {
     unsigned possible = ttc_conditions_signs(c, polynomial);
-    if ((possible & allowed(relation)) == 0) c->contradictory = true;
-    if ((possible & ~allowed(relation)) != 0) append(c, polynomial, relation);
+    if ((possible & allowed(relation)) == 0 && !of_quotient) c->contradictory = true;
+    if ((possible & ~allowed(relation)) != 0) append(c, polynomial, relation, of_quotient, false);
 }
 
 static void add(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation relation, bool negative)
@@ -160,8 +168,8 @@ static void add(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation relation
             fmpz_mpoly_mul(polynomial, polynomial, ratio->denominator, c->ring->context);
     }
     if (negative) fmpz_mpoly_neg(polynomial, polynomial, c->ring->context);
-    require(c, polynomial, relation);
-    if (below & TTC_CAN_BE_ZERO) require(c, ratio->denominator, TTC_IS_NONZERO);
+    require(c, polynomial, relation, (below & TTC_CAN_BE_ZERO) != 0);
+    if (below & TTC_CAN_BE_ZERO) append(c, ratio->denominator, TTC_IS_NONZERO, true, true);
     fmpz_mpoly_clear(polynomial, c->ring->context);
 }
 
@@ -170,6 +178,19 @@ void ttc_conditions_add(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation 
 void ttc_conditions_add_negative(ttc_conditions *c, const ttc_ratio *ratio, ttc_relation relation)
 {
     add(c, ratio, relation, true);
+}
+
+bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *c, size_t index)
+{
+    size_t found = 0;
+    ttc_conditions_init(out, c->valuation);
+    for (size_t i = 0; i < c->count; i++) {
+        const ttc_condition *item = &c->items[i];
+        if (item->is_denominator && found++ == index) append(out, item->polynomial, TTC_IS_ZERO, false, false);
+        else if (!item->of_quotient && !item->is_denominator) append(out, item->polynomial, item->relation, false, false);
+    }
+    out->contradictory = c->contradictory;
+    return found > index;
 }
 
 size_t ttc_conditions_mark(const ttc_conditions *c) { return c->count; }

@@ -13,6 +13,8 @@ typedef enum { TTC_IS_POSITIVE, TTC_IS_NONNEGATIVE, TTC_IS_NONZERO, TTC_IS_ZERO 
 typedef struct {
     fmpz_mpoly_t polynomial;
     ttc_relation relation;
+    bool of_quotient;    /* says nothing where the denominator of the ratio that it came from vanishes */
+    bool is_denominator; /* not zero, for no other reason than that a ratio was written so */
 } ttc_condition;
 
 typedef struct {
@@ -27,11 +29,16 @@ typedef struct {
 void ttc_conditions_init(ttc_conditions *conditions, ttc_valuation *valuation);
 void ttc_conditions_clear(ttc_conditions *conditions);
 
-/* Add that a ratio stands in a relation to zero, and that its denominator is not zero. */
+/* Add that a ratio stands in a relation to zero, and that its denominator is not zero. A value may exist where the denominator of
+ * its normal form vanishes: that no point was found then says nothing of those, see ttc_conditions_at_denominator. */
 void ttc_conditions_add(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
 
 /* The same for the opposite of a ratio. */
 void ttc_conditions_add_negative(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
+
+/** The conditions that hold where denominator number `index` vanishes, as far as they are known there. False: there is no such
+ *  denominator. out: to be cleared. */
+bool ttc_conditions_at_denominator(ttc_conditions *out, const ttc_conditions *conditions, size_t index);
 
 /* A mark to come back to, so that a question can be asked and taken back. */
 size_t ttc_conditions_mark(const ttc_conditions *conditions);

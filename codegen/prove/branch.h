@@ -25,6 +25,8 @@ typedef struct {
     bool is_degenerate;                            /* one of them says that what another would divide by vanishes */
     bool is_orphan;                                /* and where it does not vanish, the level has no real points */
     ttc_id apart;                                  /* zero on the other factors of the own level; TTC_NONE: there are none */
+    ttc_id leads[TTC_BRANCH_RELATIONS_MAX];        /* what solutions divide by, not zero here */
+    size_t lead_count;
     ttc_id goals[2 * TTC_BRANCH_RELATIONS_MAX];    /* expressions that are still to be made zero; the last one is next */
     size_t goal_count;
     ttc_id met[4 * TTC_BRANCH_RELATIONS_MAX];      /* goals that are zero now, for some signs of roots */

@@ -16,6 +16,7 @@ typedef struct {
     ttc_task *task;
     ttc_prover prover;
     size_t leaves, with_point, undecided;
+    size_t skipped; /* leaves without a known point */
     const char *why_empty; /* of the last leaf without points */
 } cover;
 
@@ -104,11 +105,23 @@ static void check_foundations(ttc_task *task)
     ttc_ratio_clear(task->ring, &value);
 }
 
+static void add_leads(ttc_task *task, const ttc_branch *b)
+{
+    ttc_ratio lead;
+    ttc_ratio_init(task->ring, &lead);
+    for (size_t i = 0; i < b->lead_count; i++) {
+        ttc_evaluate(task->field, &lead, b->leads[i]);
+        ttc_conditions_add(&task->domain, &lead, TTC_IS_NONZERO);
+    }
+    ttc_ratio_clear(task->ring, &lead);
+}
+
 /* False: the leaf has no points. */
-static bool look_for_point(cover *c)
+static bool look_for_point(cover *c, const ttc_branch *b)
 {
     ttc_task *task = c->task;
     char *text = NULL;
+    add_leads(task, b);
     ttc_domain_add(task, &task->domain, TTC_DOMAIN_WHOLE);
     if (says_empty(task->ring->status)) {
         c->why_empty = ttc_ring_status_text(task->ring->status);
@@ -150,6 +163,7 @@ static void visit(cover *c, const ttc_branch *b)
 {
     ttc_task *task = c->task;
     bool again = true;
+    unsigned most = 0; /* roots that may have either sign: how many there are depends on the signs of those before them */
     for (unsigned choices = 0; again && task->status != TTC_REFUTED; choices++) {
         ttc_proof_status before = task->status;
         char *reason = task->remainder;
@@ -165,7 +179,9 @@ static void visit(cover *c, const ttc_branch *b)
             task->status = TTC_PROVED;
             task->remainder = NULL;
         }
-        if (is_on_branch(task, b) && look_for_point(c)) {
+        bool is_here = is_on_branch(task, b), has_points = is_here && look_for_point(c, b);
+        c->skipped += is_here && !(has_points && task->has_point);
+        if (has_points) {
             place_leaf(task, b);
             check_foundations(task);
             if (ttc_task_open(task) && !is_no_component(task, b)) c->prover(task);
@@ -181,7 +197,8 @@ static void visit(cover *c, const ttc_branch *b)
         } else if (before == TTC_UNSETTLED) {
             free(reason);
         }
-        again = choices + 1 < 1u << task->ring->choice_count;
+        if (task->ring->choice_count > most) most = task->ring->choice_count;
+        again = choices + 1 < 1u << most && !task->exhibited;
         close_field(task);
     }
 }
@@ -213,11 +230,12 @@ static void follow(cover *c, const ttc_branch *b, const fmpz_mpoly_t factor, boo
         ttc_task_unsettle(c->task, "the zero level cannot be solved for a state or parameter, linearly or by a square root");
         return;
     }
+    if (lead != TTC_NONE && ttc_kind_of(c->task->model->graph, lead) != TTC_NUMBER) solved.leads[solved.lead_count++] = lead;
     solved.own_solved |= b->goal_count == 1 && c->task->claim->kind == TTC_CLAIM_INVARIANT;
-    size_t kept = c->task->kept;
+    size_t kept = c->task->kept, skipped = c->skipped;
     descend_apart(c, &solved);
     degenerate.is_degenerate = true;
-    degenerate.is_orphan |= c->task->kept == kept;
+    degenerate.is_orphan |= c->task->kept == kept || c->skipped > skipped;
     if (lead == TTC_NONE || ttc_kind_of(c->task->model->graph, lead) == TTC_NUMBER || c->task->status == TTC_REFUTED) return;
     ttc_id itself = ttc_branch_expression(c->task, factor);
     if (degenerate.goal_count + 2 > sizeof degenerate.goals / sizeof *degenerate.goals) {
@@ -293,6 +311,7 @@ static void descend(cover *c, const ttc_branch *b)
 {
     ttc_task *task = c->task;
     bool again = true;
+    unsigned most = 0;
     if (b->goal_count == 0) {
         visit(c, b);
         return;
@@ -303,7 +322,8 @@ static void descend(cover *c, const ttc_branch *b)
             return;
         }
         if (is_on_branch(task, b)) meet(c, b);
-        again = choices + 1 < 1u << task->ring->choice_count;
+        if (task->ring->choice_count > most) most = task->ring->choice_count;
+        again = choices + 1 < 1u << most && !task->exhibited;
         close_field(task);
     }
 }

@@ -76,6 +76,21 @@ static void add_new_roots(ttc_task *task)
     ttc_ratio_clear(task->ring, &value);
 }
 
+static bool says_none(ttc_search_result result) { return result == TTC_POINT_IMPOSSIBLE || result == TTC_POINT_EXCLUDED; }
+
+/* Values were looked at in normal form, whose denominators may vanish where the values exist: then there are no such places. */
+static bool looked_everywhere(ttc_task *task, ttc_witness *point)
+{
+    bool everywhere = true, again = true;
+    for (size_t i = 0; everywhere && again; i++) {
+        ttc_conditions there;
+        again = ttc_conditions_at_denominator(&there, &task->domain, i);
+        if (again) everywhere = says_none(ttc_search_point(point, &there));
+        ttc_conditions_clear(&there);
+    }
+    return everywhere;
+}
+
 static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_relation relation, bool negative, char **text)
 {
     ttc_search_result result = TTC_POINT_NOT_DECIDED;
@@ -88,6 +103,7 @@ static ttc_search_result search(ttc_task *task, const ttc_ratio *ratio, ttc_rela
     else if (ratio != NULL) ttc_conditions_add(&task->domain, ratio, relation);
     if (ttc_witness_init(&point, task->field)) {
         result = ttc_search_point(&point, &task->domain);
+        if (says_none(result) && !looked_everywhere(task, &point)) result = TTC_POINT_NOT_DECIDED;
         if (result == TTC_POINT_FOUND && text != NULL) *text = ttc_witness_text(&point);
     }
     ttc_witness_clear(&point);
