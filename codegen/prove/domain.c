@@ -43,6 +43,19 @@ static void add_claim(id_list *list, const ttc_model *model, const ttc_claim *cl
     for (size_t i = 0; i < claim->modulo_count; i++) add_id(list, model->claims[claim->modulo[i]].expression);
 }
 
+static bool owner_counts(const ttc_task *task, const ttc_divisor *d)
+{
+    const ttc_claim *claim = task->claim, *family = ttc_task_family(task);
+    if (d->role == task->role && d->owner == task->owner) return true;
+    if (d->role != TTC_DIVIDES_CLAIM) return false;
+    if (family != NULL && family != claim && d->owner == claim->family) return true;
+    for (size_t i = 0; i < claim->member_count; i++)
+        if (claim->members[i] == d->owner) return true;
+    for (size_t i = 0; i < claim->modulo_count; i++)
+        if (claim->modulo[i] == d->owner) return true;
+    return false;
+}
+
 unsigned char *ttc_domain_support(const ttc_task *task)
 {
     const ttc_model *model = task->model;
@@ -63,6 +76,12 @@ unsigned char *ttc_domain_support(const ttc_task *task)
     if (family != NULL && family != task->claim) add_claim(&list, model, family);
     unsigned char *support = list.failed ? NULL : ttc_model_support(model, list.ids, list.count);
     free(list.ids);
+    for (size_t i = 0; support != NULL && i < model->use_count; i++) {
+        const ttc_use *use = &model->uses[i];
+        const ttc_divisor as_divisor = { TTC_NONE, use->role, use->owner };
+        if (use->role == TTC_DIVIDES_FIELD || owner_counts(task, &as_divisor)) support[use->symbol] = 1;
+    }
+    if (support != NULL) ttc_model_close_uses(model, support);
     return support;
 }
 
@@ -85,18 +104,21 @@ static bool depends_on_tested(const ttc_task *task, ttc_id id)
     return result;
 }
 
-static bool owner_counts(const ttc_task *task, const ttc_divisor *d)
+/* Whether an expression uses a root or logarithm of what is in question: where that is real is not known yet. */
+static bool uses_root_of_tested(const ttc_task *task, ttc_id id)
 {
-    const ttc_claim *claim = task->claim, *family = ttc_task_family(task);
-    if (d->role == task->role && d->owner == task->owner) return true;
-    if (d->role != TTC_DIVIDES_CLAIM) return false;
-    if (family != NULL && family != claim && d->owner == claim->family) return true;
-    for (size_t i = 0; i < claim->member_count; i++)
-        if (claim->members[i] == d->owner) return true;
-    for (size_t i = 0; i < claim->modulo_count; i++)
-        if (claim->modulo[i] == d->owner) return true;
-    return false;
+    const ttc_model *model = task->model;
+    if (task->tested == NULL) return false;
+    unsigned char *support = ttc_model_support(model, &id, 1);
+    bool result = support == NULL;
+    for (uint32_t i = 0; !result && i < model->symbol_count; i++) {
+        bool is_root = model->symbols[i].kind == TTC_ROOT || model->symbols[i].kind == TTC_LOG;
+        result = is_root && support[i] && depends_on_tested(task, model->symbols[i].node);
+    }
+    free(support);
+    return result;
 }
+
 
 static bool depends_on_states(const ttc_model *model, ttc_id id)
 {
@@ -173,7 +195,8 @@ static void add_divisor(ttc_task *task, ttc_conditions *c, ttc_id id, ttc_ratio 
         for (size_t i = 0; i < ttc_part_count(task->model->graph, id); i++)
             add_divisor(task, c, ttc_part_at(task->model->graph, id, i).id, value);
         return;
-    } else if (depends_on_tested(task, id) && task->tested_root != 0) {
+    } else if (uses_root_of_tested(task, id) || (depends_on_tested(task, id) && task->tested_root != 0)) {
+        task->has_left_out |= task->tested_root == 0 || !ttc_model_depends(task->model, id, task->tested_root);
         return;
     }
     ttc_evaluate(task->field, value, id);
@@ -248,9 +271,13 @@ void ttc_domain_add(ttc_task *task, ttc_conditions *c, ttc_domain_extent extent)
     }
     for (size_t i = 0; i < model->region_count; i++) {
         if (parameters_alone && depends_on_states(model, model->regions[i].expression)) continue;
-        if (depends_on_tested(task, model->regions[i].expression)
-            && (task->tested_root != 0 || !depends_on_states(model, model->regions[i].expression)))
+        ttc_id region = model->regions[i].expression;
+        bool is_in_question = depends_on_tested(task, region) && (task->tested_root != 0 || !depends_on_states(model, region));
+        if (is_in_question || uses_root_of_tested(task, region)) {
+            task->has_left_out |= task->tested_root == 0 ? !parameters_alone
+                                                         : !ttc_model_depends(model, region, task->tested_root);
             continue;
+        }
         ttc_evaluate(task->field, &value, model->regions[i].expression);
         add(task, c, &value, TTC_IS_POSITIVE, "the domain record %s excludes what the conditions of this claim say",
             model->regions[i].name);
@@ -309,11 +336,16 @@ void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_mode
         ttc_evaluate(map, &value, model->regions[i].expression);
         ttc_task_require(task, &value, TTC_IS_POSITIVE, "the domain record %s is broken%s", model->regions[i].name, where);
     }
-    for (size_t i = 0; i < model->divisor_count && ttc_task_open(task); i++) {
+    unsigned char *used = ttc_model_uses(model);
+    if (used == NULL) ttc_ring_fail(task->ring, TTC_RING_NO_MEMORY);
+    for (size_t i = 0; used != NULL && i < model->divisor_count && ttc_task_open(task); i++) {
         uint32_t root;
-        if (model->divisors[i].role != TTC_DIVIDES_FIELD || is_root(model, model->divisors[i].divisor, &root)) continue;
+        const ttc_divisor *d = &model->divisors[i];
+        bool counts = d->role == TTC_DIVIDES_FIELD || (d->role == TTC_DIVIDES_SYMBOL && symbol_counts(model, used, d->owner));
+        if (!counts || is_root(model, d->divisor, &root)) continue;
         ttc_evaluate(map, &value, model->divisors[i].divisor);
         ttc_task_require(task, &value, TTC_IS_NONZERO, "a denominator vanishes%s", where);
     }
+    free(used);
     ttc_ratio_clear(task->ring, &value);
 }

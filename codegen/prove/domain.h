@@ -23,7 +23,7 @@ void ttc_domain_require_image(ttc_task *task, ttc_valuation *map, const ttc_mode
 /* Requires of the symbols under test what their records say, and the domain records that speak of parameters alone. */
 void ttc_domain_require_tested(ttc_task *task, const char *where);
 
-/* What the claim, and the domain, make use of. */
+/* What the claim, and the domain, make use of, as the table is written. */
 unsigned char *ttc_domain_support(const ttc_task *task); /* by symbol, for free(); NULL when memory is out */
 
 #endif

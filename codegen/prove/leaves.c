@@ -343,7 +343,8 @@ static void draw_verdict(cover *c)
     }
     if (task->status == TTC_UNSETTLED) {
         free(task->point);
-        task->point = NULL;
+        free(task->note);
+        task->point = task->note = NULL;
     }
 }
 

@@ -156,9 +156,13 @@ static void compare_polynomials(ttc_task *task, const ttc_ratio *claimed, const 
     slong degree = fmpz_mpoly_degree_si(claimed->numerator, lambda, task->ring->context);
     if (fmpz_mpoly_degree_si(claimed->denominator, lambda, task->ring->context) > 0) {
         ttc_task_refute(task, claimed, "not a polynomial in lambda: claimed");
-    } else if (degree != (slong)n) {
+    } else if (degree < (slong)n) {
         ttc_task_refute(task, claimed, "not of degree %zu in lambda: claimed", n);
     } else {
+        for (size_t k = (size_t)degree; k > n && ttc_task_open(task); k--) {
+            coefficient_of(task, &found, claimed, lambda, k);
+            ttc_task_require_zero(task, &found, "not of degree %zu in lambda: coefficient of lambda^%zu", n, k);
+        }
         coefficient_of(task, &factor, claimed, lambda, n);
         ttc_task_require(task, &factor, TTC_IS_NONZERO, "the polynomial vanishes with the factor of lambda^%zu", n);
         for (size_t k = 0; k < n && ttc_task_open(task); k++) {

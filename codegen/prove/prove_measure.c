@@ -68,11 +68,13 @@ static void describe_density(ttc_task *task, const ttc_ratio *density)
     describe(task, &d, density, TTC_IS_POSITIVE, true, "negative");
     describe(task, &d, density, TTC_IS_ZERO, false, "zero");
     if (d.only_positive) fputs("positive and smooth on the domain", d.stream);
-    if (fclose(d.stream) != 0 || task->note != NULL) {
+    bool is_first = task->note == NULL, is_worse = !is_first && task->has_smooth_density && !d.only_positive;
+    if (fclose(d.stream) != 0 || !(is_first || is_worse)) {
         free(text);
-        task->has_smooth_density &= d.only_positive; /* on every leaf */
         return;
     }
+    /* Of several leaves the first that keeps the density from being positive and smooth. */
+    free(task->note);
     task->note = text;
     task->has_smooth_density = d.only_positive;
 }

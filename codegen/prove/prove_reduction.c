@@ -185,7 +185,7 @@ static void require_minor(ttc_task *task, const ttc_ratio *minor)
     free(moves);
 }
 
-/* Onto: on a level of the parameters that are given by expressions, the images of the states have the target's dimension, so
+/* Onto: on a level of the parameters that are given by expressions, and of what the claim is restricted to, the images of the states have the target's dimension, so
  * that the rank of all gradients is that of the parameters' and the number of the target's states. Into: the rank is ours. */
 static void require_dimension(ttc_task *task, const ttc_model *target)
 {
@@ -193,8 +193,9 @@ static void require_dimension(ttc_task *task, const ttc_model *target)
     ttc_ratio minor;
     ttc_ratio_init(task->ring, &minor);
     ttc_ratio_set_integer(task->ring, &minor, 1);
-    ttc_ratio *matrix = ttc_task_ratios(task, task->claim->bindings.count * n);
-    ttc_ratio *levels = ttc_task_ratios(task, task->claim->bindings.count * n);
+    size_t rows = task->claim->bindings.count + task->claim->modulo_count;
+    ttc_ratio *matrix = ttc_task_ratios(task, rows * n);
+    ttc_ratio *levels = ttc_task_ratios(task, rows * n);
     for (size_t i = 0; matrix != NULL && levels != NULL && i < task->claim->bindings.count; i++) {
         uint32_t symbol;
         if (!ttc_model_find_symbol(target, task->claim->target_names[i], &symbol)) continue;
@@ -202,6 +203,11 @@ static void require_dimension(ttc_task *task, const ttc_model *target)
         ttc_id image = task->claim->bindings.items[i].expression;
         add_gradient(task, matrix + count++ * n, image);
         if (target->symbols[symbol].kind == TTC_PARAM) add_gradient(task, levels + parameters++ * n, image);
+    }
+    for (size_t i = 0; matrix != NULL && levels != NULL && i < task->claim->modulo_count; i++) {
+        ttc_id level = task->model->claims[task->claim->modulo[i]].expression;
+        add_gradient(task, matrix + count++ * n, level);
+        add_gradient(task, levels + parameters++ * n, level);
     }
     if (matrix != NULL && levels != NULL) {
         bool onto = task->claim->kind == TTC_CLAIM_REDUCTION;
@@ -213,10 +219,12 @@ static void require_dimension(ttc_task *task, const ttc_model *target)
             ttc_task_refute(task, NULL, "the image has dimension %zu, and %s has %zu states", dimension,
                             onto ? target->name : task->model->name, wanted);
         if (ttc_task_open(task) && onto) require_minor(task, &minor);
+        if (ttc_task_open(task) && !onto && ttc_task_search(task, &minor, TTC_IS_NONZERO, NULL) != TTC_POINT_FOUND)
+            ttc_task_unsettle(task, "no point is known at which the image has the dimension of this table");
     }
     ttc_ratio_clear(task->ring, &minor);
-    ttc_task_free(task, levels, task->claim->bindings.count * n);
-    ttc_task_free(task, matrix, task->claim->bindings.count * n);
+    ttc_task_free(task, levels, rows * n);
+    ttc_task_free(task, matrix, rows * n);
 }
 
 static void prove_onto(ttc_task *task, const ttc_model *target)
@@ -241,8 +249,23 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
     ttc_valuation_destroy(map);
 }
 
+/* Ranks are those of an open set of states, or of zero levels. */
+static bool binds_states(const ttc_task *task)
+{
+    for (size_t i = 0; i < task->claim->when.count; i++) {
+        if (task->model->symbols[task->claim->when.items[i].symbol].kind == TTC_STATE) return true;
+        for (size_t k = 0; k < task->model->state_count; k++)
+            if (ttc_model_depends(task->model, task->claim->when.items[i].expression, task->model->states[k])) return true;
+    }
+    return false;
+}
+
 void ttc_prove_reduction(ttc_task *task)
 {
+    if (binds_states(task)) {
+        ttc_task_unsettle(task, "a reduction under a condition on states (expected 'modulo' of what the flow keeps)");
+        return;
+    }
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     ttc_model *target = NULL;
     if (diagnostics != NULL && task->resolver != NULL)

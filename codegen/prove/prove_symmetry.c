@@ -154,8 +154,27 @@ static void check_field(ttc_task *task, ttc_valuation *map)
     ttc_ratio_clear(task->ring, &left);
 }
 
+/* An image that uses a function of states is not affine, whatever it is on one leaf. */
+static bool uses_functions_of_states(const ttc_model *model, ttc_id image)
+{
+    unsigned char *support = ttc_model_support(model, &image, 1);
+    bool result = support == NULL;
+    for (size_t i = 0; !result && i < model->symbol_count; i++) {
+        if (!support[i] || !ttc_symbol_is_function(model->symbols[i].kind)) continue;
+        for (size_t k = 0; !result && k < model->state_count; k++)
+            result = ttc_model_depends(model, model->symbols[i].node, model->states[k]);
+    }
+    free(support);
+    return result;
+}
+
 static void prove_map(ttc_task *task)
 {
+    for (size_t i = 0; i < task->claim->bindings.count; i++)
+        if (uses_functions_of_states(task->model, task->claim->bindings.items[i].expression))
+            ttc_task_unsettle(task, "the image of %s is not affine in the states",
+                              task->model->symbols[task->claim->bindings.items[i].symbol].name);
+    if (!ttc_task_open(task)) return;
     const size_t entries = task->model->state_count * task->model->state_count;
     ttc_valuation *map = image(task);
     /* First, as the image's roots are then not yet in the ring, where they would be positive. */

@@ -37,6 +37,11 @@ static char *with_value(ttc_task *task, char *what, const ttc_ratio *ratio)
 
 static void settle(ttc_task *task, ttc_proof_status status, char *remainder, char *point)
 {
+    if (task->exhibited) { /* what exists, exists */
+        free(remainder);
+        free(point);
+        return;
+    }
     task->status = status;
     free(task->remainder);
     free(task->point);
@@ -177,11 +182,14 @@ void ttc_task_require(ttc_task *task, const ttc_ratio *ratio, ttc_relation relat
     va_start(arguments, format);
     char *what = with_value(task, format_text(format, arguments), ratio);
     va_end(arguments);
-    if (result == TTC_POINT_FOUND) {
+    if (result == TTC_POINT_FOUND && !task->has_left_out) {
         settle(task, TTC_REFUTED, what, point);
         return;
     }
-    ttc_task_unsettle(task, "%s: neither shown nor refuted at a point", what == NULL ? "" : what);
+    free(point);
+    ttc_task_unsettle(task, "%s: %s", what == NULL ? "" : what,
+                      result == TTC_POINT_FOUND ? "so at a point that may lie outside the domain, as conditions use what is in question"
+                                                : "neither shown nor refuted at a point");
     free(what);
 }
 

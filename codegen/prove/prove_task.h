@@ -32,6 +32,7 @@ struct ttc_task {
     ttc_valuation *field;
     ttc_ring *ring;
     ttc_conditions domain;
+    bool has_left_out; /* conditions of the domain that use what is in question: a point may violate them */
     bool has_point; /* a real point of the leaf is known */
     bool is_thin;   /* the leaf may be no component of the level that it lies on */
     bool is_hidden; /* it is none, or one whose component has no other real points */

@@ -47,6 +47,7 @@ void ttc_model_destroy(ttc_model *model)
     free(model->claims);
     free(model->regions);
     free(model->divisors);
+    free(model->uses);
     free(model->file);
     free(model->name);
     free(model->title);

@@ -149,6 +149,13 @@ typedef struct {
     uint32_t owner;
 } ttc_divisor;
 
+/* A definition (let, root, function) that a record names, as it is written, before anything is cancelled. */
+typedef struct {
+    uint32_t symbol;
+    ttc_divisor_role role; /* of the record, as of divisors */
+    uint32_t owner;
+} ttc_use;
+
 typedef struct ttc_model {
     char *file;  /* as given, for diagnostics */
     char *name, *title, *source; /* title and source may be NULL */
@@ -173,6 +180,8 @@ typedef struct ttc_model {
     size_t region_count;
     ttc_divisor *divisors;
     size_t divisor_count;
+    ttc_use *uses;
+    size_t use_count;
 } ttc_model;
 
 /** Read a table. text: `length` bytes, need not be NUL-terminated; file: a name for messages.
@@ -206,6 +215,12 @@ bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol);
 /* All symbols that any of the `count` expressions depends on, through definitions: shape (symbol_count,), 1 or 0, for the
  * caller to free; NULL when memory is out. */
 unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size_t count);
+
+/* The definitions that equations, intervals and domain records name, and those that these name in their turn, as written: shape
+ * (symbol_count,), 1 or 0, for the caller to free; NULL when memory is out. */
+unsigned char *ttc_model_uses(const ttc_model *model);
+/* Adds to `used` the definitions that those in it name. */
+void ttc_model_close_uses(const ttc_model *model, unsigned char *used);
 
 /** Partial derivative with respect to a state (or parameter), through definitions by the chain rule; lets
  *  themselves stay as they are in the factors. */

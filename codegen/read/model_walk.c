@@ -94,3 +94,25 @@ bool ttc_model_depends(const ttc_model *model, ttc_id id, uint32_t symbol)
     free(support);
     return result;
 }
+
+void ttc_model_close_uses(const ttc_model *model, unsigned char *used)
+{
+    /* A definition names what stands above it, so that one sweep from the last use to the first is enough. */
+    for (size_t i = model->use_count; i-- > 0;) {
+        const ttc_use *use = &model->uses[i];
+        if (use->role != TTC_DIVIDES_SYMBOL) continue;
+        const ttc_symbol_entry *owner = &model->symbols[use->owner];
+        bool is_pair = owner->kind == TTC_COSINE || owner->kind == TTC_SINE;
+        if (used[use->owner] || (is_pair && used[owner->partner])) used[use->symbol] = 1;
+    }
+}
+
+unsigned char *ttc_model_uses(const ttc_model *model)
+{
+    unsigned char *used = calloc(model->symbol_count + 1, 1);
+    if (used == NULL) return NULL;
+    for (size_t i = 0; i < model->use_count; i++)
+        if (model->uses[i].role == TTC_DIVIDES_FIELD) used[model->uses[i].symbol] = 1;
+    ttc_model_close_uses(model, used);
+    return used;
+}

@@ -34,6 +34,18 @@ static bool push_operand(ttc_parser *parser, ttc_id id, long exponent, ttc_place
     return true;
 }
 
+bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol)
+{
+    const ttc_symbol_kind kind = parser->model->symbols[symbol].kind;
+    if (kind != TTC_LET && !ttc_symbol_is_function(kind)) return true;
+    if (parser->use_count > 0 && parser->uses[parser->use_count - 1] == symbol) return true;
+    uint32_t *uses = ttc_parse_extend(parser->uses, parser->use_count, sizeof *uses);
+    if (uses == NULL) return ttc_parse_no_memory(parser);
+    parser->uses = uses;
+    uses[parser->use_count++] = symbol;
+    return true;
+}
+
 bool ttc_parse_divides(ttc_parser *parser, ttc_id divisor)
 {
     if (ttc_kind_of(parser->model->graph, divisor) == TTC_NUMBER) return true;
@@ -88,7 +100,7 @@ static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
         return parser->model->symbols[0].node;
     if (ttc_parse_find(parser, name, &symbol)) {
         parser->used[symbol] = 1;
-        return parser->model->symbols[symbol].node;
+        return ttc_parse_uses(parser, symbol) ? parser->model->symbols[symbol].node : TTC_NONE;
     }
     for (size_t i = 0; i < parser->model->claim_count; i++) {
         const ttc_claim *claim = parser->model->claims + i;
@@ -98,6 +110,10 @@ static ttc_id parse_symbol(ttc_parser *parser, const ttc_token *name)
         for (size_t k = 0; k < parser->model->divisor_count; k++) {
             const ttc_divisor *d = parser->model->divisors + k;
             if (d->role == TTC_DIVIDES_CLAIM && d->owner == i && !ttc_parse_divides(parser, d->divisor)) return TTC_NONE;
+        }
+        for (size_t k = 0; k < parser->model->use_count; k++) {
+            const ttc_use *use = parser->model->uses + k;
+            if (use->role == TTC_DIVIDES_CLAIM && use->owner == i && !ttc_parse_uses(parser, use->symbol)) return TTC_NONE;
         }
         return claim->expression;
     }

@@ -195,7 +195,7 @@ static bool defines_by_expression(ttc_keyword keyword)
            || keyword == TTC_KEYWORD_LOG;
 }
 
-/* What the record divides by belongs to what the record has made. */
+/* What the record divides by, and names, belongs to what the record has made. */
 static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts before)
 {
     ttc_model *model = parser->model;
@@ -217,6 +217,16 @@ static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts
         divisors[model->divisor_count++] = d;
     }
     parser->divisor_count = 0;
+    for (size_t i = 0; i < parser->use_count; i++) {
+        ttc_use *uses = ttc_parse_extend(model->uses, model->use_count, sizeof *uses);
+        if (uses == NULL) {
+            ttc_parse_no_memory(parser);
+            return;
+        }
+        model->uses = uses;
+        uses[model->use_count++] = (ttc_use){ parser->uses[i], d.role, d.owner };
+    }
+    parser->use_count = 0;
 }
 
 static void parse_table(ttc_parser *parser)
@@ -232,6 +242,7 @@ static void parse_table(ttc_parser *parser)
         parser->nesting = 0;
         parser->in_charpoly = false;
         parser->divisor_count = 0;
+        parser->use_count = 0;
         const record_counts before = counts_of(parser->model);
         if (keyword->kind == TTC_TOKEN_RECORD && parse_record(parser, keyword)) ttc_parse_record_end(parser);
         keep_divisors(parser, keyword->keyword, before);
@@ -283,6 +294,7 @@ ttc_model *ttc_model_parse(const char *text, size_t length, const char *file, tt
     free(parser.weights);
     free(parser.places);
     free(parser.divisors);
+    free(parser.uses);
     free(parser.expansions);
     if (ttc_error_count(diagnostics) == parser.errors_before) return parser.model;
     ttc_model_destroy(parser.model);

@@ -51,6 +51,8 @@ typedef struct {
 
     ttc_id *divisors; /* of the record at hand, as written */
     size_t divisor_count;
+    uint32_t *uses;   /* definitions that it names */
+    size_t use_count;
 
     double *expansions; /* by node: operands when written out in full */
     size_t measured, measured_capacity;
@@ -76,6 +78,7 @@ bool ttc_parse_error(ttc_parser *parser, ttc_place place, const char *format, ..
 bool ttc_parse_no_memory(ttc_parser *parser); /* always false */
 
 /* Expressions. */
+bool ttc_parse_uses(ttc_parser *parser, uint32_t symbol); /* notes a definition that this record names */
 bool ttc_parse_divides(ttc_parser *parser, ttc_id divisor); /* notes a divisor of this record; false: memory is out */
 ttc_id ttc_parse_expression(ttc_parser *parser);
 /* The terms of a sum, left on the operand stack from the returned index on; SIZE_MAX after a report. */
