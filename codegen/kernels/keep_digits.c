@@ -56,6 +56,7 @@ static bool replace(ttc_kernels *k, ttc_program **program, const ttc_id *outputs
     bool is_other = has_other_forms(k->field, outputs, count) || has_other_forms(k->field, gathered, count);
     if (!is_other) return true;
     ttc_program *other = ttc_optimize(k->field, outputs, gathered, count, purpose, effort, &k->block);
+    *changed = true; /* the block, whatever becomes of this program */
     bool ok = other != NULL && judge(&old, k, *program) && judge(&new, k, other);
     if (!ok || !is_better(&new, &old)) {
         ttc_program_destroy(other);
@@ -63,7 +64,6 @@ static bool replace(ttc_kernels *k, ttc_program **program, const ttc_id *outputs
     }
     ttc_program_destroy(*program);
     *program = other;
-    *changed = true;
     return true;
 }
 
