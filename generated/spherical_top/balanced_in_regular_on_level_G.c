@@ -646,7 +646,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G = 
     .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top,
-    .state_count = 5, .param_count = 7, .block_count = 55,
+    .state_count = 5, .param_count = 7, .block_count = 45,
     .states = states,
     .params = params,
     .impose = impose,

@@ -928,7 +928,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .sha256 = "a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level,
-    .state_count = 4, .param_count = 7, .block_count = 48,
+    .state_count = 4, .param_count = 7, .block_count = 42,
     .states = states,
     .params = params,
     .prepare = prepare,
