@@ -2,6 +2,7 @@
 #include "algebra/angle.h"
 
 #include <flint/fmpq_mat.h>
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 
 /* denominator = least common multiple of it and that of a */

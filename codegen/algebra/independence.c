@@ -2,6 +2,7 @@
 
 #include "algebra/angle.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdint.h>
 #include <stdlib.h>
 

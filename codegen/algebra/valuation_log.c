@@ -7,6 +7,7 @@
 #include "algebra/coprime.h"
 #include "algebra/valuation_state.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 
 #define NO_SYMBOL UINT32_MAX

@@ -3,47 +3,6 @@
 
 #include <stdlib.h>
 
-/* The rate of a function's own variable, given the rates of what it is a function of: d cos(a) = -sin(a) da, d exp(a) = exp(a) da,
- * d log(a) = da/a. The sine follows from the cosine, as a root of 1 - cos^2. */
-static void function_slope(ttc_task *task, ttc_ratio *out, uint32_t symbol, const ttc_ratio *slopes)
-{
-    const ttc_symbol_entry *entry = &task->model->symbols[symbol];
-    ttc_ratio of;
-    ttc_ratio_init(task->ring, &of);
-    ttc_evaluate(task->field, &of, entry->definition);
-    ttc_ratio_derive(task->ring, out, &of, slopes);
-    if (entry->kind == TTC_LOG) {
-        ttc_ratio_divide(task->ring, out, out, &of);
-    } else {
-        ttc_evaluate(task->field, &of, entry->kind == TTC_EXP ? entry->node : task->model->symbols[entry->partner].node);
-        ttc_ratio_multiply(task->ring, out, out, &of);
-        if (entry->kind == TTC_COSINE) ttc_ratio_scale(task->ring, out, out, task->ring->minus_one);
-    }
-    ttc_ratio_clear(task->ring, &of);
-}
-
-/* A function may be expressed through one that the table names after it, so that rates are taken until none changes. */
-static void add_functions(ttc_task *task, ttc_ratio *slopes)
-{
-    const ttc_model *model = task->model;
-    bool changed = true;
-    ttc_ratio rate;
-    ttc_ratio_init(task->ring, &rate);
-    for (size_t sweep = 0; changed && sweep <= model->symbol_count; sweep++) {
-        changed = false;
-        for (uint32_t i = 0; i < model->symbol_count && task->ring->status == TTC_RING_OK; i++) {
-            ttc_symbol_kind kind = model->symbols[i].kind;
-            if (kind != TTC_COSINE && kind != TTC_EXP && kind != TTC_LOG) continue;
-            if (!ttc_valuation_has_value(task->field, i)) continue;
-            ttc_ratio *slope = &slopes[ttc_valuation_variable(task->field, i)];
-            function_slope(task, &rate, i, slopes);
-            changed |= !ttc_ratio_equal(task->ring, slope, &rate);
-            ttc_ratio_set(task->ring, slope, &rate);
-        }
-    }
-    ttc_ratio_clear(task->ring, &rate);
-}
-
 ttc_ratio *ttc_task_slopes(ttc_task *task)
 {
     const ttc_model *model = task->model;
@@ -51,8 +10,19 @@ ttc_ratio *ttc_task_slopes(ttc_task *task)
     for (size_t i = 0; slopes != NULL && i < model->state_count; i++)
         if (!ttc_valuation_is_bound(task->field, model->states[i]))
             ttc_evaluate(task->field, &slopes[ttc_valuation_variable(task->field, model->states[i])], ttc_model_field(model, i));
-    if (slopes != NULL) add_functions(task, slopes);
+    if (slopes != NULL) ttc_valuation_add_function_rates(task->field, slopes);
     return slopes;
+}
+
+bool ttc_task_restricts_states(const ttc_task *task)
+{
+    const ttc_bindings *when = &task->claim->when;
+    for (size_t i = 0; i < when->count; i++) {
+        if (task->model->symbols[when->items[i].symbol].kind == TTC_STATE) return true;
+        for (size_t k = 0; k < task->model->state_count; k++)
+            if (ttc_model_depends(task->model, when->items[i].expression, task->model->states[k])) return true;
+    }
+    return false;
 }
 
 static bool variable_moves(ttc_task *task, slong variable)

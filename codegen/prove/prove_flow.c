@@ -1,23 +1,11 @@
 /* Claims about the flow, or about expressions alone: integrals, rates, invariants, equalities, inequalities. */
 #include "prove/prove_task.h"
 
-/* A condition on states, or one that sets a parameter to what moves, is a set that the flow must keep. */
-static bool restricts_states(const ttc_task *task)
-{
-    const ttc_bindings *when = &task->claim->when;
-    for (size_t i = 0; i < when->count; i++) {
-        if (task->model->symbols[when->items[i].symbol].kind == TTC_STATE) return true;
-        for (size_t k = 0; k < task->model->state_count; k++)
-            if (ttc_model_depends(task->model, when->items[i].expression, task->model->states[k])) return true;
-    }
-    return false;
-}
-
 void ttc_prove_integral(ttc_task *task)
 {
     const ttc_claim *claim = task->claim;
     ttc_ratio value;
-    if (restricts_states(task)) ttc_task_require_kept(task, "an integral needs a set that is kept: use 'modulo' with an invariant");
+    if (ttc_task_restricts_states(task)) ttc_task_require_kept(task, "an integral needs a set that is kept: use 'modulo' with an invariant");
     ttc_ratio_init(task->ring, &value);
     ttc_id rate = ttc_derive_field(task->model, claim->expression);
     bool is_zero = ttc_task_open(task) && ttc_task_is_zero_for_any_roots(task, rate);

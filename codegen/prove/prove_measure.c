@@ -4,13 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static bool binds_states(const ttc_task *task)
-{
-    for (size_t i = 0; i < task->claim->when.count; i++)
-        if (task->model->symbols[task->claim->when.items[i].symbol].kind == TTC_STATE) return true;
-    return task->claim->modulo_count > 0;
-}
-
 typedef struct {
     FILE *stream;
     bool only_positive; /* nothing was found that keeps it from being positive and smooth */
@@ -84,7 +77,7 @@ void ttc_prove_measure(ttc_task *task)
 {
     const ttc_claim *claim = task->claim;
     ttc_ratio density, rate, entry;
-    if (binds_states(task)) {
+    if (ttc_task_restricts_states(task) || task->claim->modulo_count > 0) {
         ttc_task_unsettle(task, "a density needs an open set of states");
         return;
     }

@@ -249,20 +249,9 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
     ttc_valuation_destroy(map);
 }
 
-/* Ranks are those of an open set of states, or of zero levels. */
-static bool binds_states(const ttc_task *task)
-{
-    for (size_t i = 0; i < task->claim->when.count; i++) {
-        if (task->model->symbols[task->claim->when.items[i].symbol].kind == TTC_STATE) return true;
-        for (size_t k = 0; k < task->model->state_count; k++)
-            if (ttc_model_depends(task->model, task->claim->when.items[i].expression, task->model->states[k])) return true;
-    }
-    return false;
-}
-
 void ttc_prove_reduction(ttc_task *task)
 {
-    if (binds_states(task)) {
+    if (ttc_task_restricts_states(task)) {
         ttc_task_unsettle(task, "a reduction under a condition on states (expected 'modulo' of what the flow keeps)");
         return;
     }

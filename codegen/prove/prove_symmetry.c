@@ -2,12 +2,7 @@
  * with f the field, f(S x) = -DS f(x) or f(S x) = DS f(x). */
 #include "prove/domain.h"
 
-static bool binds_states(const ttc_task *task)
-{
-    for (size_t i = 0; i < task->claim->when.count; i++)
-        if (task->model->symbols[task->claim->when.items[i].symbol].kind == TTC_STATE) return true;
-    return false;
-}
+#include <stdlib.h>
 
 /* The model at the image of a point: states mapped as claimed, the rest as it is. Roots have their values in the field first, so
  * that those at the image are expressed through them. */
@@ -192,13 +187,13 @@ static void prove_map(ttc_task *task)
 
 void ttc_prove_reversor(ttc_task *task)
 {
-    if (binds_states(task)) ttc_task_unsettle(task, "a reversor acts on an open set of states");
+    if (ttc_task_restricts_states(task)) ttc_task_unsettle(task, "a reversor acts on an open set of states");
     else prove_map(task);
 }
 
 void ttc_prove_symmetry(ttc_task *task)
 {
-    if (binds_states(task)) ttc_task_unsettle(task, "a symmetry acts on an open set of states");
+    if (ttc_task_restricts_states(task)) ttc_task_unsettle(task, "a symmetry acts on an open set of states");
     else if (is_identity(task)) ttc_task_unsettle(task, "every state stays as it is, which says nothing");
     else prove_map(task);
 }

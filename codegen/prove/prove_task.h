@@ -70,6 +70,9 @@ ttc_search_result ttc_task_search(ttc_task *task, const ttc_ratio *ratio, ttc_re
  *  of their factors, each sign of a root whose radicand became a square; then draw the verdict. */
 void ttc_task_run(ttc_task *task, ttc_prover prover);
 
+/* The claim's conditions say something of the states, so that they hold on no open set of them. */
+bool ttc_task_restricts_states(const ttc_task *task);
+
 /* The equilibria claim that a claim is about: itself, or its family; NULL for other kinds. */
 const ttc_claim *ttc_task_family(const ttc_task *task);
 
@@ -98,7 +101,6 @@ void ttc_prove_rate(ttc_task *task);
 void ttc_prove_invariant(ttc_task *task);
 void ttc_prove_measure(ttc_task *task);
 void ttc_prove_reversor(ttc_task *task);
-void ttc_prove_symmetry(ttc_task *task);
 void ttc_prove_symmetry(ttc_task *task);
 void ttc_prove_equilibria(ttc_task *task);
 void ttc_prove_trace(ttc_task *task);

@@ -138,48 +138,21 @@ static bool from_model(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t in
     return known;
 }
 
-/* The rate of a function's own variable, of what it is a function of given the rates: -sin(q) q' for cos(q). */
-static void function_slope(proof *p, ttc_ratio *out, uint32_t symbol, const ttc_ratio *slopes)
-{
-    const ttc_symbol_entry *entry = &p->model->symbols[symbol];
-    reading *r = &p->free;
-    ttc_ratio of;
-    ttc_ratio_init(r->ring, &of);
-    ttc_evaluate(r->valuation, &of, entry->definition);
-    ttc_ratio_derive(r->ring, out, &of, slopes);
-    if (entry->kind == TTC_LOG) {
-        ttc_ratio_divide(r->ring, out, out, &of);
-    } else {
-        ttc_evaluate(r->valuation, &of, entry->kind == TTC_EXP ? entry->node : p->model->symbols[entry->partner].node);
-        ttc_ratio_multiply(r->ring, out, out, &of);
-        if (entry->kind == TTC_COSINE) ttc_ratio_scale(r->ring, out, out, r->ring->minus_one);
-    }
-    ttc_ratio_clear(r->ring, &of);
-}
-
-/* The rate of each variable of the free ring along coordinate j: 1 for the coordinate. A function may be expressed through one
- * that the table names after it, so that rates are taken again until none changes. */
+/* The rate of each variable of the free ring along coordinate j: 1 for the coordinate. All functions count,
+ * whether their values were asked for before or not. */
 static void coordinate_slopes(proof *p, ttc_ratio *slopes, size_t j)
 {
-    const ttc_model *model = p->model;
     reading *r = &p->free;
-    bool changed = true;
-    ttc_ratio rate;
-    ttc_ratio_init(r->ring, &rate);
+    ttc_ratio met;
+    ttc_ratio_init(r->ring, &met);
+    for (size_t i = 0; i < p->model->symbol_count; i++) {
+        ttc_symbol_kind kind = p->model->symbols[i].kind;
+        if (kind == TTC_COSINE || kind == TTC_EXP || kind == TTC_LOG) ttc_evaluate(r->valuation, &met, p->model->symbols[i].node);
+    }
+    ttc_ratio_clear(r->ring, &met);
     for (size_t v = 0; v < r->ring->variable_count; v++) ttc_ratio_set_integer(r->ring, &slopes[v], 0);
     ttc_ratio_set_integer(r->ring, &slopes[ttc_valuation_variable(r->valuation, p->kernels->field->states[j])], 1);
-    for (size_t sweep = 0; changed && sweep <= model->symbol_count; sweep++) {
-        changed = false;
-        for (uint32_t i = 0; i < model->symbol_count && r->ring->status == TTC_RING_OK; i++) {
-            ttc_symbol_kind kind = model->symbols[i].kind;
-            if (kind != TTC_COSINE && kind != TTC_EXP && kind != TTC_LOG) continue;
-            ttc_ratio *slope = &slopes[ttc_valuation_variable(r->valuation, i)];
-            function_slope(p, &rate, i, slopes);
-            changed |= !ttc_ratio_equal(r->ring, slope, &rate);
-            ttc_ratio_set(r->ring, slope, &rate);
-        }
-    }
-    ttc_ratio_clear(r->ring, &rate);
+    ttc_valuation_add_function_rates(r->valuation, slopes);
 }
 
 /* out += d(value)/dx_j */

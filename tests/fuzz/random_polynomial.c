@@ -1,5 +1,6 @@
 #include "fuzz/random_polynomial.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static bool overflowed;

@@ -101,7 +101,7 @@ static void eigenvalues_equal_the_reference_within_the_reported_error(void **unu
     (void)unused;
     assert_non_null(file);
     while (fgets(line, sizeof line, file) != NULL) {
-        reference r;
+        reference r = { .field = { NULL } };
         if (line[0] == '#' || strncmp(line, "title;", 6) == 0) continue;
         assert_true(read_reference(&r, line));
         compare(&r);

@@ -1,0 +1,45 @@
+/* The rates of functions, from those of what they are functions of. */
+#include "algebra/derive.h"
+#include "algebra/valuation.h"
+
+/* d cos(a) = -sin(a) da, d exp(a) = exp(a) da, d log(a) = da/a. The sine follows from the cosine, as a root of 1 - cos^2. */
+static void function_rate(ttc_valuation *valuation, ttc_ratio *out, uint32_t symbol, const ttc_ratio *rates)
+{
+    const ttc_model *model = ttc_valuation_model(valuation);
+    const ttc_symbol_entry *entry = &model->symbols[symbol];
+    ttc_ring *ring = ttc_valuation_ring(valuation);
+    ttc_ratio of;
+    ttc_ratio_init(ring, &of);
+    ttc_evaluate(valuation, &of, entry->definition);
+    ttc_ratio_derive(ring, out, &of, rates);
+    if (entry->kind == TTC_LOG) {
+        ttc_ratio_divide(ring, out, out, &of);
+    } else {
+        ttc_evaluate(valuation, &of, entry->kind == TTC_EXP ? entry->node : model->symbols[entry->partner].node);
+        ttc_ratio_multiply(ring, out, out, &of);
+        if (entry->kind == TTC_COSINE) ttc_ratio_scale(ring, out, out, ring->minus_one);
+    }
+    ttc_ratio_clear(ring, &of);
+}
+
+void ttc_valuation_add_function_rates(ttc_valuation *valuation, ttc_ratio *rates)
+{
+    const ttc_model *model = ttc_valuation_model(valuation);
+    ttc_ring *ring = ttc_valuation_ring(valuation);
+    bool changed = true;
+    ttc_ratio rate;
+    ttc_ratio_init(ring, &rate);
+    for (size_t sweep = 0; changed && sweep <= model->symbol_count; sweep++) {
+        changed = false;
+        for (uint32_t i = 0; i < model->symbol_count && ring->status == TTC_RING_OK; i++) {
+            ttc_symbol_kind kind = model->symbols[i].kind;
+            if (kind != TTC_COSINE && kind != TTC_EXP && kind != TTC_LOG) continue;
+            if (!ttc_valuation_has_value(valuation, i)) continue;
+            ttc_ratio *known = &rates[ttc_valuation_variable(valuation, i)];
+            function_rate(valuation, &rate, i, rates);
+            changed |= !ttc_ratio_equal(ring, known, &rate);
+            ttc_ratio_set(ring, known, &rate);
+        }
+    }
+    ttc_ratio_clear(ring, &rate);
+}
