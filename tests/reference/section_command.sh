@@ -100,11 +100,9 @@ expect 0 jellett separation --grid 2x2 --returns 4 --settle 0
 expect 0 jellett fates --grid 4x4 --sweep E=1:2:2
 expect 0 jellett section --start eta=2,gamma3=-0.5 --contact end
 grep -q ',lost_contact$' out || fail "--contact end: no lost_contact"
-if command -v gnuplot > /dev/null; then
-    expect 0 jellett section --grid 6x4 --returns 20 --plot picture.svg --keep picture.gp
-    grep -q '<svg' picture.svg && [ -s picture.gp ] || fail "no picture"
-    [ "$(head -c 4 picture.svg)" = "<?xm" ] || fail "the picture is no SVG"
-fi
+expect 0 jellett section --grid 6x4 --returns 20 --plot picture.svg --keep picture.gp
+grep -q '<svg' picture.svg && [ -s picture.gp ] || fail "no picture"
+[ "$(head -c 4 picture.svg)" = "<?xm" ] || fail "the picture is no SVG"
 
 # An interrupt ends with whole rows, says what is saved, and is the status: 128 and the signal, also of a scene, whose other
 # commands are not begun. Job control, because a background job of a script ignores SIGINT otherwise.
