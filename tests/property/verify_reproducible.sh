@@ -11,10 +11,7 @@ models=$(jellett models | awk -F: '/^[a-z_0-9]+:/ { print $1 }')
 [ -n "$models" ] || fail "no models built in"
 for model in $models; do
     jellett verify "$model" > "$scratch/one" || { fail "$model: does not hold"; grep FAILS "$scratch/one"; }
-    jellett verify "$model" --seed 7 --samples 40 > "$scratch/one" || { fail "$model: does not hold"; grep FAILS "$scratch/one"; }
-    jellett verify "$model" --seed 7 --samples 40 > "$scratch/two"
-    cmp -s "$scratch/one" "$scratch/two" || fail "$model: the same seed gives another output"
-    jellett verify "$model" --seed 7 --samples 40 --json > "$scratch/one"
+    jellett verify "$model" --seed 7 --samples 40 --json > "$scratch/one" || { fail "$model: does not hold with another seed"; }
     jellett verify "$model" --seed 7 --samples 40 --json > "$scratch/two"
     cmp -s "$scratch/one" "$scratch/two" || fail "$model: the same seed gives another JSON"
     for key in model sha256 proofs families certificates densities totals; do
@@ -23,6 +20,7 @@ for model in $models; do
     grep -q '"failed": 0' "$scratch/one" || fail "$model: the JSON says that something fails"
 done
 jellett verify --seed 8 --samples 40 > "$scratch/one"
+jellett verify --seed 8 --samples 40 | cmp -s - "$scratch/one" || fail "the same seed gives another output"
 jellett verify --seed 9 --samples 40 > "$scratch/two"
 cmp -s "$scratch/one" "$scratch/two" && fail "another seed gives the same output"
 
