@@ -5,6 +5,7 @@
 
 #include "core/memory.h"
 #include "integrate/method.h"
+#include "integrate/step_control.h"
 
 enum { WIDTH = 8 };
 
@@ -156,8 +157,9 @@ static jlt_status step_back(jlt_stepper *self)
 
 jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
 {
+    static const double longest = 0x1p800; /* at rest the error control lengthens steps without end */
     const double tau = self->tau;
-    jlt_status st = self->method->step(self, limit);
+    jlt_status st = self->method->step(self, jlt_smaller(limit, longest));
     if (st != JLT_OK) return st;
     if (leaves_domain(self)) return step_back(self);
 
