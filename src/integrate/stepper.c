@@ -39,6 +39,7 @@ static void set_scales(jlt_stepper *self)
 jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field, double tolerance,
                               double max_step)
 {
+    static const double finest = 1e-15; /* below it a share would ask estimates to tell from rounding what they cannot */
     jlt_status st = JLT_OK;
     jlt_stepper *self = NULL;
     double *block;
@@ -54,7 +55,8 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     if (self == NULL) return JLT_ERR_NOMEM;
     self->method = method;
     self->field = field;
-    self->tolerance = tolerance;
+    self->asked = tolerance;
+    self->tolerance = jlt_larger(tolerance * method->share, jlt_smaller(tolerance, finest));
     self->max_step = max_step;
     self->direction = 1;
     self->columns = field->dim + (field->time_rate != NULL);

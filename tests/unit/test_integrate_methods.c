@@ -1,4 +1,6 @@
 /* One-step methods on problems with known solutions: order, honesty of tolerance, dense output, failure by name. */
+#include <float.h>
+
 #include "unit/check.h"
 #include "unit/sample_fields.h"
 
@@ -123,7 +125,7 @@ static void dense_output_follows_the_solution_on_every_step(void **unused)
     }
 }
 
-/* Period of the Arenstorf orbit to the digits of the literature; its instability amplifies local errors by about 1e5. */
+/* Period of the Arenstorf orbit to the digits of the literature; its instability amplifies local errors by about 1e5, roundings too. */
 static void the_arenstorf_orbit_closes(void **unused)
 {
     (void)unused;
@@ -141,7 +143,7 @@ static void the_arenstorf_orbit_closes(void **unused)
             assert_ok(jlt_orbit_propagate(orbit, 17.0652165601579625588917206249, x));
             const double error = hypot(x[0] - start[0], x[1] - start[1]);
             assert_below(error, 1e5 * tolerance);
-            assert_below(error, last);
+            assert_below(error, fmax(last, 1e5 * DBL_EPSILON));
             last = error;
             jlt_orbit_destroy(orbit);
         }
