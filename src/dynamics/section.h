@@ -67,12 +67,14 @@ JLT_CHECKED jlt_status jlt_section_start_state(jlt_section *self, jlt_return *ro
  *  Errors: as jlt_orbit_next except BUDGET, which is a fate. */
 JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
 
-/** The next return, found by another integrator at time t since the start, at x (states,) on the section, both in the flow's units: row gets what
+/** The next return, found by another integrator at time t since the start, at x (states,) on the section, both in the flow's
+ *  units: row gets what
  *  jlt_section_next makes of it, but for the least reaction, which is looked at there alone; that function goes on from there.
  *  Not after an end. */
 void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x);
 
-/** What the fastest state changes by in a unit of time, relative to its size or 1, all in the flow's units; an orbit slower than 1e-12 is at rest. */
+/** What the fastest state changes by in a unit of time, relative to its size or 1, all in the flow's
+ *  units; an orbit slower than 1e-12 is at rest. */
 double jlt_section_speed(const jlt_section *self, const double *x);
 
 /** Accepted and rejected steps, and field evaluations, since creation of the orbit. */
