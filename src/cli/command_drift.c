@@ -68,7 +68,7 @@ static double slope(const sample *rows, size_t count, unsigned k)
     return n < 3 ? NAN : (n * xy - x * y) / (n * xx - x * x);
 }
 
-/* The start on the section as the tier five has it. */
+/* The start on the section as the tier five has it, in the flow's units. */
 static jlt_status lift(double *x, const jlt_system *system, const double *q)
 {
     double level[JLT_CHART_STATES_MAX];
@@ -76,7 +76,7 @@ static jlt_status lift(double *x, const jlt_system *system, const double *q)
 
     if (st != JLT_OK) return st;
     memcpy(x, level, 3 * sizeof *x);
-    jlt_chart_top_rotation(&system->chart.top, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], level);
+    jlt_chart_top_rotation(&system->flow_chart, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], level);
     x[JLT_TOP_STATES] = level[JLT_CHART_TOP_S];
     return JLT_OK;
 }
@@ -89,6 +89,7 @@ typedef struct {
     jlt_conserved conserved;
     jlt_invariants invariants;
     double start[STATES];
+    int time; /* binary exponent of its unit */
     jlt_progress progress;
     unsigned drawn; /* bit k: method k has points in the picture */
 } run_state;
@@ -129,7 +130,7 @@ static jlt_status follow(run_state *r, sample *rows, size_t *count, const jlt_me
             sample *row = &rows[(*count)++];
             row->returns = (double)i;
             memcpy(row->drift, drift, sizeof drift);
-            write_row(r, method, row, at.t, jlt_orbit_stepper(orbit)->evaluations);
+            write_row(r, method, row, ldexp(at.t, r->time), jlt_orbit_stepper(orbit)->evaluations);
             if (i == next) next *= 2;
             if (ferror(r->stream->file)) break;
         }
@@ -218,7 +219,9 @@ static jlt_exit open_five(run_state *r, jlt_instance **instance, const jlt_syste
     if (general == NULL || general->param_count != sizeof params / sizeof *params)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of spherical_top is not the one this command knows");
     st = lift(r->start, system, q);
-    if (st == JLT_OK) st = jlt_instance_create(instance, general, params);
+    const jlt_units units = jlt_chart_top_units(&system->chart.top);
+    r->time = units.time;
+    if (st == JLT_OK) st = jlt_instance_create_in(instance, general, params, &units);
     if (st == JLT_OK) st = jlt_field_of(&r->field, general, (*instance)->block);
     if (st == JLT_OK) st = jlt_conserved_of(&r->invariants, &r->conserved, general, &r->field);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, r->o->start);

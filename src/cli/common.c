@@ -23,7 +23,8 @@ static const struct argp_option common_table[] = {
 
 static const struct argp_option accuracy_table[] = {
     { NULL, 0, NULL, 0, "The computation:", 11 },
-    { "tol", 't', "VALUE", 0, "Tolerance of the local error; default 1e-12", 11 },
+    { "tol", 't', "VALUE", 0,
+      "Tolerance: about what ten returns err by, in units of the problem, by every method; default 1e-12", 11 },
     { "method", METHOD, "NAME", 0,
       "gauss (default), dop853 (default where derivatives of the map are computed), taylor (derivatives by dop853), rk8pd, "
       "rkf45, msadams", 11 },

@@ -155,6 +155,27 @@ void jlt_chart_top_init(jlt_chart_top *out, double m, double R, double g, double
     out->G = G;
 }
 
+void jlt_chart_top_init_in(jlt_chart_top *out, const jlt_chart_top *chart, const jlt_units *units)
+{
+    const int m = -units->mass, l = -units->length, t = -units->time;
+
+    jlt_chart_top_init(out, ldexp(chart->m, m), ldexp(chart->R, l), ldexp(chart->g, l - 2 * t), ldexp(chart->I1, m + 2 * l),
+                       ldexp(chart->I3, m + 2 * l), ldexp(chart->a3, l), ldexp(chart->E, m + 2 * l - 2 * t),
+                       ldexp(chart->G, m + 3 * l - t));
+}
+
+jlt_units jlt_chart_top_units(const jlt_chart_top *self)
+{
+    const double energy = (self->E + self->m * self->g * fabs(self->a3)) / self->m;
+    jlt_units units = { 0 };
+
+    if (!(self->m > 0 && self->R > 0) || !isfinite(self->m) || !isfinite(self->R)) return units;
+    units.mass = ilogb(self->m);
+    units.length = ilogb(self->R);
+    if (energy > 0 && isfinite(energy)) units.time = units.length - (ilogb(energy) >> 1);
+    return units;
+}
+
 double jlt_chart_top_speed2(const jlt_chart_top *self, double gamma3)
 {
     return speed2(self, gamma3, at(self, gamma3, root_of(gamma3)).K);

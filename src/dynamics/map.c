@@ -109,7 +109,6 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
     self->flow = *flow;
     if (self->flow.method == NULL) self->flow.method = jlt_map_method();
     if (self->flow.max_steps == 0) self->flow.max_steps = 100000;
-    if (self->flow.t_max == 0) self->flow.t_max = INFINITY;
     JLT_TRY(make_field(self));
     /* The varied field has no jet. */
     JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method->needs_jet ? jlt_map_method() : self->flow.method, &self->field,
@@ -146,7 +145,8 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
     jlt_status st;
 
     self->at_pole = false;
-    st = jlt_orbit_next(self->orbit, time_direction * self->flow.t_max, &event, 1, outcome);
+    const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
+    st = jlt_orbit_next(self->orbit, time_direction * t_max, &event, 1, outcome);
     if (st != JLT_OK) return st;
     if (outcome->end == JLT_END_EVENT) return JLT_OK;
     if (outcome->end == JLT_END_TIME) return JLT_ERR_BUDGET;
@@ -216,10 +216,10 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     defect = (fabs(determinant) - fabs(before / after) * exp(expansion)) / hadamard(slope, d);
     if (fabs(defect) > fabs(image->defect)) image->defect = defect;
     jlt_linear_multiply(image->slope, slope, image->slope, d);
-    image->T += outcome.t;
+    image->T += ldexp(outcome.t, self->flow.units.time);
     image->expansion += expansion;
     image->determinant *= determinant;
-    memcpy(image->x, outcome.x, n * sizeof *image->x);
+    for (i = 0; i < n; i++) image->x[i] = ldexp(outcome.x[i], self->flow.units.state[i]);
 done:
     return st;
 }

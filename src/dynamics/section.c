@@ -57,7 +57,7 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
     self->flow = *flow;
     if (self->flow.method == NULL) self->flow.method = jlt_method_find(NULL);
     if (self->flow.max_steps == 0) self->flow.max_steps = 100000;
-    if (self->flow.t_max == 0) self->flow.t_max = INFINITY;
+    self->flow.t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
     JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method, self->flow.field,
                              &(jlt_options){ .tolerance = flow->tolerance,
                                              .max_steps = self->flow.max_steps,
@@ -116,6 +116,7 @@ static double arrive(jlt_section *self, const double *x, double *f)
     return chart->contact != NULL ? chart->contact(chart, x, f) : INFINITY;
 }
 
+/* t and x in the flow's units; the row gets them in the table's. */
 static void fill(jlt_return *row, const jlt_section *self, double t, const double *x, bool on_section)
 {
     const jlt_chart *chart = self->flow.chart;
@@ -123,10 +124,10 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
 
     memset(row, 0, sizeof *row);
     row->number = self->number;
-    row->t = t;
-    memcpy(row->x, x, chart->states * sizeof *x);
-    row->residual = x[chart->column] - chart->level;
-    row->contact = self->contact;
+    row->t = ldexp(t, self->flow.units.time);
+    for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
+    row->residual = ldexp(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
+    row->contact = ldexp(self->contact, self->flow.units.contact);
     if (on_section) {
         chart->lower(chart, row->q, NULL, x);
         return;
@@ -134,7 +135,7 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     for (k = 0; k < chart->dim; k++) row->q[k] = NAN;
 }
 
-jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const double *x, int time_direction)
+static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int time_direction)
 {
     const jlt_chart *chart = self->flow.chart;
     const jlt_status st = jlt_orbit_start(self->orbit, 0, x, time_direction);
@@ -158,7 +159,15 @@ jlt_status jlt_section_start(jlt_section *self, jlt_return *row, const double *q
     double x[JLT_CHART_STATES_MAX];
     const jlt_status st = self->flow.chart->lift(self->flow.chart, x, NULL, q);
 
-    return st != JLT_OK ? st : jlt_section_start_state(self, row, x, time_direction);
+    return st != JLT_OK ? st : begin(self, row, x, time_direction);
+}
+
+jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const double *x, int time_direction)
+{
+    double counted[JLT_CHART_STATES_MAX];
+
+    for (unsigned k = 0; k < self->flow.chart->states; k++) counted[k] = ldexp(x[k], -self->flow.units.state[k]);
+    return begin(self, row, counted, time_direction);
 }
 
 /* The end of an orbit at rest. */
@@ -198,7 +207,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
     if (outcome.end == JLT_END_EVENT && outcome.crossing.event == 0) {
         fill(row, self, outcome.t, outcome.x, true);
         row->direction = outcome.crossing.direction;
-        (void)arrive(self, row->x, f);
+        (void)arrive(self, outcome.x, f);
         return JLT_OK;
     }
     fill(row, self, outcome.t, outcome.x, false);

@@ -14,13 +14,16 @@ typedef struct {
     const jlt_field *field;
     jlt_kernel_function rhs_jacobian; /* f, then df/dx, on the field's block; NULL: field->jacobian beside field->call */
     const jlt_method *method;         /* default: the first of the table */
-    double tolerance;                 /* of the local error; default 1e-12 */
+    double tolerance;                 /* see integrate/method.h; default 1e-12 */
     jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */
     size_t max_steps;                 /* of the integrator, for one return; default 10^5 */
     double t_max;                     /* physical time for one return; default: no limit */
     bool end_at_contact_loss;         /* an orbit ends where the normal reaction vanishes; default: it goes on, and rows
                                          tell the least reaction met */
     const volatile sig_atomic_t *interrupt;
+    struct {
+        int state[JLT_CHART_STATES_MAX], time, contact;
+    } units; /* binary exponents: x, t and the reaction in rows are 2^these times those of chart and field; default 1 */
 } jlt_flow;
 
 typedef enum {
@@ -64,12 +67,14 @@ JLT_CHECKED jlt_status jlt_section_start_state(jlt_section *self, jlt_return *ro
  *  Errors: as jlt_orbit_next except BUDGET, which is a fate. */
 JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
 
-/** The next return, found by another integrator at time t since the start, at x (states,) on the section: row gets what
+/** The next return, found by another integrator at time t since the start, at x (states,) on the section, both in the flow's
+ *  units: row gets what
  *  jlt_section_next makes of it, but for the least reaction, which is looked at there alone; that function goes on from there.
  *  Not after an end. */
 void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x);
 
-/** What the fastest state changes by in a unit of time, relative to its size or 1; an orbit slower than 1e-12 is at rest. */
+/** What the fastest state changes by in a unit of time, relative to its size or 1, all in the flow's
+ *  units; an orbit slower than 1e-12 is at rest. */
 double jlt_section_speed(const jlt_section *self, const double *x);
 
 /** Accepted and rejected steps, and field evaluations, since creation of the orbit. */

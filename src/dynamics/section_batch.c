@@ -147,10 +147,14 @@ size_t jlt_section_batch_begun(const jlt_section_batch *self)
 
 jlt_status jlt_section_batch_start(jlt_section_batch *self, jlt_return *row, size_t orbit)
 {
+    const double *start = self->starts + self->lane[orbit] * self->columns;
+    double x[JLT_CHART_STATES_MAX];
+
     if (self->lifted[orbit] != JLT_OK) return self->lifted[orbit];
+    for (unsigned k = 0; k < self->flow.chart->states; k++) x[k] = ldexp(start[k], self->flow.units.state[k]);
     self->alone = false;
     jlt_spool_rewind(self->rows, orbit);
-    return jlt_section_start_state(self->section, row, self->starts + self->lane[orbit] * self->columns, 1);
+    return jlt_section_start_state(self->section, row, x, 1);
 }
 
 jlt_status jlt_section_batch_next(jlt_section_batch *self, jlt_return *row)

@@ -349,6 +349,7 @@ const jlt_method jlt_method_gauss = {
     .name = "gauss",
     .meaning = "Gauss-Legendre collocation of order 16, eight nodes at once by vectors (Hairer, Lubich and Wanner)",
     .order = 16,
+    .share = 1,
     .dense_order = 8,
     .create = create,
     .destroy = destroy,

@@ -255,7 +255,7 @@ void jlt_tier_look(jlt_tier_view *out, const jlt_tier *tier, const jlt_descripto
     memcpy(out->start, x, sizeof out->start);
     jlt_chart_top_init(&out->chart, top->m, top->R, top->g, top->I1, top->I3, top->a3, jlt_top_energy(top, x), out->G);
     jlt_balanced_levels_of(&out->levels, top, x);
-    if (tier->refuses == needs_halves && v_slip < 0) out->mirror = -1;
+    if (tier != NULL && tier->refuses == needs_halves && v_slip < 0) out->mirror = -1;
 }
 
 jlt_status jlt_tier_params(double *params, const jlt_tier_view *view)

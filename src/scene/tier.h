@@ -43,7 +43,7 @@ const jlt_tier *jlt_tier_at(size_t index);
 
 const jlt_tier *jlt_tier_find(const char *name); /* NULL when there is none */
 
-/** Levels and reversal for an orbit from x, shape (JLT_TOP_STATES,). */
+/** Levels and reversal for an orbit from x, shape (JLT_TOP_STATES,); tier NULL: the model's own kernel. */
 void jlt_tier_look(jlt_tier_view *out, const jlt_tier *tier, const jlt_descriptor *descriptor, const jlt_top *top,
                    const double *x);
 
