@@ -94,61 +94,33 @@ static void show(const char *name, char **argv, int argc)
     free(line);
 }
 
-/* What a handler can reach: the command that runs, 0 between two; the signal that ends the run. */
-static volatile sig_atomic_t running, ending;
-
-/* Ctrl-C reaches the command by itself; a signal that a process sent to this one is passed on. */
-static void pass_on(int signal_number, siginfo_t *about, void *unused)
-{
-    const int reason = errno;
-
-    (void)unused;
-    ending = signal_number;
-    if (running > 0 && about->si_code <= 0) kill((pid_t)running, signal_number);
-    errno = reason;
-}
-
-static void take_signals(void)
-{
-    static const int asking[] = { SIGINT, SIGTERM, SIGHUP };
-
-    for (unsigned i = 0; i < sizeof asking / sizeof *asking; i++) {
-        struct sigaction action = { .sa_flags = SA_SIGINFO | SA_RESTART }, before;
-        sigemptyset(&action.sa_mask);
-        action.sa_sigaction = pass_on;
-        if (sigaction(asking[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(asking[i], &action, NULL);
-    }
-}
-
-/* Each command in a process of its own, so that whatever ends it leaves the others alone. */
-static jlt_exit run_job(const jlt_command *command, char **argv, int argc)
+/* Each command in a process of its own, so that whatever ends it leaves the others alone. ending: the signal that ends the run. */
+static jlt_exit run_job(int *ending, const jlt_command *command, char **argv, int argc)
 {
     int status = 0;
     pid_t child;
 
     fflush(stdout);
-    child = fork();
+    child = jlt_interrupt_fork();
     if (child < 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", command->name, strerror(errno));
     if (child == 0) exit((int)jlt_command_execute(command, argc, argv));
-    running = (sig_atomic_t)child;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
-    running = 0;
+    *ending = jlt_interrupt_alone();
     if (!WIFSIGNALED(status)) return (jlt_exit)WEXITSTATUS(status);
     const int by = WTERMSIG(status);
-    if (by == SIGINT || by == SIGTERM || by == SIGHUP) ending = by;
+    if (by == SIGINT || by == SIGTERM || by == SIGHUP) *ending = by;
     else (void)jlt_command_fail(JLT_EXIT_NUMERICAL, "%s was ended by signal %d", command->name, by);
     return JLT_EXIT_NUMERICAL;
 }
 
-static jlt_exit run_jobs(const jlt_scene *scene, const options *o)
+static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
 {
     jlt_exit code = JLT_EXIT_DONE;
 
     if (o->into != NULL && !o->dry && chdir(o->into) != 0)
         return jlt_command_fail(JLT_EXIT_IO, "--into %s: %s", o->into, strerror(errno));
-    if (!o->dry) take_signals();
-    for (size_t k = 0; code == JLT_EXIT_DONE && ending == 0 && k < scene->count; k++) {
+    for (size_t k = 0; code == JLT_EXIT_DONE && *ending == 0 && k < scene->count; k++) {
         const jlt_scene_job *job = &scene->jobs[k];
         const jlt_command *command = jlt_command_find(job->what);
         int argc = 0;
@@ -161,8 +133,8 @@ static jlt_exit run_jobs(const jlt_scene *scene, const options *o)
         else {
             if (isatty(STDERR_FILENO))
                 fprintf(stderr, "jellett: %s:%u: %s (%zu of %zu)\n", scene->file, job->line, job->what, k + 1, scene->count);
-            code = run_job(command, argv, argc);
-            if (ending != 0)
+            code = run_job(ending, command, argv, argc);
+            if (*ending != 0)
                 fprintf(stderr, "jellett: %s:%u: %s was interrupted; of the scene's %zu commands the last %zu were not begun\n",
                         scene->file, job->line, job->what, scene->count, scene->count - k - 1);
             else if (code != JLT_EXIT_DONE)
@@ -179,6 +151,7 @@ static jlt_exit run(int argc, char **argv)
     options o = { 0 };
     char message[JLT_SCENE_MESSAGE_MAX];
     jlt_scene *scene = NULL;
+    int ending = 0;
     jlt_status st;
     jlt_exit code;
 
@@ -188,7 +161,7 @@ static jlt_exit run(int argc, char **argv)
         fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
-    code = run_jobs(scene, &o);
+    code = run_jobs(&ending, scene, &o);
     jlt_scene_destroy(scene);
     if (ending != 0) jlt_interrupt_end(ending);
     return code;

@@ -1,9 +1,9 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "cli/signals.h"
 
 #include <argp.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,6 +49,15 @@ static void close_output(void)
     }
 }
 
+/* A descriptor that was closed must not be given to a file that is opened later: what is written to it fails, as before. */
+static bool open_standard(void)
+{
+    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; descriptor++)
+        if (fcntl(descriptor, F_GETFD) < 0
+            && open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return false;
+    return true;
+}
+
 static void print_help(FILE *stream)
 {
     fputs("Usage: jellett COMMAND [MODEL] [OPTION...]\n"
@@ -83,7 +92,8 @@ jlt_exit jlt_command_execute(const jlt_command *command, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    jlt_signals_to_main();
+    if (!open_standard()) return JLT_EXIT_IO;
+    jlt_interrupt_begin();
     if (atexit(close_output) != 0) return JLT_EXIT_NUMERICAL;
     argp_err_exit_status = JLT_EXIT_USAGE;
     if (argc < 2) {
