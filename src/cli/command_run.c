@@ -9,6 +9,7 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "report/file.h"
 #include "scene/scene.h"
 
 typedef struct {
@@ -114,12 +115,42 @@ static jlt_exit run_job(int *ending, const jlt_command *command, char **argv, in
     return JLT_EXIT_NUMERICAL;
 }
 
+static bool is_one_file(const char *path, const char *other)
+{
+    return !jlt_command_is_standard_output(path) && !jlt_command_is_standard_output(other) && jlt_file_same(path, other);
+}
+
+/* Before anything is run: no file of a job is the scene, or that of another option. scene_path: where the scene lies. */
+static jlt_exit check_files(const jlt_scene *scene, const char *scene_path)
+{
+    for (size_t k = 0; k < scene->count; k++)
+        for (size_t i = 0; i < scene->jobs[k].count; i++) {
+            const jlt_scene_option *option = &scene->jobs[k].options[i];
+            if (!option->is_file) continue;
+            if (is_one_file(scene_path, option->value))
+                return jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: '%s' is the scene itself: %s", scene->file, option->line,
+                                        option->name, option->value);
+            for (size_t m = 0; m <= k; m++)
+                for (size_t n = 0; n < (m == k ? i : scene->jobs[m].count); n++) {
+                    const jlt_scene_option *before = &scene->jobs[m].options[n];
+                    if (before->is_file && is_one_file(before->value, option->value))
+                        return jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: '%s' is the file of '%s' in line %u as well: %s",
+                                                scene->file, option->line, option->name, before->name, before->line,
+                                                option->value);
+                }
+        }
+    return JLT_EXIT_DONE;
+}
+
 static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
 {
+    char *scene_path = realpath(o->scene, NULL);
     jlt_exit code = JLT_EXIT_DONE;
 
     if (o->into != NULL && !o->dry && chdir(o->into) != 0)
-        return jlt_command_fail(JLT_EXIT_IO, "--into %s: %s", o->into, strerror(errno));
+        code = jlt_command_fail(JLT_EXIT_IO, "--into %s: %s", o->into, strerror(errno));
+    else if (!o->dry) code = check_files(scene, scene_path);
+    free(scene_path);
     for (size_t k = 0; code == JLT_EXIT_DONE && *ending == 0 && k < scene->count; k++) {
         const jlt_scene_job *job = &scene->jobs[k];
         const jlt_command *command = jlt_command_find(job->what);

@@ -8,7 +8,7 @@ status=0
 fail() { echo "$*"; status=1; }
 now() { date +%s%N; }
 
-# SIGNALS COMMAND...: run in $scratch/d, send each signal after 0.4 s, one right after the other; into $code, $seconds, err.
+# SIGNALS COMMAND...: run in $scratch/d, send each signal when it has run for 0.4 s, one right after the other; into $code, $seconds, err.
 interrupt() {
     local signals=$1 job begun
     shift
@@ -18,6 +18,11 @@ interrupt() {
     (cd "$scratch/d" && exec "$@") > "$scratch/out" 2> "$scratch/err" &
     job=$!
     set +m
+    # A busy machine: wait until the program catches TERM.
+    for _ in $(seq 100); do
+        [ "$(cat /proc/$job/comm 2> /dev/null)" = jellett ] && (((0x$(awk '/SigCgt/ { print $2 }' /proc/$job/status) >> 14) & 1)) && break
+        sleep 0.05
+    done
     sleep 0.4
     begun=$(now)
     for signal in $signals; do kill -"$signal" -$job 2> /dev/null; done
