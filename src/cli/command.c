@@ -117,22 +117,21 @@ bool jlt_command_is_standard_output(const char *path)
     return path == NULL || strcmp(path, "-") == 0;
 }
 
-static bool is_same(const char *path, const char *other)
+static const char *name_of(const char *path)
 {
-    const bool standard = jlt_command_is_standard_output(path), other_standard = jlt_command_is_standard_output(other);
-
-    if (standard && other_standard) return true;
-    return jlt_file_same(standard ? "/dev/stdout" : path, other_standard ? "/dev/stdout" : other);
+    return jlt_command_is_standard_output(path) ? "/dev/stdout" : path;
 }
 
 jlt_exit jlt_command_distinct(const jlt_command_file *files, size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        for (size_t k = 0; k < i; k++)
-            if (is_same(files[k].path, files[i].path))
+        for (size_t k = 0; k < i; k++) {
+            if (jlt_command_is_standard_output(files[k].path) && jlt_command_is_standard_output(files[i].path))
+                return jlt_command_fail(JLT_EXIT_USAGE, "two tables on standard output: name a file for %s", files[i].option);
+            if (jlt_file_same(name_of(files[k].path), name_of(files[i].path)))
                 return jlt_command_fail(JLT_EXIT_USAGE, "%s and %s are one file, %s: give each its own", files[k].option,
-                                        files[i].option,
-                                        jlt_command_is_standard_output(files[i].path) ? "standard output" : files[i].path);
+                                        files[i].option, files[i].path);
+        }
     return JLT_EXIT_DONE;
 }
 
