@@ -184,6 +184,11 @@ void jlt_interrupt_forget(const jlt_file *file)
         if (files[i] == file) files[i] = NULL;
 }
 
+void jlt_interrupt_abandon(void)
+{
+    clear_away(false);
+}
+
 pid_t jlt_interrupt_fork(void)
 {
     sigset_t asked, before;

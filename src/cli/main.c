@@ -1,3 +1,4 @@
+#include "base/exhaustion.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 
@@ -90,10 +91,21 @@ jlt_exit jlt_command_execute(const jlt_command *command, int argc, char **argv)
     return code;
 }
 
+static void end_without_memory(void)
+{
+    static const char text[] = "jellett: out of memory\n";
+    ssize_t written = write(STDERR_FILENO, text, sizeof text - 1);
+
+    (void)written; /* there is nowhere else to say it */
+    jlt_interrupt_abandon();
+    _exit(JLT_EXIT_NUMERICAL);
+}
+
 int main(int argc, char **argv)
 {
     if (!open_standard()) return JLT_EXIT_IO;
     jlt_interrupt_begin();
+    ttc_exhaustion_handle(end_without_memory);
     if (atexit(close_output) != 0) return JLT_EXIT_NUMERICAL;
     argp_err_exit_status = JLT_EXIT_USAGE;
     if (argc < 2) {
