@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -150,6 +151,7 @@ void jlt_interrupt_end(int signal_number)
 {
     alarm(SECONDS); /* standard output may be a pipe that nobody empties */
     fflush(stdout);
+    fprintf(stderr, "jellett: ended by signal %d\n", signal_number);
     die(signal_number);
     _Exit(128 + signal_number);
 }
@@ -200,6 +202,7 @@ pid_t jlt_interrupt_fork(void)
     pthread_sigmask(SIG_BLOCK, &asked, &before);
     made = fork();
     if (made == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGTERM); /* also where the parent is killed, and passes nothing on */
         polled = 0;
         raised = 0;
         first = due = 0;

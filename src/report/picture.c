@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,6 +55,7 @@ static char *read_all(int descriptor, size_t *size)
 /* Where standard input or output were closed, an end may lie in their place: move both away first. */
 static void run_gnuplot(int script, int picture)
 {
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* nobody waits for the picture then */
     script = fcntl(script, F_DUPFD, STDERR_FILENO + 1);
     picture = fcntl(picture, F_DUPFD, STDERR_FILENO + 1);
     if (dup2(script, STDIN_FILENO) == STDIN_FILENO && dup2(picture, STDOUT_FILENO) == STDOUT_FILENO) {
