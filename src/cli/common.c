@@ -132,6 +132,8 @@ jlt_exit jlt_common_draw(const jlt_common *self, jlt_command_output *script)
         code = jlt_command_fail(JLT_EXIT_IO, "--plot: gnuplot could not draw '%s' (what it says is above)", self->plot);
     else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "--plot: %s", jlt_status_text(st));
     else if (code == JLT_EXIT_DONE) code = jlt_command_write(self->plot, picture, size);
+    if (code != JLT_EXIT_DONE && !jlt_command_is_standard_output(self->output))
+        fprintf(stderr, "jellett: the table is saved in %s\n", self->output);
     free(picture);
     free(whole);
     jlt_command_discard(script);

@@ -34,7 +34,8 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
  *  argp does. */
 void jlt_common_distinct(const jlt_common *self, const char *option, const char *path);
 
-/** Draw a gnuplot script to --plot, keeping it where asked; the script is discarded. Says what is wrong. */
+/** Draw a gnuplot script to --plot, keeping it where asked; the script is discarded. To be called when the table is saved: says
+ *  what is wrong, and that the table is there all the same. */
 jlt_exit jlt_common_draw(const jlt_common *self, jlt_command_output *script);
 
 /* Values of options. Where they cannot be used, these say so and end the program, as argp does. */

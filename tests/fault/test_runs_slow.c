@@ -126,7 +126,7 @@ static void shell(const char *format, const char *folder)
 
 /* ---- one run ---- */
 
-static void limit_to(int resource, size_t value)
+static void limit_to(unsigned resource, size_t value)
 {
     const struct rlimit both = { value, value };
     setrlimit(resource, &both);
