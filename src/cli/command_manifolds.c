@@ -53,7 +53,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case NO_CROSSINGS: o->no_crossings = true; return 0;
     case ARGP_KEY_END:
         if (o->no_crossings && o->points != NULL) argp_error(state, "--crossings and --no-crossings exclude each other");
-        jlt_common_distinct(&o->motion.common, "--crossings", o->points);
+        jlt_common_check_files(&o->motion.common, "--crossings", o->points);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }

@@ -32,7 +32,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case UNTIL: jlt_common_positive(&r->until, value, "--until"); return 0;
     case TRAJECTORIES: r->trajectories = value; return 0;
     case ARGP_KEY_END:
-        jlt_common_distinct(&r->session.common, "--trajectories", r->trajectories);
+        jlt_common_check_files(&r->session.common, "--trajectories", r->trajectories);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }

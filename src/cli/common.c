@@ -49,7 +49,7 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
     case ARGP_KEY_END:
         if (self->keep != NULL && self->plot == NULL)
             argp_error(state, "--keep keeps the script of a picture: add --plot FILE");
-        jlt_common_distinct(self, NULL, NULL);
+        jlt_common_check_files(self, NULL, NULL);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -103,7 +103,7 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
     return jlt_assign_model(descriptor, params, self->model != NULL ? self->model : "spherical_top", &self->set);
 }
 
-void jlt_common_distinct(const jlt_common *self, const char *option, const char *path)
+void jlt_common_check_files(const jlt_common *self, const char *option, const char *path)
 {
     const jlt_command_file optional[] = { { "--plot", self->plot }, { "--keep", self->keep }, { option, path } };
     jlt_command_file files[4] = { { "--output", self->output } };
@@ -113,6 +113,7 @@ void jlt_common_distinct(const jlt_common *self, const char *option, const char 
     for (size_t i = 0; i < 3; i++)
         if (optional[i].path != NULL) files[count++] = optional[i];
     code = jlt_command_distinct(files, count);
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) code = jlt_command_check_output(files[i].path);
     if (code != JLT_EXIT_DONE) exit((int)code);
 }
 

@@ -30,9 +30,9 @@ void jlt_common_end(jlt_common *self);
 /** The model's general field and its parameters, checked; params for the caller to free(). Says what is wrong. */
 jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params);
 
-/** That --output, --plot, --keep and one more option, where it is given, name files of their own. Ends the program otherwise, as
- *  argp does. */
-void jlt_common_distinct(const jlt_common *self, const char *option, const char *path);
+/** Before anything is done: that --output, --plot, --keep and one more option, where it is given, name files of their own, which
+ *  can be written. Ends the program otherwise, as argp does. */
+void jlt_common_check_files(const jlt_common *self, const char *option, const char *path);
 
 /** Draw a gnuplot script to --plot, keeping it where asked; the script is discarded. To be called when the table is saved: says
  *  what is wrong, and that the table is there all the same. */

@@ -92,11 +92,15 @@ jellett $section -o closed2.csv >&- 2>&- <&- || fail "all closed"
 [ "$(tail -c 1 limited.csv | od -An -c | tr -d ' ')" = '\n' ] || fail "a limit on files: the last row is cut"
 [ "$(tail -n 1 limited.csv | tr -cd , | wc -c)" -eq 8 ] || fail "a limit on files: the last row is not whole"
 [ -z "$(find . -name '*.??????')" ] || fail "left: $(find . -name '*.??????')"
-# A picture that cannot be drawn takes no table with it.
+# A picture that cannot be drawn, as there is no gnuplot, takes no table with it; one without a folder is refused at once.
+program=$(command -v jellett)
 for command in "$section" "measure --set I3=0" "eigen --set a3=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1" \
     "eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=0:0.5:3"; do
     rm -f kept.csv
-    jellett $command -o kept.csv --plot none/p.svg 2> err
+    PATH=none "$program" $command -o kept.csv --plot p.svg 2> err
     [ $? -eq 5 ] && [ -s kept.csv ] && grep -q "table is saved in kept.csv" err || fail "$command: no picture: $(cat err)"
+    rm -f kept.csv
+    jellett $command -o kept.csv --plot none/p.svg 2> err
+    [ $? -eq 5 ] && [ ! -e kept.csv ] || fail "$command: a picture in no folder: $(cat err)"
 done
 exit $status
