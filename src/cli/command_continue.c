@@ -144,7 +144,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Periodic orbits as %s runs, from ", points, name);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fprintf(stream,
             "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"γ_3 of the first point\"\n"
             "set key tmargin center horizontal\nplot $POINTS using 1:2 with lines lc rgb '#2040c0' title 'orbits'", name);

@@ -188,7 +188,7 @@ static jlt_exit draw(const run_state *r, const jlt_system *system, const char *p
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n%sset title \"Drift of the integrals, ", points);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fprintf(stream, "\\nstart %s, tolerance %.3g%s\" noenhanced\n", r->o->start, r->o->motion.flow.tolerance,
             r->o->project ? ", projected" : "");
     fputs("set logscale xy\nset format '10^{%T}'\nset xlabel \"returns\"\nset ylabel \"relative drift: E solid, G dashed\"\n"

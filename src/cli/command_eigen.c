@@ -145,7 +145,6 @@ static jlt_exit single(jlt_eigen_request *r)
         code = jlt_command_fail(jlt_command_exit(row->status), "%s", row->reason);
         goto done;
     }
-    if (r->common.plot != NULL && (code = jlt_eigen_draw(r, row, 1)) != JLT_EXIT_DONE) goto done;
     if (r->json) {
         if (jlt_eigen_write_json(output.stream, row, 1, false) != JLT_OK) {
             code = jlt_command_no_memory();
@@ -158,6 +157,7 @@ static jlt_exit single(jlt_eigen_request *r)
         jlt_eigen_write_text(output.stream, row);
     }
     code = jlt_command_deliver(&output, r->common.output);
+    if (code == JLT_EXIT_DONE && r->common.plot != NULL) code = jlt_eigen_draw(r, row, 1);
 done:
     jlt_command_discard(&output);
     free(row);

@@ -1,6 +1,7 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
 #include "dynamics/fates.h"
+#include "report/decimal.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -166,7 +167,7 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
     const bool cells = grid != NULL && width > 0 && height > 0;
     if (cells) snprintf(how, sizeof how, "boxxyerror fill solid noborder");
     fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Fates of orbits by their start, ", points);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset key tmargin center horizontal\nset tics out\n", stream);
     if (grid != NULL && strchr(grid, '=') == NULL) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
     fputs("plot ", stream);
@@ -220,7 +221,7 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$SHARES << END\n%sEND\nset title \"Share of orbits that turn over as %s runs; otherwise ",
             points, name);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, name);
     fprintf(stream,
             "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"share of starts with a low centre of mass\"\n"
             "set yrange [0:1]\nset key tmargin center horizontal\n"
@@ -232,12 +233,14 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
 /* A row of the sweep, and its point of the picture when there is one. */
 static void write_shares(FILE *file, FILE *points, double value, const shares *sum)
 {
+    char text[JLT_DECIMAL_SIZE];
     double turned, error, kept, kept_error;
 
     jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->high_pole, true);
     if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", value, turned, error, kept);
-    fprintf(file, "%.17g,%zu,%zu,%zu,%zu,%zu,%zu,%zu,", value, sum->all.starts, sum->low.starts,
+    jlt_decimal_text(text, value);
+    fprintf(file, "%s,%zu,%zu,%zu,%zu,%zu,%zu,%zu,", text, sum->all.starts, sum->low.starts,
             sum->all.by_fate[JLT_FATE_POLE_PLUS], sum->all.by_fate[JLT_FATE_POLE_MINUS],
             sum->all.by_fate[JLT_FATE_LOST_CONTACT], sum->all.by_fate[JLT_FATE_ALIVE], sum->all.by_fate[JLT_FATE_BUDGET]);
     if (sum->low.starts > 0) fprintf(file, "%.9g,%.3g,%.9g\n", turned, error, kept);
@@ -256,11 +259,13 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
     jlt_exit code = jlt_grid_axis_parse(&axis, o->sweep, strlen(o->sweep), "--sweep");
 
     if (code != JLT_EXIT_DONE) return code;
+    jlt_motion_options motion = o->motion;
+    motion.swept = axis.name;
     entry = jlt_system_value(&values, axis.name);
     if (entry == NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axis.name);
     copy = o->motion.common.plot != NULL ? open_memstream(&points, &size) : NULL;
-    jlt_motion_header(stream->file, &o->motion, base);
+    jlt_motion_header(stream->file, &motion, base);
     fprintf(stream->file, "%s,starts,low_starts,pole+,pole-,lost_contact,alive,budget,turned,turned_error,turned_in_contact\n",
             axis.name);
     jlt_progress_start(&progress, "starts");

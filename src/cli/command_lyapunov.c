@@ -93,7 +93,7 @@ static jlt_exit draw_history(const options *o, const jlt_system *system, const c
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$HISTORY << END\n%sEND\nset title \"Lyapunov exponents from %s, ", points, o->start);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fputs("\" noenhanced\nset xlabel \"t\"\nset ylabel \"λ [1/time]\"\nset logscale x\nset key tmargin center horizontal\nplot ",
           stream);
     for (unsigned k = 0; k < system->flow.chart->dim; k++)
@@ -143,7 +143,7 @@ static jlt_exit draw_chart(const options *o, const jlt_system *system, const cha
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$CHART << END\n%sEND\nset title \"Finite-time exponent over %zu returns, ", points,
             o->returns);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset cblabel \"exponent [1/time]\"\nunset key\n"
           "plot $CHART using 1:2:3 with image\n", stream);
     return jlt_common_draw(&o->motion.common, &script);

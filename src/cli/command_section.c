@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 /* Of --batch, for each thread: orbits that are followed at once, so many that lanes seldom wait for the last ones; rows that are
  * written at once. For all threads together: the most of these rows. */
@@ -129,7 +130,8 @@ typedef struct {
     size_t returns, all;      /* of each orbit, if it does not end; of all orbits, 0: endless */
     size_t before;            /* returns of the blocks before */
     size_t block;             /* returns of the block that is being followed */
-    bool cut;                 /* an interrupt came before the batch was done: its rows are written to the end */
+    bool cut;                 /* an interrupt came before the batch was done: its rows are written, for half a second */
+    struct timespec cut_at;
 } follower;
 
 static void show(follower *f, size_t done)
@@ -164,7 +166,12 @@ static jlt_status put(follower *f, const jlt_section_row *row)
 
 static bool stopped(const follower *f)
 {
-    return !f->cut && jlt_motion_interrupted(&f->o->motion);
+    struct timespec now;
+
+    if (!jlt_motion_interrupted(&f->o->motion)) return false;
+    if (!f->cut) return true;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - f->cut_at.tv_sec) + 1e-9 * (double)(now.tv_nsec - f->cut_at.tv_nsec) > 0.5;
 }
 
 /* Orbit number `index` of its block. */
@@ -268,6 +275,7 @@ static jlt_exit run_block(follower *f, const double *q, size_t first, size_t cou
             return jlt_command_fail(JLT_EXIT_IO, "the temporary file of rows cannot be written: is there room in TMPDIR?");
         if (st != JLT_OK) return jlt_motion_fail(st, system, "section");
         f->cut = jlt_motion_interrupted(&o->motion);
+        clock_gettime(CLOCK_MONOTONIC, &f->cut_at);
     }
     for (size_t i = 0; i < (f->batch != NULL ? jlt_section_batch_begun(f->batch) : count); i++) {
         st = run_orbit(f, q + i * system->flow.chart->dim, i);

@@ -91,7 +91,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
     for (size_t i = 0; i < rows; i++)
         fprintf(stream, "%zu %.9g %.9g\n", table[i].returns, table[i].overlap, table[i].mirror_overlap);
     fputs("END\nset title \"Cells visited forwards and backwards, ", stream);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fputs("\" noenhanced\nset logscale x 2\nset xlabel \"returns of every orbit\"\nset ylabel \"overlap\"\nset yrange [0:1.05]\n"
           "set key tmargin center horizontal\n"
           "plot $OVERLAP using 1:2 with linespoints pt 7 title 'forward and backward', "

@@ -71,8 +71,8 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     if (st == JLT_OK) st = jlt_command_open(&output);
     if (st == JLT_OK) st = write_rows(&output, request, rows, count);
     if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
-    if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows, count);
     if (code == JLT_EXIT_DONE) code = jlt_command_deliver(&output, request->common.output);
+    if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows, count);
     if (code == JLT_EXIT_DONE && first != NULL)
         code = jlt_command_fail(jlt_command_exit(first->status), "%zu of %zu points refused; the first: %s", refused, count,
                                 first->reason);

@@ -7,6 +7,7 @@
 #include "cli/interrupt.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
+#include "report/decimal.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -313,20 +314,44 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
     const jlt_chart *chart = system->flow.chart;
 
-    jlt_csv_header(stream, options->common.command, system->instance->descriptor, system->instance->params);
-    if (system->is_top) fprintf(stream, "# levels E=%.17g G=%.17g\n", system->values.E, system->values.G);
+    static const jlt_quantity levels[] = { { .name = "E" }, { .name = "G" } };
+    const jlt_descriptor *d = system->instance->descriptor;
+    double params[JLT_SYSTEM_PARAMS_MAX], E_G[] = { system->values.E, system->values.G };
+    const bool sweeps = system->is_top && options->swept != NULL;
+    size_t at;
+
+    if (sweeps) memcpy(params, system->instance->params, d->param_count * sizeof *params);
+    if (sweeps && jlt_descriptor_param(d, options->swept, &at)) params[at] = NAN;
+    for (int k = 0; k < 2; k++)
+        if (sweeps && strcmp(options->swept, levels[k].name) == 0) E_G[k] = NAN;
+    jlt_csv_header(stream, options->common.command, d, sweeps ? params : system->instance->params);
+    if (system->is_top) {
+        fputs("# levels", stream);
+        jlt_decimal_write_named(stream, levels, E_G, 2);
+        fputc('\n', stream);
+    }
     fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,
             chart->level, directions[options->flow.direction + 1], options->flow.method->name, options->flow.tolerance);
     if (chart->contact != NULL) fprintf(stream, "; loss of contact: %s", options->contact);
     fputs("; nothing is random, so there is no seed\n", stream);
 }
 
-void jlt_motion_caption(FILE *stream, const jlt_system *system)
+static void caption_value(FILE *stream, bool *is_first, const char *name, double value, const char *swept)
+{
+    if (swept != NULL && strcmp(name, swept) == 0) return;
+    fprintf(stream, "%s%s=%.6g", *is_first ? "" : ", ", name, value);
+    *is_first = false;
+}
+
+void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swept)
 {
     const jlt_descriptor *d = system->instance->descriptor;
+    bool is_first = true;
 
     for (unsigned i = 0; i < d->param_count; i++)
         if (strcmp(d->params[i].name, "G") != 0)
-            fprintf(stream, "%s%s=%.6g", i == 0 ? "" : ", ", d->params[i].name, system->instance->params[i]);
-    if (system->is_top) fprintf(stream, ", E=%.6g, G=%.6g", system->values.E, system->values.G);
+            caption_value(stream, &is_first, d->params[i].name, system->instance->params[i], swept);
+    if (!system->is_top) return;
+    caption_value(stream, &is_first, "E", system->values.E, swept);
+    caption_value(stream, &is_first, "G", system->values.G, swept);
 }

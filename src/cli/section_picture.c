@@ -78,7 +78,7 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
     fputs("set encoding utf8\n$POINTS << END\n", stream);
     fputs(self->text, stream);
     fputs("END\nset title \"Poincaré map on the section, ", stream);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fprintf(stream, "\\n%zu orbits of up to %zu returns\" noenhanced\n", self->orbits, returns);
     if (system->is_top) fputs("set xlabel \"η [rad]\"\nset ylabel \"γ_3\"\n", stream);
     else

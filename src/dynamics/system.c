@@ -61,12 +61,12 @@ jlt_status jlt_system_top(jlt_system **out, const jlt_top_values *values, const 
 {
     static const char model[] = "spherical_top_level";
     const jlt_descriptor *descriptor = jlt_descriptor_find(model, NULL, "regular", NULL);
-    double params[16], low, high;
+    double params[JLT_SYSTEM_PARAMS_MAX], low, high;
     jlt_system *self = NULL;
     jlt_status st = JLT_OK;
 
     *out = NULL;
-    if (descriptor == NULL || descriptor->param_count > 16) return JLT_ERR_UNSUPPORTED;
+    if (descriptor == NULL || descriptor->param_count > JLT_SYSTEM_PARAMS_MAX) return JLT_ERR_UNSUPPORTED;
     if (!isfinite(values->E) || !isfinite(values->G)) return JLT_ERR_NONFINITE;
     JLT_TRY(top_params(params, descriptor, values));
     descriptor = jlt_descriptor_choose(model, "regular", NULL, params);

@@ -7,6 +7,8 @@
 #include "kernel/instance.h"
 
 /** Parameters of the spherical top and the levels of its section. */
+enum { JLT_SYSTEM_PARAMS_MAX = 16 }; /* of the spherical top */
+
 typedef struct {
     double m, R, g, I1, I3, a3;
     double E, G;

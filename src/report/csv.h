@@ -8,7 +8,7 @@
 
 /** Write lines that begin with "# ": the command, the version, the kernel with the hash of its table, and the parameters
  *  with the digits that read back bit for bit. Failures show in ferror(stream).
- *  In: command, what was typed, or NULL; descriptor; params, shape (params,). */
+ *  In: command, what was typed, or NULL; descriptor; params, shape (params,), NaN where one runs over the rows. */
 void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *descriptor, const double *params);
 
 /* Numbers with 17 digits and commas between them, NaN as an empty field, and no newline. */
