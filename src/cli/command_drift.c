@@ -45,7 +45,7 @@ static const struct argp parser = {
     "How far E and G drift along an orbit of the spherical top, by every method or by that of --method, in the five states of "
     "system (3.2) in regular time, where no integral is built in."
     "\vColumns: method, returns, t, evaluations, drift_E, drift_G: of the field since the start, and the largest |F - F(start)|/"
-    "|F(start)| at a return so far; rows at powers of two and at the end. Comment lines at the end have the slopes: the "
+    "|F(start)| at a return so far (not divided where F(start) = 0); rows at powers of two and at the end. Comment lines at the end have the slopes: the "
     "powers of the number of returns with which the drifts grow, fitted over the last four doublings.\n\n"
     "  jellett drift --returns 1000000 --method gauss --tol 1e-13",
     children, NULL, NULL,
@@ -124,7 +124,7 @@ static jlt_status follow(run_state *r, sample *rows, size_t *count, const jlt_me
             break;
         }
         r->invariants.values(at.x, r->invariants.p, now);
-        for (unsigned k = 0; k < WATCHED; k++) drift[k] = fmax(drift[k], fabs(now[k] - first[k]) / fabs(first[k]));
+        for (unsigned k = 0; k < WATCHED; k++) drift[k] = fmax(drift[k], fabs(now[k] - first[k]) / (first[k] != 0 ? fabs(first[k]) : 1));
         if (i == next || i == r->o->returns) {
             sample *row = &rows[(*count)++];
             row->returns = (double)i;
