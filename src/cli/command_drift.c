@@ -105,6 +105,7 @@ static jlt_status follow(run_state *r, sample *rows, size_t *count, const jlt_me
 {
     const jlt_event section = { .column = JLT_TOP_OMEGA_TAU, .direction = r->o->motion.flow.direction };
     const jlt_options to_orbit = { .tolerance = r->o->motion.flow.tolerance, .interrupt = r->o->motion.flow.interrupt,
+                                   .max_steps = 100000, /* of one return, as on sections */
                                    .invariants = r->invariants, .project = r->o->project };
     double first[JLT_INVARIANTS_MAX], now[JLT_INVARIANTS_MAX], drift[WATCHED] = { 0 };
     jlt_orbit *orbit = NULL;

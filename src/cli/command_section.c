@@ -188,7 +188,7 @@ static jlt_status run_orbit(follower *f, const double *q, size_t index)
         show_written(f, index, at->number);
     }
     jlt_section_picture_end(f->picture, at->fate);
-    if (!(at->contact > 0)) sum->lost_contact++;
+    if (at->contact <= 0) sum->lost_contact++;
     if (jlt_section_failed(at->fate)) sum->failed++;
     sum->orbits++;
 done:
@@ -327,7 +327,7 @@ static jlt_exit run(int argc, char **argv)
     follower f = { .o = &o, .sum = &sum, .picture = &picture };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
-    jlt_exit code;
+    jlt_exit code, verdict;
 
     o.starts = calloc((size_t)argc, sizeof *o.starts);
     if (o.starts == NULL) return jlt_command_no_memory();
@@ -355,9 +355,11 @@ static jlt_exit run(int argc, char **argv)
     code = run_all(&f, stream.file);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE) code = closing_words(&f, &stream);
-    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL)
+    if (code != JLT_EXIT_DONE) goto done;
+    verdict = closing_words(&f, &stream);
+    if (o.motion.common.plot != NULL)
         code = jlt_section_picture_draw(&picture, &o.motion.common, system, o.grid, o.axes, o.returns);
+    if (code == JLT_EXIT_DONE) code = verdict;
 done:
     jlt_stream_discard(&stream);
     jlt_section_destroy(f.section);
