@@ -64,7 +64,7 @@ run 0 simulate --set a3=-1 --start gamma3=0.3,v_nu=-0.5,omega_tau=1.1,omega_n=0,
 
 run 0 separation --set m=0.42,R=0.5,g=0,I1=0.03,I3=0.014,a3=0.19 --level E=0.043,G=0.0012 --returns 20 \
     --grid eta=-0.5:0.5:4,gamma3=-0.7:-0.5:4
-run 0 drift --returns 4 --level E=2,G=0 --start eta=0.3,gamma3=-0.7 --method gauss
+run 0 drift --returns 2 --set a3=0 --level E=1,G=0 --start eta=0.8,gamma3=-0.5 --method gauss
 run 0 section --check --set a3=0 --level E=1,G=-0.3 --start eta=-0.5235987755982987,gamma3=-0.066 --returns 3
 
 # Planar motion (omega_n = omega3 = 0) runs into the pole. By the quadrature of the energy, with gamma3 = (g0 - 1)/2 - (g0 + 1)/2 cos u,
