@@ -171,7 +171,8 @@ static jlt_exit run_all(run_state *r)
             code = jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends at a pole: choose another --start, or fewer --returns",
                                     method->name);
         else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
-        else fprintf(notes, "# %s: E drifts as returns^%.2f, G as returns^%.2f\n", method->name, slope(rows, count, 0),
+        else if (!isnan(slope(rows, count, 0)) && !isnan(slope(rows, count, 1))) /* three rows that drift, to fit a line */
+            fprintf(notes, "# %s: E drifts as returns^%.2f, G as returns^%.2f\n", method->name, slope(rows, count, 0),
                      slope(rows, count, 1));
     }
     if (fclose(notes) == 0) fputs(slopes, r->stream->file);
