@@ -45,7 +45,7 @@ static const struct argp parser = {
     "How far E and G drift along an orbit of the spherical top, by every method or by that of --method, in the five states of "
     "system (3.2) in regular time, where no integral is built in."
     "\vColumns: method, returns, t, evaluations, drift_E, drift_G: of the field since the start, and the largest |F - F(start)|/"
-    "|F(start)| at a return so far; rows at powers of two and at the end. Comment lines at the end have the slopes: the "
+    "|F(start)| at a return so far (not divided where F(start) = 0); rows at powers of two and at the end. Comment lines at the end have the slopes: the "
     "powers of the number of returns with which the drifts grow, fitted over the last four doublings.\n\n"
     "  jellett drift --returns 1000000 --method gauss --tol 1e-13",
     children, NULL, NULL,
@@ -106,6 +106,7 @@ static jlt_status follow(run_state *r, sample *rows, size_t *count, const jlt_me
 {
     const jlt_event section = { .column = JLT_TOP_OMEGA_TAU, .direction = r->o->motion.flow.direction };
     const jlt_options to_orbit = { .tolerance = r->o->motion.flow.tolerance, .interrupt = r->o->motion.flow.interrupt,
+                                   .max_steps = 100000, /* of one return, as on sections */
                                    .invariants = r->invariants, .project = r->o->project };
     double first[JLT_INVARIANTS_MAX], now[JLT_INVARIANTS_MAX], drift[WATCHED] = { 0 };
     jlt_orbit *orbit = NULL;
@@ -125,7 +126,7 @@ static jlt_status follow(run_state *r, sample *rows, size_t *count, const jlt_me
             break;
         }
         r->invariants.values(at.x, r->invariants.p, now);
-        for (unsigned k = 0; k < WATCHED; k++) drift[k] = fmax(drift[k], fabs(now[k] - first[k]) / fabs(first[k]));
+        for (unsigned k = 0; k < WATCHED; k++) drift[k] = fmax(drift[k], fabs(now[k] - first[k]) / (first[k] != 0 ? fabs(first[k]) : 1));
         if (i == next || i == r->o->returns) {
             sample *row = &rows[(*count)++];
             row->returns = (double)i;
@@ -171,7 +172,8 @@ static jlt_exit run_all(run_state *r)
             code = jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends at a pole: choose another --start, or fewer --returns",
                                     method->name);
         else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
-        else fprintf(notes, "# %s: E drifts as returns^%.2f, G as returns^%.2f\n", method->name, slope(rows, count, 0),
+        else if (!isnan(slope(rows, count, 0)) && !isnan(slope(rows, count, 1))) /* three rows that drift, to fit a line */
+            fprintf(notes, "# %s: E drifts as returns^%.2f, G as returns^%.2f\n", method->name, slope(rows, count, 0),
                      slope(rows, count, 1));
     }
     if (fclose(notes) == 0) fputs(slopes, r->stream->file);

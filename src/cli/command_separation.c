@@ -1,5 +1,6 @@
 #include "cli/motion.h"
 #include "dynamics/separation.h"
+#include "report/csv.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -118,8 +119,9 @@ static jlt_exit run(int argc, char **argv)
     fputs("returns,alive_forward,alive_backward,cells_forward,cells_backward,cells_common,overlap,mirror_overlap\n", stream.file);
     for (size_t i = 0; i < rows; i++) {
         const jlt_separation *row = &table[i];
-        fprintf(stream.file, "%zu,%zu,%zu,%zu,%zu,%zu,%.9g,%.9g\n", row->returns, row->alive_forward, row->alive_backward,
-                row->forward, row->backward, row->common, row->overlap, row->mirror_overlap);
+        fprintf(stream.file, "%zu,%zu,%zu,%zu,%zu,%zu,", row->returns, row->alive_forward, row->alive_backward, row->forward,
+                row->backward, row->common);
+        jlt_csv_row(stream.file, (const double[]){ row->overlap, row->mirror_overlap }, 2); /* empty where no cell is visited */
     }
     code = jlt_stream_close(&stream);
     if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = draw(&o, system, table, rows);

@@ -122,7 +122,7 @@ static jlt_exit top_system(jlt_system **system, const jlt_motion_options *option
                                 "nearer to 0",
                                 values.E, values.G, least_energy(&values));
     if (st == JLT_ERR_DOMAIN)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--set: m, R, g and I1 must be positive, and I3 >= 0");
+        return jlt_command_fail(JLT_EXIT_INPUT, "--set: m, R and I1 must be positive, g >= 0 and I3 >= 0");
     if (st == JLT_ERR_UNSUPPORTED)
         return jlt_command_fail(JLT_EXIT_INPUT, "the kernels of spherical_top_level in regular time are not built in");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, NULL, "the spherical top");
@@ -212,7 +212,8 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: no state has these levels there; gamma3 may lie in (%.10g, %.10g)",
                                 what, low, high);
     if (status == JLT_ERR_DOMAIN && system != NULL && system->is_top)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: gamma3 must lie strictly between -1 and 1", what);
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: gamma3 must lie strictly between -1 and 1, and the orbit return before it "
+                                "ends at a pole or at rest", what);
     if (status == JLT_ERR_UNSUPPORTED && system != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the kernels of %s have not what the method needs", what,
                                 system->instance->descriptor->model);
@@ -224,6 +225,12 @@ jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const 
     if (status != JLT_ERR_NO_CONVERGENCE) return jlt_motion_fail(status, system, start);
     return jlt_command_fail(JLT_EXIT_NUMERICAL, "Newton's method finds no periodic orbit from %s: try another --start or --period",
                             start);
+}
+
+jlt_exit jlt_motion_failures(size_t failed, size_t orbits)
+{
+    return jlt_command_fail(JLT_EXIT_NUMERICAL, "the method failed on %zu of %zu orbits, each of which ends in a row that says so",
+                            failed, orbits);
 }
 
 static unsigned coordinate(const jlt_chart *chart, const char *name)

@@ -59,6 +59,9 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
 /** The same for Newton's method, which finds no periodic orbit from `start`. */
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start);
 
+/** Says that the method failed on so many of the orbits, whose rows tell how; the status of that. */
+jlt_exit jlt_motion_failures(size_t failed, size_t orbits);
+
 bool jlt_motion_interrupted(const jlt_motion_options *options);
 
 #endif

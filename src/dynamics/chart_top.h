@@ -38,7 +38,8 @@ jlt_units jlt_chart_top_units(const jlt_chart_top *self);
 /** W^2 at gamma3: negative where the levels have no state with omega_tau = 0. */
 double jlt_chart_top_speed2(const jlt_chart_top *self, double gamma3);
 
-/** omega_n and omega3 of a state: omega_n = (R s G + I3 b v_tau)/K, omega3 = (I1 R s v_tau - b G)/K. */
+/** omega_n and omega3 of a state: omega_n = (R s G + I3 b v_tau)/K, omega3 = (I1 R s v_tau - b G)/K. NaN at a pole with I3 b = 0,
+ *  where K vanishes and the state does not tell them. */
 void jlt_chart_top_rotation(const jlt_chart_top *self, double *omega_n, double *omega3, const double *x);
 
 /** Energy of a state, from the same formula as the chart. */

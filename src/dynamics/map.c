@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "dynamics/linear.h"
+#include "integrate/rest.h"
 
 enum { DIM_MAX = JLT_CHART_STATES_MAX * (1 + JLT_CHART_DIM_MAX) + 1 };
 
@@ -202,6 +203,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     for (k = 0; k < d; k++)
         for (i = 0; i < n; i++) start[n * (1 + k) + i] = tangent[i * d + k];
     self->flow.field->call(start, self->flow.field->p, f);
+    if (jlt_rest_is_slower(self->flow.field, start, JLT_REST_STILL)) return JLT_ERR_DOMAIN;
     before = chart->flux(chart, start, f);
     JLT_TRY(jlt_orbit_start(self->orbit, 0, start, time_direction));
     JLT_TRY(to_section(self, &outcome, time_direction));
@@ -254,8 +256,7 @@ jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t 
     for (i = 0; i < count; i++) {
         JLT_TRY(jlt_section_next(self->section, &row));
         if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
-        if (row.fate == JLT_FATE_BUDGET) return JLT_ERR_BUDGET;
-        if (row.fate != JLT_FATE_ALIVE) return JLT_ERR_DOMAIN;
+        JLT_TRY(jlt_section_fate_status(row.fate));
     }
     memcpy(image.q, row.q, sizeof image.q);
     memcpy(image.x, row.x, sizeof image.x);

@@ -70,10 +70,11 @@ static void extract(const jlt_course *self, double *x, const double *y)
 
 static void note_force(jlt_course *self, double t, const double *x)
 {
+    /* NaN at a pole where the level does not tell the rotation: no force is known there. */
     const double force = jlt_top_contact_force(&self->view.top, x);
 
-    if (!(force >= self->least_force)) self->least_force = force;
-    if (!(force > 0) && isnan(self->lost_at)) self->lost_at = t;
+    if (force < self->least_force) self->least_force = force;
+    if (force <= 0 && isnan(self->lost_at)) self->lost_at = t;
 }
 
 static int watch_force(void *context, jlt_orbit *orbit)
@@ -228,18 +229,33 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
 {
     jlt_status st = JLT_OK;
     const int mirror = self->view.mirror;
+    const bool has_edge = self->tier != NULL && self->tier->edge != NULL;
+    const jlt_event edge = { .value = has_edge ? self->tier->edge : NULL, .context = &self->view };
     jlt_outcome outcome = { 0 };
 
+    row->x = NULL;
+    if (has_edge && self->direction == 0 && !(edge.value(edge.context, self->y) > 0)) {
+        fill(self, row, JLT_END_TIME, 0);
+        row->edge = self->tier->edge_meaning;
+        return JLT_ERR_DOMAIN;
+    }
     if (self->direction == 0) {
         self->direction = t < 0 ? -1 : 1;
         JLT_TRY(jlt_orbit_start(self->orbit, 0, self->y, self->direction * mirror));
     }
-    st = jlt_orbit_next(self->orbit, mirror * t, NULL, 0, &outcome);
+    st = jlt_orbit_next(self->orbit, mirror * t, &edge, has_edge, &outcome);
     if (outcome.x != NULL) {
         memcpy(self->y, outcome.x, self->field.dim * sizeof *self->y);
         extract(self, self->x, self->y);
         self->t = mirror * outcome.t;
         fill(self, row, outcome.end, self->t);
+    }
+    if (st == JLT_OK && outcome.end == JLT_END_EVENT) {
+        row->end = JLT_END_TIME;
+        row->edge = self->tier->edge_meaning;
+        st = JLT_ERR_DOMAIN;
+    } else if (st == JLT_ERR_DOMAIN) {
+        row->edge = self->has_top ? jlt_tier_near_pole : "the orbit comes to the edge of its table's domain";
     }
 done:
     return st;
