@@ -14,6 +14,8 @@
 #include "ext/eigen.h"
 #include "ext/quadrature.h"
 
+#include <gsl/gsl_errno.h>
+
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -275,6 +277,17 @@ static void nearly_dependent_gradients_do_not_spoil_what_stands_in_the_matrix(vo
     assert_true(d.values[4].im == -d.values[3].im);
 }
 
+/* Threads call GSL at once: a handler put back by one would be on under another. */
+static void gsl_has_no_handler_between_calls(void **unused)
+{
+    static const double a[] = { 1, 2, 3, 4 };
+    double re[2], im[2];
+
+    (void)unused;
+    assert_int_equal(jlt_eigen_values(re, im, a, 2), JLT_OK);
+    assert_ptr_equal(gsl_set_error_handler_off(), gsl_set_error_handler_off());
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -288,6 +301,7 @@ int main(void)
         cmocka_unit_test(condition_numbers_of_a_triangular_matrix_are_those_by_hand),
         cmocka_unit_test(wrong_arguments_of_outside_solvers_are_statuses),
         cmocka_unit_test(quadrature_is_exact_to_its_estimate_and_passes_failures_on),
+        cmocka_unit_test(gsl_has_no_handler_between_calls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
