@@ -18,9 +18,12 @@ static const double roundoff = DBL_EPSILON / 2;
 /* Beside the largest state, what may be an exact zero. */
 static const double snapped = 1e-8;
 
+/* An eigenvalue is on the imaginary axis when its real part is zero to within this of its size, for all that is known. */
+static const double on_axis = 1e-6;
+
 const char *jlt_linearization_verdict(jlt_verdict verdict)
 {
-    static const char *const texts[] = { "stable", "unstable", "centre" };
+    static const char *const texts[] = { "stable", "unstable", "centre", "undecided" };
     return texts[verdict];
 }
 
@@ -89,6 +92,14 @@ static const jlt_equilibria *family_of(const jlt_descriptor *d, const double *pa
     return best;
 }
 
+/* How far from x_j an equilibrium may lie that x_j stands for. */
+static double reach_of(const jlt_quantity *state, double x)
+{
+    const double room = fmin(x - state->low, state->high - x), size = fmin(fabs(x), room);
+
+    return fmin(fmax(JLT_LINEARIZATION_TOLERANCE * size, 4 * roundoff * fabs(x)), 1e-3 * room);
+}
+
 static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *instance, const double *x)
 {
     const size_t n = instance->descriptor->state_count;
@@ -105,9 +116,10 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
         JLT_TRY(jlt_instance_gradients(instance, r->gradients, x));
     }
     r->residual = r->residual_ratio = 0.0;
+    for (size_t j = 0; j < n; j++) r->reach[j] = reach_of(&r->descriptor->states[j], x[j]);
     for (size_t i = 0; i < n; i++) {
         double size = 0.0;
-        for (size_t j = 0; j < n; j++) size += fabs(r->jacobian[i * n + j] * x[j]);
+        for (size_t j = 0; j < n; j++) size += fabs(r->jacobian[i * n + j]) * (r->reach[j] / JLT_LINEARIZATION_TOLERANCE);
         r->residual = fmax(r->residual, fabs(r->f[i]));
         if (r->f[i] != 0.0) r->residual_ratio = fmax(r->residual_ratio, size > 0.0 ? fabs(r->f[i]) / size : INFINITY);
     }
@@ -172,27 +184,39 @@ done:
     return st;
 }
 
+/* Doubles tell nothing of the eigenvalues here. */
+static void leave_open(jlt_deflation *eigen, size_t n)
+{
+    *eigen = (jlt_deflation){ .n = n, .kept = n, .doubtful_zero = 1, .arpack_note = "no eigenvalues to compare with" };
+    eigen->gsl_difference = eigen->plain_difference = eigen->arpack_difference = NAN;
+    for (size_t i = 0; i < n; i++) eigen->values[i] = (jlt_eigenvalue){ NAN, NAN, NAN, INFINITY, -1 };
+}
+
 static void judge(jlt_linearization *r, const double *error)
 {
     const size_t n = r->n;
-    bool negative = true, moves = false;
+    bool negative = true, moves = false, open = r->eigen.doubtful_zero, growing = false;
 
+    r->precision = DBL_MANT_DIG;
     r->trace_error = 0.0;
     for (size_t i = 0; i < n; i++)
         r->trace_error += error == NULL ? 4 * roundoff * fabs(r->jacobian[i * n + i]) : error[i * n + i];
     r->trace_error += 2 * (double)n * roundoff * fabs(r->trace);
-    r->obstructs = fabs(r->trace) > r->trace_error;
-    r->verdict = r->eigen.defective_zero ? JLT_UNSTABLE : JLT_STABLE;
     for (size_t i = 0; i < n; i++) {
         const jlt_eigenvalue *value = &r->eigen.values[i];
-        if (value->source >= 0 || hypot(value->re, value->im) <= value->error) continue;
+        const double size = hypot(value->re, value->im);
+        if (value->source >= 0 || !(size > value->error)) continue;
         moves = true;
         /* A conjugate pair has the trace for twice its real part: its error is the trace's. */
         const double slack = value->im != 0.0 && r->eigen.kept == 2 ? fmin(value->error, r->trace_error) : value->error;
-        if (value->re > slack) r->verdict = JLT_UNSTABLE;
-        if (!(value->re < -slack)) negative = false;
+        growing = growing || value->re > slack;
+        negative = negative && value->re < -slack;
+        open = open || (fabs(value->re) <= slack && slack > on_axis * size);
     }
-    if (r->verdict == JLT_STABLE && !(moves && negative)) r->verdict = JLT_CENTRE;
+    r->obstructs = fabs(r->trace) > r->trace_error;
+    if (growing || r->eigen.defective_zero) r->verdict = JLT_UNSTABLE;
+    else if (open) r->verdict = JLT_UNDECIDED;
+    else r->verdict = moves && negative ? JLT_STABLE : JLT_CENTRE;
 }
 
 jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params,
@@ -210,14 +234,50 @@ jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descri
     }
     for (size_t i = 0; i < result->integrals; i++) result->sources[i] = instance->descriptor->integrals[i].name;
     JLT_TRY(jlt_instance_divergence(instance, &result->trace, x));
-    JLT_TRY(jlt_deflation_compute(&result->eigen, result->jacobian, jacobian_error, result->n, result->gradients,
-                                  gradient_error, result->integrals));
+    st = jlt_deflation_compute(&result->eigen, result->jacobian, jacobian_error, result->n, result->gradients, gradient_error,
+                               result->integrals);
+    if (st == JLT_ERR_NO_CONVERGENCE) leave_open(&result->eigen, result->n);
+    else if (st != JLT_OK) goto done;
     JLT_TRY(polynomial(result, jacobian_error));
     JLT_TRY(formulas(result, descriptor, params, x));
     judge(result, jacobian_error);
 done:
     jlt_instance_destroy(instance);
     return st;
+}
+
+jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descriptor *descriptor,
+                                     const jlt_ball_value *params, const jlt_ball_value *x)
+{
+    const jlt_ball_question question = { descriptor->model, params, x, result->reach, result->sources, result->integrals };
+    jlt_deflation *eigen = &result->eigen;
+    jlt_ball_spectrum s;
+    const jlt_status st = jlt_ball_spectrum_compute(&s, &question);
+
+    if (st != JLT_OK) return st;
+    for (size_t k = 0; k <= s.n; k++) {
+        result->charpoly[k] = s.charpoly[k];
+        result->charpoly_error[k] = s.charpoly_error[k];
+    }
+    result->trace = s.trace;
+    result->trace_error = s.trace_error;
+    result->obstructs = fabs(s.trace) > s.trace_error;
+    eigen->defective_zero = s.defective;
+    eigen->doubtful_zero = 0;
+    if (s.growing || s.defective) result->verdict = JLT_UNSTABLE;
+    else result->verdict = s.decaying ? JLT_STABLE : JLT_CENTRE;
+    if (!s.rooted) return JLT_OK;
+    result->precision = s.precision;
+    eigen->kept = s.n - s.attributed;
+    for (size_t i = 0; i < s.zeros; i++) {
+        const bool forced = i < s.attributed;
+        eigen->values[i] = (jlt_eigenvalue){ 0.0, 0.0, !forced && s.defective ? INFINITY : NAN, 0.0, forced ? s.source[i] : -1 };
+    }
+    for (size_t i = s.zeros; i < s.n; i++) {
+        const jlt_ball_eigenvalue *value = &s.values[i - s.zeros];
+        eigen->values[i] = (jlt_eigenvalue){ value->re, value->im, value->condition, value->error, -1 };
+    }
+    return JLT_OK;
 }
 
 static double length(const double *values, size_t n)

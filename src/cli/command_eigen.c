@@ -119,6 +119,8 @@ void jlt_eigen_compute(jlt_eigen_row *row, const jlt_eigen_request *request, dou
     row->status = entry_errors(errors, gradient_errors, row, params, x);
     if (row->status == JLT_OK)
         row->status = jlt_linearization_compute(&row->result, d, params, x, errors, gradient_errors);
+    /* Where balls settle nothing, the report is what doubles know. */
+    if (row->status == JLT_OK && jlt_eigen_enclose(row) == JLT_ERR_NOMEM) row->status = JLT_ERR_NOMEM;
     if (row->status == JLT_ERR_EMPTY)
         snprintf(row->reason, sizeof row->reason,
                  "this state is no equilibrium: residual %.6g, relative %.3g (--find looks for one nearby)",

@@ -165,7 +165,8 @@ static void deflation_keeps_all_digits_of_a_defective_zero_where_qr_loses_half(v
     }
     print_message("defective zero: QR off by %.2g, deflated by %.2g\n", qr_worst, worst);
     assert_int_equal(zeros, 3);
-    assert_true(d.defective_zero);
+    /* Rounding has made the zero one of 1e-16 at most, and a matrix so near may have no Jordan block. */
+    assert_true(d.doubtful_zero && !d.defective_zero);
     assert_true(qr_worst > 1e-10);
     assert_true(worst < 64 * DBL_EPSILON);
     assert_true(d.plain_difference > 1e-10);
