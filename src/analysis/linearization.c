@@ -1,7 +1,6 @@
 #include "analysis/linearization.h"
 
 #include "analysis/charpoly.h"
-#include "ext/eigen.h"
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 #include "kernel/kernel.h"
@@ -11,12 +10,9 @@
 #include <stdbool.h>
 #include <string.h>
 
-enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256, NEWTON_STEPS = 60, HALVINGS = 30 };
+enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256 };
 
 static const double roundoff = DBL_EPSILON / 2;
-
-/* Beside the largest state, what may be an exact zero. */
-static const double snapped = 1e-8;
 
 /* An eigenvalue is on the imaginary axis when its real part is zero to within this of its size, for all that is known. */
 static const double on_axis = 1e-6;
@@ -192,6 +188,18 @@ static void leave_open(jlt_deflation *eigen, size_t n)
     for (size_t i = 0; i < n; i++) eigen->values[i] = (jlt_eigenvalue){ NAN, NAN, NAN, INFINITY, -1 };
 }
 
+/* Whether errors leave open that the eigenvalue is a multiple one, whose eigenvectors doubles do not count. */
+static bool multiple(const jlt_deflation *eigen, size_t which)
+{
+    const jlt_eigenvalue *value = &eigen->values[which];
+
+    for (size_t i = 0; i < eigen->n; i++) {
+        const jlt_eigenvalue *other = &eigen->values[i];
+        if (i != which && hypot(value->re - other->re, value->im - other->im) <= value->error + other->error) return true;
+    }
+    return false;
+}
+
 static void judge(jlt_linearization *r, const double *error)
 {
     const size_t n = r->n;
@@ -211,7 +219,7 @@ static void judge(jlt_linearization *r, const double *error)
         const double slack = value->im != 0.0 && r->eigen.kept == 2 ? fmin(value->error, r->trace_error) : value->error;
         growing = growing || value->re > slack;
         negative = negative && value->re < -slack;
-        open = open || (fabs(value->re) <= slack && slack > on_axis * size);
+        if (fabs(value->re) <= slack) open = open || slack > on_axis * size || multiple(&r->eigen, i);
     }
     r->obstructs = fabs(r->trace) > r->trace_error;
     if (growing || r->eigen.defective_zero) r->verdict = JLT_UNSTABLE;
@@ -278,101 +286,4 @@ jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descri
         eigen->values[i] = (jlt_eigenvalue){ value->re, value->im, value->condition, value->error, -1 };
     }
     return JLT_OK;
-}
-
-static double length(const double *values, size_t n)
-{
-    double sum = 0.0;
-    for (size_t i = 0; i < n; i++) sum = hypot(sum, values[i]);
-    return sum;
-}
-
-/* One Newton step with `held` states fixed, halved until |f| falls. *settled: there is nothing left to gain. */
-static jlt_status advance(jlt_linearization *r, double *x, bool *settled, const jlt_instance *instance,
-                          const unsigned char *fixed)
-{
-    const size_t n = r->n;
-    double a[SIZE * SIZE], step[SIZE], trial[SIZE];
-    size_t moving = 0, columns[SIZE];
-    const double before = length(r->f, n);
-    jlt_linearization next;
-    jlt_status st;
-
-    for (size_t j = 0; j < n; j++)
-        if (!fixed[j]) columns[moving++] = j;
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = 0; j < moving; j++) a[i * moving + j] = r->jacobian[i * n + columns[j]];
-    *settled = moving == 0 || before == 0.0;
-    if (*settled) return JLT_OK;
-    JLT_TRY(jlt_eigen_least_squares(step, a, r->f, n, moving, 1e-10));
-    for (int halving = 0; halving < HALVINGS; halving++) {
-        memcpy(trial, x, n * sizeof *x);
-        for (size_t j = 0; j < moving; j++) trial[columns[j]] -= ldexp(step[j], -halving);
-        st = measure_residual(&next, instance, trial);
-        if (st == JLT_OK && length(next.f, n) < before) {
-            *r = next;
-            memcpy(x, trial, n * sizeof *x);
-            return JLT_OK;
-        }
-    }
-    *settled = true;
-    st = JLT_OK;
-done:
-    return st;
-}
-
-/* States that Newton's method leaves at rounding level become exact zeros where that makes a better equilibrium: a term
- * that is linear in them has nothing beside it that would show them to be small. Together, since one alone may not. */
-static void snap(jlt_linearization *r, double *x, const jlt_instance *instance, const unsigned char *fixed)
-{
-    double largest = 0.0, trial[SIZE];
-    jlt_linearization next;
-
-    for (size_t j = 0; j < r->n; j++) largest = fmax(largest, fabs(x[j]));
-    for (size_t j = 0; j < r->n; j++) trial[j] = !fixed[j] && fabs(x[j]) <= snapped * largest ? 0.0 : x[j];
-    if (measure_residual(&next, instance, trial) != JLT_OK || next.residual_ratio > r->residual_ratio) return;
-    *r = next;
-    memcpy(x, trial, r->n * sizeof *x);
-}
-
-static jlt_status newton(double *x, const jlt_instance *instance, const unsigned char *fixed)
-{
-    jlt_linearization r;
-    bool settled = false;
-    jlt_status st;
-
-    JLT_TRY(measure_residual(&r, instance, x));
-    for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(&r, x, &settled, instance, fixed));
-    if (r.residual_ratio > JLT_LINEARIZATION_TOLERANCE) {
-        snap(&r, x, instance, fixed);
-        settled = false;
-        for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(&r, x, &settled, instance, fixed));
-    }
-    if (r.residual_ratio > JLT_LINEARIZATION_TOLERANCE) st = JLT_ERR_NO_CONVERGENCE;
-done:
-    return st;
-}
-
-jlt_status jlt_linearization_find(double *x, const jlt_descriptor *descriptor, const double *params, const size_t *order,
-                                  size_t held)
-{
-    jlt_instance *instance;
-    jlt_status st;
-
-    JLT_TRY(bind(&instance, descriptor, params));
-    for (size_t keep = held + 1; keep-- > 0;) {
-        unsigned char fixed[SIZE] = { 0 };
-        double trial[SIZE];
-        memcpy(trial, x, descriptor->state_count * sizeof *x);
-        for (size_t i = 0; i < keep; i++) fixed[order[i]] = 1;
-        st = newton(trial, instance, fixed);
-        if (st == JLT_OK) {
-            memcpy(x, trial, descriptor->state_count * sizeof *x);
-            break;
-        }
-        if (st == JLT_ERR_NOMEM) break;
-    }
-done:
-    jlt_instance_destroy(instance);
-    return st;
 }
