@@ -39,21 +39,28 @@ static bracket locate(const runner *self, const place *from, const place *to, do
     const unsigned d = self->d;
     double a = 0, b = step, fa = from->test[k], fb = to->test[k];
     bracket found = { fabs(fa) < fabs(fb) ? *from : *to, from->u[d] * scale, to->u[d] * scale };
+    double failed = NAN; /* where no step arrives; then halfway from there to either side */
     place next;
 
     for (int i = 0; i < LOCATE && fabs(b - a) > 1e-10 * fmax(1, fabs(step)); i++) {
         double s = i % 2 == 0 ? (a * fb - b * fa) / (fb - fa) : (a + b) / 2;
-        if (!(s > fmin(a, b) && s < fmax(a, b))) s = (a + b) / 2;
+        if (!isnan(failed)) s = (failed + (i % 2 == 0 ? a : b)) / 2;
+        else if (!(s > fmin(a, b) && s < fmax(a, b))) s = (a + b) / 2;
+        if (interrupted(self)) break;
         if (jlt_continuation_step_to(self, &next, from, s, NULL) != JLT_OK ||
-            !jlt_continuation_step_straight(from, &next, turn, d))
-            break;
-        found.at = next;
+            !jlt_continuation_step_straight(from, &next, turn, d)) {
+            if (isnan(failed)) failed = s;
+            else if (i > LOCATE / 2) break;
+            continue;
+        }
+        if (fabs(next.test[k]) <= fabs(found.at.test[k])) found.at = next;
+        if ((next.test[k] > 0) == (fb > 0)) b = s, fb = next.test[k], found.high = next.u[d] * scale;
+        else a = s, fa = next.test[k], found.low = next.u[d] * scale;
         if (next.test[k] == 0) {
             found.low = found.high = next.u[d] * scale;
             break;
         }
-        if ((next.test[k] > 0) == (fb > 0)) b = s, fb = next.test[k], found.high = next.u[d] * scale;
-        else a = s, fa = next.test[k], found.low = next.u[d] * scale;
+        if (!(failed > fmin(a, b) && failed < fmax(a, b))) failed = NAN;
     }
     return found;
 }
