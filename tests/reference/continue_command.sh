@@ -60,7 +60,7 @@ for signal in INT TERM HUP; do
     interrupted $signal 'interrupted; [0-9]* whole rows' jellett continue --along I3=0.1:0.6 --branches --step 1e-5 --count 1000000 -o long.csv
     [ "$(grep -c '^[0-9]' long.csv)" -eq "$(sed -n 's/.*interrupted; \([0-9]*\) whole rows.*/\1/p' err)" ] || fail "saved rows"
 done
-interrupted TERM 'interrupted; [0-9]* whole rows of 900000' jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:900000
+interrupted TERM 'interrupted; nothing is saved, as only [0-9]* of 900000' jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:900000
 interrupted TERM 'interrupted; nothing is reported' jellett verify spherical_top --samples 10000000
 [ $failures = 0 ] || exit 1
 echo "bifurcations are the same at all steps"
