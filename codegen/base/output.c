@@ -196,10 +196,10 @@ int ttc_output_write(const ttc_output *output, const char *folder, const char **
     *restored = true;
     passage *passages = calloc(output->count + 1, sizeof *passages);
     if (passages == NULL) return ENOMEM;
-    sigprocmask(SIG_BLOCK, &ending, &before);
+    pthread_sigmask(SIG_BLOCK, &ending, &before);
     int error = write_all(output, folder, passages, where, restored);
     for (size_t i = 0; i < output->count; i++) end(passages + i);
     free(passages);
-    sigprocmask(SIG_SETMASK, &before, NULL);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
     return error;
 }

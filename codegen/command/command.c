@@ -17,7 +17,7 @@ void ttc_command_raise(int *status, int to)
 static void tell_no_memory(int *status)
 {
     fprintf(stderr, "ttc: out of memory\n");
-    ttc_command_raise(status, TTC_EXIT_IO);
+    ttc_command_raise(status, TTC_EXIT_MEMORY);
 }
 
 /* A message may be cut within a character, and a path may be of any bytes; JSON takes neither. */

@@ -55,7 +55,7 @@ int ttc_command_challenge(const ttc_model *model, const ttc_proof_report *proofs
     ttc_challenge_report *report = NULL;
     if (!ttc_challenge(model, proofs, ttc_resolve_beside, NULL, options->challenge, options->seed, &report)) {
         fprintf(stderr, "ttc: out of memory while challenging %s\n", model->file);
-        return TTC_EXIT_IO;
+        return TTC_EXIT_MEMORY;
     }
     if (shown != NULL) put_json(shown, report);
     else print_text(model, report);

@@ -39,7 +39,7 @@ int ttc_command_check(const ttc_options *options)
         ttc_diagnostics *diagnostics = ttc_diagnostics_create();
         if (diagnostics == NULL) {
             fprintf(stderr, "ttc: out of memory\n");
-            status = TTC_EXIT_IO;
+            status = TTC_EXIT_MEMORY;
             break;
         }
         ttc_model *model = ttc_model_read(options->files[i], diagnostics);

@@ -42,7 +42,7 @@ static int print_json(const ttc_plan *plans, size_t count, json_t *failures)
     json_array_extend(models, failures);
     char *text = json_dumps(models, JSON_INDENT(2));
     if (text != NULL) puts(text);
-    int status = text == NULL ? TTC_EXIT_IO : TTC_EXIT_DONE;
+    int status = text == NULL ? TTC_EXIT_MEMORY : TTC_EXIT_DONE;
     free(text);
     json_decref(models);
     return status;
@@ -57,7 +57,7 @@ int ttc_command_cost(const ttc_options *options)
     json_t *failures = json_array();
     if (models == NULL || plans == NULL || failures == NULL) {
         fprintf(stderr, "ttc: out of memory\n");
-        status = TTC_EXIT_IO;
+        status = TTC_EXIT_MEMORY;
         goto done;
     }
     for (size_t i = 0; i < options->file_count; i++) {
@@ -72,7 +72,7 @@ int ttc_command_cost(const ttc_options *options)
     } else if (status == TTC_EXIT_DONE) {
         ttc_emit_counts_titles(&text);
         for (size_t i = 0; i < options->file_count; i++) ttc_emit_counts_rows(&text, plans + i);
-        status = text.failed ? TTC_EXIT_IO : TTC_EXIT_DONE;
+        status = text.failed ? TTC_EXIT_MEMORY : TTC_EXIT_DONE;
         fputs(ttc_text_string(&text), stdout);
     }
 done:

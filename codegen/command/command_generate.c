@@ -207,7 +207,7 @@ static bool mark_unproved(ttc_plan *plan, const ttc_options *options, int *statu
     ttc_proof_report_destroy(report);
     if (!ok) {
         fprintf(stderr, "ttc: out of memory\n");
-        ttc_command_raise(status, TTC_EXIT_IO);
+        ttc_command_raise(status, TTC_EXIT_MEMORY);
         return false;
     }
     if (all->length == 0 || options->unproved) return true;
@@ -267,7 +267,7 @@ int ttc_command_generate(const ttc_options *options)
     }
     if (models == NULL || plans == NULL) {
         fprintf(stderr, "ttc: out of memory\n");
-        status = TTC_EXIT_IO;
+        status = TTC_EXIT_MEMORY;
         goto done;
     }
     for (size_t i = 0; i < options->file_count; i++) models[i] = ttc_command_read(options->files[i], &status, NULL);
@@ -282,7 +282,7 @@ int ttc_command_generate(const ttc_options *options)
         && (!generate_fixed(&output) || !generate_lists(&output, models, plans, options->file_count, &kept)
             || is_failed(&output))) {
         fprintf(stderr, "ttc: out of memory\n");
-        status = TTC_EXIT_IO;
+        status = TTC_EXIT_MEMORY;
     }
     if (status == TTC_EXIT_DONE) status = write_files(&output, options->out);
 done:

@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -78,6 +79,7 @@ static void work(ttc_proof_run *run, const bool *settled, int descriptor)
 {
     int nowhere = open("/dev/null", O_WRONLY);
     struct rlimit memory = { (rlim_t)MEMORY_MIB << 20, (rlim_t)MEMORY_MIB << 20 }, core = { 0, 0 };
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* whatever ends the parent ends the work */
     if (nowhere >= 0 && dup2(nowhere, STDERR_FILENO) >= 0) dup2(nowhere, STDOUT_FILENO);
     if (ADDRESS_SPACE_IS_BOUNDED) setrlimit(RLIMIT_AS, &memory);
     setrlimit(RLIMIT_CORE, &core);

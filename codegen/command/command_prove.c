@@ -140,7 +140,7 @@ static int mutate(const ttc_model *model, bool json, json_t *reports)
     ttc_mutation_report *report = NULL;
     if (!ttc_mutate(model, ttc_resolve_beside, NULL, &report)) {
         fprintf(stderr, "ttc: out of memory while mutating %s\n", model->file);
-        return TTC_EXIT_IO;
+        return TTC_EXIT_MEMORY;
     }
     if (json) json_array_append_new(reports, mutants_json(model, report));
     else print_mutants(model, report);
@@ -160,7 +160,7 @@ static int prove(const ttc_model *model, const ttc_options *options, json_t *rep
     ttc_proof_report *report = ttc_command_prove_guarded(model, &status);
     if (report != NULL && has_plan && !ttc_prove_kernels(&plan, report)) {
         fprintf(stderr, "ttc: out of memory while proving the kernels of %s\n", model->file);
-        ttc_command_raise(&status, TTC_EXIT_IO);
+        ttc_command_raise(&status, TTC_EXIT_MEMORY);
     }
     ttc_plan_clear(&plan);
     if (report == NULL || (options->json && status == TTC_EXIT_BAD_TABLE)) {

@@ -1,11 +1,15 @@
 /* ttc, the term-table compiler: command line and dispatch. */
+#include "base/exhaustion.h"
 #include "challenge/challenge.h"
 #include "command/command.h"
 
 #include <argp.h>
 #include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k',
        OPTION_CHALLENGE = 'c', OPTION_SEED = 's', OPTION_VERBOSE = 'v',
@@ -72,8 +76,7 @@ enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 static const char exit_text[] =
     "\vExit status: 0 done; 1 a claim is refuted; 2 the command line is wrong; 3 a table is wrong, or a claim is not settled; "
-    "5 a file cannot be "
-    "read or written; 70 a point contradicts a verdict, which is an error of this program.";
+    "4 memory is out; 5 a file cannot be read or written; 70 a point contradicts a verdict, which is an error of this program.";
 
 /* A whole number of the command line, in decimal. */
 static uint64_t parse_number(const char *text, uint64_t least, uint64_t most, struct argp_state *state)
@@ -194,7 +197,7 @@ static int run_command(const command *chosen, int argc, char **argv)
     options.files = calloc((size_t)argc, sizeof *options.files);
     if (line == NULL || help == NULL || options.files == NULL) {
         fprintf(stderr, "ttc: out of memory\n");
-        status = TTC_EXIT_IO;
+        status = TTC_EXIT_MEMORY;
         goto done;
     }
     options.command_line = line;
@@ -213,8 +216,28 @@ done:
     return status;
 }
 
+static void end_without_memory(void)
+{
+    static const char text[] = "ttc: out of memory\n";
+    ssize_t written = write(STDERR_FILENO, text, sizeof text - 1);
+    (void)written; /* there is nowhere else to say it */
+    _exit(TTC_EXIT_MEMORY);
+}
+
+/* A descriptor that was closed must not be given to a file that is opened later: what is written to it fails, as before. */
+static bool open_standard(void)
+{
+    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; descriptor++)
+        if (fcntl(descriptor, F_GETFD) < 0
+            && open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return false;
+    return true;
+}
+
 int main(int argc, char **argv)
 {
+    if (!open_standard()) return TTC_EXIT_IO;
+    signal(SIGXFSZ, SIG_IGN); /* writing then fails, and is told of as any failure is */
+    ttc_exhaustion_handle(end_without_memory);
     const char *word = argc > 1 ? argv[1] : "";
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "-?") == 0 || strcmp(word, "help") == 0) {
         print_help(stdout);

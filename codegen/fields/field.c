@@ -213,34 +213,34 @@ static ttc_id slope(void *context, uint32_t symbol)
     direction *d = context;
     ttc_field *field = d->field;
     ttc_graph *graph = field->graph;
-    const ttc_field_symbol *s = field->symbols + symbol;
+    const ttc_field_symbol s = field->symbols[symbol]; /* a copy: derivatives of units are new symbols, and the array moves */
     ttc_id inner = TTC_NONE, outer = TTC_NONE;
-    if (s->is_constant) return TTC_NONE;
-    switch (s->role) {
+    if (s.is_constant) return TTC_NONE;
+    switch (s.role) {
     case TTC_ROLE_STATE:
-        return ttc_integer(graph, s->position == d->position);
+        return ttc_integer(graph, s.position == d->position);
     case TTC_ROLE_UNIT:
         inner = unit_slope(d, symbol);
         break;
     case TTC_ROLE_ROOT: /* r' = q'/(2 r) */
-        inner = ttc_derivative(graph, s->definition, slope, d);
-        outer = ttc_multiply(graph, ttc_integer(graph, 2), field->symbols[symbol].node);
+        inner = ttc_derivative(graph, s.definition, slope, d);
+        outer = ttc_multiply(graph, ttc_integer(graph, 2), s.node);
         if (inner != TTC_NONE) inner = ttc_divide(graph, inner, outer);
         break;
     case TTC_ROLE_COSINE:
     case TTC_ROLE_SINE:
-        inner = ttc_derivative(graph, s->definition, slope, d);
-        outer = ttc_integer(graph, s->role == TTC_ROLE_COSINE ? -1 : 1);
-        outer = ttc_multiply(graph, outer, resolve(field, s->partner)); /* which may occur in derivatives alone */
+        inner = ttc_derivative(graph, s.definition, slope, d);
+        outer = ttc_integer(graph, s.role == TTC_ROLE_COSINE ? -1 : 1);
+        outer = ttc_multiply(graph, outer, resolve(field, s.partner)); /* which may occur in derivatives alone */
         inner = ttc_field_distribute(field, inner, outer);
         break;
     case TTC_ROLE_EXP:
-        inner = ttc_derivative(graph, s->definition, slope, d);
-        inner = ttc_field_distribute(field, inner, field->symbols[symbol].node);
+        inner = ttc_derivative(graph, s.definition, slope, d);
+        inner = ttc_field_distribute(field, inner, s.node);
         break;
     case TTC_ROLE_LOG:
-        inner = ttc_derivative(graph, s->definition, slope, d);
-        if (inner != TTC_NONE) inner = ttc_divide(graph, inner, field->symbols[symbol].definition);
+        inner = ttc_derivative(graph, s.definition, slope, d);
+        if (inner != TTC_NONE) inner = ttc_divide(graph, inner, s.definition);
         break;
     default:
         return TTC_NONE;

@@ -218,9 +218,11 @@ ttc_value ttc_program_negate(ttc_program *program, ttc_value a)
 {
     if (program->failed) return TTC_NO_VALUE;
     if (negated_operand(program, a) != TTC_NO_VALUE) return negated_operand(program, a);
-    if (constant_of(program, a) != NULL)
-        return fold(program, TTC_OP_MULTIPLY, constant_of(program, a),
-                    constant_of(program, ttc_program_integer(program, -1)));
+    if (constant_of(program, a) != NULL) {
+        ttc_value minus_one = ttc_program_integer(program, -1); /* may move the constants */
+        if (program->failed) return TTC_NO_VALUE;
+        return fold(program, TTC_OP_MULTIPLY, constant_of(program, a), constant_of(program, minus_one));
+    }
     if (program->items[a].op == TTC_OP_SUBTRACT)
         return raw(program, TTC_OP_SUBTRACT, program->items[a].b, program->items[a].a, TTC_NO_VALUE);
     return raw(program, TTC_OP_NEGATE, a, TTC_NO_VALUE, TTC_NO_VALUE);

@@ -274,9 +274,15 @@ static jlt_status compute(jlt_deflation *result, const double *a, const double *
     for (size_t i = 0; i < attributed; i++) r.values[i] = (jlt_eigenvalue){ 0.0, 0.0, NAN, 0.0, p.row[i] };
     for (size_t i = 0; i < r.kept; i++) {
         r.values[attributed + i] = (jlt_eigenvalue){ re[i], im[i], condition(&p, &best, re[i], im[i]), errors[i], -1 };
-        zeros += hypot(re[i], im[i]) <= errors[i];
+        zeros += re[i] == 0.0 && im[i] == 0.0 && errors[i] == 0.0;
+        r.doubtful_zero = r.doubtful_zero || (errors[i] > 0.0 && hypot(re[i], im[i]) <= errors[i]);
     }
-    r.defective_zero = zeros > attributed && n - jlt_deflation_problem_rank(&p) < zeros;
+    if (zeros > attributed) {
+        size_t least, most;
+        jlt_deflation_problem_rank(&least, &most, &p);
+        r.defective_zero = least > n - zeros;
+        r.doubtful_zero = r.doubtful_zero || (most > n - zeros && !r.defective_zero);
+    }
     r.gsl_difference = r.plain_difference = r.arpack_difference = NAN;
     r.arpack_note = "";
     if (checked) JLT_TRY(cross_check(&r, &p, &best));

@@ -34,6 +34,7 @@ typedef struct {
     double arpack_difference; /* the same to ARPACK's for A, largest magnitudes first; NaN where ARPACK cannot serve */
     const char *arpack_note;  /* why not; "" when it did */
     int defective_zero; /* a zero eigenvalue beyond those of the integrals has too few eigenvectors: linear growth */
+    int doubtful_zero;  /* errors leave open whether there is one, or how many eigenvectors it has */
 } jlt_deflation;
 
 /** Out: *result, untouched on failure.

@@ -88,37 +88,46 @@ double jlt_deflation_problem_defect(const jlt_deflation_problem *p)
     return worst;
 }
 
-size_t jlt_deflation_problem_rank(const jlt_deflation_problem *p)
+static void swap_entries(double *m, size_t a, size_t b)
+{
+    const double held = m[a];
+    m[a] = m[b];
+    m[b] = held;
+}
+
+void jlt_deflation_problem_rank(size_t *least, size_t *most, const jlt_deflation_problem *p)
 {
     const size_t n = p->n;
-    double m[SIZE * SIZE], first = 0.0;
-    size_t rank = 0;
+    double m[SIZE * SIZE], e[SIZE * SIZE];
+    size_t rank = 0, row, column;
 
     memcpy(m, p->a, n * n * sizeof *m);
+    memcpy(e, p->error, n * n * sizeof *e);
     for (; rank < n; rank++) {
-        size_t row = rank, column = rank;
+        row = column = rank;
         for (size_t i = rank; i < n; i++)
             for (size_t j = rank; j < n; j++)
-                if (fabs(m[i * n + j]) > fabs(m[row * n + column])) row = i, column = j;
-        const double pivot = m[row * n + column];
-        if (rank == 0) first = fabs(pivot);
-        if (fabs(pivot) <= 32 * roundoff * first) break;
-        for (size_t j = 0; j < n; j++) {
-            const double held = m[rank * n + j];
-            m[rank * n + j] = m[row * n + j];
-            m[row * n + j] = held;
-        }
-        for (size_t i = 0; i < n; i++) {
-            const double held = m[i * n + rank];
-            m[i * n + rank] = m[i * n + column];
-            m[i * n + column] = held;
-        }
+                if (fabs(m[i * n + j]) - e[i * n + j] > fabs(m[row * n + column]) - e[row * n + column]) row = i, column = j;
+        const double pivot = m[row * n + column], certain = fabs(pivot) - e[row * n + column];
+        if (!(certain > 0.0)) break;
+        for (size_t j = 0; j < n; j++) swap_entries(m, rank * n + j, row * n + j), swap_entries(e, rank * n + j, row * n + j);
+        for (size_t i = 0; i < n; i++) swap_entries(m, i * n + rank, i * n + column), swap_entries(e, i * n + rank, i * n + column);
         for (size_t i = rank + 1; i < n; i++) {
             const double factor = m[i * n + rank] / pivot;
-            for (size_t j = rank; j < n; j++) m[i * n + j] -= factor * m[rank * n + j];
+            const double slack = (e[i * n + rank] + fabs(factor) * e[rank * n + rank]) / certain + 2 * roundoff * fabs(factor);
+            if (factor == 0.0 && slack == 0.0) continue;
+            for (size_t j = rank + 1; j < n; j++) {
+                const double change = factor * m[rank * n + j];
+                e[i * n + j] += fabs(factor) * e[rank * n + j] + slack * (fabs(m[rank * n + j]) + e[rank * n + j]);
+                m[i * n + j] -= change;
+                if (change != 0.0) e[i * n + j] += 2 * roundoff * (fabs(m[i * n + j]) + fabs(change));
+            }
         }
     }
-    return rank;
+    *least = *most = rank;
+    for (size_t i = rank; i < n; i++)
+        for (size_t j = rank; j < n; j++)
+            if (m[i * n + j] != 0.0 || e[i * n + j] > 0.0) *most = n;
 }
 
 jlt_status jlt_deflation_problem_set(jlt_deflation_problem *p, const double *a, const double *error, size_t n,

@@ -35,8 +35,8 @@ JLT_CHECKED jlt_status jlt_deflation_problem_set(jlt_deflation_problem *problem,
 /* The largest |W A| / (|W| |A|), entry by entry. */
 double jlt_deflation_problem_defect(const jlt_deflation_problem *problem);
 
-/* Rank of the matrix, by elimination with complete pivoting. */
-size_t jlt_deflation_problem_rank(const jlt_deflation_problem *problem);
+/* Between which bounds the rank of the matrix lies for all that its errors allow, by elimination with complete pivoting. */
+void jlt_deflation_problem_rank(size_t *least, size_t *most, const jlt_deflation_problem *problem);
 
 /** Of all choices of pivots the one that adds the least rounding error to B; false when none is usable.
  *  Cost: choose(n, rank) eliminations. */

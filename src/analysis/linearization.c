@@ -1,7 +1,6 @@
 #include "analysis/linearization.h"
 
 #include "analysis/charpoly.h"
-#include "ext/eigen.h"
 #include "kernel/descriptor.h"
 #include "kernel/instance.h"
 #include "kernel/kernel.h"
@@ -11,16 +10,16 @@
 #include <stdbool.h>
 #include <string.h>
 
-enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256, NEWTON_STEPS = 60, HALVINGS = 30 };
+enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, PARAMS_MAX = 256 };
 
 static const double roundoff = DBL_EPSILON / 2;
 
-/* Beside the largest state, what may be an exact zero. */
-static const double snapped = 1e-8;
+/* An eigenvalue is on the imaginary axis when its real part is zero to within this of its size, for all that is known. */
+static const double on_axis = 1e-6;
 
 const char *jlt_linearization_verdict(jlt_verdict verdict)
 {
-    static const char *const texts[] = { "stable", "unstable", "centre" };
+    static const char *const texts[] = { "stable", "unstable", "centre", "undecided" };
     return texts[verdict];
 }
 
@@ -89,6 +88,14 @@ static const jlt_equilibria *family_of(const jlt_descriptor *d, const double *pa
     return best;
 }
 
+/* How far from x_j an equilibrium may lie that x_j stands for. */
+static double reach_of(const jlt_quantity *state, double x)
+{
+    const double room = fmin(x - state->low, state->high - x), size = fmin(fabs(x), room);
+
+    return fmin(fmax(JLT_LINEARIZATION_TOLERANCE * size, 4 * roundoff * fabs(x)), 1e-3 * room);
+}
+
 static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *instance, const double *x)
 {
     const size_t n = instance->descriptor->state_count;
@@ -105,9 +112,10 @@ static jlt_status measure_residual(jlt_linearization *r, const jlt_instance *ins
         JLT_TRY(jlt_instance_gradients(instance, r->gradients, x));
     }
     r->residual = r->residual_ratio = 0.0;
+    for (size_t j = 0; j < n; j++) r->reach[j] = reach_of(&r->descriptor->states[j], x[j]);
     for (size_t i = 0; i < n; i++) {
         double size = 0.0;
-        for (size_t j = 0; j < n; j++) size += fabs(r->jacobian[i * n + j] * x[j]);
+        for (size_t j = 0; j < n; j++) size += fabs(r->jacobian[i * n + j]) * (r->reach[j] / JLT_LINEARIZATION_TOLERANCE);
         r->residual = fmax(r->residual, fabs(r->f[i]));
         if (r->f[i] != 0.0) r->residual_ratio = fmax(r->residual_ratio, size > 0.0 ? fabs(r->f[i]) / size : INFINITY);
     }
@@ -172,27 +180,51 @@ done:
     return st;
 }
 
+/* Doubles tell nothing of the eigenvalues here. */
+static void leave_open(jlt_deflation *eigen, size_t n)
+{
+    *eigen = (jlt_deflation){ .n = n, .kept = n, .doubtful_zero = 1, .arpack_note = "no eigenvalues to compare with" };
+    eigen->gsl_difference = eigen->plain_difference = eigen->arpack_difference = NAN;
+    for (size_t i = 0; i < n; i++) eigen->values[i] = (jlt_eigenvalue){ NAN, NAN, NAN, INFINITY, -1 };
+}
+
+/* Whether errors leave open that the eigenvalue is a multiple one, whose eigenvectors doubles do not count. */
+static bool multiple(const jlt_deflation *eigen, size_t which)
+{
+    const jlt_eigenvalue *value = &eigen->values[which];
+
+    for (size_t i = 0; i < eigen->n; i++) {
+        const jlt_eigenvalue *other = &eigen->values[i];
+        if (i != which && hypot(value->re - other->re, value->im - other->im) <= value->error + other->error) return true;
+    }
+    return false;
+}
+
 static void judge(jlt_linearization *r, const double *error)
 {
     const size_t n = r->n;
-    bool negative = true, moves = false;
+    bool negative = true, moves = false, open = r->eigen.doubtful_zero, growing = false;
 
+    r->precision = DBL_MANT_DIG;
     r->trace_error = 0.0;
     for (size_t i = 0; i < n; i++)
         r->trace_error += error == NULL ? 4 * roundoff * fabs(r->jacobian[i * n + i]) : error[i * n + i];
     r->trace_error += 2 * (double)n * roundoff * fabs(r->trace);
-    r->obstructs = fabs(r->trace) > r->trace_error;
-    r->verdict = r->eigen.defective_zero ? JLT_UNSTABLE : JLT_STABLE;
     for (size_t i = 0; i < n; i++) {
         const jlt_eigenvalue *value = &r->eigen.values[i];
-        if (value->source >= 0 || hypot(value->re, value->im) <= value->error) continue;
+        const double size = hypot(value->re, value->im);
+        if (value->source >= 0 || !(size > value->error)) continue;
         moves = true;
         /* A conjugate pair has the trace for twice its real part: its error is the trace's. */
         const double slack = value->im != 0.0 && r->eigen.kept == 2 ? fmin(value->error, r->trace_error) : value->error;
-        if (value->re > slack) r->verdict = JLT_UNSTABLE;
-        if (!(value->re < -slack)) negative = false;
+        growing = growing || value->re > slack;
+        negative = negative && value->re < -slack;
+        if (fabs(value->re) <= slack) open = open || slack > on_axis * size || multiple(&r->eigen, i);
     }
-    if (r->verdict == JLT_STABLE && !(moves && negative)) r->verdict = JLT_CENTRE;
+    r->obstructs = fabs(r->trace) > r->trace_error;
+    if (growing || r->eigen.defective_zero) r->verdict = JLT_UNSTABLE;
+    else if (open) r->verdict = JLT_UNDECIDED;
+    else r->verdict = moves && negative ? JLT_STABLE : JLT_CENTRE;
 }
 
 jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor, const double *params,
@@ -210,8 +242,10 @@ jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descri
     }
     for (size_t i = 0; i < result->integrals; i++) result->sources[i] = instance->descriptor->integrals[i].name;
     JLT_TRY(jlt_instance_divergence(instance, &result->trace, x));
-    JLT_TRY(jlt_deflation_compute(&result->eigen, result->jacobian, jacobian_error, result->n, result->gradients,
-                                  gradient_error, result->integrals));
+    st = jlt_deflation_compute(&result->eigen, result->jacobian, jacobian_error, result->n, result->gradients, gradient_error,
+                               result->integrals);
+    if (st == JLT_ERR_NO_CONVERGENCE) leave_open(&result->eigen, result->n);
+    else if (st != JLT_OK) goto done;
     JLT_TRY(polynomial(result, jacobian_error));
     JLT_TRY(formulas(result, descriptor, params, x));
     judge(result, jacobian_error);
@@ -220,99 +254,36 @@ done:
     return st;
 }
 
-static double length(const double *values, size_t n)
+jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descriptor *descriptor,
+                                     const jlt_ball_value *params, const jlt_ball_value *x)
 {
-    double sum = 0.0;
-    for (size_t i = 0; i < n; i++) sum = hypot(sum, values[i]);
-    return sum;
-}
+    const jlt_ball_question question = { descriptor->model, params, x, result->reach, result->sources, result->integrals };
+    jlt_deflation *eigen = &result->eigen;
+    jlt_ball_spectrum s;
+    const jlt_status st = jlt_ball_spectrum_compute(&s, &question);
 
-/* One Newton step with `held` states fixed, halved until |f| falls. *settled: there is nothing left to gain. */
-static jlt_status advance(jlt_linearization *r, double *x, bool *settled, const jlt_instance *instance,
-                          const unsigned char *fixed)
-{
-    const size_t n = r->n;
-    double a[SIZE * SIZE], step[SIZE], trial[SIZE];
-    size_t moving = 0, columns[SIZE];
-    const double before = length(r->f, n);
-    jlt_linearization next;
-    jlt_status st;
-
-    for (size_t j = 0; j < n; j++)
-        if (!fixed[j]) columns[moving++] = j;
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = 0; j < moving; j++) a[i * moving + j] = r->jacobian[i * n + columns[j]];
-    *settled = moving == 0 || before == 0.0;
-    if (*settled) return JLT_OK;
-    JLT_TRY(jlt_eigen_least_squares(step, a, r->f, n, moving, 1e-10));
-    for (int halving = 0; halving < HALVINGS; halving++) {
-        memcpy(trial, x, n * sizeof *x);
-        for (size_t j = 0; j < moving; j++) trial[columns[j]] -= ldexp(step[j], -halving);
-        st = measure_residual(&next, instance, trial);
-        if (st == JLT_OK && length(next.f, n) < before) {
-            *r = next;
-            memcpy(x, trial, n * sizeof *x);
-            return JLT_OK;
-        }
+    if (st != JLT_OK) return st;
+    for (size_t k = 0; k <= s.n; k++) {
+        result->charpoly[k] = s.charpoly[k];
+        result->charpoly_error[k] = s.charpoly_error[k];
     }
-    *settled = true;
-    st = JLT_OK;
-done:
-    return st;
-}
-
-/* States that Newton's method leaves at rounding level become exact zeros where that makes a better equilibrium: a term
- * that is linear in them has nothing beside it that would show them to be small. Together, since one alone may not. */
-static void snap(jlt_linearization *r, double *x, const jlt_instance *instance, const unsigned char *fixed)
-{
-    double largest = 0.0, trial[SIZE];
-    jlt_linearization next;
-
-    for (size_t j = 0; j < r->n; j++) largest = fmax(largest, fabs(x[j]));
-    for (size_t j = 0; j < r->n; j++) trial[j] = !fixed[j] && fabs(x[j]) <= snapped * largest ? 0.0 : x[j];
-    if (measure_residual(&next, instance, trial) != JLT_OK || next.residual_ratio > r->residual_ratio) return;
-    *r = next;
-    memcpy(x, trial, r->n * sizeof *x);
-}
-
-static jlt_status newton(double *x, const jlt_instance *instance, const unsigned char *fixed)
-{
-    jlt_linearization r;
-    bool settled = false;
-    jlt_status st;
-
-    JLT_TRY(measure_residual(&r, instance, x));
-    for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(&r, x, &settled, instance, fixed));
-    if (r.residual_ratio > JLT_LINEARIZATION_TOLERANCE) {
-        snap(&r, x, instance, fixed);
-        settled = false;
-        for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(&r, x, &settled, instance, fixed));
+    result->trace = s.trace;
+    result->trace_error = s.trace_error;
+    result->obstructs = fabs(s.trace) > s.trace_error;
+    eigen->defective_zero = s.defective;
+    eigen->doubtful_zero = 0;
+    if (s.growing || s.defective) result->verdict = JLT_UNSTABLE;
+    else result->verdict = s.decaying ? JLT_STABLE : JLT_CENTRE;
+    if (!s.rooted) return JLT_OK;
+    result->precision = s.precision;
+    eigen->kept = s.n - s.attributed;
+    for (size_t i = 0; i < s.zeros; i++) {
+        const bool forced = i < s.attributed;
+        eigen->values[i] = (jlt_eigenvalue){ 0.0, 0.0, !forced && s.defective ? INFINITY : NAN, 0.0, forced ? s.source[i] : -1 };
     }
-    if (r.residual_ratio > JLT_LINEARIZATION_TOLERANCE) st = JLT_ERR_NO_CONVERGENCE;
-done:
-    return st;
-}
-
-jlt_status jlt_linearization_find(double *x, const jlt_descriptor *descriptor, const double *params, const size_t *order,
-                                  size_t held)
-{
-    jlt_instance *instance;
-    jlt_status st;
-
-    JLT_TRY(bind(&instance, descriptor, params));
-    for (size_t keep = held + 1; keep-- > 0;) {
-        unsigned char fixed[SIZE] = { 0 };
-        double trial[SIZE];
-        memcpy(trial, x, descriptor->state_count * sizeof *x);
-        for (size_t i = 0; i < keep; i++) fixed[order[i]] = 1;
-        st = newton(trial, instance, fixed);
-        if (st == JLT_OK) {
-            memcpy(x, trial, descriptor->state_count * sizeof *x);
-            break;
-        }
-        if (st == JLT_ERR_NOMEM) break;
+    for (size_t i = s.zeros; i < s.n; i++) {
+        const jlt_ball_eigenvalue *value = &s.values[i - s.zeros];
+        eigen->values[i] = (jlt_eigenvalue){ value->re, value->im, value->condition, value->error, -1 };
     }
-done:
-    jlt_instance_destroy(instance);
-    return st;
+    return JLT_OK;
 }

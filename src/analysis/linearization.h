@@ -5,18 +5,21 @@
 
 #include "analysis/deflation.h"
 #include "core/status.h"
+#include "ext/ball_spectrum.h"
 #include "kernel_abi.h"
 
 enum { JLT_LINEARIZATION_SIZE_MAX = JLT_DEFLATION_SIZE_MAX };
 
-/* A residual f_i counts as rounding when it stays below this part of sum_j |df_i/dx_j x_j|, the size of what cancels. */
+/* An equilibrium may lie off the state by this part of each x_j, and of its distance from the ends of its interval: by two
+ * roundings of x_j at least, but by no more than a thousandth of that distance. Beyond its ends there is none. */
 #define JLT_LINEARIZATION_TOLERANCE 1e-12
 
 /* Motion near the equilibrium, across the integrals' levels and the family of equilibria it belongs to. */
 typedef enum {
     JLT_STABLE,   /* every eigenvalue but zero has a negative real part, and zero is semisimple */
     JLT_UNSTABLE, /* one has a positive real part, or zero is defective: growth, at least linear */
-    JLT_CENTRE    /* none of both: some on the imaginary axis to within their error, or none but zero */
+    JLT_CENTRE,   /* none of both: some on the imaginary axis to within their error, or none but zero */
+    JLT_UNDECIDED /* errors leave it open */
 } jlt_verdict;
 
 typedef struct {
@@ -25,7 +28,8 @@ typedef struct {
     size_t n;
     double f[JLT_LINEARIZATION_SIZE_MAX];
     double residual;                  /* largest |f_i| */
-    double residual_ratio;            /* largest |f_i| / sum_j |df_i/dx_j x_j|; 0 where f_i is exactly 0 */
+    double residual_ratio;            /* largest TOLERANCE |f_i| / sum_j |df_i/dx_j reach_j|; 0 where f_i is exactly 0 */
+    double reach[JLT_LINEARIZATION_SIZE_MAX]; /* how far an equilibrium may lie off the state */
     double jacobian[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* row-major, shape (n, n) */
     size_t integrals;                 /* of the variant */
     double gradients[JLT_LINEARIZATION_SIZE_MAX * JLT_LINEARIZATION_SIZE_MAX]; /* of the integrals, shape (integrals, n) */
@@ -36,12 +40,13 @@ typedef struct {
     double trace, trace_error;        /* the generated divergence */
     double trace_formula;             /* the table's; NaN when it has none */
     jlt_deflation eigen;
+    long precision;                   /* bits of the arithmetic behind the eigenvalues */
     const char *sources[JLT_LINEARIZATION_SIZE_MAX]; /* names of the integrals, by jlt_eigenvalue.source */
     jlt_verdict verdict;
     int obstructs;                    /* the trace differs from zero by more than its error: no smooth positive density */
 } jlt_linearization;
 
-const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre" */
+const char *jlt_linearization_verdict(jlt_verdict verdict); /* "stable", "unstable", "centre", "undecided" */
 
 /** Fill states that were not given, from the family of equilibria whose condition the parameters satisfy; zero where no
  *  family says otherwise.
@@ -61,11 +66,19 @@ JLT_CHECKED jlt_status jlt_linearization_residual(jlt_linearization *result, con
  *       bound on the absolute error of the Jacobian's entries with respect to exact inputs, or NULL: four units roundoff;
  *       gradient_error, shape (integrals, n), the same for the gradients, or NULL: eight.
  *  Errors: EMPTY (no equilibrium: residual_ratio > JLT_LINEARIZATION_TOLERANCE), DOMAIN, NONFINITE (overflow or lost
- *          underflow anywhere), UNSUPPORTED (more than JLT_LINEARIZATION_SIZE_MAX states), NO_CONVERGENCE, NOMEM.
+ *          underflow anywhere), UNSUPPORTED (more than JLT_LINEARIZATION_SIZE_MAX states), NOMEM. Where rounding spoils
+ *          the eigenvalues they are NaN, and the verdict is UNDECIDED.
  *  Not reentrant: it calls ARPACK. Source: Kilin, Ivanova 2023, (4.4)-(4.6), Proposition 1. */
 JLT_CHECKED jlt_status jlt_linearization_compute(jlt_linearization *result, const jlt_descriptor *descriptor,
                                                  const double *params, const double *x, const double *jacobian_error,
                                                  const double *gradient_error);
+
+/** The same in ball arithmetic, from exact values: polynomial, trace, eigenvalues and verdict of a report that
+ *  jlt_linearization_compute has filled. What belongs to doubles alone (differences from other routes) stays.
+ *  In/out: *result, untouched on failure. In: params, shape (params,); x, shape (states,); the table's descriptor.
+ *  Errors: as jlt_ball_spectrum_compute. Source: as there. */
+JLT_CHECKED jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descriptor *descriptor,
+                                                 const jlt_ball_value *params, const jlt_ball_value *x);
 
 /** Newton's method (shortest steps in the least-squares sense, since equilibria come in families) from x to a nearby
  *  equilibrium. States marked as given are held as far as possible: first all, then all but the last, and so on.

@@ -1,5 +1,6 @@
 #include "cli/command.h"
 
+#include "cli/interrupt.h"
 #include "kernel/descriptor.h"
 #include "report/file.h"
 #include "scene/plan.h"
@@ -111,14 +112,46 @@ jlt_status jlt_command_close(jlt_command_output *output)
     return failed ? JLT_ERR_NOMEM : JLT_OK;
 }
 
-static bool is_standard_output(const char *path)
+bool jlt_command_is_standard_output(const char *path)
 {
     return path == NULL || strcmp(path, "-") == 0;
 }
 
+static const char *name_of(const char *path)
+{
+    return jlt_command_is_standard_output(path) ? "/dev/stdout" : path;
+}
+
+jlt_exit jlt_command_distinct(const jlt_command_file *files, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < i; k++) {
+            if (jlt_command_is_standard_output(files[k].path) && jlt_command_is_standard_output(files[i].path))
+                return jlt_command_fail(JLT_EXIT_USAGE, "two tables on standard output: name a file for %s", files[i].option);
+            if (jlt_file_same(name_of(files[k].path), name_of(files[i].path)))
+                return jlt_command_fail(JLT_EXIT_USAGE, "%s and %s are one file, %s: give each its own", files[k].option,
+                                        files[i].option, files[i].path);
+        }
+    return JLT_EXIT_DONE;
+}
+
 jlt_exit jlt_command_check_output(const char *path)
 {
-    return is_standard_output(path) || jlt_file_reachable(path) == JLT_OK ? JLT_EXIT_DONE : jlt_command_cannot_write(path);
+    return jlt_command_is_standard_output(path) || jlt_file_reachable(path) == JLT_OK ? JLT_EXIT_DONE : jlt_command_cannot_write(path);
+}
+
+jlt_exit jlt_command_write(const char *path, const char *data, size_t size)
+{
+    jlt_exit code = JLT_EXIT_DONE;
+
+    jlt_interrupt_hold();
+    switch (jlt_file_write(path, data, size)) {
+    case JLT_OK: break;
+    case JLT_ERR_NOMEM: code = jlt_command_no_memory(); break;
+    default: code = jlt_command_cannot_write(path); break;
+    }
+    jlt_interrupt_release();
+    return code;
 }
 
 jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path)
@@ -127,13 +160,13 @@ jlt_exit jlt_command_deliver(jlt_command_output *output, const char *path)
 
     if (jlt_command_close(output) != JLT_OK) {
         code = jlt_command_no_memory();
-    } else if (is_standard_output(path)) {
+    } else if (jlt_command_is_standard_output(path)) {
         if (fwrite(output->text, 1, output->size, stdout) != output->size || fflush(stdout) != 0) {
             code = jlt_command_fail(JLT_EXIT_IO, "cannot write to standard output: %s", strerror(errno));
             clearerr(stdout);
         }
-    } else if (jlt_file_write(path, output->text, output->size) != JLT_OK) {
-        code = jlt_command_cannot_write(path);
+    } else {
+        code = jlt_command_write(path, output->text, output->size);
     }
     jlt_command_discard(output);
     return code;

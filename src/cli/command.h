@@ -5,6 +5,7 @@
 #include "core/status.h"
 #include "kernel_abi.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 
 /* Exit statuses, as documented. */
@@ -82,6 +83,20 @@ JLT_CHECKED jlt_status jlt_command_open(jlt_command_output *output);
 
 /* All that was written is in `text` then. Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_command_close(jlt_command_output *output);
+
+/* NULL and "-" are. */
+bool jlt_command_is_standard_output(const char *path);
+
+/** What a command reads or writes: an option, and its path. */
+typedef struct {
+    const char *option, *path;
+} jlt_command_file;
+
+/* Before anything is written: that no two of these are one file. Says which are. */
+jlt_exit jlt_command_distinct(const jlt_command_file *files, size_t count);
+
+/* Write a whole file, or nothing. Says what went wrong. */
+jlt_exit jlt_command_write(const char *path, const char *data, size_t size);
 
 /* Before long work: whether the result may be delivered there. Says what is wrong, and returns the exit status. */
 jlt_exit jlt_command_check_output(const char *path);

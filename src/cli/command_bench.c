@@ -110,7 +110,9 @@ static jlt_exit run(int argc, char **argv)
     jlt_exit code = JLT_EXIT_USAGE;
 
     if (argp_parse(&parser, argc, argv, 0, NULL, &o) != 0) goto done;
-    code = jlt_command_check_output(o.output);
+    const jlt_command_file files[] = { { "--output", o.output }, { "--reference", o.bench.reference } };
+    code = jlt_command_distinct(files, o.bench.reference != NULL ? 2 : 1);
+    if (code == JLT_EXIT_DONE) code = jlt_command_check_output(o.output);
     if (code != JLT_EXIT_DONE) goto done;
     if (command == NULL || jlt_command_open(&output) != JLT_OK) {
         code = jlt_command_no_memory();

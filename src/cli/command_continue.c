@@ -1,6 +1,7 @@
 #include "cli/motion.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -22,7 +23,7 @@ static const struct argp_option option_table[] = {
     { "step", STEP, "VALUE", 0, "First arc length between points, in (eta, gamma3, value); at most 5 of them later; default 0.01", 1 },
     { "count", 'c', "N", 0, "Points of a branch at most; default 500", 1 },
     { "decreasing", DOWN, NULL, 0, "Start towards smaller values", 1 },
-    { "branches", FOLLOW, NULL, 0, "Follow both sides of the branches that begin at branch points and period doublings as well", 1 },
+    { "branches", FOLLOW, NULL, 0, "Follow the branches that begin at branch points and period doublings as well, each once", 1 },
     { 0 },
 };
 
@@ -53,7 +54,8 @@ static const struct argp parser = {
     "Follow a periodic orbit of the spherical top as one parameter or level runs (pseudo-arclength), with its bifurcations: "
     "folds, period doublings, branch points and tori."
     "\vColumns: branch, the running value, arc, period, eta, gamma3, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, "
-    "residual, bifurcation. Branch 0 is the orbit itself; a located bifurcation has a row of its own.\n\n"
+    "residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a row of its own, with the values at the "
+    "nearest points found on both sides of it: low and high are wide apart where it was not located, as steps may cease to converge there.\n\n"
     "  jellett continue --along E=2:2.4\n"
     "  jellett continue --along a3=0.4:0.6 --branches --plot tree.svg > tree.csv",
     children, NULL, NULL,
@@ -64,21 +66,49 @@ typedef struct {
     FILE *file, *points;
     const jlt_chart *chart;
     size_t branch, rows, capacity, count;
-    jlt_continuation_point *origins; /* bifurcations with another branch, in the order found; kept while `keep` */
-    bool keep;
+    struct landmark *landmarks; /* the bifurcations listed, in order */
+    size_t joined;              /* the branch that a run met again; NONE while it has not */
 } sink;
 
-static jlt_status keep_origin(sink *self, const jlt_continuation_point *point)
+/* A bifurcation listed, and whether the branches that begin there are. */
+typedef struct landmark {
+    jlt_continuation_point point;
+    size_t branch;
+    bool followed;
+} landmark;
+
+static const size_t NONE = SIZE_MAX;
+
+static jlt_status keep_landmark(sink *self, const jlt_continuation_point *point)
 {
     if (self->count == self->capacity) {
         const size_t capacity = self->capacity == 0 ? 8 : 2 * self->capacity;
-        jlt_continuation_point *grown = realloc(self->origins, capacity * sizeof *grown);
+        landmark *grown = realloc(self->landmarks, capacity * sizeof *grown);
         if (grown == NULL) return JLT_ERR_NOMEM;
-        self->origins = grown;
+        self->landmarks = grown;
         self->capacity = capacity;
     }
-    self->origins[self->count++] = *point;
+    self->landmarks[self->count++] = (landmark){ *point, self->branch, false };
     return JLT_OK;
+}
+
+/* Two rows of one bifurcation: located well enough to compare, by whichever points of the orbit. */
+static bool same_bifurcation(const sink *self, const jlt_continuation_point *a, const jlt_continuation_point *b)
+{
+    return a->kind == b->kind && fabs(a->value - b->value) < 1e-7 * fmax(1, fabs(a->value)) &&
+           jlt_periodic_same(self->chart, &a->orbit, &b->orbit, 1e-5);
+}
+
+/* A branch that comes to a period doubling of another ends there: it is the one that begins there. */
+static void mark_followed(sink *self, const jlt_continuation_point *end)
+{
+    for (size_t i = 0; i < self->count; i++) {
+        landmark *l = &self->landmarks[i];
+        if (l->point.kind == JLT_BIFURCATION_DOUBLING && 2 * l->point.orbit.period == end->orbit.period &&
+            fabs(l->point.value - end->value) < 1e-4 * fmax(1, fabs(end->value)) &&
+            jlt_chart_distance(self->chart, l->point.orbit.points, end->orbit.points) < 1e-2)
+            l->followed = true;
+    }
 }
 
 static jlt_status take(void *context, const jlt_continuation_point *point)
@@ -86,53 +116,77 @@ static jlt_status take(void *context, const jlt_continuation_point *point)
     sink *self = context;
     const jlt_periodic *orbit = &point->orbit;
 
-    fprintf(self->file, "%zu,%.17g,%.9g,%zu,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%s,%s,%.3g,%s\n",
+    for (size_t i = 0; point->kind != JLT_BIFURCATION_NONE && i < self->count; i++)
+        if (self->landmarks[i].branch != self->branch && same_bifurcation(self, &self->landmarks[i].point, point)) {
+            self->joined = self->landmarks[i].branch;
+            return JLT_ERR_EMPTY; /* ends the run */
+        }
+    fprintf(self->file, "%zu,%.17g,%.9g,%zu,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%s,%s,%.3g,%s,",
             self->branch, point->value, point->arc, orbit->period, orbit->points[0], orbit->points[1], orbit->T,
             orbit->trace, orbit->determinant, orbit->re[0], orbit->im[0], orbit->re[1], orbit->im[1],
             orbit->symmetric ? "yes" : "no", jlt_periodic_type_name(orbit->type), orbit->residual,
             jlt_continuation_bifurcation_name(point->kind));
+    if (point->kind == JLT_BIFURCATION_NONE) fputs(",\n", self->file);
+    else fprintf(self->file, "%.17g,%.17g\n", point->low, point->high);
     if (self->points != NULL)
         fprintf(self->points, "%.9g %.9g %d %d\n", point->value, orbit->points[1], (int)point->kind,
                 (int)orbit->type);
     self->rows++;
     if (ferror(self->file)) return JLT_ERR_IO;
-    if (self->keep && (point->kind == JLT_BIFURCATION_BRANCH || point->kind == JLT_BIFURCATION_DOUBLING))
-        return keep_origin(self, point);
-    return JLT_OK;
+    return point->kind == JLT_BIFURCATION_NONE ? JLT_OK : keep_landmark(self, point);
 }
 
 static const char *const ends[] = { "the range ends", "the number of points is reached",
                                     "no shorter step converges (a pole, an empty level, or the orbit touches the section)",
-                                    "interrupted" };
+                                    "interrupted", "it closes", "it ends at a period doubling" };
 
-/* Branches that begin at the kept bifurcations, both sides. */
+/* One branch, from its first point to its end, which is said. */
+static jlt_status run_branch(sink *to, const jlt_family *family, const jlt_continuation_point *first, int direction,
+                             const jlt_continuation_options *run, const jlt_continuation_point *origin)
+{
+    jlt_continuation_end end = JLT_CONTINUATION_RANGE;
+    jlt_status st;
+
+    to->joined = NONE;
+    st = jlt_continuation_run(&end, family, first, direction, run, take, to);
+    if (st == JLT_ERR_NOMEM || st == JLT_ERR_IO || (origin == NULL && st != JLT_OK)) return st;
+    fprintf(stderr, "jellett: branch %zu", to->branch);
+    if (origin != NULL)
+        fprintf(stderr, ", from the %s at %.10g", jlt_continuation_bifurcation_name(origin->kind), origin->value);
+    if (to->joined != NONE) fprintf(stderr, ": the rest is branch %zu\n", to->joined);
+    else fprintf(stderr, ": %s\n", st == JLT_OK ? ends[end] : jlt_status_text(st));
+    if (st == JLT_OK && end == JLT_CONTINUATION_HALVED) mark_followed(to, &to->landmarks[to->count - 1].point);
+    return JLT_OK;
+}
+
+/* Branches that begin at the bifurcations of the first: both sides of a branch point, and of a period doubling one, as the
+ * other is the same orbit one return later. */
 static jlt_status follow_branches(sink *to, const jlt_family *family, const jlt_continuation_options *run)
 {
     const size_t count = to->count;
     jlt_continuation_point first;
-    jlt_continuation_end end;
     jlt_status st = JLT_OK;
 
-    to->keep = false;
-    for (size_t i = 0; i < count; i++)
-        for (int side = 1; side >= -1; side -= 2) {
-            if (2 * to->origins[i].orbit.period > JLT_PERIODIC_MAX) continue;
-            st = jlt_continuation_switch(&first, family, &to->origins[i], side, run->step, run);
+    for (size_t i = 0; i < count; i++) {
+        const jlt_continuation_point origin = to->landmarks[i].point;
+        const bool doubling = origin.kind == JLT_BIFURCATION_DOUBLING;
+        if (!doubling && origin.kind != JLT_BIFURCATION_BRANCH) continue;
+        if (2 * origin.orbit.period > JLT_PERIODIC_MAX) continue;
+        for (int side = 1; side >= (doubling ? 1 : -1) && !to->landmarks[i].followed; side -= 2) {
+            if (run->interrupt != NULL && *run->interrupt) return JLT_OK;
+            st = jlt_continuation_switch(&first, family, &origin, side, run->step, run);
             if (st == JLT_ERR_NOMEM) return st;
             if (st != JLT_OK) {
                 fprintf(stderr, "jellett: no other branch found at the %s at %.10g, side %+d\n",
-                        jlt_continuation_bifurcation_name(to->origins[i].kind), to->origins[i].value, side);
+                        jlt_continuation_bifurcation_name(origin.kind), origin.value, side);
                 continue;
             }
             to->branch++;
             if (to->points != NULL) fputs("\n", to->points);
-            st = jlt_continuation_run(&end, family, &first, 1, run, take, to);
-            if (st == JLT_ERR_NOMEM || st == JLT_ERR_IO) return st;
-            fprintf(stderr, "jellett: branch %zu, from the %s at %.10g: %s\n", to->branch,
-                    jlt_continuation_bifurcation_name(to->origins[i].kind), to->origins[i].value,
-                    st == JLT_OK ? ends[end] : jlt_status_text(st));
-            if (run->interrupt != NULL && *run->interrupt) return JLT_OK;
+            st = run_branch(to, family, &first, 1, run, &origin);
+            if (st != JLT_OK) return st;
         }
+    }
     return JLT_OK;
 }
 
@@ -144,7 +198,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const char *nam
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Periodic orbits as %s runs, from ", points, name);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fprintf(stream,
             "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"γ_3 of the first point\"\n"
             "set key tmargin center horizontal\nplot $POINTS using 1:2 with lines lc rgb '#2040c0' title 'orbits'", name);
@@ -186,6 +240,8 @@ static jlt_exit find_first(jlt_continuation_point *first, jlt_system_family *fam
                                 first->value);
     st = jlt_system_map_at(family, &map, first->value);
     if (st == JLT_OK) st = jlt_periodic_find(map, &first->orbit, q, o->period, NULL);
+    if (st != JLT_OK && jlt_motion_interrupted(&o->motion))
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted before the first orbit was found; nothing is saved");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_no_orbit(st, system, o->start);
 }
 
@@ -195,13 +251,11 @@ static jlt_exit run_all(sink *to, jlt_system_family *family, const jlt_grid_axis
     const jlt_family maps = { jlt_system_map_at, family };
     const jlt_continuation_options run = { .step = o->step, .step_max = 5 * o->step, .low = axis->low, .high = axis->high,
                                            .points_max = o->points, .interrupt = o->motion.flow.interrupt };
-    jlt_continuation_end end = JLT_CONTINUATION_RANGE;
     jlt_status st;
 
-    to->keep = o->follow;
-    st = jlt_continuation_run(&end, &maps, first, o->direction, &run, take, to);
-    if (st == JLT_OK) fprintf(stderr, "jellett: branch 0: %s\n", ends[end]);
-    if (st == JLT_OK && o->follow && end != JLT_CONTINUATION_INTERRUPT) st = follow_branches(to, &maps, &run);
+    to->chart = system->flow.chart;
+    st = run_branch(to, &maps, first, o->direction, &run, NULL);
+    if (st == JLT_OK && o->follow) st = follow_branches(to, &maps, &run);
     return st == JLT_OK || st == JLT_ERR_IO ? JLT_EXIT_DONE : jlt_motion_fail(st, system, "continuation");
 }
 
@@ -236,7 +290,7 @@ static jlt_exit run(int argc, char **argv)
     if (o.motion.common.plot != NULL) to.points = open_memstream(&points, &size);
     jlt_motion_header(stream.file, &o.motion, system);
     fprintf(stream.file, "branch,%s,arc,period,eta,gamma3,T,trace,det,mu1_re,mu1_im,mu2_re,mu2_im,symmetric,type,residual,"
-                         "bifurcation\n", axis.name);
+                         "bifurcation,low,high\n", axis.name);
     code = run_all(&to, &family, &axis, &first, &o, system);
     if (to.points != NULL) fclose(to.points);
     if (code != JLT_EXIT_DONE) goto done;
@@ -249,7 +303,7 @@ done:
     jlt_system_family_clear(&family);
     jlt_system_destroy(system);
     jlt_motion_end(&o.motion);
-    free(to.origins);
+    free(to.landmarks);
     free(points);
     return code;
 }

@@ -45,7 +45,7 @@ static const struct argp parser = {
     "How far E and G drift along an orbit of the spherical top, by every method or by that of --method, in the five states of "
     "system (3.2) in regular time, where no integral is built in."
     "\vColumns: method, returns, t, evaluations, drift_E, drift_G: of the field since the start, and the largest |F - F(start)|/"
-    "|F(start)| at a return so far; rows at powers of two and at the end. Comment lines at the end have the slopes: the "
+    "|F(start)| at a return so far (not divided where F(start) = 0); rows at powers of two and at the end. Comment lines at the end have the slopes: the "
     "powers of the number of returns with which the drifts grow, fitted over the last four doublings.\n\n"
     "  jellett drift --returns 1000000 --method gauss --tol 1e-13",
     children, NULL, NULL,
@@ -68,7 +68,7 @@ static double slope(const sample *rows, size_t count, unsigned k)
     return n < 3 ? NAN : (n * xy - x * y) / (n * xx - x * x);
 }
 
-/* The start on the section as the tier five has it. */
+/* The start on the section as the tier five has it, in the flow's units. */
 static jlt_status lift(double *x, const jlt_system *system, const double *q)
 {
     double level[JLT_CHART_STATES_MAX];
@@ -76,7 +76,7 @@ static jlt_status lift(double *x, const jlt_system *system, const double *q)
 
     if (st != JLT_OK) return st;
     memcpy(x, level, 3 * sizeof *x);
-    jlt_chart_top_rotation(&system->chart.top, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], level);
+    jlt_chart_top_rotation(&system->flow_chart, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], level);
     x[JLT_TOP_STATES] = level[JLT_CHART_TOP_S];
     return JLT_OK;
 }
@@ -89,6 +89,7 @@ typedef struct {
     jlt_conserved conserved;
     jlt_invariants invariants;
     double start[STATES];
+    int time; /* binary exponent of its unit */
     jlt_progress progress;
     unsigned drawn; /* bit k: method k has points in the picture */
 } run_state;
@@ -105,6 +106,7 @@ static jlt_status follow(run_state *r, sample *rows, size_t *count, const jlt_me
 {
     const jlt_event section = { .column = JLT_TOP_OMEGA_TAU, .direction = r->o->motion.flow.direction };
     const jlt_options to_orbit = { .tolerance = r->o->motion.flow.tolerance, .interrupt = r->o->motion.flow.interrupt,
+                                   .max_steps = 100000, /* of one return, as on sections */
                                    .invariants = r->invariants, .project = r->o->project };
     double first[JLT_INVARIANTS_MAX], now[JLT_INVARIANTS_MAX], drift[WATCHED] = { 0 };
     jlt_orbit *orbit = NULL;
@@ -124,12 +126,12 @@ static jlt_status follow(run_state *r, sample *rows, size_t *count, const jlt_me
             break;
         }
         r->invariants.values(at.x, r->invariants.p, now);
-        for (unsigned k = 0; k < WATCHED; k++) drift[k] = fmax(drift[k], fabs(now[k] - first[k]) / fabs(first[k]));
+        for (unsigned k = 0; k < WATCHED; k++) drift[k] = fmax(drift[k], fabs(now[k] - first[k]) / (first[k] != 0 ? fabs(first[k]) : 1));
         if (i == next || i == r->o->returns) {
             sample *row = &rows[(*count)++];
             row->returns = (double)i;
             memcpy(row->drift, drift, sizeof drift);
-            write_row(r, method, row, at.t, jlt_orbit_stepper(orbit)->evaluations);
+            write_row(r, method, row, ldexp(at.t, r->time), jlt_orbit_stepper(orbit)->evaluations);
             if (i == next) next *= 2;
             if (ferror(r->stream->file)) break;
         }
@@ -170,7 +172,8 @@ static jlt_exit run_all(run_state *r)
             code = jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends at a pole: choose another --start, or fewer --returns",
                                     method->name);
         else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
-        else fprintf(notes, "# %s: E drifts as returns^%.2f, G as returns^%.2f\n", method->name, slope(rows, count, 0),
+        else if (!isnan(slope(rows, count, 0)) && !isnan(slope(rows, count, 1))) /* three rows that drift, to fit a line */
+            fprintf(notes, "# %s: E drifts as returns^%.2f, G as returns^%.2f\n", method->name, slope(rows, count, 0),
                      slope(rows, count, 1));
     }
     if (fclose(notes) == 0) fputs(slopes, r->stream->file);
@@ -187,7 +190,7 @@ static jlt_exit draw(const run_state *r, const jlt_system *system, const char *p
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n%sset title \"Drift of the integrals, ", points);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fprintf(stream, "\\nstart %s, tolerance %.3g%s\" noenhanced\n", r->o->start, r->o->motion.flow.tolerance,
             r->o->project ? ", projected" : "");
     fputs("set logscale xy\nset format '10^{%T}'\nset xlabel \"returns\"\nset ylabel \"relative drift: E solid, G dashed\"\n"
@@ -218,7 +221,9 @@ static jlt_exit open_five(run_state *r, jlt_instance **instance, const jlt_syste
     if (general == NULL || general->param_count != sizeof params / sizeof *params)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "the table of spherical_top is not the one this command knows");
     st = lift(r->start, system, q);
-    if (st == JLT_OK) st = jlt_instance_create(instance, general, params);
+    const jlt_units units = jlt_chart_top_units(&system->chart.top);
+    r->time = units.time;
+    if (st == JLT_OK) st = jlt_instance_create_in(instance, general, params, &units);
     if (st == JLT_OK) st = jlt_field_of(&r->field, general, (*instance)->block);
     if (st == JLT_OK) st = jlt_conserved_of(&r->invariants, &r->conserved, general, &r->field);
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, system, r->o->start);

@@ -49,9 +49,11 @@ static const struct argp parser = {
     "  jellett eigen --set a3=0,I1=2/5 --at v_nu=0.7,omega3=1.1 \\\n"
     "    --sweep gamma3=-0.99:0.99:201 --plot locus.svg\n"
     "  jellett eigen --at gamma3=-0.6,omega_n=1 --find\n\n"
-    "Values are read exactly (1/3, 0.51). Eigenvalues that integrals force to vanish are deflated through the integrals' "
-    "gradients, and are exactly zero; each other one comes with its condition number and a bound on its error, which counts "
-    "the rounding of the values typed. A state whose residual is more than rounding is refused with status 3.",
+    "Values are read exactly (1/3, 0.51), and eigenvalues and verdict are those of the exact equilibrium, in ball arithmetic of "
+    "as many bits as settle them (192 to 6144); where none do, they are those of doubles, each with a bound on its error, and "
+    "the verdict is \"undecided\" where the bounds leave it open. Eigenvalues that integrals force to vanish are exactly zero. A "
+    "state that is off every equilibrium by more than the rounding of its digits, or by a part of its distance from a pole, is "
+    "refused with status 3, and its residual is said.",
     children, NULL, NULL,
 };
 
@@ -119,6 +121,8 @@ void jlt_eigen_compute(jlt_eigen_row *row, const jlt_eigen_request *request, dou
     row->status = entry_errors(errors, gradient_errors, row, params, x);
     if (row->status == JLT_OK)
         row->status = jlt_linearization_compute(&row->result, d, params, x, errors, gradient_errors);
+    /* Where balls settle nothing, the report is what doubles know. */
+    if (row->status == JLT_OK && jlt_eigen_enclose(row) == JLT_ERR_NOMEM) row->status = JLT_ERR_NOMEM;
     if (row->status == JLT_ERR_EMPTY)
         snprintf(row->reason, sizeof row->reason,
                  "this state is no equilibrium: residual %.6g, relative %.3g (--find looks for one nearby)",
@@ -145,7 +149,6 @@ static jlt_exit single(jlt_eigen_request *r)
         code = jlt_command_fail(jlt_command_exit(row->status), "%s", row->reason);
         goto done;
     }
-    if (r->common.plot != NULL && (code = jlt_eigen_draw(r, row, 1)) != JLT_EXIT_DONE) goto done;
     if (r->json) {
         if (jlt_eigen_write_json(output.stream, row, 1, false) != JLT_OK) {
             code = jlt_command_no_memory();
@@ -158,6 +161,7 @@ static jlt_exit single(jlt_eigen_request *r)
         jlt_eigen_write_text(output.stream, row);
     }
     code = jlt_command_deliver(&output, r->common.output);
+    if (code == JLT_EXIT_DONE && r->common.plot != NULL) code = jlt_eigen_draw(r, row, 1);
 done:
     jlt_command_discard(&output);
     free(row);

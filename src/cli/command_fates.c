@@ -1,6 +1,8 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
 #include "dynamics/fates.h"
+#include "report/csv.h"
+#include "report/decimal.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -45,10 +47,12 @@ static const struct argp_child children[] = { { &jlt_motion_argp, 0, NULL, 0 }, 
 static const struct argp parser = {
     option_table, parse, "",
     "Which pole orbits of the spherical top end at, when, or never, for starts on the section; and which share turns over."
-    "\vColumns: eta, gamma3, fate, t_end, v_nu_end, omega_tau_end, omega3_end; for orbits that are alive, the last return.\n\n"
+    "\vColumns: eta, gamma3, fate, t_end, v_nu_end, omega_tau_end, omega3_end; for orbits that are alive, the last return. Fates "
+    "are those of jellett section, and so are empty fields and the status 4 where the method failed on an orbit.\n\n"
     "An orbit turns over when it starts with its centre of mass below the centre of the sphere (a3 gamma3 < 0) and ends at "
-    "the pole where it is above. With --sweep, columns: the value, starts, low_starts, pole+, pole-, lost_contact, alive, "
-    "budget, turned, turned_error, turned_in_contact: the share of the low starts that turns over, its binomial standard "
+    "the pole where it is above. With --sweep, columns: the value, starts, low_starts, pole+, pole-, lost_contact, "
+    "equilibrium, alive, budget, failed, turned, turned_error, turned_in_contact: failed, those the method failed on; then the "
+    "share of the low starts that turns over, its binomial standard "
     "error, and the share that does so with N > 0 all the way; starts are even in (eta, gamma3).\n\n"
     "  jellett fates --grid 300x200 --plot fates.png > fates.csv\n"
     "  jellett fates --grid eta=-pi:pi:60,gamma3=-0.9999:-0.99:10\n"
@@ -69,7 +73,7 @@ static void add(shares *sum, const jlt_system *system, const double *q, const jl
 
     sum->high_pole = a3 < 0 ? JLT_FATE_POLE_MINUS : JLT_FATE_POLE_PLUS;
     jlt_fates_add(&sum->all, end);
-    if ((a3 < 0 ? -1 : 1) * q[1] < 0) jlt_fates_add(&sum->low, end);
+    if (a3 * q[1] < 0) jlt_fates_add(&sum->low, end);
 }
 
 static void write_row(FILE *file, const options *o, const jlt_system *system, const double *q, const jlt_fates_end *end)
@@ -77,10 +81,10 @@ static void write_row(FILE *file, const options *o, const jlt_system *system, co
     double omega_n, omega3;
 
     jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, end->x);
-    fprintf(file, "%.17g,%.17g,%s,%.17g,%.17g,%.17g,%.17g", q[0], q[1], jlt_section_fate_name(end->fate), end->t,
-            end->x[JLT_CHART_TOP_V_NU], end->x[JLT_CHART_TOP_OMEGA_TAU], omega3);
-    if (strcmp(o->motion.contact, "report") == 0) fprintf(file, ",%.17g", end->contact);
-    fputc('\n', file);
+    const double values[] = { end->t, end->x[JLT_CHART_TOP_V_NU], end->x[JLT_CHART_TOP_OMEGA_TAU], omega3, end->contact };
+    const bool tells_contact = strcmp(o->motion.contact, "report") == 0;
+    fprintf(file, "%.17g,%.17g,%s,", q[0], q[1], jlt_section_fate_name(end->fate));
+    jlt_csv_row(file, values, tells_contact ? 5 : 4);
 }
 
 static const char *grid_of(const options *o)
@@ -126,13 +130,23 @@ static jlt_exit follow_all(shares *sum, FILE *file, FILE *points, const options 
     return code;
 }
 
+static size_t failures(const shares *sum)
+{
+    size_t count = 0;
+
+    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++)
+        if (jlt_section_failed((jlt_fate)fate)) count += sum->all.by_fate[fate];
+    return count;
+}
+
 static void summary(FILE *stream, const shares *sum)
 {
     double turned, error, kept, kept_error;
 
     fprintf(stream, "%zu starts:", sum->all.starts);
-    for (int fate = JLT_FATE_ALIVE; fate <= (int)JLT_FATE_BUDGET; fate++)
-        fprintf(stream, "%s %zu %s", fate == 0 ? "" : ",", sum->all.by_fate[fate], jlt_section_fate_name((jlt_fate)fate));
+    for (int fate = JLT_FATE_ALIVE; fate < (int)JLT_FATE_COUNT; fate++)
+        if (fate <= (int)JLT_FATE_EQUILIBRIUM || sum->all.by_fate[fate] > 0)
+            fprintf(stream, "%s %zu %s", fate == 0 ? "" : ",", sum->all.by_fate[fate], jlt_section_fate_name((jlt_fate)fate));
     jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->high_pole, true);
     if (sum->low.starts > 0)
@@ -150,7 +164,8 @@ static double half_cell(const jlt_grid_axis *axis, double period)
 /* A grid as cells, single starts as points. */
 static jlt_exit draw_fates(const options *o, const jlt_system *system, const char *points, const shares *sum)
 {
-    static const char *const colours[] = { "#303030", "#d04020", "#3060c0", "#e0b000", "#909090" };
+    static const char *const colours[] = { "#303030", "#d04020", "#3060c0", "#e0b000", "#40a040", "#a060c0", "#909090",
+                                          "#c0c0c0", "#c0c0c0", "#c0c0c0" };
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     const char *grid = grid_of(o);
     jlt_command_output script;
@@ -166,11 +181,11 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
     const bool cells = grid != NULL && width > 0 && height > 0;
     if (cells) snprintf(how, sizeof how, "boxxyerror fill solid noborder");
     fprintf(stream, "set encoding utf8\n$POINTS << END\n%sEND\nset title \"Fates of orbits by their start, ", points);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset key tmargin center horizontal\nset tics out\n", stream);
     if (grid != NULL && strchr(grid, '=') == NULL) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);
     fputs("plot ", stream);
-    for (int fate = 0; fate <= (int)JLT_FATE_BUDGET; fate++) {
+    for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++) {
         if (sum->all.by_fate[fate] == 0) continue;
         fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN)", first ? "" : ", ", fate);
         if (cells) fprintf(stream, ":(%.9g):(%.9g)", width, height);
@@ -207,6 +222,7 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
         summary(stderr, &sum);
         if (points != NULL) code = draw_fates(o, system, points, &sum);
     }
+    if (code == JLT_EXIT_DONE && failures(&sum) > 0) code = jlt_motion_failures(failures(&sum), sum.all.starts);
     free(points);
     return code;
 }
@@ -220,7 +236,7 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$SHARES << END\n%sEND\nset title \"Share of orbits that turn over as %s runs; otherwise ",
             points, name);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, name);
     fprintf(stream,
             "\" noenhanced\nset xlabel \"%s\" noenhanced\nset ylabel \"share of starts with a low centre of mass\"\n"
             "set yrange [0:1]\nset key tmargin center horizontal\n"
@@ -232,14 +248,17 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
 /* A row of the sweep, and its point of the picture when there is one. */
 static void write_shares(FILE *file, FILE *points, double value, const shares *sum)
 {
+    char text[JLT_DECIMAL_SIZE];
     double turned, error, kept, kept_error;
 
     jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->high_pole, true);
     if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", value, turned, error, kept);
-    fprintf(file, "%.17g,%zu,%zu,%zu,%zu,%zu,%zu,%zu,", value, sum->all.starts, sum->low.starts,
+    jlt_decimal_text(text, value);
+    fprintf(file, "%s,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,", text, sum->all.starts, sum->low.starts,
             sum->all.by_fate[JLT_FATE_POLE_PLUS], sum->all.by_fate[JLT_FATE_POLE_MINUS],
-            sum->all.by_fate[JLT_FATE_LOST_CONTACT], sum->all.by_fate[JLT_FATE_ALIVE], sum->all.by_fate[JLT_FATE_BUDGET]);
+            sum->all.by_fate[JLT_FATE_LOST_CONTACT], sum->all.by_fate[JLT_FATE_EQUILIBRIUM], sum->all.by_fate[JLT_FATE_ALIVE],
+            sum->all.by_fate[JLT_FATE_BUDGET], failures(sum));
     if (sum->low.starts > 0) fprintf(file, "%.9g,%.3g,%.9g\n", turned, error, kept);
     else fputs(",,\n", file);
 }
@@ -250,18 +269,21 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
     jlt_grid_axis axis;
     jlt_progress progress;
     char *points = NULL;
-    size_t size, done = 0;
+    size_t size, done = 0, failed = 0, starts = 0;
     FILE *copy;
     double *entry;
     jlt_exit code = jlt_grid_axis_parse(&axis, o->sweep, strlen(o->sweep), "--sweep");
 
     if (code != JLT_EXIT_DONE) return code;
+    jlt_motion_options motion = o->motion;
+    motion.swept = axis.name;
     entry = jlt_system_value(&values, axis.name);
     if (entry == NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "--sweep: there is no '%s'; there are m, R, g, I1, I3, a3, E, G", axis.name);
     copy = o->motion.common.plot != NULL ? open_memstream(&points, &size) : NULL;
-    jlt_motion_header(stream->file, &o->motion, base);
-    fprintf(stream->file, "%s,starts,low_starts,pole+,pole-,lost_contact,alive,budget,turned,turned_error,turned_in_contact\n",
+    jlt_motion_header(stream->file, &motion, base);
+    fprintf(stream->file,
+            "%s,starts,low_starts,pole+,pole-,lost_contact,equilibrium,alive,budget,failed,turned,turned_error,turned_in_contact\n",
             axis.name);
     jlt_progress_start(&progress, "starts");
     for (size_t i = 0; code == JLT_EXIT_DONE && i < axis.count && !jlt_motion_interrupted(&o->motion); i++) {
@@ -276,6 +298,8 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
         jlt_system_destroy(system);
         if (code != JLT_EXIT_DONE || jlt_motion_interrupted(&o->motion)) break;
         done += sum.all.starts + sum.empty;
+        starts += sum.all.starts;
+        failed += failures(&sum);
         write_shares(stream->file, copy, *entry, &sum);
     }
     jlt_progress_end(&progress);
@@ -284,6 +308,7 @@ static jlt_exit sweep(jlt_stream *stream, const options *o, const jlt_system *ba
     if (code == JLT_EXIT_DONE && jlt_motion_interrupted(&o->motion))
         fprintf(stderr, "jellett: interrupted; the whole rows so far are saved in %s\n", stream->path);
     if (code == JLT_EXIT_DONE && points != NULL) code = draw_sweep(o, base, axis.name, points);
+    if (code == JLT_EXIT_DONE && failed > 0) code = jlt_motion_failures(failed, starts);
     free(points);
     return code;
 }

@@ -1,6 +1,7 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
 #include "dynamics/lyapunov.h"
+#include "report/csv.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -61,8 +62,11 @@ typedef struct {
 static void write_state(FILE *file, const jlt_lyapunov_state *state, unsigned dim)
 {
     fprintf(file, "%zu,%.17g", state->returns, state->t);
-    for (unsigned k = 0; k < dim; k++) fprintf(file, ",%.17g", state->exponents[k]);
-    fprintf(file, ",%.17g\n", state->sum_check);
+    for (unsigned k = 0; k <= dim; k++) {
+        fputc(',', file);
+        jlt_csv_value(file, k < dim ? state->exponents[k] : state->sum_check);
+    }
+    fputc('\n', file);
 }
 
 static int observe(void *context, const jlt_lyapunov_state *state)
@@ -93,7 +97,7 @@ static jlt_exit draw_history(const options *o, const jlt_system *system, const c
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$HISTORY << END\n%sEND\nset title \"Lyapunov exponents from %s, ", points, o->start);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fputs("\" noenhanced\nset xlabel \"t\"\nset ylabel \"λ [1/time]\"\nset logscale x\nset key tmargin center horizontal\nplot ",
           stream);
     for (unsigned k = 0; k < system->flow.chart->dim; k++)
@@ -127,7 +131,7 @@ static jlt_exit run_history(jlt_stream *stream, char **points, jlt_map *map, opt
         return JLT_EXIT_DONE;
     }
     if (st == JLT_ERR_DOMAIN && state.returns > 0) {
-        fprintf(stderr, "jellett: the orbit ends at a pole after %zu returns, t = %.10g: these are finite-time exponents\n",
+        fprintf(stderr, "jellett: the orbit ends, at a pole or at rest, after %zu returns, t = %.10g: these are finite-time exponents\n",
                 state.returns, state.t);
         return JLT_EXIT_DONE;
     }
@@ -143,7 +147,7 @@ static jlt_exit draw_chart(const options *o, const jlt_system *system, const cha
     stream = script.stream;
     fprintf(stream, "set encoding utf8\n$CHART << END\n%sEND\nset title \"Finite-time exponent over %zu returns, ", points,
             o->returns);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset cblabel \"exponent [1/time]\"\nunset key\n"
           "plot $CHART using 1:2:3 with image\n", stream);
     return jlt_common_draw(&o->motion.common, &script);
@@ -171,8 +175,7 @@ static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, optio
         jlt_motion_grid_point(q, axes, system, i);
         st = jlt_lyapunov_finite(map, &exponent, &t, q, o->returns);
         for (unsigned k = 0; k < chart->dim; k++) fprintf(stream->file, "%.17g,", q[k]);
-        if (st == JLT_OK) fprintf(stream->file, "%.17g,%.17g\n", exponent, t);
-        else fputs(",\n", stream->file);
+        jlt_csv_row(stream->file, (const double[]){ st == JLT_OK ? exponent : NAN, st == JLT_OK ? t : NAN }, 2);
         if (copy != NULL && chart->dim >= 2) fprintf(copy, "%.7g %.7g %.7g\n", q[0], q[1], st == JLT_OK ? exponent : NAN);
         jlt_progress_show(&progress, i + 1, all);
         if (st == JLT_ERR_NOMEM) code = jlt_motion_fail(st, system, "chart");

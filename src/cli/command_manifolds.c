@@ -40,7 +40,12 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'a': o->start = value; return 0;
     case 'n': jlt_common_count(&o->period, value, 1, JLT_PERIODIC_MAX, "--period"); return 0;
     case LENGTH: jlt_common_positive(&o->growth.length_max, value, "--length"); return 0;
-    case SPACING: jlt_common_positive(&o->growth.spacing, value, "--spacing"); return 0;
+    case SPACING:
+        jlt_common_positive(&o->growth.spacing, value, "--spacing");
+        if (!(o->growth.spacing > JLT_MANIFOLD_FINEST))
+            exit((int)jlt_command_fail(JLT_EXIT_INPUT, "--spacing: '%s' is not above %g, where branches are no longer refined",
+                                       value, JLT_MANIFOLD_FINEST));
+        return 0;
     case TURN: jlt_common_positive(&o->growth.turn, value, "--turn"); return 0;
     case COUNT: jlt_common_count(&o->growth.points_max, value, 2, 10000000, "--count"); return 0;
     case SEED: jlt_common_positive(&o->seed, value, "--seed"); return 0;
@@ -48,7 +53,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case NO_CROSSINGS: o->no_crossings = true; return 0;
     case ARGP_KEY_END:
         if (o->no_crossings && o->points != NULL) argp_error(state, "--crossings and --no-crossings exclude each other");
-        if (jlt_common_two_tables(&o->motion.common, o->points)) argp_error(state, "two tables on standard output: name a file for --crossings");
+        jlt_common_check_files(&o->motion.common, "--crossings", o->points);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -192,7 +197,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const portrait 
             for (size_t i = 0; i < p->count[u][s]; i++)
                 fprintf(stream, "%.9g %.9g\n", p->crossings[u][s][i].q[0], p->crossings[u][s][i].q[1]);
     fprintf(stream, "%.9g %.9g\nEND\nset title \"Separatrices of the saddle, ", saddle->points[0], saddle->points[1]);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fputs("\" noenhanced\nset xlabel \"η [rad]\"\nset ylabel \"γ_3\"\nset key tmargin center horizontal\n"
           "plot $UNSTABLE with lines lc rgb '#c02020' title 'unstable', "
           "$STABLE with lines lc rgb '#2040c0' title 'stable', "
@@ -251,7 +256,8 @@ static jlt_exit run(int argc, char **argv)
     st = jlt_map_create(&map, &system->flow);
     if (st == JLT_OK) st = jlt_periodic_find(map, &saddle, q, o.period, NULL);
     if (st != JLT_OK) {
-        code = jlt_motion_no_orbit(st, system, o.start);
+        code = jlt_motion_interrupted(&o.motion) ? jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved")
+                                                 : jlt_motion_no_orbit(st, system, o.start);
         goto done;
     }
     if (saddle.type != JLT_ORBIT_SADDLE && saddle.type != JLT_ORBIT_FLIP_SADDLE) {
@@ -262,7 +268,10 @@ static jlt_exit run(int argc, char **argv)
         goto done;
     }
     st = grow(&p, map, &saddle, &o);
-    if (st == JLT_OK && !o.no_crossings && !jlt_motion_interrupted(&o.motion)) st = cross(&p, system);
+    if (st == JLT_OK && !o.no_crossings && !jlt_motion_interrupted(&o.motion)) {
+        st = cross(&p, system);
+        if (st == JLT_ERR_NO_CONVERGENCE && jlt_motion_interrupted(&o.motion)) st = JLT_OK; /* the branches are there */
+    }
     code = st == JLT_OK ? save(&stream, &crossings, &o, system, &p, &saddle) : jlt_motion_fail(st, system, o.start);
 done:
     jlt_stream_discard(&stream);

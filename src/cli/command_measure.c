@@ -274,11 +274,11 @@ static jlt_exit run(int argc, char **argv)
     code = jlt_common_open(&r.common, &f->general, &f->params);
     if (code != JLT_EXIT_DONE) goto done;
     st = investigate(f, &r);
-    if (st == JLT_OK && r.common.plot != NULL) code = draw(f, &r);
     if (st != JLT_OK)
         code = jlt_command_fail(jlt_command_exit(st), "measure %s: %s%s", f->general->model, jlt_status_text(st),
                                 st == JLT_ERR_NONFINITE ? " (use units in which parameters are nearer one)" : "");
     if (code == JLT_EXIT_DONE) code = deliver(f, &r);
+    if (code == JLT_EXIT_DONE && r.common.plot != NULL) code = draw(f, &r);
 done:
     if (f != NULL) {
         jlt_measure_clear(&f->attempt);

@@ -215,7 +215,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_orbit
             fprintf(stream, "%.9g %.9g %d\n", list->orbits[i].points[k * chart->dim],
                     list->orbits[i].points[k * chart->dim + 1], (int)list->orbits[i].type);
     fputs("-10 -10 0\nEND\nset title \"Periodic points, ", stream);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fprintf(stream, "\" noenhanced\nset xlabel \"%s\"\nset ylabel \"%s\"\n", system->is_top ? "η [rad]" : chart->names[0],
             system->is_top ? "γ_3" : chart->names[1]);
     if (system->is_top) fputs("set xrange [-pi:pi]\nset yrange [-1:1]\n", stream);

@@ -32,8 +32,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case UNTIL: jlt_common_positive(&r->until, value, "--until"); return 0;
     case TRAJECTORIES: r->trajectories = value; return 0;
     case ARGP_KEY_END:
-        if (jlt_common_two_tables(&r->session.common, r->trajectories))
-            argp_error(state, "two tables on standard output: name a file for --trajectories");
+        jlt_common_check_files(&r->session.common, "--trajectories", r->trajectories);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }

@@ -7,6 +7,7 @@
 #include "cli/session.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
+#include "report/decimal.h"
 #include "scene/rod.h"
 
 enum { SWEEP = 2000, CHECK, AXES_MAX = 3 };
@@ -136,14 +137,18 @@ static jlt_exit check_start(const request *r)
 
 static jlt_exit write_row(FILE *file, request *r)
 {
-    double values[AXES_MAX + 16];
+    double values[16];
+    char text[JLT_DECIMAL_SIZE];
     size_t count = 0;
     jlt_rod rod;
     jlt_status st = open_rod(&rod, r);
 
-    for (size_t k = 0; k < r->axis_count; k++) values[count++] = *r->targets[k];
+    for (size_t k = 0; k < r->axis_count; k++) {
+        jlt_decimal_text(text, *r->targets[k]);
+        fprintf(file, "%s,", text);
+    }
     if (st == JLT_ERR_DOMAIN) { /* G = 0 or |gamma3| >= 1: a point of the grid without a value */
-        while (count < r->axis_count + 7 + (r->check ? 3 : 0)) values[count++] = NAN;
+        while (count < 7 + (r->check ? 3u : 0u)) values[count++] = NAN;
     } else {
         if (st != JLT_OK) return jlt_session_fail(st, "the quadrature");
         const double row[] = { rod.E1, rod.E2, rod.G, rod.below - 1, 1 - rod.above, rod.period, jlt_rod_rotation(&rod) };
@@ -166,10 +171,10 @@ static jlt_exit write_rows(FILE *file, request *r)
     size_t all = 1;
     jlt_exit code = JLT_EXIT_DONE;
 
+    for (size_t k = 0; k < r->axis_count; k++) *r->targets[k] = NAN; /* it runs over the rows */
     jlt_csv_header(file, r->session.common.command, r->session.descriptor, r->session.params);
     fputs("# start", file);
-    for (unsigned i = 0; i < r->session.descriptor->state_count; i++)
-        fprintf(file, " %s=%.17g", r->session.descriptor->states[i].name, r->session.x[i]);
+    jlt_decimal_write_named(file, r->session.descriptor->states, r->session.x, r->session.descriptor->state_count);
     fputs("; quadratures by adaptive Gauss-Kronrod to 2e-14; nothing is random, so there is no seed\n", file);
     for (size_t k = 0; k < r->axis_count; k++) {
         fprintf(file, "%s,", r->axes[k].name);
@@ -195,6 +200,7 @@ static jlt_exit draw(const request *r, const char *points)
 
     if (jlt_command_open(&script) != JLT_OK) return jlt_command_no_memory();
     stream = script.stream;
+    *r->targets[0] = NAN; /* the one axis, which is no part of the caption */
     fprintf(stream, "set grid\n$ROWS << END\n%sEND\nset multiplot layout 2,1 title \"I3 = 0: ", points);
     jlt_session_caption(stream, &r->session);
     fprintf(stream,

@@ -9,6 +9,7 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "report/file.h"
 #include "scene/scene.h"
 
 typedef struct {
@@ -94,61 +95,63 @@ static void show(const char *name, char **argv, int argc)
     free(line);
 }
 
-/* What a handler can reach: the command that runs, 0 between two; the signal that ends the run. */
-static volatile sig_atomic_t running, ending;
-
-/* Ctrl-C reaches the command by itself; a signal that a process sent to this one is passed on. */
-static void pass_on(int signal_number, siginfo_t *about, void *unused)
-{
-    const int reason = errno;
-
-    (void)unused;
-    ending = signal_number;
-    if (running > 0 && about->si_code <= 0) kill((pid_t)running, signal_number);
-    errno = reason;
-}
-
-static void take_signals(void)
-{
-    static const int asking[] = { SIGINT, SIGTERM, SIGHUP };
-
-    for (unsigned i = 0; i < sizeof asking / sizeof *asking; i++) {
-        struct sigaction action = { .sa_flags = SA_SIGINFO | SA_RESTART }, before;
-        sigemptyset(&action.sa_mask);
-        action.sa_sigaction = pass_on;
-        if (sigaction(asking[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(asking[i], &action, NULL);
-    }
-}
-
-/* Each command in a process of its own, so that whatever ends it leaves the others alone. */
-static jlt_exit run_job(const jlt_command *command, char **argv, int argc)
+/* Each command in a process of its own, so that whatever ends it leaves the others alone. ending: the signal that ends the run. */
+static jlt_exit run_job(int *ending, const jlt_command *command, char **argv, int argc)
 {
     int status = 0;
     pid_t child;
 
     fflush(stdout);
-    child = fork();
+    child = jlt_interrupt_fork();
     if (child < 0)
         return jlt_command_fail(JLT_EXIT_NUMERICAL, "cannot start %s: %s", command->name, strerror(errno));
     if (child == 0) exit((int)jlt_command_execute(command, argc, argv));
-    running = (sig_atomic_t)child;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
-    running = 0;
+    *ending = jlt_interrupt_alone();
     if (!WIFSIGNALED(status)) return (jlt_exit)WEXITSTATUS(status);
     const int by = WTERMSIG(status);
-    if (by == SIGINT || by == SIGTERM || by == SIGHUP) ending = by;
+    if (by == SIGINT || by == SIGTERM || by == SIGHUP) *ending = by;
     else (void)jlt_command_fail(JLT_EXIT_NUMERICAL, "%s was ended by signal %d", command->name, by);
     return JLT_EXIT_NUMERICAL;
 }
 
-static jlt_exit run_jobs(const jlt_scene *scene, const options *o)
+static bool is_one_file(const char *path, const char *other)
 {
+    return !jlt_command_is_standard_output(path) && !jlt_command_is_standard_output(other) && jlt_file_same(path, other);
+}
+
+/* Before anything is run: no file of a job is the scene, or that of another option. scene_path: where the scene lies. */
+static jlt_exit check_files(const jlt_scene *scene, const char *scene_path)
+{
+    for (size_t k = 0; k < scene->count; k++)
+        for (size_t i = 0; i < scene->jobs[k].count; i++) {
+            const jlt_scene_option *option = &scene->jobs[k].options[i];
+            if (!option->is_file) continue;
+            if (is_one_file(scene_path, option->value))
+                return jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: '%s' is the scene itself: %s", scene->file, option->line,
+                                        option->name, option->value);
+            for (size_t m = 0; m <= k; m++)
+                for (size_t n = 0; n < (m == k ? i : scene->jobs[m].count); n++) {
+                    const jlt_scene_option *before = &scene->jobs[m].options[n];
+                    if (before->is_file && is_one_file(before->value, option->value))
+                        return jlt_command_fail(JLT_EXIT_INPUT, "%s:%u: error: '%s' is the file of '%s' in line %u as well: %s",
+                                                scene->file, option->line, option->name, before->name, before->line,
+                                                option->value);
+                }
+        }
+    return JLT_EXIT_DONE;
+}
+
+static jlt_exit run_jobs(int *ending, const jlt_scene *scene, const options *o)
+{
+    char *scene_path = realpath(o->scene, NULL);
     jlt_exit code = JLT_EXIT_DONE;
 
     if (o->into != NULL && !o->dry && chdir(o->into) != 0)
-        return jlt_command_fail(JLT_EXIT_IO, "--into %s: %s", o->into, strerror(errno));
-    if (!o->dry) take_signals();
-    for (size_t k = 0; code == JLT_EXIT_DONE && ending == 0 && k < scene->count; k++) {
+        code = jlt_command_fail(JLT_EXIT_IO, "--into %s: %s", o->into, strerror(errno));
+    else if (!o->dry) code = check_files(scene, scene_path);
+    free(scene_path);
+    for (size_t k = 0; code == JLT_EXIT_DONE && *ending == 0 && k < scene->count; k++) {
         const jlt_scene_job *job = &scene->jobs[k];
         const jlt_command *command = jlt_command_find(job->what);
         int argc = 0;
@@ -161,8 +164,8 @@ static jlt_exit run_jobs(const jlt_scene *scene, const options *o)
         else {
             if (isatty(STDERR_FILENO))
                 fprintf(stderr, "jellett: %s:%u: %s (%zu of %zu)\n", scene->file, job->line, job->what, k + 1, scene->count);
-            code = run_job(command, argv, argc);
-            if (ending != 0)
+            code = run_job(ending, command, argv, argc);
+            if (*ending != 0)
                 fprintf(stderr, "jellett: %s:%u: %s was interrupted; of the scene's %zu commands the last %zu were not begun\n",
                         scene->file, job->line, job->what, scene->count, scene->count - k - 1);
             else if (code != JLT_EXIT_DONE)
@@ -179,6 +182,7 @@ static jlt_exit run(int argc, char **argv)
     options o = { 0 };
     char message[JLT_SCENE_MESSAGE_MAX];
     jlt_scene *scene = NULL;
+    int ending = 0;
     jlt_status st;
     jlt_exit code;
 
@@ -188,7 +192,7 @@ static jlt_exit run(int argc, char **argv)
         fprintf(stderr, "%s\n", message);
         return st == JLT_ERR_IO ? JLT_EXIT_IO : st == JLT_ERR_NOMEM ? JLT_EXIT_NUMERICAL : JLT_EXIT_INPUT;
     }
-    code = run_jobs(scene, &o);
+    code = run_jobs(&ending, scene, &o);
     jlt_scene_destroy(scene);
     if (ending != 0) jlt_interrupt_end(ending);
     return code;

@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 /* Of --batch, for each thread: orbits that are followed at once, so many that lanes seldom wait for the last ones; rows that are
  * written at once. For all threads together: the most of these rows. */
@@ -93,9 +94,11 @@ static const struct argp parser = {
     "The Poincare map of the spherical top on omega_tau = 0 at levels of E and G, in coordinates (eta, gamma3): the returns "
     "of orbits, and what becomes of them. For another model, on a section STATE=VALUE."
     "\vColumns: orbit, return, t, eta, gamma3, v_nu, omega_n, omega3, fate. Return 0 is the start. An orbit that ends has "
-    "a last row with its fate: pole+ or pole- (gamma3 = 1 or -1 is reached; velocities are the limits), lost_contact, or "
-    "budget (one return took more than 100000 steps, or the orbit has come to rest at an equilibrium). Coordinates of the "
-    "section are empty there. With --check: trace and det of DP at that return, divergence (its integral on the levels), and "
+    "a last row with its fate: pole+ or pole- (gamma3 = 1 or -1 is reached; velocities are the limits), lost_contact, "
+    "equilibrium (it has come to rest to within 1000 tolerances; the limits), left_domain (another model's, in plain time), "
+    "budget (one return took more than 100000 steps); or, where the method failed, nonfinite, no_convergence or no_progress: "
+    "then the status is 4, and all other orbits are there. Coordinates of the section are empty in that row, and so are omega_n "
+    "and omega3 at a pole where I3 b = 0, at which G and v_tau do not tell them. With --check: trace and det of DP at that return, divergence (its integral on the levels), and "
     "defect, det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is beyond 10000 "
     "tolerances.\n\n"
     "With --batch orbits are followed in blocks of 256 a thread, and a block's rows written when it is done. Orbits that come near "
@@ -110,7 +113,7 @@ static const struct argp parser = {
 
 /* Counts for the closing words. */
 typedef struct {
-    size_t orbits, empty, rows, lost_contact;
+    size_t orbits, empty, rows, lost_contact, failed;
 } totals;
 
 /* How orbits are followed: by the section, or many at once by the batch. */
@@ -129,7 +132,8 @@ typedef struct {
     size_t returns, all;      /* of each orbit, if it does not end; of all orbits, 0: endless */
     size_t before;            /* returns of the blocks before */
     size_t block;             /* returns of the block that is being followed */
-    bool cut;                 /* an interrupt came before the batch was done: its rows are written to the end */
+    bool cut;                 /* an interrupt came before the batch was done: its rows are written, for half a second */
+    struct timespec cut_at;
 } follower;
 
 static void show(follower *f, size_t done)
@@ -164,7 +168,12 @@ static jlt_status put(follower *f, const jlt_section_row *row)
 
 static bool stopped(const follower *f)
 {
-    return !f->cut && jlt_motion_interrupted(&f->o->motion);
+    struct timespec now;
+
+    if (!jlt_motion_interrupted(&f->o->motion)) return false;
+    if (!f->cut) return true;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - f->cut_at.tv_sec) + 1e-9 * (double)(now.tv_nsec - f->cut_at.tv_nsec) > 0.5;
 }
 
 /* Orbit number `index` of its block. */
@@ -186,7 +195,8 @@ static jlt_status run_orbit(follower *f, const double *q, size_t index)
         show_written(f, index, at->number);
     }
     jlt_section_picture_end(f->picture, at->fate);
-    if (!(at->contact > 0)) sum->lost_contact++;
+    if (at->contact <= 0) sum->lost_contact++;
+    if (jlt_section_failed(at->fate)) sum->failed++;
     sum->orbits++;
 done:
     return st;
@@ -213,6 +223,7 @@ static jlt_exit closing_words(const follower *f, const jlt_stream *stream)
                 "jellett: %zu of %zu orbits pass through N <= 0, where the support no longer pushes and the model does not "
                 "hold; they were followed all the same (--contact end stops them there)\n",
                 sum->lost_contact, sum->orbits);
+    if (sum->failed > 0) return jlt_motion_failures(sum->failed, sum->orbits);
     if (!o->check) return JLT_EXIT_DONE;
     fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g\n", f->table.worst_defect);
     return f->table.worst_defect <= 1e4 * o->motion.flow.tolerance ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
@@ -268,6 +279,7 @@ static jlt_exit run_block(follower *f, const double *q, size_t first, size_t cou
             return jlt_command_fail(JLT_EXIT_IO, "the temporary file of rows cannot be written: is there room in TMPDIR?");
         if (st != JLT_OK) return jlt_motion_fail(st, system, "section");
         f->cut = jlt_motion_interrupted(&o->motion);
+        clock_gettime(CLOCK_MONOTONIC, &f->cut_at);
     }
     for (size_t i = 0; i < (f->batch != NULL ? jlt_section_batch_begun(f->batch) : count); i++) {
         st = run_orbit(f, q + i * system->flow.chart->dim, i);
@@ -323,7 +335,7 @@ static jlt_exit run(int argc, char **argv)
     follower f = { .o = &o, .sum = &sum, .picture = &picture };
     jlt_stream stream = { 0 };
     jlt_system *system = NULL;
-    jlt_exit code;
+    jlt_exit code, verdict;
 
     o.starts = calloc((size_t)argc, sizeof *o.starts);
     if (o.starts == NULL) return jlt_command_no_memory();
@@ -351,9 +363,11 @@ static jlt_exit run(int argc, char **argv)
     code = run_all(&f, stream.file);
     if (code != JLT_EXIT_DONE) goto done;
     code = jlt_stream_close(&stream);
-    if (code == JLT_EXIT_DONE) code = closing_words(&f, &stream);
-    if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL)
+    if (code != JLT_EXIT_DONE) goto done;
+    verdict = closing_words(&f, &stream);
+    if (o.motion.common.plot != NULL)
         code = jlt_section_picture_draw(&picture, &o.motion.common, system, o.grid, o.axes, o.returns);
+    if (code == JLT_EXIT_DONE) code = verdict;
 done:
     jlt_stream_discard(&stream);
     jlt_section_destroy(f.section);

@@ -1,5 +1,6 @@
 #include "cli/motion.h"
 #include "dynamics/separation.h"
+#include "report/csv.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -91,7 +92,7 @@ static jlt_exit draw(const options *o, const jlt_system *system, const jlt_separ
     for (size_t i = 0; i < rows; i++)
         fprintf(stream, "%zu %.9g %.9g\n", table[i].returns, table[i].overlap, table[i].mirror_overlap);
     fputs("END\nset title \"Cells visited forwards and backwards, ", stream);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fputs("\" noenhanced\nset logscale x 2\nset xlabel \"returns of every orbit\"\nset ylabel \"overlap\"\nset yrange [0:1.05]\n"
           "set key tmargin center horizontal\n"
           "plot $OVERLAP using 1:2 with linespoints pt 7 title 'forward and backward', "
@@ -118,8 +119,9 @@ static jlt_exit run(int argc, char **argv)
     fputs("returns,alive_forward,alive_backward,cells_forward,cells_backward,cells_common,overlap,mirror_overlap\n", stream.file);
     for (size_t i = 0; i < rows; i++) {
         const jlt_separation *row = &table[i];
-        fprintf(stream.file, "%zu,%zu,%zu,%zu,%zu,%zu,%.9g,%.9g\n", row->returns, row->alive_forward, row->alive_backward,
-                row->forward, row->backward, row->common, row->overlap, row->mirror_overlap);
+        fprintf(stream.file, "%zu,%zu,%zu,%zu,%zu,%zu,", row->returns, row->alive_forward, row->alive_backward, row->forward,
+                row->backward, row->common);
+        jlt_csv_row(stream.file, (const double[]){ row->overlap, row->mirror_overlap }, 2); /* empty where no cell is visited */
     }
     code = jlt_stream_close(&stream);
     if (code == JLT_EXIT_DONE && o.motion.common.plot != NULL) code = draw(&o, system, table, rows);

@@ -6,6 +6,7 @@
 
 #include "cli/grid.h"
 #include "cli/progress.h"
+#include "dynamics/section.h"
 #include "report/csv.h"
 
 enum { TIMES = 2000, UNTIL, EVERY, TIER, COMPARE, TRACK, PROJECT };
@@ -51,7 +52,9 @@ static const struct argp parser = {
     "One orbit: states at given times, drift of the integrals, contact force, and what ends it."
     "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to max(1, |F|)), contact_force, the tiers "
     "compared, and fate: alive, lost_contact (the plane would have had to pull since the start: the model no longer holds), "
-    "pole+ or pole- (the orbit ends there: the last row has the time and the limits, and later times have none).\n\n"
+    "pole+ or pole- (the orbit ends there: the last row has the time and the limits, and later times have none). Where the "
+    "tier's coordinates end before the orbit does the last row says left_domain, where the method fails budget, nonfinite, "
+    "no_convergence or no_progress, and the status is 4. A field is a number or empty: what is not known, or has no limit.\n\n"
     "  jellett simulate \\\n"
     "    --start gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3 \\\n"
     "    --times 0,0.5,1\n"
@@ -199,13 +202,17 @@ static double difference(jlt_simulate_request *r, size_t k, const double *x, dou
     return worst;
 }
 
-static const char *fate_of(const jlt_course_row *row)
+/* st: of the call that made the row. */
+static const char *fate_of(const jlt_course_row *row, jlt_status st)
 {
+    jlt_fate failure;
+
+    if (st != JLT_OK) return jlt_section_fate_of(&failure, st) ? jlt_section_fate_name(failure) : "unknown";
     if (row->end == JLT_END_POLE) return row->side > 0 ? "pole+" : "pole-";
     return !isnan(row->lost_at) ? "lost_contact" : "alive";
 }
 
-static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row *row)
+static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row *row, jlt_status st)
 {
     double values[JLT_PLAN_STATES_MAX + 64];
     size_t count = 0;
@@ -223,8 +230,18 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
     for (size_t k = 1; k < r->course_count; k++)
         values[count++] = row->end == JLT_END_TIME ? difference(r, k, row->x, row->t) : NAN;
     jlt_csv_values(file, values, count);
-    fprintf(file, ",%s\n", fate_of(row));
+    fprintf(file, ",%s\n", fate_of(row, st));
     if (r->points != NULL) jlt_simulate_point(r, row);
+}
+
+/* The last row has the point. */
+static jlt_exit cannot_go_on(const jlt_simulate_request *r, const jlt_course_row *row, jlt_status st)
+{
+    if (st == JLT_ERR_DOMAIN)
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "at t = %.10g %s%s", row->t, row->edge,
+                                jlt_plan_has_tiers(r->session.descriptor) ? ": leave out --tier" : "");
+    return jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s", row->t,
+                            jlt_status_text(st));
 }
 
 static jlt_exit follow(jlt_simulate_request *r, jlt_stream *stream)
@@ -236,19 +253,14 @@ static jlt_exit follow(jlt_simulate_request *r, jlt_stream *stream)
     jlt_progress_start(&progress, "rows");
     for (size_t i = 0; i < r->time_count; i++) {
         const jlt_status st = jlt_course_to(r->courses[0], r->times[i], row);
+        if (st != JLT_OK && row->x == NULL) return jlt_session_fail(st, "the start");
+        if (st == JLT_OK && row->end == JLT_END_INTERRUPT) break;
+        write_row(stream->file, r, row, st);
+        r->rows++;
         if (st != JLT_OK) {
-            code = st == JLT_ERR_DOMAIN
-                       ? jlt_command_fail(JLT_EXIT_NUMERICAL,
-                                          "at t = %.10g the orbit is so near a pole that in plain time nothing is left of its digits: "
-                                          "leave out --tier",
-                                          row->t)
-                       : jlt_command_fail(jlt_command_exit(st), "the orbit could not be followed beyond t = %.10g: %s",
-                                          i == 0 ? 0 : r->times[i - 1], jlt_status_text(st));
+            code = cannot_go_on(r, row, st);
             break;
         }
-        if (row->end == JLT_END_INTERRUPT) break;
-        write_row(stream->file, r, row);
-        r->rows++;
         if (ferror(stream->file) || row->end == JLT_END_POLE || jlt_session_interrupted(&r->session)) break;
         jlt_progress_show(&progress, i + 1, r->time_count);
     }
@@ -265,8 +277,10 @@ static void closing_words(const jlt_simulate_request *r, const jlt_stream *strea
     else if (row->end == JLT_END_POLE) {
         fprintf(stderr,
                 "jellett: the orbit reaches the pole gamma3 = %+d at t = %.17g and ends there, with the limits v_nu = %.10g, "
-                "omega_tau = %.10g, omega3 = %.10g; ",
-                row->side, row->t, row->x[JLT_TOP_V_NU], row->x[JLT_TOP_OMEGA_TAU], row->x[JLT_TOP_OMEGA3]);
+                "omega_tau = %.10g",
+                row->side, row->t, row->x[JLT_TOP_V_NU], row->x[JLT_TOP_OMEGA_TAU]);
+        if (isfinite(row->x[JLT_TOP_OMEGA3])) fprintf(stderr, ", omega3 = %.10g; ", row->x[JLT_TOP_OMEGA3]);
+        else fputs(" (there I3 b = 0, and G and v_tau do not tell omega3); ", stderr);
         fprintf(stderr, "of %zu times %zu lie before it\n", r->time_count, r->rows - 1);
     }
     if (!isnan(row->lost_at))

@@ -1,4 +1,5 @@
 #include "cli/common.h"
+#include "cli/interrupt.h"
 #include "cli/verify.h"
 
 #include "kernel/descriptor.h"
@@ -65,6 +66,7 @@ static jlt_status verify(jlt_verify_run *run)
     JLT_TRY(jlt_oracle_create(&run->oracle, run->descriptor));
     jlt_random_seed(&run->random, run->seed);
     JLT_TRY(jlt_verify_prove(run));
+    run->interrupt = jlt_interrupt_install();
     JLT_TRY(jlt_verify_families(run));
     JLT_TRY(jlt_verify_certify(run));
     JLT_TRY(jlt_verify_densities(run));
@@ -86,6 +88,10 @@ static jlt_exit run_command(int argc, char **argv)
     if (run.descriptor == NULL) return jlt_assign_model(&run.descriptor, &params, run.model, &none);
     jlt_command_warn_unproved(run.descriptor);
     st = verify(&run);
+    if (run.interrupt != NULL && *run.interrupt) {
+        jlt_verify_clear(&run);
+        return jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is reported: verdicts need all samples");
+    }
     if (st == JLT_OK) st = jlt_command_open(&output);
     if (st == JLT_OK) {
         if (run.json) st = jlt_verify_write_json(output.stream, &run);

@@ -23,7 +23,8 @@ static const struct argp_option common_table[] = {
 
 static const struct argp_option accuracy_table[] = {
     { NULL, 0, NULL, 0, "The computation:", 11 },
-    { "tol", 't', "VALUE", 0, "Tolerance of the local error; default 1e-12", 11 },
+    { "tol", 't', "VALUE", 0,
+      "Tolerance: about what ten returns err by, in units of the problem, by every method; default 1e-12", 11 },
     { "method", METHOD, "NAME", 0,
       "gauss (default), dop853 (default where derivatives of the map are computed), taylor (derivatives by dop853), rk8pd, "
       "rkf45, msadams", 11 },
@@ -49,6 +50,7 @@ static error_t parse_common(int key, char *value, struct argp_state *state)
     case ARGP_KEY_END:
         if (self->keep != NULL && self->plot == NULL)
             argp_error(state, "--keep keeps the script of a picture: add --plot FILE");
+        jlt_common_check_files(self, NULL, NULL);
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -102,29 +104,40 @@ jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descript
     return jlt_assign_model(descriptor, params, self->model != NULL ? self->model : "spherical_top", &self->set);
 }
 
-static bool is_standard_output(const char *path)
+void jlt_common_check_files(const jlt_common *self, const char *option, const char *path)
 {
-    return path == NULL || strcmp(path, "-") == 0;
-}
+    const jlt_command_file optional[] = { { "--plot", self->plot }, { "--keep", self->keep }, { option, path } };
+    jlt_command_file files[4] = { { "--output", self->output } };
+    size_t count = 1;
+    jlt_exit code;
 
-bool jlt_common_two_tables(const jlt_common *self, const char *path)
-{
-    return path != NULL && is_standard_output(path) && is_standard_output(self->output);
+    for (size_t i = 0; i < 3; i++)
+        if (optional[i].path != NULL) files[count++] = optional[i];
+    code = jlt_command_distinct(files, count);
+    for (size_t i = 0; code == JLT_EXIT_DONE && i < count; i++) code = jlt_command_check_output(files[i].path);
+    if (code != JLT_EXIT_DONE) exit((int)code);
 }
 
 jlt_exit jlt_common_draw(const jlt_common *self, jlt_command_output *script)
 {
-    const char *refused = NULL;
+    char *whole = NULL, *picture = NULL;
+    size_t length = 0, size = 0;
     jlt_exit code = JLT_EXIT_DONE;
     jlt_status st = jlt_command_close(script);
 
-    if (st == JLT_OK) st = jlt_picture_draw(self->plot, script->text, self->keep, &refused);
+    if (st == JLT_OK) st = jlt_picture_script(&whole, &length, self->plot, script->text);
+    if (st == JLT_OK && self->keep != NULL) code = jlt_command_write(self->keep, whole, length);
+    if (st == JLT_OK && code == JLT_EXIT_DONE) st = jlt_picture_draw(&picture, &size, whole, length);
     if (st == JLT_ERR_UNSUPPORTED)
         code = jlt_command_fail(JLT_EXIT_IO, "--plot: no gnuplot to be found: install gnuplot to draw pictures");
-    else if (st == JLT_ERR_IO && refused != NULL) code = jlt_command_cannot_write(refused);
     else if (st == JLT_ERR_IO)
         code = jlt_command_fail(JLT_EXIT_IO, "--plot: gnuplot could not draw '%s' (what it says is above)", self->plot);
     else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "--plot: %s", jlt_status_text(st));
+    else if (code == JLT_EXIT_DONE) code = jlt_command_write(self->plot, picture, size);
+    if (code != JLT_EXIT_DONE && !jlt_command_is_standard_output(self->output))
+        fprintf(stderr, "jellett: the table is saved in %s\n", self->output);
+    free(picture);
+    free(whole);
     jlt_command_discard(script);
     return code;
 }

@@ -30,10 +30,12 @@ void jlt_common_end(jlt_common *self);
 /** The model's general field and its parameters, checked; params for the caller to free(). Says what is wrong. */
 jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params);
 
-/* Whether a second table, to `path`, would go to standard output beside the first. NULL: there is none. */
-bool jlt_common_two_tables(const jlt_common *self, const char *path);
+/** Before anything is done: that --output, --plot, --keep and one more option, where it is given, name files of their own, which
+ *  can be written. Ends the program otherwise, as argp does. */
+void jlt_common_check_files(const jlt_common *self, const char *option, const char *path);
 
-/** Draw a gnuplot script to --plot, keeping it where asked; the script is discarded. Says what is wrong. */
+/** Draw a gnuplot script to --plot, keeping it where asked; the script is discarded. To be called when the table is saved: says
+ *  what is wrong, and that the table is there all the same. */
 jlt_exit jlt_common_draw(const jlt_common *self, jlt_command_output *script);
 
 /* Values of options. Where they cannot be used, these say so and end the program, as argp does. */

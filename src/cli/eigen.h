@@ -42,6 +42,9 @@ typedef struct {
 void jlt_eigen_compute(jlt_eigen_row *row, const jlt_eigen_request *request, double *params, double *x,
                        const unsigned char *given);
 
+/* Put what ball arithmetic makes of the exact values into the row's report, which is untouched where it settles nothing. */
+JLT_CHECKED jlt_status jlt_eigen_enclose(jlt_eigen_row *row);
+
 /* NAME=LOW:HIGH:COUNT,... added to the request's axes. */
 jlt_exit jlt_eigen_parse_sweep(jlt_eigen_request *request, const char *text);
 jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request);

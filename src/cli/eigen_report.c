@@ -73,11 +73,13 @@ void jlt_eigen_write_text(FILE *stream, const jlt_eigen_row *row)
     }
     fprintf(stream, "\ntrace        %.17g, error < %.2g", r->trace, r->trace_error);
     if (!isnan(r->trace_formula)) fprintf(stream, "; formula %.17g", r->trace_formula);
-    fputs("\n\neigenvalues\n", stream);
+    fprintf(stream, "\n\neigenvalues, with %ld bits\n", r->precision);
     for (size_t i = 0; i < n; i++) write_eigenvalue(stream, r, &r->eigen.values[i]);
     if (r->eigen.defective_zero) fputs("  zero is defective: perturbations grow at least linearly in time\n", stream);
-    fprintf(stream, "  other routes, relative to the matrix: GSL on the deflated block %.2g, GSL on the whole %.2g, ARPACK ",
-            r->eigen.gsl_difference, r->eigen.plain_difference);
+    fputs("  other routes in doubles, relative to the matrix: ", stream);
+    if (!isnan(r->eigen.gsl_difference))
+        fprintf(stream, "GSL on the deflated block %.2g, GSL on the whole %.2g, ", r->eigen.gsl_difference, r->eigen.plain_difference);
+    fputs("ARPACK ", stream);
     if (isnan(r->eigen.arpack_difference)) fprintf(stream, "not used (%s)\n", r->eigen.arpack_note);
     else fprintf(stream, "%.2g\n", r->eigen.arpack_difference);
     fprintf(stream, "\nverdict      %s\nmeasure      %s\n", jlt_linearization_verdict(r->verdict), consequence(r));
@@ -130,6 +132,7 @@ static json_t *row_json(const jlt_eigen_row *row)
     json_object_set_new(o, "trace_error", jlt_json_number(r->trace_error));
     json_object_set_new(o, "trace_formula", jlt_json_number(r->trace_formula));
     json_object_set_new(o, "eigenvalues", eigenvalues_json(r));
+    json_object_set_new(o, "precision_bits", json_integer(r->precision));
     json_object_set_new(o, "defective_zero", json_boolean(r->eigen.defective_zero));
     json_object_set_new(o, "left_null_defect", jlt_json_number(r->eigen.defect));
     json_object_set_new(o, "gsl_difference", jlt_json_number(r->eigen.gsl_difference));
@@ -159,6 +162,8 @@ void jlt_eigen_write_csv_header(FILE *stream, const jlt_eigen_request *request)
 {
     const jlt_descriptor *d = request->descriptor;
 
+    for (size_t i = 0; i < request->axis_count; i++) /* it runs over the rows, which have copies of their own */
+        if (!request->targets[i].is_state) request->params[request->targets[i].index] = NAN;
     jlt_csv_header(stream, request->common.command, d, request->params);
     fputs("# eigenvalues: first those that integrals make zero, then ascending; error_k bounds the error of the k-th\n", stream);
     for (size_t i = 0; i < request->axis_count; i++)

@@ -1,4 +1,5 @@
 #include "cli/eigen.h"
+#include "cli/interrupt.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -55,7 +56,8 @@ static jlt_status write_rows(jlt_command_output *output, const jlt_eigen_request
 jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
 {
     jlt_command_output output = { 0 };
-    size_t count = 1, refused = 0;
+    const volatile sig_atomic_t *const interrupt = jlt_interrupt_install();
+    size_t count = 1, computed = 0, refused = 0;
     jlt_eigen_row *rows;
     const jlt_eigen_row *first = NULL;
     jlt_exit code = JLT_EXIT_DONE;
@@ -64,20 +66,25 @@ jlt_exit jlt_eigen_sweep(const jlt_eigen_request *request)
     for (size_t i = 0; i < request->axis_count; i++) count *= request->axes[i].count;
     rows = calloc(count, sizeof *rows);
     if (rows == NULL) st = JLT_ERR_NOMEM;
-    for (size_t k = 0; st == JLT_OK && k < count; k++) {
-        st = compute_row(&rows[k], request, k);
-        if (rows[k].status != JLT_OK && refused++ == 0) first = &rows[k];
+    for (; st == JLT_OK && computed < count && !*interrupt; computed++) {
+        st = compute_row(&rows[computed], request, computed);
+        if (rows[computed].status != JLT_OK && refused++ == 0) first = &rows[computed];
+    }
+    if (st == JLT_OK && computed < count) {
+        code = jlt_command_fail(JLT_EXIT_NUMERICAL, "interrupted; nothing is saved, as only %zu of %zu rows are there", computed, count);
+        goto done;
     }
     if (st == JLT_OK) st = jlt_command_open(&output);
-    if (st == JLT_OK) st = write_rows(&output, request, rows, count);
+    if (st == JLT_OK) st = write_rows(&output, request, rows, computed);
     if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s", jlt_status_text(st));
-    if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows, count);
     if (code == JLT_EXIT_DONE) code = jlt_command_deliver(&output, request->common.output);
+    if (code == JLT_EXIT_DONE && request->common.plot != NULL) code = jlt_eigen_draw(request, rows, count);
     if (code == JLT_EXIT_DONE && first != NULL)
         code = jlt_command_fail(jlt_command_exit(first->status), "%zu of %zu points refused; the first: %s", refused, count,
                                 first->reason);
+done:
     jlt_command_discard(&output);
-    for (size_t k = 0; rows != NULL && k < count; k++) {
+    for (size_t k = 0; k < computed; k++) {
         free(rows[k].params);
         free(rows[k].x);
     }

@@ -49,6 +49,8 @@ jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t lengt
     jlt_grid_axis read = { .count = 1 };
     jlt_exit code;
 
+    if (equals != NULL) read.low_text = read.high_text = equals + 1;
+
     if (equals == NULL || equals == text || (size_t)(equals - text) >= sizeof read.name)
         return jlt_command_fail(JLT_EXIT_USAGE, "%s: '%.*s' is no range (write NAME=LOW:HIGH:COUNT)", option, (int)length,
                                 text);
@@ -57,23 +59,38 @@ jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t lengt
     if (first == NULL) {
         code = jlt_grid_number(&read.low, equals + 1, (size_t)(end - equals) - 1, option);
         read.high = read.low;
+        read.low_length = read.high_length = (size_t)(end - equals) - 1;
     } else {
         second = memchr(first + 1, ':', (size_t)(end - first) - 1);
         if (second == NULL)
             return jlt_command_fail(JLT_EXIT_USAGE, "%s: '%.*s' has no count (write NAME=LOW:HIGH:COUNT)", option,
                                     (int)length, text);
-        code = jlt_grid_number(&read.low, equals + 1, (size_t)(first - equals) - 1, option);
-        if (code == JLT_EXIT_DONE) code = jlt_grid_number(&read.high, first + 1, (size_t)(second - first) - 1, option);
+        read.high_text = first + 1;
+        read.low_length = (size_t)(first - equals) - 1;
+        read.high_length = (size_t)(second - first) - 1;
+        code = jlt_grid_number(&read.low, read.low_text, read.low_length, option);
+        if (code == JLT_EXIT_DONE) code = jlt_grid_number(&read.high, read.high_text, read.high_length, option);
         if (code == JLT_EXIT_DONE) code = count_part(&read.count, second + 1, (size_t)(end - second) - 1, option);
     }
     if (code == JLT_EXIT_DONE) *axis = read;
     return code;
 }
 
+/* Whether an item NAME=... of the list stands before `end`. */
+static bool is_named_before(const char *list, const char *end, const char *name)
+{
+    const size_t length = strlen(name);
+
+    for (const char *at = list; at < end; at += strcspn(at, ",") + 1)
+        if (strncmp(at, name, length) == 0 && at[length] == '=') return true;
+    return false;
+}
+
 jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option)
 {
     jlt_exit code = JLT_EXIT_DONE;
     const bool named = *count == room;
+    const char *const whole = text;
     size_t i = 0;
 
     if (strchr(text, '=') == NULL && *count > 0) {
@@ -93,6 +110,8 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
         size_t at = 0;
         code = jlt_grid_axis_parse(&axis, text, length, option);
         if (code != JLT_EXIT_DONE) break;
+        if (is_named_before(whole, text, axis.name))
+            return jlt_command_fail(JLT_EXIT_INPUT, "%s: '%s' is given twice", option, axis.name);
         while (at < *count && strcmp(axes[at].name, axis.name) != 0) at++;
         if (at == *count && named)
             return jlt_command_fail(JLT_EXIT_INPUT, "%s: there is no coordinate '%s' here", option, axis.name);
@@ -108,8 +127,14 @@ jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const c
 
 double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period)
 {
-    double parts = axis->count > 1 ? (double)(axis->count - 1) : 1;
+    size_t parts = axis->count > 1 ? axis->count - 1 : 1;
+    double value;
 
-    if (period != 0 && fabs(axis->high - axis->low - period) < 1e-9) parts = (double)axis->count;
-    return (axis->low * (parts - (double)index) + axis->high * (double)index) / parts;
+    if (period != 0 && fabs(axis->high - axis->low - period) < 1e-9) parts = axis->count;
+    if (index == 0) return axis->low;
+    if (index == parts) return axis->high;
+    if (axis->low_text != NULL
+        && jlt_number_between(&value, axis->low_text, axis->low_length, axis->high_text, axis->high_length, index, parts) == JLT_OK)
+        return value;
+    return (axis->low * (double)(parts - index) + axis->high * (double)index) / (double)parts; /* an end is pi, or no text's */
 }

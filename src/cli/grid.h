@@ -10,6 +10,8 @@ typedef struct {
     char name[32];
     double low, high;
     size_t count; /* >= 1 */
+    const char *low_text, *high_text; /* as typed, in the option's text; NULL: an end that no text gives */
+    size_t low_length, high_length;
 } jlt_grid_axis;
 
 /** NAME=LOW:HIGH:COUNT, or NAME=VALUE for a single point. Values are exact numbers, or pi and -pi. */
@@ -19,7 +21,7 @@ jlt_exit jlt_grid_axis_parse(jlt_grid_axis *axis, const char *text, size_t lengt
  *  they stand, where *count > 0. Where *count == room, no other names are known. */
 jlt_exit jlt_grid_parse(jlt_grid_axis *axes, size_t *count, size_t room, const char *text, const char *option);
 
-/* Value number `index`: ends included, or for a periodic axis that spans its period the high end left out. */
+/* Value number `index`, rounded once where both ends are typed numbers, so that 0.1:0.7:4 has 0.3: ends included, or for a periodic axis that spans its period the high end left out. */
 double jlt_grid_value(const jlt_grid_axis *axis, size_t index, double period);
 
 /** A whole number from low to high. */

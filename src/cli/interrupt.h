@@ -1,10 +1,18 @@
-/** Ctrl-C asks a command to finish the row it is writing; a second one ends the program at once. */
+/** What signals do: INT, TERM and HUP ask a command to finish the row it is at. One that cannot ask itself, or does not within a
+ *  second, is ended; so it is by a signal that comes more than a second after the first. Files under way never stay behind. */
 #ifndef JLT_CLI_INTERRUPT_H
 #define JLT_CLI_INTERRUPT_H
 
 #include <signal.h>
+#include <sys/types.h>
 
-/** Take over SIGINT, SIGTERM and SIGHUP where they are not ignored, once per process. Returns the flag that they raise. */
+#include "report/file.h"
+
+/** Take over the signals that are not ignored. Call it once, as the program begins. */
+void jlt_interrupt_begin(void);
+
+/** From now on the command looks at the flag that this returns, which is raised for good by the first signal, and saves what it
+ *  has. Until then a signal ends the program at once. */
 const volatile sig_atomic_t *jlt_interrupt_install(void);
 
 /** When the flag was raised: end the program by that signal, as whoever sent it expects. Otherwise nothing. */
@@ -12,5 +20,22 @@ void jlt_interrupt_obey(void);
 
 /** End the program by this signal. */
 _Noreturn void jlt_interrupt_end(int signal_number);
+
+/** Between the two, no signal ends the program: a file is made, moved or removed. Short, and not nested. */
+void jlt_interrupt_hold(void);
+void jlt_interrupt_release(void);
+
+/** A file under way, until it is forgotten; the signals are held meanwhile. Where the program is ended because a second has
+ *  passed, the whole rows written so far are saved; by another signal, it is removed. At most 8. */
+void jlt_interrupt_remember(const jlt_file *file);
+void jlt_interrupt_forget(const jlt_file *file);
+
+/** Remove the files under way: the program is about to end without their being finished. */
+void jlt_interrupt_abandon(void);
+
+/** Fork. The child begins as the program did; in the parent, signals are passed on to it until jlt_interrupt_alone, which
+ *  returns the first of them, 0 where there was none. Returns as fork. */
+pid_t jlt_interrupt_fork(void);
+int jlt_interrupt_alone(void);
 
 #endif

@@ -1,9 +1,10 @@
+#include "base/exhaustion.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "cli/signals.h"
 
 #include <argp.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,6 +50,15 @@ static void close_output(void)
     }
 }
 
+/* A descriptor that was closed must not be given to a file that is opened later: what is written to it fails, as before. */
+static bool open_standard(void)
+{
+    for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; descriptor++)
+        if (fcntl(descriptor, F_GETFD) < 0
+            && open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return false;
+    return true;
+}
+
 static void print_help(FILE *stream)
 {
     fputs("Usage: jellett COMMAND [MODEL] [OPTION...]\n"
@@ -63,7 +73,8 @@ static void print_help(FILE *stream)
           "  jellett --version         the version\n\n"
           "Exit status: 0 done, 1 a claim or check failed, 2 wrong usage, 3 bad input, 4 a numerical method failed,\n"
           "5 a file cannot be read or written. An interrupted command ends by the signal (130 after Ctrl-C, 143 after\n"
-          "kill, as shells count); one that writes rows as they come saves the whole ones, the others save nothing.\n",
+          "kill, as shells count); one that writes rows as they come saves the whole ones, the others save nothing. All end\n"
+          "within a second; a signal that comes later ends the program at once.\n",
           stream);
 }
 
@@ -81,9 +92,21 @@ jlt_exit jlt_command_execute(const jlt_command *command, int argc, char **argv)
     return code;
 }
 
+static void end_without_memory(void)
+{
+    static const char text[] = "jellett: out of memory\n";
+    ssize_t written = write(STDERR_FILENO, text, sizeof text - 1);
+
+    (void)written; /* there is nowhere else to say it */
+    jlt_interrupt_abandon();
+    _exit(JLT_EXIT_NUMERICAL);
+}
+
 int main(int argc, char **argv)
 {
-    jlt_signals_to_main();
+    if (!open_standard()) return JLT_EXIT_IO;
+    jlt_interrupt_begin();
+    ttc_exhaustion_handle(end_without_memory);
     if (atexit(close_output) != 0) return JLT_EXIT_NUMERICAL;
     argp_err_exit_status = JLT_EXIT_USAGE;
     if (argc < 2) {

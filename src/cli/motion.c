@@ -7,6 +7,7 @@
 #include "cli/interrupt.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
+#include "report/decimal.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -121,7 +122,7 @@ static jlt_exit top_system(jlt_system **system, const jlt_motion_options *option
                                 "nearer to 0",
                                 values.E, values.G, least_energy(&values));
     if (st == JLT_ERR_DOMAIN)
-        return jlt_command_fail(JLT_EXIT_INPUT, "--set: m, R, g and I1 must be positive, and I3 >= 0");
+        return jlt_command_fail(JLT_EXIT_INPUT, "--set: m, R and I1 must be positive, g >= 0 and I3 >= 0");
     if (st == JLT_ERR_UNSUPPORTED)
         return jlt_command_fail(JLT_EXIT_INPUT, "the kernels of spherical_top_level in regular time are not built in");
     return st == JLT_OK ? JLT_EXIT_DONE : jlt_motion_fail(st, NULL, "the spherical top");
@@ -211,7 +212,8 @@ jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: no state has these levels there; gamma3 may lie in (%.10g, %.10g)",
                                 what, low, high);
     if (status == JLT_ERR_DOMAIN && system != NULL && system->is_top)
-        return jlt_command_fail(JLT_EXIT_INPUT, "%s: gamma3 must lie strictly between -1 and 1", what);
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s: gamma3 must lie strictly between -1 and 1, and the orbit return before it "
+                                "ends at a pole or at rest", what);
     if (status == JLT_ERR_UNSUPPORTED && system != NULL)
         return jlt_command_fail(JLT_EXIT_INPUT, "%s: the kernels of %s have not what the method needs", what,
                                 system->instance->descriptor->model);
@@ -223,6 +225,12 @@ jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const 
     if (status != JLT_ERR_NO_CONVERGENCE) return jlt_motion_fail(status, system, start);
     return jlt_command_fail(JLT_EXIT_NUMERICAL, "Newton's method finds no periodic orbit from %s: try another --start or --period",
                             start);
+}
+
+jlt_exit jlt_motion_failures(size_t failed, size_t orbits)
+{
+    return jlt_command_fail(JLT_EXIT_NUMERICAL, "the method failed on %zu of %zu orbits, each of which ends in a row that says so",
+                            failed, orbits);
 }
 
 static unsigned coordinate(const jlt_chart *chart, const char *name)
@@ -313,20 +321,44 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     static const char *const directions[] = { "downwards", "in both directions", "upwards" };
     const jlt_chart *chart = system->flow.chart;
 
-    jlt_csv_header(stream, options->common.command, system->instance->descriptor, system->instance->params);
-    if (system->is_top) fprintf(stream, "# levels E=%.17g G=%.17g\n", system->values.E, system->values.G);
+    static const jlt_quantity levels[] = { { .name = "E" }, { .name = "G" } };
+    const jlt_descriptor *d = system->instance->descriptor;
+    double params[JLT_SYSTEM_PARAMS_MAX], E_G[] = { system->values.E, system->values.G };
+    const bool sweeps = system->is_top && options->swept != NULL;
+    size_t at;
+
+    if (sweeps) memcpy(params, system->instance->params, d->param_count * sizeof *params);
+    if (sweeps && jlt_descriptor_param(d, options->swept, &at)) params[at] = NAN;
+    for (int k = 0; k < 2; k++)
+        if (sweeps && strcmp(options->swept, levels[k].name) == 0) E_G[k] = NAN;
+    jlt_csv_header(stream, options->common.command, d, sweeps ? params : system->instance->params);
+    if (system->is_top) {
+        fputs("# levels", stream);
+        jlt_decimal_write_named(stream, levels, E_G, 2);
+        fputc('\n', stream);
+    }
     fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,
             chart->level, directions[options->flow.direction + 1], options->flow.method->name, options->flow.tolerance);
     if (chart->contact != NULL) fprintf(stream, "; loss of contact: %s", options->contact);
     fputs("; nothing is random, so there is no seed\n", stream);
 }
 
-void jlt_motion_caption(FILE *stream, const jlt_system *system)
+static void caption_value(FILE *stream, bool *is_first, const char *name, double value, const char *swept)
+{
+    if (swept != NULL && strcmp(name, swept) == 0) return;
+    fprintf(stream, "%s%s=%.6g", *is_first ? "" : ", ", name, value);
+    *is_first = false;
+}
+
+void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swept)
 {
     const jlt_descriptor *d = system->instance->descriptor;
+    bool is_first = true;
 
     for (unsigned i = 0; i < d->param_count; i++)
         if (strcmp(d->params[i].name, "G") != 0)
-            fprintf(stream, "%s%s=%.6g", i == 0 ? "" : ", ", d->params[i].name, system->instance->params[i]);
-    if (system->is_top) fprintf(stream, ", E=%.6g, G=%.6g", system->values.E, system->values.G);
+            caption_value(stream, &is_first, d->params[i].name, system->instance->params[i], swept);
+    if (!system->is_top) return;
+    caption_value(stream, &is_first, "E", system->values.E, swept);
+    caption_value(stream, &is_first, "G", system->values.G, swept);
 }

@@ -16,6 +16,7 @@ typedef struct {
     jlt_flow flow;
     const char *contact; /* ignore (default), report, end */
     bool tells_contact;  /* the command has a column for `report` */
+    const char *swept;   /* a parameter or level that runs over the rows, of which headers and captions say nothing; NULL: none */
 } jlt_motion_options;
 
 /* Child parser, the options of common.h with it; its input is a jlt_motion_options. */
@@ -49,14 +50,17 @@ size_t jlt_motion_grid_size(const jlt_grid_axis *axes, const jlt_system *system)
 /** Comment lines: command, kernels, parameters, levels, section, method, tolerance. */
 void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jlt_system *system);
 
-/* One line for captions: parameters and levels. */
-void jlt_motion_caption(FILE *stream, const jlt_system *system);
+/* One line for captions: parameters and levels, but for the one that is swept, if any. */
+void jlt_motion_caption(FILE *stream, const jlt_system *system, const char *swept);
 
 /** "WHAT: reason", with the exit status that the library's status calls for. */
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what);
 
 /** The same for Newton's method, which finds no periodic orbit from `start`. */
 jlt_exit jlt_motion_no_orbit(jlt_status status, const jlt_system *system, const char *start);
+
+/** Says that the method failed on so many of the orbits, whose rows tell how; the status of that. */
+jlt_exit jlt_motion_failures(size_t failed, size_t orbits);
 
 bool jlt_motion_interrupted(const jlt_motion_options *options);
 

@@ -68,7 +68,9 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
     static const struct {
         const char *name, *colour;
     } looks[] = { { "alive", "#202060" }, { "end at pole +1", "#e07050" }, { "end at pole -1", "#30a0c0" },
-                  { "lost contact", "#c0a000" }, { "out of budget", "#909090" } };
+                  { "lost contact", "#c0a000" }, { "come to rest", "#40a040" }, { "left the domain", "#a060c0" },
+                  { "out of budget", "#909090" }, { "not finite", "#c0c0c0" }, { "not converged", "#c0c0c0" },
+                  { "without progress", "#c0c0c0" } };
     jlt_command_output script;
     bool first = true;
     FILE *stream;
@@ -78,7 +80,7 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
     fputs("set encoding utf8\n$POINTS << END\n", stream);
     fputs(self->text, stream);
     fputs("END\nset title \"Poincaré map on the section, ", stream);
-    jlt_motion_caption(stream, system);
+    jlt_motion_caption(stream, system, NULL);
     fprintf(stream, "\\n%zu orbits of up to %zu returns\" noenhanced\n", self->orbits, returns);
     if (system->is_top) fputs("set xlabel \"η [rad]\"\nset ylabel \"γ_3\"\n", stream);
     else
@@ -86,7 +88,7 @@ jlt_exit jlt_section_picture_draw(jlt_section_picture *self, const jlt_common *c
                 system->flow.chart->names[1]);
     frame(stream, system, grid, axes);
     fputs("set key tmargin center horizontal textcolor variable\nplot ", stream);
-    for (int fate = JLT_FATE_BUDGET; fate >= (int)JLT_FATE_ALIVE; fate--) {
+    for (int fate = JLT_FATE_COUNT - 1; fate >= (int)JLT_FATE_ALIVE; fate--) {
         if (self->by_fate[fate] == 0) continue;
         fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN) with %s lc rgb '%s' title \"%zu %s\" noenhanced", first ? "" : ", ",
                 fate, self->count > DOTS ? "dots" : "points pt 7 ps 0.25", looks[fate].colour, self->by_fate[fate],

@@ -13,7 +13,7 @@ typedef struct {
     size_t size;
     double *running; /* of the orbit that runs: shape (running_count, 2) */
     size_t running_count, running_room;
-    size_t count, orbits, by_fate[JLT_FATE_BUDGET + 1];
+    size_t count, orbits, by_fate[JLT_FATE_COUNT];
 } jlt_section_picture;
 
 /** Errors: NOMEM. */

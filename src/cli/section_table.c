@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "report/csv.h"
+
 void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
 {
     const jlt_chart *chart = table->system->flow.chart;
@@ -26,7 +28,15 @@ static void write_check(FILE *stream, jlt_section_table *table, const jlt_sectio
     }
     for (unsigned k = 0; k < d; k++) trace += image.slope[k * d + k];
     table->worst_defect = fmax(table->worst_defect, fabs(image.defect));
-    fprintf(stream, ",%.17g,%.17g,%.17g,%.3g", trace, image.determinant, image.expansion, image.defect);
+    const double values[] = { trace, image.determinant, image.expansion, image.defect };
+    fputc(',', stream);
+    jlt_csv_values(stream, values, 4);
+}
+
+static void write_field(FILE *stream, double value)
+{
+    fputc(',', stream);
+    jlt_csv_value(stream, value);
 }
 
 void jlt_section_table_row(FILE *stream, void *table, const void *row)
@@ -40,16 +50,17 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
     fprintf(stream, "%zu,%zu,%.17g", which->orbit, at->number, at->t);
     for (unsigned k = 0; k < system->flow.chart->dim; k++) {
         const bool is_gamma3 = system->is_top && k == 1; /* known off the section as well */
-        const double value = is_gamma3 ? at->x[JLT_CHART_TOP_GAMMA3] : at->q[k];
-        if (isnan(value)) fputc(',', stream);
-        else fprintf(stream, ",%.17g", value);
+        write_field(stream, is_gamma3 ? fmax(-1, fmin(1, at->x[JLT_CHART_TOP_GAMMA3])) : at->q[k]);
     }
     if (system->is_top) {
         jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, at->x);
-        fprintf(stream, ",%.17g,%.17g,%.17g", at->x[JLT_CHART_TOP_V_NU], omega_n, omega3);
+        write_field(stream, at->x[JLT_CHART_TOP_V_NU]);
+        write_field(stream, omega_n);
+        write_field(stream, omega3);
     }
-    fprintf(stream, ",%s", jlt_section_fate_name(at->fate));
-    if (self->contact) fprintf(stream, ",%.17g", at->contact);
+    fputc(',', stream);
+    fputs(jlt_section_fate_name(at->fate), stream);
+    if (self->contact) write_field(stream, at->contact);
     if (self->check) write_check(stream, self, which);
     fputc('\n', stream);
 }

@@ -1,5 +1,6 @@
 #include "cli/session.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "cli/interrupt.h"
@@ -82,8 +83,13 @@ done:
 
 void jlt_session_caption(FILE *stream, const jlt_session *self)
 {
-    for (unsigned i = 0; i < self->descriptor->param_count; i++)
-        fprintf(stream, "%s%s=%.6g", i == 0 ? "" : ", ", self->descriptor->params[i].name, self->params[i]);
+    bool is_first = true;
+
+    for (unsigned i = 0; i < self->descriptor->param_count; i++) {
+        if (isnan(self->params[i])) continue;
+        fprintf(stream, "%s%s=%.6g", is_first ? "" : ", ", self->descriptor->params[i].name, self->params[i]);
+        is_first = false;
+    }
 }
 
 jlt_exit jlt_session_fail(jlt_status status, const char *what)

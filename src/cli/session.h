@@ -35,7 +35,7 @@ jlt_exit jlt_session_start(jlt_session *self);
 
 bool jlt_session_interrupted(const jlt_session *self);
 
-/* One line for captions: the parameters as they were rounded, to six digits. */
+/* One line for captions: the parameters as they were rounded, to six digits, those that are NaN left out. */
 void jlt_session_caption(FILE *stream, const jlt_session *self);
 
 /** "what: reason", with the exit status that the library's status calls for. */

@@ -3,8 +3,9 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+#include "cli/interrupt.h"
 
 static jlt_exit cannot_write(const jlt_stream *self, int reason)
 {
@@ -14,37 +15,31 @@ static jlt_exit cannot_write(const jlt_stream *self, int reason)
 
 jlt_exit jlt_stream_open(jlt_stream *self, const char *path)
 {
-    static const char suffix[] = ".XXXXXX";
-    struct stat about;
-    mode_t mask;
-    int descriptor, reason;
+    jlt_exit code = JLT_EXIT_DONE;
+    jlt_status st;
 
     *self = (jlt_stream){ .path = path };
-    if (path == NULL || strcmp(path, "-") == 0) {
+    if (jlt_command_is_standard_output(path)) {
         self->path = "standard output";
         self->file = stdout;
         return JLT_EXIT_DONE;
     }
-    if (stat(path, &about) == 0 && !S_ISREG(about.st_mode)) {
-        self->file = fopen(path, "w"); /* a device */
-        return self->file != NULL ? JLT_EXIT_DONE : cannot_write(self, errno);
-    }
-    self->temporary = malloc(strlen(path) + sizeof suffix);
-    if (self->temporary == NULL) return jlt_command_no_memory();
-    strcpy(self->temporary, path);
-    strcat(self->temporary, suffix);
-    mask = umask(0);
-    umask(mask);
-    descriptor = mkstemp(self->temporary);
-    if (descriptor >= 0) self->file = fdopen(descriptor, "w");
-    if (self->file != NULL && fchmod(descriptor, 0666 & ~mask) == 0) return JLT_EXIT_DONE;
-    reason = errno;
-    if (descriptor >= 0) {
-        unlink(self->temporary);
-        if (self->file == NULL) close(descriptor);
-    }
-    jlt_stream_discard(self);
-    return cannot_write(self, reason);
+    jlt_interrupt_hold();
+    st = jlt_file_begin(&self->place, path);
+    if (st == JLT_OK) self->file = fdopen(self->place.descriptor, "w");
+    if (self->file != NULL) jlt_interrupt_remember(&self->place);
+    else code = st == JLT_ERR_IO ? cannot_write(self, errno) : jlt_command_no_memory();
+    if (self->file == NULL) jlt_file_end(&self->place);
+    jlt_interrupt_release();
+    return code;
+}
+
+/* What is on the disk of a file that could not be written to its end, or on its way through. */
+static jlt_exit save_rows(const jlt_stream *self, int reason)
+{
+    if (self->place.temporary == NULL || jlt_file_commit_lines(&self->place) != JLT_OK) return cannot_write(self, reason);
+    return jlt_command_fail(JLT_EXIT_IO, "cannot write all rows to '%s': %s; the whole rows before are saved there", self->path,
+                            strerror(reason));
 }
 
 jlt_exit jlt_stream_close(jlt_stream *self)
@@ -53,23 +48,27 @@ jlt_exit jlt_stream_close(jlt_stream *self)
 
     errno = 0;
     if (fflush(self->file) != 0 || ferror(self->file)) {
-        code = cannot_write(self, errno != 0 ? errno : EIO);
+        const int reason = errno != 0 ? errno : EIO;
+        jlt_interrupt_hold();
+        code = save_rows(self, reason);
         clearerr(self->file);
-    } else if (self->temporary != NULL) {
-        if (fsync(fileno(self->file)) != 0 || rename(self->temporary, self->path) != 0) code = cannot_write(self, errno);
+    } else {
+        jlt_interrupt_hold();
+        if (self->file != stdout && jlt_file_commit(&self->place) != JLT_OK) code = cannot_write(self, errno);
     }
-    if (code == JLT_EXIT_DONE && self->temporary != NULL) {
-        free(self->temporary);
-        self->temporary = NULL;
-    }
+    jlt_interrupt_release();
     jlt_stream_discard(self);
     return code;
 }
 
 void jlt_stream_discard(jlt_stream *self)
 {
-    if (self->file != NULL && self->file != stdout) fclose(self->file);
-    if (self->temporary != NULL) unlink(self->temporary);
-    free(self->temporary);
+    if (self->file == NULL) return;
+    jlt_interrupt_hold();
+    if (self->file != stdout) fclose(self->file);
+    self->place.descriptor = -1;
+    jlt_interrupt_forget(&self->place);
+    jlt_file_end(&self->place);
+    jlt_interrupt_release();
     *self = (jlt_stream){ .path = self->path };
 }

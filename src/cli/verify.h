@@ -9,6 +9,7 @@
 #include "prove/prove.h"
 
 #include <jansson.h>
+#include <signal.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -66,6 +67,7 @@ typedef struct {
     const jlt_descriptor *descriptor; /* general field */
     jlt_oracle *oracle;
     jlt_random random;
+    const volatile sig_atomic_t *interrupt; /* raised: the samples end early */
     ttc_proof_report *proofs;
     jlt_verify_family *families;
     size_t family_count;

@@ -239,7 +239,7 @@ static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
     jlt_status st = s == NULL ? JLT_ERR_NOMEM : JLT_OK;
 
     if (st == JLT_OK) st = jlt_verify_subject_init(&subject, run, f->family);
-    for (size_t k = 0; st == JLT_OK && k < run->samples; k++) {
+    for (size_t k = 0; st == JLT_OK && k < run->samples && !*run->interrupt; k++) {
         const jlt_descriptor *special;
         jlt_status refused;
         if (!jlt_verify_sample_draw(s, run, &subject, k)) break;

@@ -1,5 +1,6 @@
 #include "dynamics/chart_top.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -37,12 +38,24 @@ static double slope_of_K(const jlt_chart_top *self, double gamma3, double b)
     return 2 * self->R * (self->I3 * b - self->I1 * self->R * gamma3);
 }
 
+/* The nearest numbers to odd multiples of pi/2 and to those of pi mean these themselves: a v_tau or v_nu of rounding size would
+ * decide how an orbit that runs through a pole goes on. */
+static void direction(double *sine, double *cosine, double eta)
+{
+    const double last_digit = DBL_EPSILON * fmax(1, fabs(eta) / 2);
+
+    *sine = sin(eta);
+    *cosine = cos(eta);
+    if (fabs(*sine) < last_digit) *sine = 0, *cosine = *cosine > 0 ? 1 : -1;
+    if (fabs(*cosine) < last_digit) *cosine = 0, *sine = *sine > 0 ? 1 : -1;
+}
+
 static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const double *q)
 {
     const jlt_chart_top *self = (const jlt_chart_top *)base;
     const double eta = q[0], gamma3 = q[1];
     geometry here;
-    double W2, W, ratio, K_slope, W_slope, ratio_slope;
+    double sine, cosine, W2, W, ratio, K_slope, W_slope, ratio_slope;
 
     if (!isfinite(eta) || !isfinite(gamma3)) return JLT_ERR_NONFINITE;
     if (gamma3 <= -1 || gamma3 >= 1) return JLT_ERR_DOMAIN;
@@ -50,11 +63,12 @@ static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const 
     W2 = speed2(self, gamma3, here.K);
     if (!(W2 > 0)) return JLT_ERR_EMPTY;
     W = sqrt(W2);
+    direction(&sine, &cosine, eta);
     ratio = sqrt(self->m * here.K / here.Theta);
     x[JLT_CHART_TOP_GAMMA3] = gamma3;
-    x[JLT_CHART_TOP_V_NU] = W * sin(eta);
+    x[JLT_CHART_TOP_V_NU] = W * sine;
     x[JLT_CHART_TOP_OMEGA_TAU] = 0;
-    x[JLT_CHART_TOP_V_TAU] = W * ratio * cos(eta);
+    x[JLT_CHART_TOP_V_TAU] = W * ratio * cosine;
     x[JLT_CHART_TOP_S] = root_of(gamma3);
     if (tangent == NULL) return JLT_OK;
 
@@ -64,10 +78,10 @@ static jlt_status lift(const jlt_chart *base, double *x, double *tangent, const 
     ratio_slope = ratio * K_slope * self->I1 * self->I3 / (2 * here.K * here.Theta);
     memset(tangent, 0, sizeof *tangent * base->states * base->dim);
     tangent[2 * JLT_CHART_TOP_GAMMA3 + 1] = 1;
-    tangent[2 * JLT_CHART_TOP_V_NU] = W * cos(eta);
-    tangent[2 * JLT_CHART_TOP_V_NU + 1] = W_slope * sin(eta);
-    tangent[2 * JLT_CHART_TOP_V_TAU] = -W * ratio * sin(eta);
-    tangent[2 * JLT_CHART_TOP_V_TAU + 1] = (W_slope * ratio + W * ratio_slope) * cos(eta);
+    tangent[2 * JLT_CHART_TOP_V_NU] = W * cosine;
+    tangent[2 * JLT_CHART_TOP_V_NU + 1] = W_slope * sine;
+    tangent[2 * JLT_CHART_TOP_V_TAU] = -W * ratio * sine;
+    tangent[2 * JLT_CHART_TOP_V_TAU + 1] = (W_slope * ratio + W * ratio_slope) * cosine;
     tangent[2 * JLT_CHART_TOP_S + 1] = -gamma3 / x[JLT_CHART_TOP_S];
     return JLT_OK;
 }
@@ -81,7 +95,7 @@ static void lower(const jlt_chart *base, double *q, double *slope, const double 
     double W2, K_slope;
 
     q[0] = atan2(v_nu, u);
-    q[1] = x[JLT_CHART_TOP_GAMMA3];
+    q[1] = fmax(-1, fmin(1, x[JLT_CHART_TOP_GAMMA3])); /* near a pole it may pass 1 by a rounding error */
     if (slope == NULL) return;
 
     /* eta = atan2(v_nu, u), u = v_tau/ratio; the derivative in gamma3 goes along s^2 = 1 - gamma3^2, so that s itself
@@ -155,6 +169,27 @@ void jlt_chart_top_init(jlt_chart_top *out, double m, double R, double g, double
     out->G = G;
 }
 
+void jlt_chart_top_init_in(jlt_chart_top *out, const jlt_chart_top *chart, const jlt_units *units)
+{
+    const int m = -units->mass, l = -units->length, t = -units->time;
+
+    jlt_chart_top_init(out, ldexp(chart->m, m), ldexp(chart->R, l), ldexp(chart->g, l - 2 * t), ldexp(chart->I1, m + 2 * l),
+                       ldexp(chart->I3, m + 2 * l), ldexp(chart->a3, l), ldexp(chart->E, m + 2 * l - 2 * t),
+                       ldexp(chart->G, m + 3 * l - t));
+}
+
+jlt_units jlt_chart_top_units(const jlt_chart_top *self)
+{
+    const double energy = (self->E + self->m * self->g * fabs(self->a3)) / self->m;
+    jlt_units units = { 0 };
+
+    if (!(self->m > 0 && self->R > 0) || !isfinite(self->m) || !isfinite(self->R)) return units;
+    units.mass = ilogb(self->m);
+    units.length = ilogb(self->R);
+    if (energy > 0 && isfinite(energy)) units.time = units.length - (ilogb(energy) >> 1);
+    return units;
+}
+
 double jlt_chart_top_speed2(const jlt_chart_top *self, double gamma3)
 {
     return speed2(self, gamma3, at(self, gamma3, root_of(gamma3)).K);
@@ -165,6 +200,10 @@ void jlt_chart_top_rotation(const jlt_chart_top *self, double *omega_n, double *
     const double s = x[JLT_CHART_TOP_S], v_tau = x[JLT_CHART_TOP_V_TAU];
     const geometry here = at(self, x[JLT_CHART_TOP_GAMMA3], s);
 
+    if (here.K == 0) {
+        *omega_n = *omega3 = NAN;
+        return;
+    }
     *omega_n = (self->R * s * self->G + self->I3 * here.b * v_tau) / here.K;
     *omega3 = (self->I1 * self->R * s * v_tau - here.b * self->G) / here.K;
 }

@@ -14,6 +14,7 @@
 #define JLT_DYNAMICS_CHART_TOP_H
 
 #include "dynamics/chart.h"
+#include "kernel/units.h"
 
 enum { JLT_CHART_TOP_GAMMA3, JLT_CHART_TOP_V_NU, JLT_CHART_TOP_OMEGA_TAU, JLT_CHART_TOP_V_TAU, JLT_CHART_TOP_S };
 
@@ -27,10 +28,18 @@ typedef struct {
 void jlt_chart_top_init(jlt_chart_top *out, double m, double R, double g, double I1, double I3, double a3, double E,
                         double G);
 
+/** The same chart for states counted in units of their own. */
+void jlt_chart_top_init_in(jlt_chart_top *out, const jlt_chart_top *chart, const jlt_units *units);
+
+/** Units in which R is in [1, 2), m too, and (E + m g |a3|)/m, half the square of the largest velocity of the centre of mass, in
+ *  [1, 4); without that energy all is at rest, and time is counted in seconds. */
+jlt_units jlt_chart_top_units(const jlt_chart_top *self);
+
 /** W^2 at gamma3: negative where the levels have no state with omega_tau = 0. */
 double jlt_chart_top_speed2(const jlt_chart_top *self, double gamma3);
 
-/** omega_n and omega3 of a state: omega_n = (R s G + I3 b v_tau)/K, omega3 = (I1 R s v_tau - b G)/K. */
+/** omega_n and omega3 of a state: omega_n = (R s G + I3 b v_tau)/K, omega3 = (I1 R s v_tau - b G)/K. NaN at a pole with I3 b = 0,
+ *  where K vanishes and the state does not tell them. */
 void jlt_chart_top_rotation(const jlt_chart_top *self, double *omega_n, double *omega3, const double *x);
 
 /** Energy of a state, from the same formula as the chart. */

@@ -2,8 +2,10 @@
  *
  *  Unknowns are u = (q, value/scale) in P^period(q; value) = q; the next point is sought at a fixed projection on the
  *  tangent (Keller), so that folds are passed. DP comes from the variational equations, dP/dvalue from central
- *  differences: that one only directs the steps, the points found satisfy the equation to rounding.
- *  Bifurcations are sign changes of test functions, located by the secant method on the arclength:
+ *  differences: that one only directs the steps, the points found satisfy the equation to rounding. Steps turn by 0.3 at
+ *  most, so that none jumps over a fold unseen, and branches of symmetric orbits stay symmetric.
+ *  Bifurcations are sign changes of test functions, located by the secant method on the arclength, or left in the bracket
+ *  that was reached where steps cease to converge:
  *      fold                the tangent's component along the parameter
  *      period doubling     det(DP^period + I)
  *      branch point        the determinant of the bordered Jacobian (the orbit loses its symmetry, or meets another family)
@@ -35,6 +37,7 @@ typedef struct {
     double arc; /* along the branch, in u */
     jlt_periodic orbit;
     jlt_bifurcation kind; /* NONE: an ordinary point */
+    double low, high; /* of a bifurcation: values at the nearest points found on both sides of it, in ascending order */
     double tangent[JLT_CHART_DIM_MAX + 1]; /* unit, in u, in the direction of travel */
 } jlt_continuation_point;
 
@@ -47,17 +50,20 @@ typedef struct {
 } jlt_continuation_options;
 
 typedef enum {
-    JLT_CONTINUATION_RANGE,  /* value left [low, high] */
+    JLT_CONTINUATION_RANGE,  /* value left [low, high]: the last point is where */
     JLT_CONTINUATION_POINTS,
     JLT_CONTINUATION_STUCK,  /* no step above step_min converged: a pole, an empty level, tangency with the section */
-    JLT_CONTINUATION_INTERRUPT
+    JLT_CONTINUATION_INTERRUPT,
+    JLT_CONTINUATION_CLOSED, /* back at the orbit it began with */
+    JLT_CONTINUATION_HALVED  /* in an orbit of half the period, at a period doubling: its row is the last */
 } jlt_continuation_end;
 
 /** Called for every point and every bifurcation in order; a status other than JLT_OK ends the run with it. */
 typedef jlt_status (*jlt_continuation_sink)(void *context, const jlt_continuation_point *point);
 
 /** Follow the orbit from `start` (value and orbit are read; a nonzero tangent gives the direction, otherwise the parameter
- *  first goes up for direction +1 and down for -1). Errors: ARG, NOMEM, those of map_at and of the map at the start.
+ *  first goes up for direction +1 and down for -1). Errors: ARG, NOMEM, the sink's, those of map_at and of the map at the
+ *  start.
  *  Cost: about 4 evaluations of P^period with derivative a point. */
 JLT_CHECKED jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *family,
                                             const jlt_continuation_point *start, int direction,

@@ -19,8 +19,8 @@ JLT_CHECKED jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end
 /** Numbers of starts by fate. Zeroed is empty. */
 typedef struct {
     size_t starts;                /* that exist on the levels */
-    size_t by_fate[JLT_FATE_BUDGET + 1];
-    size_t contact[JLT_FATE_BUDGET + 1]; /* of these, those whose normal reaction stayed positive */
+    size_t by_fate[JLT_FATE_COUNT];
+    size_t contact[JLT_FATE_COUNT]; /* of these, those whose normal reaction stayed positive */
 } jlt_fates_count;
 
 void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end);

@@ -57,20 +57,35 @@ static jlt_status refine(jlt_homoclinic *io, const jlt_branch *unstable, const j
     return JLT_OK;
 }
 
-/* The same crossing from branches of another seed: sigma moves by the logarithm of the seeds' ratio. */
-static double angle_again(const jlt_homoclinic *point, const jlt_branch *unstable, const jlt_branch *stable,
-                          jlt_map *coarse)
+/* The same crossing by another map, from branches whose seeds are so many times as large: sigma moves by the logarithm. */
+static double angle_again(const jlt_homoclinic *point, const jlt_branch *unstable, const jlt_branch *stable, jlt_map *map,
+                          double seeds)
 {
     jlt_branch u = *unstable, s = *stable;
     jlt_homoclinic other = *point;
 
-    u.map = s.map = coarse;
-    u.seed *= 2;
-    s.seed *= 2;
-    other.sigma_unstable -= log(2) / log(u.lambda);
-    other.sigma_stable -= log(2) / log(s.lambda);
+    u.map = s.map = map;
+    u.seed *= seeds;
+    s.seed *= seeds;
+    other.sigma_unstable -= log(seeds) / log(u.lambda);
+    other.sigma_stable -= log(seeds) / log(s.lambda);
     if (other.sigma_unstable < 0 || other.sigma_stable < 0) return NAN;
     return refine(&other, &u, &s, 8) == JLT_OK ? other.angle : NAN;
+}
+
+/* Twice the largest change by another tolerance, another seed, and both: where all that is left is rounding, one of them alone may
+ * happen to change little. */
+static double angle_error(const jlt_homoclinic *point, const jlt_branch *unstable, const jlt_branch *stable, jlt_map *coarse)
+{
+    const double others[] = { angle_again(point, unstable, stable, coarse, 2), angle_again(point, unstable, stable, coarse, 1),
+                              angle_again(point, unstable, stable, unstable->map, 2) };
+    double largest = 0;
+
+    for (int i = 0; i < 3; i++) {
+        const double change = fabs(remainder(others[i] - point->angle, pi));
+        if (isnan(change) || change > largest) largest = change;
+    }
+    return 2 * largest;
 }
 
 static int compare(const void *left, const void *right)
@@ -155,7 +170,7 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, const jlt
     for (i = 0; i + 1 < unstable->count; i++)
         for (j = 0; j + 1 < stable->count; j++) {
             jlt_homoclinic point = { .lobe = NAN };
-            double a, b, again;
+            double a, b;
             if (!segments_cross(chart, &a, &b, unstable->points + 2 * i, unstable->points + 2 * i + 2,
                                 stable->points + 2 * j, stable->points + 2 * j + 2)) continue;
             point.sigma_unstable = unstable->sigma[i] + a * (unstable->sigma[i + 1] - unstable->sigma[i]);
@@ -163,8 +178,7 @@ jlt_status jlt_homoclinic_find(jlt_homoclinic **points, size_t *count, const jlt
             st = refine(&point, unstable_branch, stable_branch, 12);
             if (st == JLT_ERR_NOMEM) goto done;
             if (st != JLT_OK || point.residual > 1e-8) continue;
-            again = angle_again(&point, unstable_branch, stable_branch, coarse);
-            point.angle_error = 2 * fabs(remainder(again - point.angle, pi));
+            point.angle_error = angle_error(&point, unstable_branch, stable_branch, coarse);
             JLT_TRY(push(&list, &point));
         }
     st = JLT_OK;

@@ -8,7 +8,7 @@ typedef struct {
     double q[2];
     double sigma_unstable, sigma_stable; /* parameters on the two branches */
     double angle;       /* from the unstable to the stable tangent as lines, in (-pi/2, pi/2], in section coordinates */
-    double angle_error; /* what a tolerance ten times larger and a seed twice as large change, doubled */
+    double angle_error; /* the most that a tolerance ten times larger, a seed twice as large, or both change, doubled */
     double residual;    /* distance of the two branches' points after refinement */
     double lobe;        /* area between this crossing and the next one along the unstable branch, signed; NaN at the last */
 } jlt_homoclinic;

@@ -50,7 +50,7 @@ static jlt_manifold_options with_defaults(const jlt_manifold_options *asked)
 
     if (options.spacing == 0) options.spacing = 0.01;
     if (options.turn == 0) options.turn = 0.2;
-    if (options.finest == 0) options.finest = 1e-4;
+    if (options.finest == 0) options.finest = JLT_MANIFOLD_FINEST;
     if (options.length_max == 0) options.length_max = 5;
     if (options.points_max == 0) options.points_max = 20000;
     return options;

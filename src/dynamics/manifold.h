@@ -9,6 +9,8 @@
 
 #include "dynamics/branch.h"
 
+#define JLT_MANIFOLD_FINEST 1e-4
+
 typedef enum {
     JLT_MANIFOLD_LENGTH, /* the length asked for is reached */
     JLT_MANIFOLD_POINTS, /* the number of points is */
@@ -19,7 +21,7 @@ typedef enum {
 typedef struct {
     double spacing;    /* default 0.01 */
     double turn;       /* in radians, default 0.2 */
-    double finest;     /* default 1e-4 */
+    double finest;     /* default JLT_MANIFOLD_FINEST; below spacing */
     double length_max; /* default 5 */
     size_t points_max; /* default 20000 */
 } jlt_manifold_options;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "dynamics/linear.h"
+#include "integrate/rest.h"
 
 enum { DIM_MAX = JLT_CHART_STATES_MAX * (1 + JLT_CHART_DIM_MAX) + 1 };
 
@@ -109,7 +110,6 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
     self->flow = *flow;
     if (self->flow.method == NULL) self->flow.method = jlt_map_method();
     if (self->flow.max_steps == 0) self->flow.max_steps = 100000;
-    if (self->flow.t_max == 0) self->flow.t_max = INFINITY;
     JLT_TRY(make_field(self));
     /* The varied field has no jet. */
     JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method->needs_jet ? jlt_map_method() : self->flow.method, &self->field,
@@ -146,7 +146,8 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
     jlt_status st;
 
     self->at_pole = false;
-    st = jlt_orbit_next(self->orbit, time_direction * self->flow.t_max, &event, 1, outcome);
+    const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
+    st = jlt_orbit_next(self->orbit, time_direction * t_max, &event, 1, outcome);
     if (st != JLT_OK) return st;
     if (outcome->end == JLT_END_EVENT) return JLT_OK;
     if (outcome->end == JLT_END_TIME) return JLT_ERR_BUDGET;
@@ -202,6 +203,7 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     for (k = 0; k < d; k++)
         for (i = 0; i < n; i++) start[n * (1 + k) + i] = tangent[i * d + k];
     self->flow.field->call(start, self->flow.field->p, f);
+    if (jlt_rest_is_slower(self->flow.field, start, JLT_REST_STILL)) return JLT_ERR_DOMAIN;
     before = chart->flux(chart, start, f);
     JLT_TRY(jlt_orbit_start(self->orbit, 0, start, time_direction));
     JLT_TRY(to_section(self, &outcome, time_direction));
@@ -216,10 +218,10 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     defect = (fabs(determinant) - fabs(before / after) * exp(expansion)) / hadamard(slope, d);
     if (fabs(defect) > fabs(image->defect)) image->defect = defect;
     jlt_linear_multiply(image->slope, slope, image->slope, d);
-    image->T += outcome.t;
+    image->T += ldexp(outcome.t, self->flow.units.time);
     image->expansion += expansion;
     image->determinant *= determinant;
-    memcpy(image->x, outcome.x, n * sizeof *image->x);
+    for (i = 0; i < n; i++) image->x[i] = ldexp(outcome.x[i], self->flow.units.state[i]);
 done:
     return st;
 }
@@ -254,8 +256,7 @@ jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t 
     for (i = 0; i < count; i++) {
         JLT_TRY(jlt_section_next(self->section, &row));
         if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
-        if (row.fate == JLT_FATE_BUDGET) return JLT_ERR_BUDGET;
-        if (row.fate != JLT_FATE_ALIVE) return JLT_ERR_DOMAIN;
+        JLT_TRY(jlt_section_fate_status(row.fate));
     }
     memcpy(image.q, row.q, sizeof image.q);
     memcpy(image.x, row.x, sizeof image.x);

@@ -35,7 +35,7 @@ static int compare(const void *left, const void *right)
     const jlt_periodic *a = left, *b = right;
 
     if (a->period != b->period) return a->period < b->period ? -1 : 1;
-    if (fabs(a->T - b->T) > 1e-9) return a->T < b->T ? -1 : 1;
+    if (fabs(a->T - b->T) > 1e-9 * fmax(fabs(a->T), fabs(b->T))) return a->T < b->T ? -1 : 1;
     return a->points[0] < b->points[0] ? -1 : a->points[0] > b->points[0];
 }
 

@@ -211,7 +211,7 @@ static bool moves(jlt_map *map, const jlt_periodic *orbit)
     if (flow->chart->lift(flow->chart, x, NULL, orbit->points) != JLT_OK) return false;
     flow->field->call(x, flow->field->p, f);
     if (flow->field->time_rate != NULL) flow->field->time_rate(x, flow->field->p, &rate);
-    return norm(f, flow->chart->states) / rate * orbit->T / (double)orbit->period >
+    return norm(f, flow->chart->states) / rate * ldexp(orbit->T, -flow->units.time) / (double)orbit->period >
            standstill * fmax(1, norm(x, flow->chart->states));
 }
 

@@ -4,6 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "integrate/rest.h"
+
+enum { SLOW_STEPS = 64 }; /* some turns of a spiral */
+
 struct jlt_section {
     jlt_flow flow;
     jlt_orbit *orbit;
@@ -13,16 +17,53 @@ struct jlt_section {
     int time_direction;
     double t_start;  /* of the current return */
     double x[JLT_CHART_STATES_MAX]; /* there */
-    bool at_rest;
+    jlt_fate start_fate; /* other than alive: it ended where it started */
+    bool rests;          /* as the last return was judged */
+    unsigned slow_steps; /* since the last return: an orbit that creeps makes none */
+    double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
     bool accepted;   /* the orbit's own integrator has not been there */
     double contact;
 };
 
-static const char *const fate_names[] = { "alive", "pole+", "pole-", "lost_contact", "budget" };
+static const struct {
+    const char *name;
+    jlt_status status;
+} fates[JLT_FATE_COUNT] = {
+    [JLT_FATE_ALIVE] = { "alive", JLT_OK },
+    [JLT_FATE_POLE_PLUS] = { "pole+", JLT_ERR_DOMAIN },
+    [JLT_FATE_POLE_MINUS] = { "pole-", JLT_ERR_DOMAIN },
+    [JLT_FATE_LOST_CONTACT] = { "lost_contact", JLT_ERR_DOMAIN },
+    [JLT_FATE_EQUILIBRIUM] = { "equilibrium", JLT_ERR_DOMAIN },
+    [JLT_FATE_LEFT_DOMAIN] = { "left_domain", JLT_ERR_DOMAIN },
+    [JLT_FATE_BUDGET] = { "budget", JLT_ERR_BUDGET },
+    [JLT_FATE_NONFINITE] = { "nonfinite", JLT_ERR_NONFINITE },
+    [JLT_FATE_NO_CONVERGENCE] = { "no_convergence", JLT_ERR_NO_CONVERGENCE },
+    [JLT_FATE_NO_PROGRESS] = { "no_progress", JLT_ERR_NO_PROGRESS },
+};
 
 const char *jlt_section_fate_name(jlt_fate fate)
 {
-    return (unsigned)fate < sizeof fate_names / sizeof *fate_names ? fate_names[fate] : "unknown";
+    return (unsigned)fate < JLT_FATE_COUNT ? fates[fate].name : "unknown";
+}
+
+jlt_status jlt_section_fate_status(jlt_fate fate)
+{
+    return fates[fate].status;
+}
+
+bool jlt_section_failed(jlt_fate fate)
+{
+    return fate >= JLT_FATE_NONFINITE;
+}
+
+bool jlt_section_fate_of(jlt_fate *fate, jlt_status status)
+{
+    unsigned last = JLT_FATE_COUNT;
+
+    while (--last > JLT_FATE_EQUILIBRIUM)
+        if (fates[last].status == status) break;
+    *fate = (jlt_fate)last;
+    return last > JLT_FATE_EQUILIBRIUM;
 }
 
 /* As an event the reaction needs the field, which the integrator's value function is not given. */
@@ -35,14 +76,18 @@ static double contact_value(void *context, const double *x)
     return self->flow.chart->contact(self->flow.chart, x, f);
 }
 
-static int watch_contact(void *context, jlt_orbit *orbit)
+static int watch(void *context, jlt_orbit *orbit)
 {
     jlt_section *self = context;
+    const jlt_chart *chart = self->flow.chart;
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
-    const double contact = self->flow.chart->contact(self->flow.chart, stepper->x, stepper->f);
 
-    if (contact < self->contact) self->contact = contact;
-    return 0;
+    if (chart->contact != NULL) {
+        const double contact = chart->contact(chart, stepper->x, stepper->f);
+        if (contact < self->contact) self->contact = contact;
+    }
+    if (!jlt_rest_is_slow(stepper)) self->slow_steps = 0;
+    return ++self->slow_steps > SLOW_STEPS && jlt_rest_ends(stepper, self->limit);
 }
 
 jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
@@ -57,7 +102,7 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
     self->flow = *flow;
     if (self->flow.method == NULL) self->flow.method = jlt_method_find(NULL);
     if (self->flow.max_steps == 0) self->flow.max_steps = 100000;
-    if (self->flow.t_max == 0) self->flow.t_max = INFINITY;
+    self->flow.t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
     JLT_TRY(jlt_orbit_create(&self->orbit, self->flow.method, self->flow.field,
                              &(jlt_options){ .tolerance = flow->tolerance,
                                              .max_steps = self->flow.max_steps,
@@ -66,13 +111,11 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
                                    .level = flow->chart->level,
                                    .direction = flow->direction };
     self->event_count = 1;
-    if (flow->chart->contact != NULL) {
-        jlt_orbit_observe(self->orbit, watch_contact, self);
-        if (flow->end_at_contact_loss) {
-            self->events[1] = (jlt_event){ .value = contact_value, .context = self, .direction = JLT_BOTH };
-            self->event_count = 2;
-        }
+    if (flow->chart->contact != NULL && flow->end_at_contact_loss) {
+        self->events[1] = (jlt_event){ .value = contact_value, .context = self, .direction = JLT_BOTH };
+        self->event_count = 2;
     }
+    jlt_orbit_observe(self->orbit, watch, self);
     *out = self;
     self = NULL; /* ownership moved to the caller */
 done:
@@ -87,35 +130,17 @@ void jlt_section_destroy(jlt_section *self)
     free(self);
 }
 
-/* f: the field at x. */
-static double speed(const jlt_section *self, const double *x, const double *f)
-{
-    double fastest = 0;
-
-    for (unsigned i = 0; i < self->flow.chart->states; i++) fastest = fmax(fastest, fabs(f[i]) / fmax(1, fabs(x[i])));
-    return fastest;
-}
-
-double jlt_section_speed(const jlt_section *self, const double *x)
-{
-    double f[JLT_CHART_STATES_MAX];
-
-    self->flow.field->call(x, self->flow.field->p, f);
-    return speed(self, x, f);
-}
-
 /* Take x for the point of the current return; f gets the field there. Returns the normal reaction. */
 static double arrive(jlt_section *self, const double *x, double *f)
 {
-    static const double still = 1e-12; /* a crossing there is rounding error */
     const jlt_chart *chart = self->flow.chart;
 
     self->flow.field->call(x, self->flow.field->p, f);
-    self->at_rest = speed(self, x, f) < still;
     memcpy(self->x, x, chart->states * sizeof *x);
     return chart->contact != NULL ? chart->contact(chart, x, f) : INFINITY;
 }
 
+/* t and x in the flow's units; the row gets them in the table's. */
 static void fill(jlt_return *row, const jlt_section *self, double t, const double *x, bool on_section)
 {
     const jlt_chart *chart = self->flow.chart;
@@ -123,10 +148,10 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
 
     memset(row, 0, sizeof *row);
     row->number = self->number;
-    row->t = t;
-    memcpy(row->x, x, chart->states * sizeof *x);
-    row->residual = x[chart->column] - chart->level;
-    row->contact = self->contact;
+    row->t = ldexp(t, self->flow.units.time);
+    for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
+    row->residual = ldexp(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
+    row->contact = ldexp(self->contact, self->flow.units.contact);
     if (on_section) {
         chart->lower(chart, row->q, NULL, x);
         return;
@@ -134,22 +159,27 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     for (k = 0; k < chart->dim; k++) row->q[k] = NAN;
 }
 
-jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const double *x, int time_direction)
+static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int time_direction)
 {
     const jlt_chart *chart = self->flow.chart;
     const jlt_status st = jlt_orbit_start(self->orbit, 0, x, time_direction);
     double f[JLT_CHART_STATES_MAX];
 
-    if (st != JLT_OK) return st;
+    for (unsigned i = 0; i < chart->states; i++)
+        if (!isfinite(x[i])) return JLT_ERR_NONFINITE;
+    self->start_fate = JLT_FATE_ALIVE;
+    if (st != JLT_OK && !jlt_section_fate_of(&self->start_fate, st)) return st;
     self->number = 0;
     self->t_start = 0;
-    self->accepted = false;
+    self->accepted = self->rests = false;
+    self->slow_steps = 0;
     self->time_direction = time_direction;
     self->contact = arrive(self, x, f);
-    if (row != NULL) {
-        fill(row, self, 0, x, x[chart->column] == chart->level);
-        if (self->event_count == 2 && !(self->contact > 0)) row->fate = JLT_FATE_LOST_CONTACT;
-    }
+    if (jlt_rest_is_slower(self->flow.field, x, JLT_REST_STILL)) self->start_fate = JLT_FATE_EQUILIBRIUM;
+    if (self->event_count == 2 && self->contact <= 0) self->start_fate = JLT_FATE_LOST_CONTACT;
+    if (row == NULL) return JLT_OK;
+    fill(row, self, 0, x, x[chart->column] == chart->level);
+    row->fate = self->start_fate;
     return JLT_OK;
 }
 
@@ -158,54 +188,80 @@ jlt_status jlt_section_start(jlt_section *self, jlt_return *row, const double *q
     double x[JLT_CHART_STATES_MAX];
     const jlt_status st = self->flow.chart->lift(self->flow.chart, x, NULL, q);
 
-    return st != JLT_OK ? st : jlt_section_start_state(self, row, x, time_direction);
+    return st != JLT_OK ? st : begin(self, row, x, time_direction);
 }
 
-/* The end of an orbit at rest. */
-static void stay(jlt_section *self, jlt_return *row)
+jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const double *x, int time_direction)
+{
+    double counted[JLT_CHART_STATES_MAX];
+
+    for (unsigned k = 0; k < self->flow.chart->states; k++) counted[k] = ldexp(x[k], -self->flow.units.state[k]);
+    return begin(self, row, counted, time_direction);
+}
+
+/* The end of an orbit, at x. */
+static void end(jlt_section *self, jlt_return *row, double t, const double *x, jlt_fate fate)
 {
     self->number++;
-    fill(row, self, self->t_start, self->x, false);
-    row->fate = JLT_FATE_BUDGET;
+    self->t_start = t;
+    fill(row, self, t, x, false);
+    row->fate = fate;
+}
+
+/* What ended the orbit short of a crossing of the section. */
+static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcome)
+{
+    const jlt_chart *chart = self->flow.chart;
+
+    switch (outcome->end) {
+    case JLT_END_TIME: end(self, row, outcome->t, outcome->x, JLT_FATE_BUDGET); return;
+    case JLT_END_EVENT: end(self, row, outcome->t, outcome->x, JLT_FATE_LOST_CONTACT); return;
+    case JLT_END_OBSERVER: end(self, row, outcome->t, self->limit, JLT_FATE_EQUILIBRIUM); return;
+    case JLT_END_POLE:
+        end(self, row, outcome->t, outcome->x, JLT_FATE_POLE_PLUS);
+        if (chart->side != NULL && chart->side(chart, row->x) < 0) row->fate = JLT_FATE_POLE_MINUS;
+        return;
+    case JLT_END_INTERRUPT:
+        end(self, row, outcome->t, outcome->x, JLT_FATE_ALIVE);
+        row->interrupted = true;
+    }
 }
 
 jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
 {
-    const jlt_chart *chart = self->flow.chart;
+    jlt_status st = JLT_OK;
     double f[JLT_CHART_STATES_MAX];
-    jlt_outcome outcome;
-    jlt_status st;
+    jlt_outcome outcome = { .t = self->t_start, .x = self->x };
+    jlt_fate fate;
 
-    if (self->at_rest) {
-        stay(self, row);
+    if (self->start_fate != JLT_FATE_ALIVE) {
+        end(self, row, 0, self->x, self->start_fate);
         return JLT_OK;
     }
-    if (self->accepted) {
-        self->accepted = false;
-        st = jlt_orbit_start(self->orbit, self->t_start, self->x, self->time_direction);
-        if (st != JLT_OK) return st;
-    }
-    st = jlt_orbit_next(self->orbit, self->t_start + self->time_direction * self->flow.t_max, self->events,
-                        self->event_count, &outcome);
-    if (st != JLT_OK && st != JLT_ERR_BUDGET) return st;
-    self->number++;
-    self->t_start = outcome.t;
-    if (st == JLT_ERR_BUDGET || outcome.end == JLT_END_TIME) {
-        fill(row, self, outcome.t, outcome.x, false);
-        row->fate = JLT_FATE_BUDGET;
+    if (self->rests) {
+        end(self, row, self->t_start, self->limit, JLT_FATE_EQUILIBRIUM);
         return JLT_OK;
     }
-    if (outcome.end == JLT_END_EVENT && outcome.crossing.event == 0) {
+    if (self->accepted) st = jlt_orbit_start(self->orbit, self->t_start, self->x, self->time_direction);
+    self->accepted = false;
+    if (st == JLT_OK)
+        st = jlt_orbit_next(self->orbit, self->t_start + self->time_direction * self->flow.t_max, self->events,
+                            self->event_count, &outcome);
+    if (st != JLT_OK) {
+        if (!jlt_section_fate_of(&fate, st)) return st;
+        end(self, row, outcome.t, outcome.x, fate);
+    } else if (outcome.end == JLT_END_EVENT && outcome.crossing.event == 0) {
+        self->number++;
+        self->t_start = outcome.t;
         fill(row, self, outcome.t, outcome.x, true);
         row->direction = outcome.crossing.direction;
-        (void)arrive(self, row->x, f);
-        return JLT_OK;
+        (void)arrive(self, outcome.x, f);
+        self->slow_steps = 0;
+        self->rests = jlt_rest_is_slower(self->flow.field, self->x, jlt_rest_slow(jlt_orbit_stepper(self->orbit)->asked))
+                      && jlt_rest_ends(jlt_orbit_stepper(self->orbit), self->limit);
+    } else {
+        end_by(self, row, &outcome);
     }
-    fill(row, self, outcome.t, outcome.x, false);
-    if (outcome.end == JLT_END_EVENT) row->fate = JLT_FATE_LOST_CONTACT;
-    else if (outcome.end == JLT_END_POLE)
-        row->fate = chart->side == NULL || chart->side(chart, row->x) > 0 ? JLT_FATE_POLE_PLUS : JLT_FATE_POLE_MINUS;
-    else row->interrupted = true;
     return JLT_OK;
 }
 
@@ -214,10 +270,6 @@ void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const doub
     const unsigned column = self->flow.chart->column;
     double f[JLT_CHART_STATES_MAX];
 
-    if (self->at_rest) {
-        stay(self, row);
-        return;
-    }
     self->number++;
     self->t_start = t;
     self->accepted = true;

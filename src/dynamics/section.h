@@ -14,13 +14,16 @@ typedef struct {
     const jlt_field *field;
     jlt_kernel_function rhs_jacobian; /* f, then df/dx, on the field's block; NULL: field->jacobian beside field->call */
     const jlt_method *method;         /* default: the first of the table */
-    double tolerance;                 /* of the local error; default 1e-12 */
+    double tolerance;                 /* see integrate/method.h; default 1e-12 */
     jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */
     size_t max_steps;                 /* of the integrator, for one return; default 10^5 */
     double t_max;                     /* physical time for one return; default: no limit */
     bool end_at_contact_loss;         /* an orbit ends where the normal reaction vanishes; default: it goes on, and rows
                                          tell the least reaction met */
     const volatile sig_atomic_t *interrupt;
+    struct {
+        int state[JLT_CHART_STATES_MAX], time, contact;
+    } units; /* binary exponents: x, t and the reaction in rows are 2^these times those of chart and field; default 1 */
 } jlt_flow;
 
 typedef enum {
@@ -28,12 +31,27 @@ typedef enum {
     JLT_FATE_POLE_PLUS,    /* ended at gamma3 = +1 */
     JLT_FATE_POLE_MINUS,   /* ended at gamma3 = -1 */
     JLT_FATE_LOST_CONTACT, /* ended where the support no longer pushes */
-    JLT_FATE_BUDGET        /* neither a return nor an end was found: steps or time of one return are spent, or the orbit
-                              has come to rest at an equilibrium, where crossings drown in rounding */
+    JLT_FATE_EQUILIBRIUM,  /* has come to rest (integrate/rest.h): crossings would drown in errors; x is the limit */
+    JLT_FATE_LEFT_DOMAIN,  /* came to the edge of its table's domain, in the model's own time */
+    JLT_FATE_BUDGET,       /* neither a return nor an end was found: steps or time of one return are spent */
+    /* The method failed; x is the last point it accepted. */
+    JLT_FATE_NONFINITE,
+    JLT_FATE_NO_CONVERGENCE,
+    JLT_FATE_NO_PROGRESS,
+    JLT_FATE_COUNT
 } jlt_fate;
 
-/** alive, pole+, pole-, lost_contact, budget. */
+/** alive, pole+, pole-, lost_contact, equilibrium, left_domain, budget, nonfinite, no_convergence, no_progress. */
 const char *jlt_section_fate_name(jlt_fate fate);
+
+/** The fate of an orbit that a function's failure ends. False: none, the failure is not of the orbit. */
+bool jlt_section_fate_of(jlt_fate *fate, jlt_status status);
+
+/** What the fate says in the terms of functions: OK for alive, DOMAIN for an orbit that ended, else the method's failure. */
+jlt_status jlt_section_fate_status(jlt_fate fate);
+
+/** Whether the orbit's row ends by a failure of the method. */
+bool jlt_section_failed(jlt_fate fate);
 
 typedef struct {
     size_t number;               /* 0 is the start */
@@ -57,20 +75,19 @@ void jlt_section_destroy(jlt_section *self); /* NULL is legal */
  *  Errors: as the chart's lift. */
 JLT_CHECKED jlt_status jlt_section_start(jlt_section *self, jlt_return *row, const double *q, int time_direction);
 
-/** Start at any state x (states,), on the section or not; row->q is NaN off the section. Errors: NONFINITE. */
+/** Start at any state x (states,), on the section or not; row->q is NaN off the section. Errors: NONFINITE, x; a field that is
+ *  not finite there is a fate. */
 JLT_CHECKED jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const double *x, int time_direction);
 
 /** The next return, or the end: after a row with a fate other than alive, or interrupted, call start again.
- *  Errors: as jlt_orbit_next except BUDGET, which is a fate. */
+ *  Errors: ARG, NOMEM; what else jlt_orbit_next may end with is a fate. */
 JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
 
-/** The next return, found by another integrator at time t since the start, at x (states,) on the section: row gets what
+/** The next return, found by another integrator at time t since the start, at x (states,) on the section, both in the flow's
+ *  units: row gets what
  *  jlt_section_next makes of it, but for the least reaction, which is looked at there alone; that function goes on from there.
  *  Not after an end. */
 void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x);
-
-/** What the fastest state changes by in a unit of time, relative to its size or 1; an orbit slower than 1e-12 is at rest. */
-double jlt_section_speed(const jlt_section *self, const double *x);
 
 /** Accepted and rejected steps, and field evaluations, since creation of the orbit. */
 void jlt_section_cost(const jlt_section *self, size_t *steps, size_t *evaluations);

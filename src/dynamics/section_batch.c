@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "core/spool.h"
+#include "integrate/rest.h"
 
 /* Of an orbit's rows so many are in memory, and of all orbits' so many bytes. */
 enum { COLUMNS_MAX = JLT_CHART_STATES_MAX + 1, ROOM = 1024, BYTES = 1 << 28 };
@@ -147,21 +148,23 @@ size_t jlt_section_batch_begun(const jlt_section_batch *self)
 
 jlt_status jlt_section_batch_start(jlt_section_batch *self, jlt_return *row, size_t orbit)
 {
+    const double *start = self->starts + self->lane[orbit] * self->columns;
+    double x[JLT_CHART_STATES_MAX];
+
     if (self->lifted[orbit] != JLT_OK) return self->lifted[orbit];
+    for (unsigned k = 0; k < self->flow.chart->states; k++) x[k] = ldexp(start[k], self->flow.units.state[k]);
     self->alone = false;
     jlt_spool_rewind(self->rows, orbit);
-    return jlt_section_start_state(self->section, row, self->starts + self->lane[orbit] * self->columns, 1);
+    return jlt_section_start_state(self->section, row, x, 1);
 }
 
 jlt_status jlt_section_batch_next(jlt_section_batch *self, jlt_return *row)
 {
-    /* An orbit that all but rests crosses the section by errors of the method; the bound keeps others out at loose tolerances,
-     * whose speeds are of the order of 1. */
-    const double slow = fmin(1e3 * self->map.tolerance, 1e-6);
+    const double slow = jlt_rest_slow(self->map.tolerance);
     double x[COLUMNS_MAX];
     const jlt_status st = self->alone ? JLT_ERR_EMPTY : jlt_spool_read(self->rows, x);
 
-    if (st == JLT_OK && jlt_section_speed(self->section, x) >= slow) {
+    if (st == JLT_OK && !jlt_rest_is_slower(self->flow.field, x, slow)) {
         jlt_section_accept(self->section, row, x[self->columns - 1], x);
         return JLT_OK;
     }

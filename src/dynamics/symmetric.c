@@ -32,8 +32,7 @@ static jlt_status halves(const search *self, double *h, double u, size_t count)
         h[j] = chart->period[self->mirrored] != 0 ? sin(row.q[self->mirrored]) : row.q[self->mirrored];
     }
     if (row.interrupted) return JLT_ERR_NO_CONVERGENCE;
-    /* An orbit lost to the integrator ends there as one at a pole does. */
-    return st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS ? JLT_OK : st;
+    return st;
 }
 
 /* Zero of h_j between a and b by the Illinois method, bisecting where that is slow. *found is false at a jump. */

@@ -24,17 +24,22 @@ double *jlt_system_value(jlt_top_values *values, const char *name)
     return NULL;
 }
 
-static jlt_status bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params, const jlt_flow *options)
+static jlt_status bind(jlt_system *self, const jlt_descriptor *descriptor, const double *params, const jlt_units *units,
+                       const jlt_flow *options)
 {
     jlt_status st = JLT_OK;
 
     if (descriptor == NULL || descriptor->jacobian.call == NULL) return JLT_ERR_UNSUPPORTED;
-    JLT_TRY(jlt_instance_create(&self->instance, descriptor, params));
+    JLT_TRY(jlt_instance_create_in(&self->instance, descriptor, params, units));
     JLT_TRY(jlt_field_of(&self->field, descriptor, self->instance->block));
     if (options != NULL) self->flow = *options;
     else self->flow.direction = JLT_RISING;
     self->flow.field = &self->field;
     self->flow.rhs_jacobian = descriptor->rhs_jacobian.call;
+    for (unsigned i = 0; i < descriptor->state_count; i++)
+        self->flow.units.state[i] = jlt_units_exponent(units, descriptor->states[i].unit);
+    self->flow.units.time = units->time;
+    self->flow.units.contact = jlt_units_exponent(units, "kg*m/s^2");
 done:
     return st;
 }
@@ -56,12 +61,12 @@ jlt_status jlt_system_top(jlt_system **out, const jlt_top_values *values, const 
 {
     static const char model[] = "spherical_top_level";
     const jlt_descriptor *descriptor = jlt_descriptor_find(model, NULL, "regular", NULL);
-    double params[16], low, high;
+    double params[JLT_SYSTEM_PARAMS_MAX], low, high;
     jlt_system *self = NULL;
     jlt_status st = JLT_OK;
 
     *out = NULL;
-    if (descriptor == NULL || descriptor->param_count > 16) return JLT_ERR_UNSUPPORTED;
+    if (descriptor == NULL || descriptor->param_count > JLT_SYSTEM_PARAMS_MAX) return JLT_ERR_UNSUPPORTED;
     if (!isfinite(values->E) || !isfinite(values->G)) return JLT_ERR_NONFINITE;
     JLT_TRY(top_params(params, descriptor, values));
     descriptor = jlt_descriptor_choose(model, "regular", NULL, params);
@@ -70,10 +75,12 @@ jlt_status jlt_system_top(jlt_system **out, const jlt_top_values *values, const 
     if (self == NULL) goto done;
     self->values = *values;
     self->is_top = true;
-    JLT_TRY(bind(self, descriptor, params, options));
     jlt_chart_top_init(&self->chart.top, values->m, values->R, values->g, values->I1, values->I3, values->a3, values->E,
                        values->G);
-    self->flow.chart = &self->chart.top.base;
+    const jlt_units units = jlt_chart_top_units(&self->chart.top);
+    JLT_TRY(bind(self, descriptor, params, &units, options));
+    jlt_chart_top_init_in(&self->flow_chart, &self->chart.top, &units);
+    self->flow.chart = &self->flow_chart.base;
     st = JLT_ERR_EMPTY;
     if (!jlt_system_interval(&self->chart.top, &low, &high)) goto done;
     st = JLT_OK;
@@ -97,7 +104,7 @@ jlt_status jlt_system_plane(jlt_system **out, const jlt_descriptor *descriptor, 
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     for (i = 0; i < descriptor->state_count; i++) state_names[i] = descriptor->states[i].name;
-    JLT_TRY(bind(self, descriptor, params, options));
+    JLT_TRY(bind(self, descriptor, params, &(jlt_units){ 0 }, options));
     JLT_TRY(jlt_chart_plane(&self->chart.plane, descriptor->state_count, column, level, state_names, signs));
     self->flow.chart = &self->chart.plane;
     *out = self;

@@ -7,6 +7,8 @@
 #include "kernel/instance.h"
 
 /** Parameters of the spherical top and the levels of its section. */
+enum { JLT_SYSTEM_PARAMS_MAX = 16 }; /* of the spherical top */
+
 typedef struct {
     double m, R, g, I1, I3, a3;
     double E, G;
@@ -19,15 +21,16 @@ jlt_top_values jlt_system_defaults(void);
 double *jlt_system_value(jlt_top_values *values, const char *name);
 
 typedef struct {
-    jlt_instance *instance;
+    jlt_instance *instance; /* its block in the flow's units */
     jlt_top_values values; /* of the spherical top */
     bool is_top;
     union {
         jlt_chart plane;
         jlt_chart_top top;
-    } chart;
+    } chart;                 /* in the table's units, as rows are */
+    jlt_chart_top flow_chart; /* of the spherical top: the same in the flow's */
     jlt_field field;
-    jlt_flow flow; /* points into this object */
+    jlt_flow flow; /* points into this object; the spherical top in units of its own, see jlt_chart_top_units */
 } jlt_system;
 
 /** The spherical top on levels of E and G: the most special kernel of spherical_top_level in regular time that serves.

@@ -1,5 +1,7 @@
 #include "ext/eigen.h"
 
+#include "ext/gsl.h"
+
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
@@ -40,7 +42,6 @@ static void sort_ascending(double *re, double *im, size_t n)
 
 jlt_status jlt_eigen_values(double *re, double *im, const double *a, size_t n)
 {
-    gsl_error_handler_t *handler;
     jlt_status st = JLT_ERR_NOMEM;
     gsl_matrix *work = NULL;
     gsl_vector_complex *values = NULL;
@@ -48,7 +49,7 @@ jlt_status jlt_eigen_values(double *re, double *im, const double *a, size_t n)
 
     if (n == 0) return JLT_OK;
     if (!all_finite(a, n * n)) return JLT_ERR_NONFINITE;
-    handler = gsl_set_error_handler_off();
+    jlt_gsl_quiet();
     work = gsl_matrix_alloc(n, n);
     values = gsl_vector_complex_alloc(n);
     space = gsl_eigen_nonsymm_alloc(n);
@@ -66,20 +67,18 @@ done:
     gsl_eigen_nonsymm_free(space);
     gsl_vector_complex_free(values);
     gsl_matrix_free(work);
-    gsl_set_error_handler(handler);
     return st;
 }
 
 jlt_status jlt_eigen_polynomial_roots(double *re, double *im, const double *coefficients, size_t n)
 {
-    gsl_error_handler_t *handler;
     jlt_status st = JLT_ERR_NOMEM;
     gsl_poly_complex_workspace *space = NULL;
     double *ascending = NULL, *roots = NULL;
 
     if (n == 0) return JLT_OK;
     if (!all_finite(coefficients, n + 1)) return JLT_ERR_NONFINITE;
-    handler = gsl_set_error_handler_off();
+    jlt_gsl_quiet();
     space = gsl_poly_complex_workspace_alloc(n + 1);
     ascending = calloc(n + 1, sizeof *ascending);
     roots = calloc(2 * n, sizeof *roots);
@@ -96,7 +95,6 @@ done:
     gsl_poly_complex_workspace_free(space);
     free(ascending);
     free(roots);
-    gsl_set_error_handler(handler);
     return st;
 }
 
@@ -104,7 +102,6 @@ jlt_status jlt_eigen_least_squares(double *z, const double *a, const double *b, 
 {
     /* GSL decomposes tall matrices only: zero rows change neither the least squares nor the shortest solution. */
     const size_t tall = rows > columns ? rows : columns;
-    gsl_error_handler_t *handler;
     jlt_status st = JLT_ERR_NOMEM;
     gsl_matrix *u = NULL, *v = NULL;
     gsl_vector *s = NULL;
@@ -112,7 +109,7 @@ jlt_status jlt_eigen_least_squares(double *z, const double *a, const double *b, 
 
     if (columns == 0) return JLT_OK;
     if (!all_finite(a, rows * columns) || !all_finite(b, rows)) return JLT_ERR_NONFINITE;
-    handler = gsl_set_error_handler_off();
+    jlt_gsl_quiet();
     u = gsl_matrix_calloc(tall, columns);
     v = gsl_matrix_alloc(columns, columns);
     s = gsl_vector_alloc(columns);
@@ -133,6 +130,5 @@ done:
     gsl_vector_free(s);
     gsl_matrix_free(v);
     gsl_matrix_free(u);
-    gsl_set_error_handler(handler);
     return st;
 }

@@ -1,5 +1,4 @@
-/** Eigenvalues and least squares of small dense real matrices, by GSL. Matrices are row-major and not changed.
- *  GSL's error handler is switched off around every call and put back. */
+/** Eigenvalues and least squares of small dense real matrices, by GSL. Matrices are row-major and not changed. */
 #ifndef JLT_EXT_EIGEN_H
 #define JLT_EXT_EIGEN_H
 

@@ -1,5 +1,7 @@
 #include "ext/gsl_ode.h"
 
+#include "ext/gsl.h"
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
@@ -29,7 +31,7 @@ jlt_status jlt_gsl_ode_create(jlt_gsl_ode **out, jlt_gsl_ode_kind kind, size_t d
     jlt_gsl_ode *self;
 
     *out = NULL;
-    gsl_set_error_handler_off();
+    jlt_gsl_quiet();
     self = calloc(1, sizeof *self);
     if (self == NULL) return JLT_ERR_NOMEM;
     self->system = (gsl_odeiv2_system){ .function = call, .dimension = dim, .params = self };

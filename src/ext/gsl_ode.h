@@ -14,7 +14,7 @@ typedef void (*jlt_gsl_ode_field)(void *context, const double *x, double *f);
 typedef struct jlt_gsl_ode jlt_gsl_ode;
 
 /** Error of x_i a step is held under tolerance*(|x_i| + scale_i) by GSL's scaled control. `scale`, shape (dim,), is copied.
- *  Switches GSL's error handler off. Errors: NOMEM. */
+ *  Errors: NOMEM. */
 JLT_CHECKED jlt_status jlt_gsl_ode_create(jlt_gsl_ode **out, jlt_gsl_ode_kind kind, size_t dim, jlt_gsl_ode_field field,
                                           void *context, double tolerance, const double *scale);
 void jlt_gsl_ode_destroy(jlt_gsl_ode *self); /* NULL is legal */

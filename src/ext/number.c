@@ -131,6 +131,31 @@ jlt_status jlt_number_parse(double *value, const char *text, size_t length)
     return st;
 }
 
+jlt_status jlt_number_between(double *value, const char *low, size_t low_length, const char *high, size_t high_length,
+                              size_t index, size_t parts)
+{
+    fmpq_t first, last;
+    fmpz_t weight;
+    jlt_status st = JLT_ERR_ARG;
+
+    fmpq_init(first);
+    fmpq_init(last);
+    fmpz_init(weight);
+    if (index <= parts && parts > 0 && read_fraction(first, low, low_length) && read_fraction(last, high, high_length)) {
+        fmpq_sub(last, last, first);
+        fmpz_set_ui(weight, index);
+        fmpq_mul_fmpz(last, last, weight);
+        fmpz_set_ui(weight, parts);
+        fmpq_div_fmpz(last, last, weight);
+        fmpq_add(first, first, last);
+        st = round_nearest(value, first);
+    }
+    fmpz_clear(weight);
+    fmpq_clear(last);
+    fmpq_clear(first);
+    return st;
+}
+
 jlt_status jlt_number_fraction(char **fraction, const char *text, size_t length)
 {
     fmpq_t exact;

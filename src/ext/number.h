@@ -18,7 +18,12 @@ enum { JLT_NUMBER_LENGTH_MAX = 1024, JLT_NUMBER_EXPONENT_MAX = 4096 };
  *          NONFINITE (beyond the range of normal doubles: overflow, or underflow to a subnormal or to zero), NOMEM. */
 JLT_CHECKED jlt_status jlt_number_parse(double *value, const char *text, size_t length);
 
-/** The same as an exact fraction in lowest terms, "p/q" or "p", in a string that the caller frees. */
+/** Step `index` of `parts` equal ones from low to high, ((parts - index) low + index high)/parts, exact until it is rounded once.
+ *  low and high: texts as above. Errors: as above. */
+JLT_CHECKED jlt_status jlt_number_between(double *value, const char *low, size_t low_length, const char *high,
+                                          size_t high_length, size_t index, size_t parts);
+
+/** A number as an exact fraction in lowest terms, "p/q" or "p", in a string that the caller frees. */
 JLT_CHECKED jlt_status jlt_number_fraction(char **fraction, const char *text, size_t length);
 
 #endif

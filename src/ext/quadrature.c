@@ -1,5 +1,7 @@
 #include "ext/quadrature.h"
 
+#include "ext/gsl.h"
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
@@ -28,12 +30,13 @@ jlt_status jlt_quadrature_integrate(double *integral, double *error, jlt_quadrat
 {
     call c = { integrand, context, JLT_OK };
     const gsl_function function = { evaluate, &c };
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    gsl_integration_workspace *space = gsl_integration_workspace_alloc(SUBINTERVALS);
+    gsl_integration_workspace *space;
     jlt_status st = JLT_ERR_NOMEM;
     double result = 0.0, estimate = 0.0;
     int gsl;
 
+    jlt_gsl_quiet();
+    space = gsl_integration_workspace_alloc(SUBINTERVALS);
     if (space == NULL) goto done;
     gsl = gsl_integration_qags(&function, low, high, absolute, relative, SUBINTERVALS, space, &result, &estimate);
     st = c.status;
@@ -46,6 +49,5 @@ jlt_status jlt_quadrature_integrate(double *integral, double *error, jlt_quadrat
     *error = estimate;
 done:
     gsl_integration_workspace_free(space);
-    gsl_set_error_handler(handler);
     return st;
 }

@@ -33,7 +33,7 @@ typedef struct {
     int root;                        /* index of the lifted root, whose error is controlled relative to itself; -1: none */
     double root_floor;               /* the lane ends where the root is below */
     const struct jlt_batch_method *method; /* NULL: the cheaper one for the tolerance */
-    double tolerance;                /* of the local error, against max(|x_i|, 1), for the root against |x_i| */
+    double tolerance;                /* as in method.h, against max(|x_i|, 1), for the root against |x_i| */
     size_t max_steps;                /* of one return, accepted and rejected */
     unsigned threads;                /* 0 and 1: the caller's alone */
     unsigned project;                /* integrals of the kernels: after every step that crosses the section, unless that would

@@ -10,7 +10,7 @@ static const jlt_batch_method verner8 = {
     .order = 8,
     .error_order = 6,
     .power = 0.6,
-    .caution = 0.018,
+    .caution = 0.00225,
     .stages = 12,
     .sum = {
         { 1, { 0 },
@@ -69,7 +69,7 @@ static const jlt_batch_method stepanov10 = {
     .order = 10,
     .error_order = 9,
     .power = 1,
-    .caution = 500,
+    .caution = 16,
     .stages = 15,
     .sum = {
         { 1, { 0 },
@@ -152,5 +152,5 @@ const jlt_batch_method *jlt_batch_method_at(size_t index)
 
 const jlt_batch_method *jlt_batch_method_for(double tolerance)
 {
-    return tolerance > 3e-12 ? &verner8 : &stepanov10;
+    return tolerance > 1e-10 ? &verner8 : &stepanov10;
 }

@@ -22,7 +22,7 @@ typedef struct jlt_batch_method {
 /** verner8 and stepanov10. NULL past the end. */
 const jlt_batch_method *jlt_batch_method_at(size_t index);
 
-/** The cheaper one for a tolerance of the local error in (0, 1): measured on section maps, order 10 from 3e-12 down. */
+/** The cheaper one for a tolerance of the local error in (0, 1): measured on section maps, order 10 from 1e-10 down. */
 const jlt_batch_method *jlt_batch_method_for(double tolerance);
 
 #endif

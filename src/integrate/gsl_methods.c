@@ -117,6 +117,7 @@ const jlt_method jlt_method_rk8pd = {
     .order = 8,
     .dense_order = 7,
     .evaluations = 14,
+    .share = 1.0 / 16,
     .create = create_rk8pd,
     SHARED,
 };
@@ -127,6 +128,7 @@ const jlt_method jlt_method_rkf45 = {
     .order = 5,
     .dense_order = 7,
     .evaluations = 7,
+    .share = 1.0 / 1024,
     .create = create_rkf45,
     SHARED,
 };
@@ -136,6 +138,7 @@ const jlt_method jlt_method_msadams = {
     .meaning = "Adams of orders 1 to 12 in Nordsieck form, P(EC)^m, from GSL",
     .dense_order = 7,
     .multistep = true,
+    .share = 1.0 / 4096,
     .create = create_msadams,
     SHARED,
 };

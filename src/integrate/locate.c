@@ -7,7 +7,7 @@
 #include "integrate/step_control.h"
 
 enum { SIZE = JLT_BERNSTEIN_DEGREE_MAX + 1, NODES = 13 };
-static const double near_section = 1e-13; /* of the size of g's terms: on the section */
+static const double near_section = 1e-13; /* of the size of g's terms: on the section, as far as rounding can tell */
 
 static int sign(double v)
 {
@@ -37,11 +37,18 @@ double jlt_locate_slope(const jlt_event *event, const jlt_stepper *stepper, cons
     return event->rate != NULL ? event->rate(event->context, x, f) : difference_along(event, stepper, x, f);
 }
 
+/* What x[column] - level is measured against: its level, and what counts as small. */
+static double unit_of(const jlt_event *event, const jlt_stepper *stepper)
+{
+    const double scale = stepper->scale[event->column];
+    return jlt_larger(fabs(event->level), scale < INFINITY ? scale : 1);
+}
+
 void jlt_locate_begin(jlt_watch *self, const jlt_event *event, const jlt_stepper *stepper)
 {
     self->event = *event;
     self->value = jlt_locate_value(event, stepper->x);
-    const double size = event->value == NULL ? fmax(1, fabs(event->level)) : 1;
+    const double size = event->value == NULL ? unit_of(event, stepper) : 1;
     self->side = fabs(self->value) <= near_section * size ? 0 : sign(self->value);
 }
 
@@ -199,6 +206,32 @@ static void bounds(double *least, double *most, const double *b, unsigned degree
     }
 }
 
+/* Neighbouring zeros between which g is but noise are none: the orbit does not leave the section there. A zero at the start and
+ * one at the end count among the neighbours; they are divided out of b, the former `power` times. Returns the side that the orbit
+ * is on at first, which was `side`. */
+static int drop_noise(zeros *z, const double *b, unsigned degree, unsigned power, bool at_start, bool at_end, int side, double noise)
+{
+    unsigned kept = 0;
+    double last = 0;
+
+    for (unsigned i = 0; i <= z->count; i++) {
+        const bool ends = i == z->count;
+        const double next = ends ? 1 : z->roots[i], middle = 0.5 * (last + next);
+        const bool neighbours = (kept > 0 || at_start) && (!ends || at_end);
+        double most = neighbours ? fabs(jlt_bernstein_value(b, degree, middle)) : INFINITY;
+        for (unsigned k = 0; k < power; k++) most *= middle;
+        if (most <= noise) {
+            if (kept > 0) kept--;
+            else if (!ends) side = -side;
+        } else if (!ends) {
+            z->roots[kept++] = next;
+        }
+        last = kept > 0 ? z->roots[kept - 1] : next;
+    }
+    z->count = kept;
+    return side;
+}
+
 static bool asked_for(const jlt_watch *self, const jlt_stepper *stepper, int turn)
 {
     const int direction = turn * (stepper->direction > 0 ? 1 : -1);
@@ -225,26 +258,29 @@ static void note(jlt_crossing *list, unsigned *count, const jlt_watch *self, con
 jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *list, unsigned *count)
 {
     jlt_status st = JLT_OK;
-    const double before = jlt_locate_value(&self->event, stepper->x_start);
-    const double after = jlt_locate_value(&self->event, stepper->x);
+    double before = jlt_locate_value(&self->event, stepper->x_start), after = jlt_locate_value(&self->event, stepper->x);
     double b[SIZE], touch[SIZE], least, most;
-    unsigned degree, touches = 0;
+    unsigned degree, touches = 0, divided = 0;
     zeros z;
 
     *count = z.count = z.touches = 0;
     self->value = after;
     if (stays_away(self, stepper, before, after)) return JLT_OK;
     JLT_TRY(event_polynomial(b, &degree, &self->event, stepper));
+    /* In what unit another function is small nobody knows. */
+    const double noise = self->event.value == NULL ? jlt_locate_noise(stepper->asked) * unit_of(&self->event, stepper) : 0;
+    if (fabs(before) <= noise) before = 0;
+    if (fabs(after) <= noise) after = 0;
     b[0] = before;
     b[degree] = after;
     bounds(&least, &most, b, degree);
     const double size = jlt_larger(most, -least), terms = size + fabs(self->event.value == NULL ? self->event.level : 0);
     const double doubt = stepper->dense_error * jlt_larger(terms, 1);
-    if ((self->side > 0 && least > doubt) || (self->side < 0 && most < -doubt)) return JLT_OK;
+    if ((self->side > 0 && least > doubt) || (self->side < 0 && most < -doubt) || size <= noise) return JLT_OK;
 
     /* On the section at the start: the zero there is divided out, and again where the slope is rounding error too. */
     const bool starts_on = self->side == 0 || before == 0;
-    for (unsigned divided = 0; starts_on && degree > 1 && divided < 2; divided++) {
+    for (; starts_on && degree > 1 && divided < 2; divided++) {
         if (divided > 0 && fabs(b[0]) > near_section * size) break;
         jlt_bernstein_deflate(b, degree--);
     }
@@ -254,6 +290,7 @@ jlt_status jlt_locate_step(jlt_watch *self, jlt_stepper *stepper, jlt_crossing *
     if (touches == 0 && jlt_bernstein_variations(b, degree) == 1 && !asked_for(self, stepper, -side)) z.roots[z.count++] = 0.5;
     else z.count = jlt_bernstein_sign_changes(z.roots, b, degree);
     if (touches > 0) JLT_TRY(settle_touches(&z, self, stepper, b, degree, touch, touches, terms));
+    side = drop_noise(&z, b, degree, divided, starts_on, after == 0, side, noise);
 
     if (self->side != 0 && side == -self->side) note(list, count, self, stepper, 0, side);
     for (unsigned i = 0; i < z.count; i++) {

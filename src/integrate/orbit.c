@@ -233,12 +233,12 @@ static jlt_status look_for_pole(jlt_orbit *self)
 static void hand_out_pole(jlt_orbit *self, jlt_outcome *out)
 {
     hand_out_point(self, out, JLT_END_POLE);
-    for (unsigned i = 0; i < self->stepper->field->dim; i++) self->at[i] -= self->pole.left[i];
+    for (unsigned i = 0; i < self->stepper->field->dim; i++) self->at[i] -= self->pole.approach.left[i];
     self->at[self->stepper->field->root] = 0;
     out->t = self->pole.t_end;
     out->tau = self->stepper->direction * INFINITY;
     out->pole_rates[0] = self->pole.mu;
-    out->pole_rates[1] = self->pole.kappa;
+    out->pole_rates[1] = self->pole.approach.slowest;
 }
 
 /* One step, and what is looked at after each. */

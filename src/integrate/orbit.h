@@ -16,7 +16,7 @@
 
 /** Zero means the default, in all fields. */
 typedef struct {
-    double tolerance;         /* of the local error, see method.h; default 1e-12 */
+    double tolerance;         /* see method.h; default 1e-12 */
     double first_step;        /* in tau */
     double max_step;          /* in tau */
     size_t max_steps;         /* budget of accepted and rejected steps of one call; default 10^7 */

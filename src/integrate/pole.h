@@ -8,21 +8,19 @@
  *      -sigma omega_tau      and      (I1 sigma omega_tau - m b v_nu)/(I1 + m b^2),
  *  hence the condition sigma omega_tau > 0, I1 sigma omega_tau < m b v_nu. A near miss has a positive one and leaves.
  *
- *  What is left of the way to the equilibrium is y with J y = x', in the space of what decays: x(infinity) = x - y up to
- *  second order, and t_end - t = integral of s dtau = s/mu likewise. The orbit is at its end when that order, y^2 times the
- *  ratio of the fastest rate to the slowest, is below a hundredth of the tolerance. To wait until y itself vanishes would be to
- *  wait in vain: where the rates differ much, an explicit method steps at its limit of stability and holds the fast states
- *  at some tens of tolerances. */
+ *  t_end - t = integral of s dtau = s/mu up to the order that jlt_approach neglects, and the orbit is at its end when that is
+ *  below the tolerance. To wait until the way left itself vanishes would be to wait in vain: where the rates differ much, an
+ *  explicit method steps at its limit of stability and holds the fast states at some tens of tolerances. */
 #ifndef JLT_INTEGRATE_POLE_H
 #define JLT_INTEGRATE_POLE_H
 
-#include "integrate/method.h"
+#include "integrate/approach.h"
 
 typedef struct {
     bool ends;         /* attracted, and what is left of the way is known below the tolerance */
-    double mu, kappa;  /* decay rates in tau: of the root, and the slowest of all */
+    double mu;         /* decay rate of the root, in tau, > 0 */
     double t_end;      /* when ends */
-    double left[JLT_JACOBIAN_DIM_MAX]; /* when ends: x less its limit, shape (dim,) */
+    jlt_approach approach; /* when ends */
 } jlt_pole_verdict;
 
 /** Judge the stepper's current point. Free unless the root is below 1e-8 and all rates below 1e-6 of scale; then a Jacobian

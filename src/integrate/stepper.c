@@ -5,6 +5,7 @@
 
 #include "core/memory.h"
 #include "integrate/method.h"
+#include "integrate/step_control.h"
 
 enum { WIDTH = 8 };
 
@@ -38,6 +39,7 @@ static void set_scales(jlt_stepper *self)
 jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const jlt_field *field, double tolerance,
                               double max_step)
 {
+    static const double finest = 1e-15; /* below it a share would ask estimates to tell from rounding what they cannot */
     jlt_status st = JLT_OK;
     jlt_stepper *self = NULL;
     double *block;
@@ -53,7 +55,8 @@ jlt_status jlt_stepper_create(jlt_stepper **out, const jlt_method *method, const
     if (self == NULL) return JLT_ERR_NOMEM;
     self->method = method;
     self->field = field;
-    self->tolerance = tolerance;
+    self->asked = tolerance;
+    self->tolerance = jlt_larger(tolerance * method->share, jlt_smaller(tolerance, finest));
     self->max_step = max_step;
     self->direction = 1;
     self->columns = field->dim + (field->time_rate != NULL);
@@ -156,8 +159,9 @@ static jlt_status step_back(jlt_stepper *self)
 
 jlt_status jlt_stepper_advance(jlt_stepper *self, double limit)
 {
+    static const double longest = 0x1p800; /* at rest the error control lengthens steps without end */
     const double tau = self->tau;
-    jlt_status st = self->method->step(self, limit);
+    jlt_status st = self->method->step(self, jlt_smaller(limit, longest));
     if (st != JLT_OK) return st;
     if (leaves_domain(self)) return step_back(self);
 

@@ -149,6 +149,7 @@ static double variation(const jlt_stepper *stepper, unsigned column)
 const jlt_method jlt_method_taylor = {
     .name = "taylor",
     .meaning = "Taylor series from generated jets, order by tolerance (after Jorba and Zou)",
+    .share = 1.0 / 16,
     .needs_jet = true,
     .create = create,
     .destroy = destroy,

@@ -9,6 +9,12 @@
 
 jlt_status jlt_instance_create(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params)
 {
+    return jlt_instance_create_in(instance, descriptor, params, &(jlt_units){ 0 });
+}
+
+jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params,
+                                  const jlt_units *units)
+{
     jlt_status st = JLT_OK;
     jlt_instance *self = NULL;
     size_t index;
@@ -23,8 +29,9 @@ jlt_status jlt_instance_create(jlt_instance **instance, const jlt_descriptor *de
     self->params = jlt_memory_array(descriptor->param_count, sizeof *self->params);
     self->block = jlt_memory_array(descriptor->block_count, sizeof *self->block);
     if (self->params == NULL || self->block == NULL) goto done;
+    jlt_units_count(self->params, params, descriptor->params, descriptor->param_count, units);
+    JLT_TRY(jlt_kernel_prepare_block(self->block, descriptor, self->params));
     memcpy(self->params, params, descriptor->param_count * sizeof *params);
-    JLT_TRY(jlt_kernel_prepare_block(self->block, descriptor, params));
     *instance = self;
     self = NULL; /* ownership moved to the caller */
 done:

@@ -3,11 +3,11 @@
 #define JLT_KERNEL_INSTANCE_H
 
 #include "core/status.h"
-#include "kernel_abi.h"
+#include "kernel/units.h"
 
 typedef struct {
     const jlt_descriptor *descriptor;
-    double *params; /* shape (param_count,), owned */
+    double *params; /* shape (param_count,), owned, in the table's units */
     double *block;  /* shape (block_count,), owned, prepared from params */
 } jlt_instance;
 
@@ -16,6 +16,10 @@ typedef struct {
  *  Errors: ARG, NONFINITE, DOMAIN, NOMEM. */
 JLT_CHECKED jlt_status jlt_instance_create(jlt_instance **instance, const jlt_descriptor *descriptor,
                                            const double *params);
+
+/** The same for states counted in units of their own: the block is prepared from the parameters in these. */
+JLT_CHECKED jlt_status jlt_instance_create_in(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params,
+                                              const jlt_units *units);
 void jlt_instance_destroy(jlt_instance *instance); /* legal on NULL */
 
 /** Checked forms, as jlt_kernel_eval; x, shape (states,), must lie in the table's domain (else DOMAIN). */

@@ -16,11 +16,16 @@ void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *des
     fputc('\n', stream);
 }
 
+void jlt_csv_value(FILE *stream, double value)
+{
+    if (isfinite(value)) fprintf(stream, "%.17g", value);
+}
+
 void jlt_csv_values(FILE *stream, const double *values, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         if (i > 0) fputc(',', stream);
-        if (!isnan(values[i])) fprintf(stream, "%.17g", values[i]);
+        jlt_csv_value(stream, values[i]);
     }
 }
 

@@ -8,13 +8,16 @@
 
 /** Write lines that begin with "# ": the command, the version, the kernel with the hash of its table, and the parameters
  *  with the digits that read back bit for bit. Failures show in ferror(stream).
- *  In: command, what was typed, or NULL; descriptor; params, shape (params,). */
+ *  In: command, what was typed, or NULL; descriptor; params, shape (params,), NaN where one runs over the rows. */
 void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *descriptor, const double *params);
 
-/* Numbers with 17 digits and commas between them, NaN as an empty field, and no newline. */
+/* A number with 17 digits; nothing for one that is not finite, so that a field is a number or empty. */
+void jlt_csv_value(FILE *stream, double value);
+
+/* Numbers as above with commas between them, and no newline. */
 void jlt_csv_values(FILE *stream, const double *values, size_t count);
 
-/* One row of numbers with 17 digits, NaN as an empty field, ended by a newline. */
+/* The same, ended by a newline. */
 void jlt_csv_row(FILE *stream, const double *values, size_t count);
 
 #endif

@@ -1,6 +1,7 @@
 #include "report/decimal.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdlib.h>
 
 void jlt_decimal_text(char *text, double value)
@@ -16,6 +17,7 @@ void jlt_decimal_write_named(FILE *stream, const jlt_quantity *quantities, const
     char text[JLT_DECIMAL_SIZE];
 
     for (size_t i = 0; i < count; i++) {
+        if (isnan(values[i])) continue;
         jlt_decimal_text(text, values[i]);
         fprintf(stream, " %s=%s", quantities[i].name, text);
     }

@@ -2,14 +2,146 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <libgen.h>
-#include <signal.h>
-#include <stdbool.h>
+#include <limits.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
+
+enum { LINKS_MAX = 40, NAMES_TRIED = 100, MODE = 07777 };
+
+/* The length of the folder's part of a path, with its slash; 0 where there is none. */
+static size_t folder_length(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash == NULL ? 0 : (size_t)(slash - path) + 1;
+}
+
+/* Where a path leads when symbolic links are followed, also one to a file that is not there; to be freed. NULL: errno says why. */
+static char *follow(const char *path)
+{
+    char *at = strdup(path), link[PATH_MAX];
+
+    for (int i = 0; at != NULL && i < LINKS_MAX; i++) {
+        const ssize_t length = readlink(at, link, sizeof link - 1);
+        if (length < 0) return at;
+        link[length] = '\0';
+        const size_t folder = link[0] == '/' ? 0 : folder_length(at);
+        char *next = malloc(folder + (size_t)length + 1);
+        if (next != NULL) snprintf(next, folder + (size_t)length + 1, "%.*s%s", (int)folder, at, link);
+        free(at);
+        at = next;
+    }
+    if (at != NULL) errno = ELOOP;
+    free(at);
+    return NULL;
+}
+
+/* A new file beside the target, of a name that is nobody's: open() applies the umask, which a library cannot read safely. */
+static int make_temporary(jlt_file *self)
+{
+    const size_t room = strlen(self->target) + 8;
+    struct timespec now = { 0 };
+    int descriptor = -1;
+
+    self->temporary = malloc(room);
+    if (self->temporary == NULL) return -1;
+    clock_gettime(CLOCK_REALTIME, &now);
+    for (uint32_t i = 0; i < NAMES_TRIED; i++) {
+        const uint32_t word = ((uint32_t)now.tv_nsec + (uint32_t)getpid() * 0x9e3779b1u + i) % 0x1000000u;
+        snprintf(self->temporary, room, "%s.%06x", self->target, (unsigned)word);
+        descriptor = open(self->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor >= 0 || errno != EEXIST) break;
+    }
+    if (descriptor < 0) {
+        const int reason = errno;
+        free(self->temporary);
+        self->temporary = NULL;
+        errno = reason;
+    }
+    return descriptor;
+}
+
+jlt_status jlt_file_begin(jlt_file *self, const char *path)
+{
+    struct stat about;
+    const bool exists = stat(path, &about) == 0, is_device = exists && !S_ISREG(about.st_mode);
+
+    /* The links of /dev/stdout lead to no name where it is a pipe. */
+    *self = (jlt_file){ .descriptor = -1, .target = is_device ? strdup(path) : follow(path) };
+    if (self->target == NULL) return errno == ENOMEM ? JLT_ERR_NOMEM : JLT_ERR_IO;
+    if (is_device) {
+        self->descriptor = open(path, O_WRONLY | O_CLOEXEC); /* a folder is refused here */
+    } else {
+        self->descriptor = make_temporary(self);
+        /* Not every disk has permissions: then the file does without. */
+        if (self->descriptor >= 0 && exists) (void)!fchmod(self->descriptor, about.st_mode & MODE);
+    }
+    if (self->descriptor >= 0) return JLT_OK;
+    const jlt_status st = errno == ENOMEM ? JLT_ERR_NOMEM : JLT_ERR_IO;
+    jlt_file_end(self);
+    return st;
+}
+
+static bool move(const jlt_file *self)
+{
+    return fsync(self->descriptor) == 0 && rename(self->temporary, self->target) == 0;
+}
+
+jlt_status jlt_file_commit(jlt_file *self)
+{
+    if (self->temporary == NULL) return JLT_OK;
+    if (!move(self)) return JLT_ERR_IO;
+    free(self->temporary);
+    self->temporary = NULL;
+    return JLT_OK;
+}
+
+/* The length up to the last newline; 0 where there is none, or the file cannot be read. */
+static off_t whole_lines(const char *path)
+{
+    char piece[4096];
+    const int descriptor = open(path, O_RDONLY | O_CLOEXEC);
+    off_t end = descriptor < 0 ? 0 : lseek(descriptor, 0, SEEK_END);
+
+    while (end > 0) {
+        const off_t start = end > (off_t)sizeof piece ? end - (off_t)sizeof piece : 0;
+        ssize_t size = lseek(descriptor, start, SEEK_SET) < 0 ? -1 : read(descriptor, piece, (size_t)(end - start));
+        if (size != (ssize_t)(end - start)) break;
+        while (size > 0 && piece[size - 1] != '\n') size--;
+        end = start + (off_t)size;
+        if (size > 0) {
+            close(descriptor);
+            return end;
+        }
+    }
+    if (descriptor >= 0) close(descriptor);
+    return 0;
+}
+
+jlt_status jlt_file_commit_lines(const jlt_file *self)
+{
+    const off_t length = self->temporary == NULL ? 0 : whole_lines(self->temporary);
+
+    if (length == 0) return JLT_ERR_EMPTY;
+    return ftruncate(self->descriptor, length) == 0 && move(self) ? JLT_OK : JLT_ERR_IO;
+}
+
+void jlt_file_end(jlt_file *self)
+{
+    const int reason = errno;
+
+    if (self->target == NULL) return; /* zeroed: its descriptor is none */
+    if (self->descriptor >= 0) close(self->descriptor);
+    if (self->temporary != NULL) unlink(self->temporary);
+    free(self->temporary);
+    free(self->target);
+    *self = (jlt_file){ .descriptor = -1 };
+    errno = reason;
+}
 
 static bool write_all(int descriptor, const char *data, size_t size)
 {
@@ -25,94 +157,68 @@ static bool write_all(int descriptor, const char *data, size_t size)
     return true;
 }
 
-static jlt_status write_device(const char *path, const char *data, size_t size)
-{
-    const int descriptor = open(path, O_WRONLY);
-    bool good;
-
-    if (descriptor < 0) return JLT_ERR_IO;
-    good = write_all(descriptor, data, size);
-    good = close(descriptor) == 0 && good;
-    return good ? JLT_OK : JLT_ERR_IO;
-}
-
-/* On failure the temporary file is gone and errno is that of the failure. */
-static jlt_status replace(const char *path, char *temporary, const char *data, size_t size)
-{
-    const mode_t mask = umask(0);
-    const int descriptor = mkstemp(temporary);
-    bool good;
-    int reason;
-
-    umask(mask);
-    if (descriptor < 0) return JLT_ERR_IO;
-    good = write_all(descriptor, data, size) && fchmod(descriptor, 0666 & ~mask) == 0 && fsync(descriptor) == 0;
-    reason = errno;
-    if (close(descriptor) != 0 && good) {
-        good = false;
-        reason = errno;
-    }
-    if (good && rename(temporary, path) == 0) return JLT_OK;
-    if (good) reason = errno;
-    unlink(temporary);
-    errno = reason;
-    return JLT_ERR_IO;
-}
-
-typedef enum { PLACE_FILE, PLACE_DEVICE, PLACE_FOLDER } place;
-
-/* What stands at a path; a file that is not there yet is one. errno is set for a folder. */
-static place place_of(const char *path)
-{
-    struct stat about;
-
-    if (stat(path, &about) != 0 || S_ISREG(about.st_mode)) return PLACE_FILE;
-    if (!S_ISDIR(about.st_mode)) return PLACE_DEVICE;
-    errno = EISDIR;
-    return PLACE_FOLDER;
-}
-
 jlt_status jlt_file_write(const char *path, const char *data, size_t size)
 {
-    static const char suffix[] = ".XXXXXX";
-    const size_t length = strlen(path);
-    const place at = place_of(path);
-    sigset_t ending, before;
-    char *temporary;
-    jlt_status st;
+    jlt_file file;
+    jlt_status st = jlt_file_begin(&file, path);
 
-    if (at == PLACE_FOLDER) return JLT_ERR_IO;
-    if (at == PLACE_DEVICE) return write_device(path, data, size);
-    temporary = malloc(length + sizeof suffix);
-    if (temporary == NULL) return JLT_ERR_NOMEM;
-    memcpy(temporary, path, length);
-    memcpy(temporary + length, suffix, sizeof suffix);
-    sigemptyset(&ending);
-    sigaddset(&ending, SIGINT);
-    sigaddset(&ending, SIGTERM);
-    sigaddset(&ending, SIGHUP);
-    sigprocmask(SIG_BLOCK, &ending, &before);
-    st = replace(path, temporary, data, size);
-    {
-        const int reason = errno;
-        sigprocmask(SIG_SETMASK, &before, NULL);
-        free(temporary);
-        errno = reason;
-    }
+    if (st != JLT_OK) return st;
+    st = write_all(file.descriptor, data, size) ? jlt_file_commit(&file) : JLT_ERR_IO;
+    jlt_file_end(&file);
     return st;
+}
+
+/* The folder of a path; to be freed. */
+static char *folder_of(const char *path)
+{
+    const size_t length = folder_length(path);
+    return length == 0 ? strdup(".") : strndup(path, length);
 }
 
 jlt_status jlt_file_reachable(const char *path)
 {
-    const place at = place_of(path);
+    char *target = follow(path), *folder = target == NULL ? NULL : folder_of(target);
+    jlt_status st = folder != NULL ? JLT_OK : errno == ENOMEM ? JLT_ERR_NOMEM : JLT_ERR_IO;
+    struct stat about;
+    int reason;
 
-    if (at == PLACE_FOLDER) return JLT_ERR_IO;
-    if (at == PLACE_DEVICE) return access(path, W_OK) == 0 ? JLT_OK : JLT_ERR_IO;
-    char *copy = strdup(path);
-    if (copy == NULL) return JLT_ERR_NOMEM;
-    const bool good = access(dirname(copy), W_OK | X_OK) == 0;
-    const int reason = errno;
-    free(copy);
+    if (st == JLT_OK && stat(path, &about) == 0 && !S_ISREG(about.st_mode)) {
+        if (access(path, W_OK) != 0) st = JLT_ERR_IO;
+        if (S_ISDIR(about.st_mode)) {
+            errno = EISDIR;
+            st = JLT_ERR_IO;
+        }
+    } else if (st == JLT_OK && access(folder, W_OK | X_OK) != 0) {
+        st = JLT_ERR_IO;
+    }
+    reason = errno;
+    free(folder);
+    free(target);
     errno = reason;
-    return good ? JLT_OK : JLT_ERR_IO;
+    return st;
+}
+
+static bool is_same(const struct stat *a, const struct stat *b)
+{
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+bool jlt_file_same(const char *path, const char *other)
+{
+    char *a = follow(path), *b = follow(other), *a_folder = a == NULL ? NULL : folder_of(a);
+    char *b_folder = b == NULL ? NULL : folder_of(b);
+    struct stat of_a, of_b;
+    bool same = false;
+
+    if (a_folder != NULL && b_folder != NULL) {
+        const bool has_a = stat(path, &of_a) == 0, has_b = stat(other, &of_b) == 0;
+        if (has_a && has_b) same = S_ISREG(of_a.st_mode) && is_same(&of_a, &of_b);
+        else if (!has_a && !has_b && stat(a_folder, &of_a) == 0 && stat(b_folder, &of_b) == 0)
+            same = is_same(&of_a, &of_b) && strcmp(a + folder_length(a), b + folder_length(b)) == 0;
+    }
+    free(a_folder);
+    free(b_folder);
+    free(a);
+    free(b);
+    return same;
 }

@@ -4,16 +4,38 @@
 
 #include "core/status.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
-/** Write a file so that nobody ever sees half of it: into a temporary file beside it, flushed to the disk, then renamed.
- *  A file of that name is replaced, and stays as it was on failure; the temporary file is removed. Signals that end the
- *  program (INT, TERM, HUP) wait in this thread meanwhile, so none can leave the temporary file behind.
- *  In: path, in a folder that exists, or a device such as /dev/stdout, which is written to directly.
- *  Errors: IO (errno says why), NOMEM. Cost: one fsync. */
+/** A file on its way: written under a name of its own beside its place, then moved there. */
+typedef struct {
+    int descriptor;  /* to write to; closed by jlt_file_end */
+    char *target;    /* the place, symbolic links followed */
+    char *temporary; /* NULL for a device such as /dev/stdout, which is written to directly, and once the file is in place */
+} jlt_file;
+
+/** Begin a file for `path`, in a folder that exists. A file that is there keeps its content and its permissions until the new
+ *  one takes its place. On failure nothing is left. Errors: IO (errno says why), NOMEM. */
+JLT_CHECKED jlt_status jlt_file_begin(jlt_file *self, const char *path);
+
+/** Flush to the disk, and move into place. Errors: IO (errno says why). */
+JLT_CHECKED jlt_status jlt_file_commit(jlt_file *self);
+
+/** The same with the whole lines that were written: what follows the last newline is cut. A signal handler may call it: it frees
+ *  nothing, and the file still has to be ended. Errors: EMPTY, there is no whole line; IO. */
+JLT_CHECKED jlt_status jlt_file_commit_lines(const jlt_file *self);
+
+/** Close, and remove what was not moved into place. Legal when zeroed, and twice; keeps errno. */
+void jlt_file_end(jlt_file *self);
+
+/** All of this at once. Errors: IO (errno says why; the old file is as it was), NOMEM. Cost: one fsync. */
 JLT_CHECKED jlt_status jlt_file_write(const char *path, const char *data, size_t size);
 
-/** Whether jlt_file_write could begin at this path now: to be asked before work that takes long. Errors: IO (errno says why), NOMEM. */
+/** Whether a file could begin at this path now: to be asked before work that takes long. Errors: IO (errno says why), NOMEM. */
 JLT_CHECKED jlt_status jlt_file_reachable(const char *path);
+
+/** Whether two paths lead to the same regular file, or would if it were there: by links, names of other folders, hard links.
+ *  False when memory is out. */
+bool jlt_file_same(const char *path, const char *other);
 
 #endif

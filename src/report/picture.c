@@ -1,12 +1,11 @@
 #include "report/picture.h"
 
-#include "report/file.h"
-
 #include <errno.h>
-#include <signal.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -53,27 +52,49 @@ static char *read_all(int descriptor, size_t *size)
     return data;
 }
 
+/* Where standard input or output were closed, an end may lie in their place: move both away first. */
 static void run_gnuplot(int script, int picture)
 {
-    dup2(script, STDIN_FILENO);
-    dup2(picture, STDOUT_FILENO);
-    close(script);
-    close(picture);
-    execlp("gnuplot", "gnuplot", "-d", "-", (char *)NULL);
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* nobody waits for the picture then */
+    script = fcntl(script, F_DUPFD, STDERR_FILENO + 1);
+    picture = fcntl(picture, F_DUPFD, STDERR_FILENO + 1);
+    if (dup2(script, STDIN_FILENO) == STDIN_FILENO && dup2(picture, STDOUT_FILENO) == STDOUT_FILENO) {
+        close(script);
+        close(picture);
+        execlp("gnuplot", "gnuplot", "-d", "-", (char *)NULL);
+    }
     _exit(127);
 }
 
-/* gnuplot reads the script from an unlinked temporary file, so that no pipe can block, and writes the picture to a pipe. */
-static jlt_status draw(char **data, size_t *size, const char *text, size_t length)
+jlt_status jlt_picture_script(char **whole, size_t *length, const char *path, const char *script)
+{
+    const char *terminal = terminal_of(path);
+    FILE *stream;
+
+    *whole = NULL;
+    if (terminal == NULL) return JLT_ERR_ARG;
+    stream = open_memstream(whole, length);
+    if (stream == NULL) return JLT_ERR_NOMEM;
+    fprintf(stream, "set terminal %s\n%s", terminal, script);
+    const bool failed = ferror(stream) != 0;
+    if (fclose(stream) == 0 && !failed) return JLT_OK;
+    free(*whole);
+    *whole = NULL;
+    return JLT_ERR_NOMEM;
+}
+
+/* gnuplot reads the script from an unlinked temporary file, so that no pipe can block, and writes the picture to a pipe, which is
+ * closed before gnuplot is waited for: it ends also where nobody reads on. */
+jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, size_t length)
 {
     FILE *script = tmpfile();
     int channel[2] = { -1, -1 }, status = 0;
     jlt_status st = JLT_ERR_IO;
     pid_t child;
 
-    *data = NULL;
+    *picture = NULL;
     if (script == NULL) goto done;
-    if (fwrite(text, 1, length, script) != length || fflush(script) != 0 || fseek(script, 0, SEEK_SET) != 0) goto done;
+    if (fwrite(whole, 1, length, script) != length || fflush(script) != 0 || fseek(script, 0, SEEK_SET) != 0) goto done;
     if (pipe(channel) != 0) goto done;
     child = fork();
     if (child < 0) goto done;
@@ -83,44 +104,19 @@ static jlt_status draw(char **data, size_t *size, const char *text, size_t lengt
     }
     close(channel[1]);
     channel[1] = -1;
-    *data = read_all(channel[0], size);
+    *picture = read_all(channel[0], size);
+    close(channel[0]);
+    channel[0] = -1;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    if (*data == NULL) st = JLT_ERR_NOMEM;
+    if (*picture == NULL) st = JLT_ERR_NOMEM;
     else if (WIFEXITED(status) && WEXITSTATUS(status) == 127) st = JLT_ERR_UNSUPPORTED;
     else if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && *size > 0) st = JLT_OK;
 done:
     if (channel[0] >= 0) close(channel[0]);
     if (channel[1] >= 0) close(channel[1]);
     if (script != NULL) fclose(script);
-    return st;
-}
-
-jlt_status jlt_picture_draw(const char *path, const char *script, const char *keep, const char **refused)
-{
-    const char *terminal = terminal_of(path);
-    char *whole = NULL, *data = NULL;
-    size_t length = 0, size = 0;
-    jlt_status st = JLT_ERR_NOMEM;
-    FILE *stream;
-
-    *refused = NULL;
-    if (terminal == NULL) return JLT_ERR_ARG;
-    stream = open_memstream(&whole, &length);
-    if (stream == NULL) return JLT_ERR_NOMEM;
-    fprintf(stream, "set terminal %s\n%s", terminal, script);
-    if (fclose(stream) != 0) goto done;
-    *refused = keep;
-    if (keep != NULL) JLT_TRY(jlt_file_write(keep, whole, length));
-    *refused = NULL;
-    JLT_TRY(draw(&data, &size, whole, length));
-    *refused = path;
-    JLT_TRY(jlt_file_write(path, data, size));
-done:
-    {
-        const int reason = errno;
-        free(data);
-        free(whole);
-        errno = reason;
-    }
+    if (st == JLT_OK) return st;
+    free(*picture);
+    *picture = NULL;
     return st;
 }

@@ -5,18 +5,18 @@
 #include "core/status.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* True when the extension of the path is one that jlt_picture_draw knows: .svg, .png, .pdf. */
 bool jlt_picture_known(const char *path);
 
-/** Draw a picture; its format follows the extension of `path`.
- *  In: script, gnuplot commands without terminal and output, data in `$NAME << EOD` blocks; keep, a path under which the
- *      whole script is kept as well (with the terminal), or NULL.
- *  The file is written whole or not at all, as by jlt_file_write.
- *  Out: refused, on IO the file that cannot be written, with errno; NULL when gnuplot failed, and said why on standard error.
- *  Errors: ARG (another extension), UNSUPPORTED (no gnuplot to be found), IO, NOMEM.
+/** A whole script: `script`, gnuplot commands without terminal and output, with data in `$NAME << EOD` blocks, behind the terminal
+ *  that the extension of `path` asks for. For the caller to free(). Errors: ARG (another extension), NOMEM. */
+JLT_CHECKED jlt_status jlt_picture_script(char **whole, size_t *length, const char *path, const char *script);
+
+/** The picture that gnuplot draws by a whole script; for the caller to free().
+ *  Errors: UNSUPPORTED (no gnuplot to be found), IO (gnuplot failed, and said why on standard error), NOMEM.
  *  Cost: a process, about 0.1 s. */
-JLT_CHECKED jlt_status jlt_picture_draw(const char *path, const char *script, const char *keep,
-                                        const char **refused);
+JLT_CHECKED jlt_status jlt_picture_draw(char **picture, size_t *size, const char *whole, size_t length);
 
 #endif

@@ -34,6 +34,17 @@ void jlt_balanced_levels_of(jlt_balanced_levels *out, const jlt_top *top, const 
     out->M = hypot(sine, cosine);
 }
 
+/* v_slip^2 >= 0 somewhere: Theta omega3^2 is 0 at the equator, where cos psi = 0; and with u = (s, gamma3), cos psi = +-1, it is
+ * (a u)^2/(u D u) for a = (I1 M, (I1 + m R^2) |G|/R) and D = diag(I1 (I3 + m R^2), I3 (I1 + m R^2)), whose maximum is a D^-1 a. */
+static double least_third_integral(const jlt_top *top, const jlt_balanced_levels *levels)
+{
+    const double mR2 = top->m * top->R * top->R, vertical = levels->G / top->R;
+
+    if (top->I1 >= top->I3) return 0;
+    return (top->I1 - top->I3)
+           * (top->I1 * levels->M * levels->M / (top->I3 + mR2) + (top->I1 + mR2) * vertical * vertical / top->I3);
+}
+
 jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top)
 {
     const double J1 = top->I1 + top->m * top->R * top->R;
@@ -42,6 +53,7 @@ jlt_status jlt_balanced_complete(jlt_balanced_levels *levels, const jlt_top *top
 
     if (!(M2 >= 0)) return JLT_ERR_EMPTY;
     levels->M = sqrt(M2);
+    if (!(levels->F0 >= least_third_integral(top, levels))) return JLT_ERR_EMPTY;
     return JLT_OK;
 }
 

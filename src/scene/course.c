@@ -11,7 +11,9 @@ enum { INTEGRALS_MAX = 8 };
 
 struct jlt_course {
     const jlt_tier *tier; /* NULL: the model's own kernel */
-    jlt_tier_view view;
+    jlt_tier_view view; /* in the course's units, as everything below is that is integrated or watched */
+    jlt_units units;
+    const jlt_quantity *quantities; /* (states,): of the asked model */
     bool has_top;
     unsigned states;
     int direction; /* of time so far: 0, +1, -1 */
@@ -31,6 +33,7 @@ struct jlt_course {
     double start[JLT_PLAN_STATES_MAX];
     double x[JLT_PLAN_STATES_MAX];
     double y[JLT_FIELD_DIM_MAX];
+    double row[JLT_PLAN_STATES_MAX]; /* x in the table's units */
 };
 
 const jlt_instance *jlt_course_kernel(const jlt_course *self)
@@ -67,10 +70,11 @@ static void extract(const jlt_course *self, double *x, const double *y)
 
 static void note_force(jlt_course *self, double t, const double *x)
 {
+    /* NaN at a pole where the level does not tell the rotation: no force is known there. */
     const double force = jlt_top_contact_force(&self->view.top, x);
 
-    if (!(force >= self->least_force)) self->least_force = force;
-    if (!(force > 0) && isnan(self->lost_at)) self->lost_at = t;
+    if (force < self->least_force) self->least_force = force;
+    if (force <= 0 && isnan(self->lost_at)) self->lost_at = t;
 }
 
 static int watch_force(void *context, jlt_orbit *orbit)
@@ -84,9 +88,9 @@ static int watch_force(void *context, jlt_orbit *orbit)
     return 0;
 }
 
-/* The tier's kernel bound to its parameters, and an orbit from the start. */
-static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, const jlt_question *question,
-                             const jlt_course_options *options)
+/* The tier's kernel bound to its parameters, and an orbit from the start; told: the tier's view in the table's units. */
+static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, const jlt_tier_view *told,
+                             const jlt_question *question, const jlt_course_options *options)
 {
     jlt_status st = JLT_OK;
     double params[JLT_PLAN_PARAMS_MAX];
@@ -94,12 +98,13 @@ static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, cons
                              .interrupt = options->interrupt, .project = options->project };
 
     if (chosen->tier == NULL) {
-        JLT_TRY(jlt_instance_create(&self->instance, chosen->descriptor, question->params));
-        memcpy(self->y, question->start, self->states * sizeof *self->y);
+        JLT_TRY(jlt_instance_create_in(&self->instance, chosen->descriptor, question->params, &self->units));
+        memcpy(self->y, self->start, self->states * sizeof *self->y);
     } else {
         JLT_TRY(jlt_tier_params(params, &self->view));
         JLT_TRY(jlt_instance_create(&self->instance, chosen->descriptor, params));
-        chosen->tier->embed(&self->view, self->y, question->start);
+        JLT_TRY(jlt_tier_params(self->instance->params, told)); /* for headers */
+        chosen->tier->embed(&self->view, self->y, self->start);
     }
     JLT_TRY(jlt_field_of(&self->field, chosen->descriptor, self->instance->block));
     if (options->project) JLT_TRY(jlt_conserved_of(&to_orbit.invariants, &self->conserved, chosen->descriptor, &self->field));
@@ -110,12 +115,31 @@ done:
     return st;
 }
 
+/* What the tier knows of the orbit, as told and in units of its own. */
+static jlt_status look(jlt_course *self, jlt_tier_view *told, const jlt_candidate *chosen, const jlt_question *question)
+{
+    const jlt_descriptor *model = question->model;
+    double params[JLT_PLAN_PARAMS_MAX], start[JLT_TOP_STATES];
+    jlt_top top;
+    jlt_status st = jlt_top_read(&top, model, question->params);
+
+    if (st != JLT_OK) return st;
+    jlt_tier_look(told, chosen->tier, chosen->descriptor, &top, question->start);
+    self->units = jlt_chart_top_units(&told->chart);
+    jlt_units_count(params, question->params, model->params, model->param_count, &self->units);
+    jlt_units_count(start, question->start, model->states, JLT_TOP_STATES, &self->units);
+    st = jlt_top_read(&top, model, params);
+    if (st == JLT_OK) jlt_tier_look(&self->view, chosen->tier, chosen->descriptor, &top, start);
+    return st;
+}
+
 jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_question *question,
                              const jlt_course_options *options)
 {
     jlt_status st = JLT_OK;
     const jlt_candidate *chosen = &plan->candidates[plan->chosen];
     const jlt_descriptor *model = question->model;
+    jlt_tier_view told = { 0 };
     jlt_course *self = NULL;
 
     *out = NULL;
@@ -127,24 +151,20 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     self->view.mirror = 1;
     self->least_force = self->lost_at = NAN;
     self->tier = chosen->tier;
-    memcpy(self->start, question->start, self->states * sizeof *self->start);
-    memcpy(self->x, question->start, self->states * sizeof *self->x);
-    JLT_TRY(jlt_instance_create(&self->watch, plan->reduced, question->params));
+    self->quantities = model->states;
+    self->has_top = jlt_plan_has_tiers(model);
+    if (self->has_top) JLT_TRY(look(self, &told, chosen, question));
+    jlt_units_count(self->start, question->start, model->states, self->states, &self->units);
+    memcpy(self->x, self->start, self->states * sizeof *self->x);
+    JLT_TRY(jlt_instance_create_in(&self->watch, plan->reduced, question->params, &self->units));
     integrals(self, self->first, self->start);
-    if (jlt_plan_has_tiers(model)) {
-        jlt_top top;
-        JLT_TRY(jlt_top_read(&top, model, question->params));
-        self->has_top = true;
-        if (chosen->tier != NULL) {
-            jlt_tier_look(&self->view, chosen->tier, chosen->descriptor, &top, self->start);
-            if (chosen->tier->model == NULL) JLT_TRY(jlt_rod_open(&self->rod, &top, self->start));
-        } else {
-            self->view.top = top;
-        }
+    if (self->has_top) {
         self->least_force = INFINITY;
         note_force(self, 0, self->start);
+        if (chosen->tier != NULL && chosen->tier->model == NULL)
+            JLT_TRY(jlt_rod_open(&self->rod, &self->view.top, self->start));
     }
-    if (chosen->descriptor != NULL) JLT_TRY(open_orbit(self, chosen, question, options));
+    if (chosen->descriptor != NULL) JLT_TRY(open_orbit(self, chosen, &told, question, options));
     *out = self;
     self = NULL;
 done:
@@ -161,12 +181,29 @@ void jlt_course_destroy(jlt_course *self)
     free(self);
 }
 
-/* Everything a row says of the states in self->x. */
+/* A row's numbers in the table's units. */
+static void restore(jlt_course *self, jlt_course_row *row, double t)
+{
+    const jlt_units *units = &self->units;
+    const int force = jlt_units_exponent(units, "kg*m/s^2");
+
+    jlt_units_restore(self->row, self->x, self->quantities, self->states, units);
+    row->t = ldexp(t, units->time);
+    row->lost_at = ldexp(row->lost_at, units->time);
+    row->contact_force = ldexp(row->contact_force, force);
+    row->least_force = ldexp(row->least_force, force);
+    for (unsigned i = 0; i < 2; i++) {
+        row->attitude.centre[i] = ldexp(row->attitude.centre[i], units->length);
+        row->attitude.contact[i] = ldexp(row->attitude.contact[i], units->length);
+    }
+}
+
+/* Everything a row says of the states in self->x at t, both in the course's units. */
 static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
 {
     double now[INTEGRALS_MAX];
 
-    *row = (jlt_course_row){ .end = end, .t = t, .x = self->x, .drift = self->drift, .contact_force = NAN };
+    *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift, .contact_force = NAN };
     if (self->has_top) { /* an integrated gamma3 may pass 1 by a rounding error */
         double *gamma3 = &self->x[JLT_TOP_GAMMA3];
         row->side = end == JLT_END_POLE ? (*gamma3 > 0 ? 1 : -1) : 0;
@@ -185,24 +222,40 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
         row->has_attitude = true;
         self->tier->orient(&self->view, &row->attitude, self->y);
     }
+    restore(self, row, t);
 }
 
 static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
 {
     jlt_status st = JLT_OK;
     const int mirror = self->view.mirror;
+    const bool has_edge = self->tier != NULL && self->tier->edge != NULL;
+    const jlt_event edge = { .value = has_edge ? self->tier->edge : NULL, .context = &self->view };
     jlt_outcome outcome = { 0 };
 
+    row->x = NULL;
+    if (has_edge && self->direction == 0 && !(edge.value(edge.context, self->y) > 0)) {
+        fill(self, row, JLT_END_TIME, 0);
+        row->edge = self->tier->edge_meaning;
+        return JLT_ERR_DOMAIN;
+    }
     if (self->direction == 0) {
         self->direction = t < 0 ? -1 : 1;
         JLT_TRY(jlt_orbit_start(self->orbit, 0, self->y, self->direction * mirror));
     }
-    st = jlt_orbit_next(self->orbit, mirror * t, NULL, 0, &outcome);
+    st = jlt_orbit_next(self->orbit, mirror * t, &edge, has_edge, &outcome);
     if (outcome.x != NULL) {
         memcpy(self->y, outcome.x, self->field.dim * sizeof *self->y);
         extract(self, self->x, self->y);
         self->t = mirror * outcome.t;
         fill(self, row, outcome.end, self->t);
+    }
+    if (st == JLT_OK && outcome.end == JLT_END_EVENT) {
+        row->end = JLT_END_TIME;
+        row->edge = self->tier->edge_meaning;
+        st = JLT_ERR_DOMAIN;
+    } else if (st == JLT_ERR_DOMAIN) {
+        row->edge = self->has_top ? jlt_tier_near_pole : "the orbit comes to the edge of its table's domain";
     }
 done:
     return st;
@@ -212,6 +265,7 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
 {
     jlt_status st = JLT_OK;
 
+    t = ldexp(t, -self->units.time);
     if (self->direction != 0 && self->direction * (t - self->t) < 0) return JLT_ERR_ARG;
     if (t == self->t) {
         if (self->direction == 0) memcpy(self->x, self->start, self->states * sizeof *self->x);

@@ -30,6 +30,7 @@ typedef struct {
     bool has_attitude;
     jlt_attitude attitude;
     int side;                 /* POLE: sign of gamma3 there */
+    const char *edge;         /* DOMAIN: where the tier's coordinates end, for a message */
 } jlt_course_row;
 
 typedef struct jlt_course jlt_course;
@@ -41,8 +42,8 @@ JLT_CHECKED jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan,
 void jlt_course_destroy(jlt_course *self); /* NULL is legal */
 
 /** Go to time t; the start is at 0, and t must not turn back. *row is filled in any case in which JLT_OK is returned.
- *  Errors: NONFINITE, NO_PROGRESS, BUDGET, and DOMAIN, a tier in plain time at the edge of its domain (the row then holds the
- *  last point reached); ARG (t turns back). */
+ *  Errors: those of jlt_orbit_next, and DOMAIN, the tier's coordinates end before t: the row then holds the last point reached,
+ *  or has x NULL when there is none; ARG (t turns back). */
 JLT_CHECKED jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row);
 
 /** The kernel that does the work, bound to its parameters and levels; for quadratures the asked model's own. */

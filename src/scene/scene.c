@@ -8,7 +8,7 @@
 
 enum { NAMES_MAX = 256 };
 
-static jlt_status add_option(jlt_scene_job *job, const char *name, const char *text, int line)
+static jlt_status add_option(jlt_scene_job *job, const jlt_key *key, const char *text, int line)
 {
     jlt_scene_option *grown = realloc(job->options, (job->count + 1) * sizeof *grown);
     jlt_scene_option *option;
@@ -16,8 +16,8 @@ static jlt_status add_option(jlt_scene_job *job, const char *name, const char *t
     if (grown == NULL) return JLT_ERR_NOMEM;
     job->options = grown;
     option = &job->options[job->count++];
-    *option = (jlt_scene_option){ .name = strdup(name), .value = text != NULL ? strdup(text) : NULL,
-                                  .line = (unsigned)line };
+    *option = (jlt_scene_option){ .name = strdup(key->option), .value = text != NULL ? strdup(text) : NULL,
+                                  .line = (unsigned)line, .is_file = key->kind == JLT_KEY_FILE };
     return option->name == NULL || (text != NULL && option->value == NULL) ? JLT_ERR_NOMEM : JLT_OK;
 }
 
@@ -27,9 +27,9 @@ static jlt_status take(const jlt_value_reader *r, jlt_scene_job *job, const jlt_
     jlt_value v = { .used = 0 };
 
     JLT_TRY(jlt_value_read(r, setting, &v, key));
-    if (key->kind != JLT_KEY_FLAG) JLT_TRY(add_option(job, key->option, v.text, jlt_value_line(setting)));
+    if (key->kind != JLT_KEY_FLAG) JLT_TRY(add_option(job, key, v.text, jlt_value_line(setting)));
     else if (config_setting_get_bool(setting) == CONFIG_TRUE)
-        JLT_TRY(add_option(job, key->option, NULL, jlt_value_line(setting)));
+        JLT_TRY(add_option(job, key, NULL, jlt_value_line(setting)));
 done:
     return st;
 }

@@ -17,6 +17,7 @@
 
 #include "core/status.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 enum { JLT_SCENE_MESSAGE_MAX = 512 };
@@ -25,6 +26,7 @@ typedef struct {
     char *name;     /* of the option, without dashes */
     char *value;    /* as it is typed on a command line; NULL for a flag */
     unsigned line;  /* where it stands in the file */
+    bool is_file;   /* that the command writes */
 } jlt_scene_option;
 
 typedef struct {

@@ -7,7 +7,7 @@
 #define KEY(name, kind, allowed) { name, name, JLT_KEY_##kind, allowed }
 #define LAST { NULL, NULL, JLT_KEY_TEXT, NULL }
 /* Where results go. */
-#define OUTPUT KEY("output", TEXT, NULL), KEY("plot", TEXT, NULL), KEY("keep", TEXT, NULL)
+#define OUTPUT KEY("output", FILE, NULL), KEY("plot", FILE, NULL), KEY("keep", FILE, NULL)
 #define SECTION_COORDINATES "eta|gamma3"
 #define LEVELS_AND_PARAMETERS "m|R|g|I1|I3|a3|E|G"
 #define SECTION_OPTIONS                                                                                \
@@ -20,7 +20,7 @@ static const jlt_key simulate_keys[] = {
 };
 static const jlt_key portrait_keys[] = {
     KEY("start", GROUP, JLT_KEY_STATES), KEY("orbits", COUNT, NULL), KEY("until", NUMBER, NULL),
-    KEY("trajectories", TEXT, NULL), OUTPUT, LAST,
+    KEY("trajectories", FILE, NULL), OUTPUT, LAST,
 };
 static const jlt_key rod_keys[] = {
     KEY("start", GROUP, JLT_KEY_STATES), KEY("sweep", RANGES, JLT_KEY_QUANTITIES), KEY("check", FLAG, NULL), OUTPUT, LAST,
@@ -37,7 +37,7 @@ static const jlt_key orbits_keys[] = {
 static const jlt_key manifolds_keys[] = {
     KEY("start", GROUP, SECTION_COORDINATES), KEY("period", COUNT, NULL), KEY("length", NUMBER, NULL),
     KEY("spacing", NUMBER, NULL), KEY("turn", NUMBER, NULL), KEY("count", COUNT, NULL), KEY("seed", NUMBER, NULL),
-    KEY("crossings", TEXT, NULL), KEY("no-crossings", FLAG, NULL), SECTION_OPTIONS, LAST,
+    KEY("crossings", FILE, NULL), KEY("no-crossings", FLAG, NULL), SECTION_OPTIONS, LAST,
 };
 static const jlt_key fates_keys[] = {
     KEY("start", GROUP, SECTION_COORDINATES), KEY("grid", RANGES, SECTION_COORDINATES), KEY("returns", COUNT, NULL),
@@ -58,8 +58,8 @@ static const jlt_key separation_keys[] = {
 };
 static const jlt_key verify_keys[] = { KEY("seed", SEED, NULL), KEY("samples", COUNT, NULL), LAST };
 static const jlt_key eigen_keys[] = {
-    KEY("at", GROUP, JLT_KEY_STATES), KEY("sweep", RANGES, JLT_KEY_QUANTITIES), KEY("output", TEXT, NULL),
-    KEY("plot", TEXT, NULL), LAST,
+    KEY("at", GROUP, JLT_KEY_STATES), KEY("sweep", RANGES, JLT_KEY_QUANTITIES), KEY("output", FILE, NULL),
+    KEY("plot", FILE, NULL), LAST,
 };
 
 static const jlt_schema schemas[] = {

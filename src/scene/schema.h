@@ -10,6 +10,7 @@ typedef enum {
     JLT_KEY_COUNT,   /* a whole number > 0 */
     JLT_KEY_SEED,    /* a whole number >= 0 */
     JLT_KEY_TEXT,
+    JLT_KEY_FILE,    /* a text: where results go */
     JLT_KEY_FLAG,    /* true or false */
     JLT_KEY_NUMBERS, /* (0, 0.5, "1/3") -> 0,0.5,1/3 */
     JLT_KEY_GROUP,   /* { a = 1; b = 2; } -> a=1,b=2 */

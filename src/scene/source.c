@@ -56,21 +56,21 @@ static const char *skip_text(const char *at)
 }
 
 /* A number that begins here; its sign was passed over. */
-static const char *skip_number(const char *at, bool *too_large)
+static const char *skip_number(const char *at, bool *too_large, bool *other_base)
 {
-    const bool hexadecimal = at[0] == '0' && (at[1] == 'x' || at[1] == 'X');
     const char *end = at;
     bool whole = true;
     char *last;
 
     while (isalnum((unsigned char)*end) || *end == '.') {
-        const bool exponent = !hexadecimal && (*end == 'e' || *end == 'E');
+        const bool exponent = *end == 'e' || *end == 'E';
         whole = whole && !exponent && *end != '.';
         end += exponent && (end[1] == '-' || end[1] == '+') ? 2 : 1;
     }
     errno = 0;
-    const unsigned long long value = strtoull(at, &last, hexadecimal ? 16 : 10);
+    const unsigned long long value = strtoull(at, &last, 10);
     const unsigned long long most = *last == 'L' ? LLONG_MAX : INT_MAX;
+    *other_base = at[0] == '0' && at[1] != '\0' && strchr("xXbBoOqQ", at[1]) != NULL;
     *too_large = whole && (errno == ERANGE || value > most);
     return end;
 }
@@ -81,11 +81,13 @@ static jlt_status check(const char *text, const jlt_value_reader *r)
     int line = 1;
 
     while (*at != '\0') {
-        bool too_large = false;
+        bool too_large = false, other_base = false;
         next = skip_text(at);
         if (next == NULL && strncmp(at, "@include", 8) == 0)
             return jlt_value_complain(r, line, "@include is not for scenes: a scene is one file");
-        if (next == NULL && isdigit((unsigned char)*at)) next = skip_number(at, &too_large);
+        if (next == NULL && isdigit((unsigned char)*at)) next = skip_number(at, &too_large, &other_base);
+        if (other_base)
+            return jlt_value_complain(r, line, "%.*s: numbers are decimal", next - at > 64 ? 64 : (int)(next - at), at);
         if (too_large)
             return jlt_value_complain(r, line, "the whole number %.*s is too large (up to 9223372036854775807 it takes an L behind it; "
                                       "beyond, write a decimal point)", next - at > 64 ? 64 : (int)(next - at), at);

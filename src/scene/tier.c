@@ -16,8 +16,12 @@ static const char *needs_rod(const jlt_top *top, const double *x)
 
 static const char *needs_balance(const jlt_top *top, const double *x)
 {
-    (void)x;
-    return top->a3 != 0 ? "a3 is not 0" : NULL;
+    if (top->a3 != 0) return "a3 is not 0";
+    if (top->I3 == 0 && jlt_top_jellett(top, x) == 0)
+        return "I3 = G = 0: the orbit runs into the poles, where the levels do not tell the velocities";
+    if (x[JLT_TOP_OMEGA_N] == 0 && x[JLT_TOP_OMEGA3] == 0)
+        return "omega_n = omega3 = 0: the motion is planar into the poles, which the angle psi does not hold to the last digit";
+    return NULL;
 }
 
 static const char *needs_halves(const jlt_top *top, const double *x)
@@ -25,7 +29,7 @@ static const char *needs_halves(const jlt_top *top, const double *x)
     jlt_balanced_levels levels;
     const double v_slip = x[JLT_TOP_V_NU] + top->R * x[JLT_TOP_OMEGA_TAU];
 
-    if (top->a3 != 0) return "a3 is not 0";
+    if (needs_balance(top, x) != NULL) return needs_balance(top, x);
     if (top->I1 == top->I3) return NULL; /* v_slip is constant */
     jlt_balanced_levels_of(&levels, top, x);
     if (!(jlt_balanced_least_slip2(top, &levels, SLIP_GRID) > 0.02 * v_slip * v_slip))
@@ -206,32 +210,53 @@ static void full_orient(const jlt_tier_view *view, jlt_attitude *out, const doub
     jlt_attitude_from_axes(out, &view->top, (const double (*)[3])axes, y + FULL_CENTRE);
 }
 
+/* ---- where coordinates end ---- */
+
+/* In components a step may lead past a pole: the field is as good as in plain time, no nearer. */
+static double full_edge(void *view, const double *y)
+{
+    (void)view;
+    return y[FULL_GAMMA] * y[FULL_GAMMA] + y[FULL_GAMMA + 1] * y[FULL_GAMMA + 1] - 2 * JLT_FIELD_NEAREST;
+}
+
+/* An error of omega_n is one of omega3 divided by b: within a thousandth of R more than three digits are lost. */
+static double without_omega3_edge(void *view, const double *y)
+{
+    const jlt_top *top = &((const jlt_tier_view *)view)->top;
+    const double b = top->a3 / top->R + y[JLT_TOP_GAMMA3];
+    return b * b - 1e-6;
+}
+
+const char jlt_tier_near_pole[] = "the orbit is so near a pole that in plain time nothing is left of its digits";
+
 /* ---- the table ---- */
 
 static const jlt_tier tiers[] = {
     { "quadrature", "I3 = 0: tilt, turn and time by quadratures, nothing is integrated in time", 0,
-      NULL, NULL, NULL, false, false, false, 0, needs_rod, NULL, NULL, NULL },
+      NULL, NULL, NULL, false, false, false, 0, needs_rod, NULL, NULL, NULL, NULL, NULL },
     { "plane", "a3 = 0: the flow on a half of M^2, levels of E, G and F0 fixed", 2,
-      "spherical_top_plane", "regular", NULL, false, false, false, 3, needs_halves, plane_embed, plane_extract, NULL },
+      "spherical_top_plane", "regular", NULL, false, false, false, 3, needs_halves, plane_embed, plane_extract, NULL, NULL, NULL },
     { "balanced", "a3 = 0: M^2 whole, in three states on levels of G and of the horizontal momentum", 3,
-      "spherical_top_balanced", "regular", NULL, false, false, false, 4, needs_balance, balanced_embed, balanced_extract, NULL },
+      "spherical_top_balanced", "regular", NULL, false, false, false, 4, needs_balance, balanced_embed, balanced_extract, NULL,
+      NULL, NULL },
     { "level", "four states on a level of G, in coordinates that divide by nothing small", 4,
-      "spherical_top_level", "regular", NULL, false, false, true, 5, NULL, level_embed, level_extract, NULL },
+      "spherical_top_level", "regular", NULL, false, false, true, 5, NULL, level_embed, level_extract, NULL, NULL, NULL },
     { "level_plain", "the same in t: steps collapse at the poles", 4,
-      "spherical_top_level", NULL, NULL, true, false, false, 4, NULL, level_embed, level_plain_extract, NULL },
+      "spherical_top_level", NULL, NULL, true, false, false, 4, NULL, level_embed, level_plain_extract, NULL, NULL, NULL },
     { "level_omega_n", "a level of G with omega_n eliminated: loses digits near the poles", 4,
-      "spherical_top", NULL, "level_G", true, false, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL },
+      "spherical_top", NULL, "level_G", true, false, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL, NULL, NULL },
     { "level_omega3", "a level of G with omega3 eliminated: loses digits near b = 0", 4,
       "spherical_top", NULL, "level_G_omega3", true, false, false, 4, needs_spin, without_omega3_embed, without_omega3_extract,
-      NULL },
+      NULL, without_omega3_edge, "b = a3 + R gamma3 is below R/1000, where G does not tell omega3" },
     { "five", "the reduced system (3.2)", 5,
-      "spherical_top", "regular", NULL, false, false, false, 6, NULL, five_embed, five_extract, NULL },
+      "spherical_top", "regular", NULL, false, false, false, 6, NULL, five_embed, five_extract, NULL, NULL, NULL },
     { "five_plain", "the same in t: steps collapse at the poles", 5,
-      "spherical_top", NULL, NULL, true, false, false, 5, NULL, plain_embed, five_extract, NULL },
+      "spherical_top", NULL, NULL, true, false, false, 5, NULL, plain_embed, five_extract, NULL, NULL, NULL },
     { "track", "the reduced system with attitude and track by quadratures", 9,
-      "spherical_top_track", "regular", NULL, false, true, false, 10, NULL, track_embed, five_extract, track_orient },
+      "spherical_top_track", "regular", NULL, false, true, false, 10, NULL, track_embed, five_extract, track_orient, NULL, NULL },
     { "full", "the full system (2.7) with (2.1): every vector by its components", 17,
-      "spherical_top_full", NULL, NULL, false, true, false, 17, needs_inertia, full_embed, full_extract, full_orient },
+      "spherical_top_full", NULL, NULL, false, true, false, 17, needs_inertia, full_embed, full_extract, full_orient, full_edge,
+      jlt_tier_near_pole },
 };
 
 const jlt_tier *jlt_tier_at(size_t index)
@@ -255,7 +280,7 @@ void jlt_tier_look(jlt_tier_view *out, const jlt_tier *tier, const jlt_descripto
     memcpy(out->start, x, sizeof out->start);
     jlt_chart_top_init(&out->chart, top->m, top->R, top->g, top->I1, top->I3, top->a3, jlt_top_energy(top, x), out->G);
     jlt_balanced_levels_of(&out->levels, top, x);
-    if (tier->refuses == needs_halves && v_slip < 0) out->mirror = -1;
+    if (tier != NULL && tier->refuses == needs_halves && v_slip < 0) out->mirror = -1;
 }
 
 jlt_status jlt_tier_params(double *params, const jlt_tier_view *view)

@@ -36,14 +36,20 @@ typedef struct {
     void (*embed)(const jlt_tier_view *view, double *y, const double *x);
     void (*extract)(const jlt_tier_view *view, double *x, const double *y);
     void (*orient)(const jlt_tier_view *view, jlt_attitude *out, const double *y); /* NULL without attitude */
+    double (*edge)(void *view, const double *y); /* > 0 where its coordinates are good, beyond what the kernel's domain tells;
+                                                    NULL: everywhere */
+    const char *edge_meaning;
 } jlt_tier;
+
+/* What the edge of a kernel's domain means in plain time. */
+extern const char jlt_tier_near_pole[];
 
 /* The table, from the smallest; NULL past the end. */
 const jlt_tier *jlt_tier_at(size_t index);
 
 const jlt_tier *jlt_tier_find(const char *name); /* NULL when there is none */
 
-/** Levels and reversal for an orbit from x, shape (JLT_TOP_STATES,). */
+/** Levels and reversal for an orbit from x, shape (JLT_TOP_STATES,); tier NULL: the model's own kernel. */
 void jlt_tier_look(jlt_tier_view *out, const jlt_tier *tier, const jlt_descriptor *descriptor, const jlt_top *top,
                    const double *x);
 

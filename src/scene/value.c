@@ -228,6 +228,7 @@ jlt_status jlt_value_read(const jlt_value_reader *r, const config_setting_t *at,
         if (config_setting_type(at) == CONFIG_TYPE_BOOL) return JLT_OK;
         return jlt_value_complain(r, jlt_value_line(at), "'%s' takes true or false", key->key);
     case JLT_KEY_TEXT:
+    case JLT_KEY_FILE:
         if (config_setting_type(at) != CONFIG_TYPE_STRING)
             return jlt_value_complain(r, jlt_value_line(at), "'%s' takes a text in quotation marks", key->key);
         if (check_word(r, at, key->allowed, key->key, config_setting_get_string(at)) != JLT_OK) return JLT_ERR_ARG;

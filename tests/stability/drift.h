@@ -37,6 +37,16 @@ static const drift_run drift_runs[] = {
 };
 enum { DRIFT_RUNS = sizeof drift_runs / sizeof *drift_runs };
 
+/* Ten returns err by about a tolerance (test_equal_tolerances.c), one by a tenth, and a return at least doubles what the last erred, which
+ * makes up for |grad E| < 5: E drifts by at most a tenth of the tolerance a return, and by the roundings of 200 steps of 2^-53 at random.
+ * A single step adds at most its share of the tolerance to each state, and five times that to E. */
+static inline double drift_bound(const drift_run *run, size_t returns)
+{
+    const double n = (double)returns;
+    if (run->project) return 5 * run->tolerance * jlt_method_find(run->method)->share + 5 * 0x1p-52;
+    return 0.1 * run->tolerance * n + 5 * 0x1p-53 * sqrt(200 * n);
+}
+
 /* The five reduced states at (eta, gamma3). */
 static inline void drift_start(double *x, const double *q)
 {

@@ -53,7 +53,8 @@ static crossing cross(const char *tier, const jlt_method *method, double toleran
     return c;
 }
 
-/* A return amplifies by less than ten; a step adds at most the tolerance. */
+/* A return amplifies by less than ten; a step adds at most the tolerance. A return in the level errs by about the tolerance, in the
+ * chart that divides by b by far more, or it fails. */
 static void the_level_keeps_its_digits_through_b_0_and_a_single_chart_shows_its_loss_in_the_energy(void **state)
 {
     static const char *const tiers[] = { "level", "level_plain", "level_omega_n", "level_omega3" };
@@ -71,7 +72,7 @@ static void the_level_keeps_its_digits_through_b_0_and_a_single_chart_shows_its_
                 assert_int_equal(c.failed, 0);
                 assert_below(c.error, 10 * (double)c.steps / ORBITS * tolerance);
             } else {
-                assert_true(c.error > 1e3 * tolerance || c.failed > 0);
+                assert_true(c.error > 100 * tolerance || c.failed > 0);
                 assert_true(c.drift > 1e-3 * c.error);
             }
         }

@@ -3,8 +3,7 @@
 
 enum { RETURNS = 1000, BATCH_RETURNS = 20000 };
 
-/* Each step adds at most the tolerance to each state, and E changes by less than five times that. The drift is noted before a
- * projection, so that what a single step adds is seen there, and no more however many there were. */
+/* The drift is noted before a projection, so that what a single step adds is seen there, and no more however many there were. */
 static void integrals_drift_by_less_than_the_steps_allow(void **state)
 {
     for (size_t i = 0; i < DRIFT_RUNS; i++)
@@ -13,7 +12,7 @@ static void integrals_drift_by_less_than_the_steps_allow(void **state)
             const drift_result d = drift_follow(run, orbit, RETURNS, *state);
             print_message("%-8s %-5s %-9s %g: %.1e, slope %.2f, %.0f steps a return\n", drift_orbits[orbit].name, run->tier, run->name,
                           run->tolerance, d.last, d.slope, d.steps);
-            assert_below(d.last, 5 * run->tolerance * (run->project ? 1 : RETURNS * d.steps));
+            assert_below(d.last, drift_bound(run, RETURNS));
         }
 }
 

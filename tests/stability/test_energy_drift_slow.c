@@ -15,7 +15,7 @@ static void over_a_hundred_thousand_returns_the_drift_is_linear_at_most(void **s
             const drift_result d = drift_follow(run, orbit, returns, *state);
             print_message("%-8s %-5s %-9s %g: %.1e, slope %.2f, %.0f steps a return\n", drift_orbits[orbit].name, run->tier, run->name,
                           run->tolerance, d.last, d.slope, d.steps);
-            assert_below(d.last, 5 * run->tolerance * (run->project ? 1 : (double)returns * d.steps));
+            assert_below(d.last, drift_bound(run, returns));
             assert_below(d.slope, 1 + log10(4) / 2);
         }
 }
@@ -23,13 +23,12 @@ static void over_a_hundred_thousand_returns_the_drift_is_linear_at_most(void **s
 static void a_million_batched_returns_drift_no_faster(void **state)
 {
     drift_batch w = { .returns = BATCH_RETURNS, .name = "batch", .table = *state };
-    double steps;
 
-    drift_batch_follow(&w, false, &steps);
+    drift_batch_follow(&w, false);
     for (int i = 0; i < DRIFT_ORBITS; i++) {
         const double slope = log10(w.worst[i] / w.early[i]) / 2;
         print_message("%-8s batch, %zu returns: %.1e, slope %.2f\n", drift_orbits[i].name, w.returns, w.worst[i], slope);
-        assert_below(w.worst[i], 5e-12 * steps);
+        assert_below(w.worst[i], 0.1 * 1e-12 * (double)w.returns);
         assert_below(slope, 1 + log10(4) / 2);
     }
 }

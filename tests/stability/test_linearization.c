@@ -303,6 +303,35 @@ static void newton_finds_equilibria_again(void **unused)
     assert_int_equal(found, tried);
 }
 
+/* The field gamma3' = s omega_tau falls with the distance from a pole while its derivative grows: a state that spins past a
+ * pole is no equilibrium, however close, and Newton's method does not end there. */
+static void poles_are_no_equilibria(void **unused)
+{
+    const jlt_descriptor *d = top();
+    const double params[PARAMS] = { 1, 1, 1, 0.51, 1.0 / 3, 1.0 / 3 };
+    jlt_linearization r;
+    jlt_random random;
+
+    (void)unused;
+    for (double off = DBL_EPSILON / 2; off < 0.1; off *= 8) {
+        const double at[STATES] = { 1.0 - off, 0, 1, 0, 0 };
+        assert_int_equal(jlt_linearization_compute(&r, d, params, at, NULL, NULL), JLT_ERR_EMPTY);
+        assert_near(r.residual, sqrt(off * (2 - off)), 1e-15);
+    }
+    jlt_random_seed(&random, 4);
+    for (int trial = 0; trial < 60; trial++) {
+        static const size_t order[] = { OMEGA_TAU, OMEGA_N };
+        double x[STATES] = { 0 };
+        const size_t held = (size_t)trial % 3;
+        if (trial % 4 != 0) x[GAMMA3] = jlt_random_between(&random, -1.0, 1.0);
+        for (int i = V_NU; i < STATES; i++) x[i] = i == OMEGA_TAU || trial % 4 != 0 ? jlt_random_between(&random, -2.0, 2.0) : 0;
+        assert_ok(jlt_linearization_find(x, d, params, order, held));
+        assert_ok(jlt_linearization_compute(&r, d, params, x, NULL, NULL));
+        assert_non_null(r.family);
+        assert_string_equal(r.family->name, "precession");
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -313,6 +342,7 @@ int main(void)
         cmocka_unit_test(small_spin_keeps_relative_accuracy),
         cmocka_unit_test(nonfinite_values_and_other_states_are_refused),
         cmocka_unit_test(newton_finds_equilibria_again),
+        cmocka_unit_test(poles_are_no_equilibria),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

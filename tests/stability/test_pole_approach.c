@@ -114,7 +114,8 @@ static void in_regularised_time_the_orbit_ends_at_the_pole_with_all_digits(void 
  * moves everything by up to 2^-53/s^2. Nearer than s = 4e-6 the field refuses; until then no state is anything but finite. Method
  * taylor, which has no second opinion on a step, may be off by more, and then E or G is, too. Method gauss solves by iteration,
  * which the same rounding of gamma3 may keep from settling: of 200 tolerances within 2 % of this one, every tenth or so ends
- * between s = 1e-3 and 1e-4, in both forms, and says so. */
+ * between s = 1e-3 and 1e-4, in both forms, and says so. Method msadams, whose share of the tolerance is of rounding size here, may
+ * spend its budget. */
 static void in_plain_time_the_run_stops_before_the_pole_and_says_so(void **state)
 {
     static const char *const tiers[] = { "level_plain", "five_plain" };
@@ -125,7 +126,7 @@ static void in_plain_time_the_run_stops_before_the_pole_and_says_so(void **state
             const jlt_method *method = jlt_method_at(m);
             const approach a = follow(tiers[i], method, tolerance, true);
             note(*state, tiers[i], method, &a);
-            assert_true(a.st == JLT_ERR_DOMAIN || a.st == JLT_ERR_NO_CONVERGENCE);
+            assert_true(a.st == JLT_ERR_DOMAIN || a.st == JLT_ERR_NO_CONVERGENCE || (method->multistep && a.st == JLT_ERR_BUDGET));
             assert_in_range(a.reached, a.st == JLT_ERR_NO_CONVERGENCE ? 3 : 4, method->needs_jet ? 6 : 5);
             for (int j = 0; j < JLT_TOP_STATES; j++) assert_true(isfinite(a.x[j]));
             assert_true(fabs(a.x[0]) < 1);

@@ -14,6 +14,8 @@
 #include "ext/eigen.h"
 #include "ext/quadrature.h"
 
+#include <gsl/gsl_errno.h>
+
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -163,7 +165,8 @@ static void deflation_keeps_all_digits_of_a_defective_zero_where_qr_loses_half(v
     }
     print_message("defective zero: QR off by %.2g, deflated by %.2g\n", qr_worst, worst);
     assert_int_equal(zeros, 3);
-    assert_true(d.defective_zero);
+    /* Rounding has made the zero one of 1e-16 at most, and a matrix so near may have no Jordan block. */
+    assert_true(d.doubtful_zero && !d.defective_zero);
     assert_true(qr_worst > 1e-10);
     assert_true(worst < 64 * DBL_EPSILON);
     assert_true(d.plain_difference > 1e-10);
@@ -275,6 +278,17 @@ static void nearly_dependent_gradients_do_not_spoil_what_stands_in_the_matrix(vo
     assert_true(d.values[4].im == -d.values[3].im);
 }
 
+/* Threads call GSL at once: a handler put back by one would be on under another. */
+static void gsl_has_no_handler_between_calls(void **unused)
+{
+    static const double a[] = { 1, 2, 3, 4 };
+    double re[2], im[2];
+
+    (void)unused;
+    assert_int_equal(jlt_eigen_values(re, im, a, 2), JLT_OK);
+    assert_ptr_equal(gsl_set_error_handler_off(), gsl_set_error_handler_off());
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -288,6 +302,7 @@ int main(void)
         cmocka_unit_test(condition_numbers_of_a_triangular_matrix_are_those_by_hand),
         cmocka_unit_test(wrong_arguments_of_outside_solvers_are_statuses),
         cmocka_unit_test(quadrature_is_exact_to_its_estimate_and_passes_failures_on),
+        cmocka_unit_test(gsl_has_no_handler_between_calls),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,6 @@
 /* One-step methods on problems with known solutions: order, honesty of tolerance, dense output, failure by name. */
+#include <float.h>
+
 #include "unit/check.h"
 #include "unit/sample_fields.h"
 
@@ -81,8 +83,10 @@ static void dop853_has_order_eight(void **unused)
     assert_true(error[0] / error[1] > 150 && error[0] / error[1] < 400);
 }
 
-/* The polynomial on each step, at 16 points, against Kepler's equation. Order 7 under a tolerance for order 8: the local
- * error may pass the global one by a factor; 1e4 tolerances bound both. Ends are met exactly. Bernstein form is the same polynomial
+/* The polynomial on each step, at 16 points, against Kepler's equation. Shares of the tolerance are such
+ * that errors are about it (test_equal_tolerances.c): ten tolerances bound the states. Polynomials of order 7 under steps of order 8
+ * are as good; that of gauss, of order 8 under 16, errs by the root of it at worst, and 1e3 tolerances bound it at these nodes. Ends are
+ * met exactly. Bernstein form is the same polynomial
  * but for rounding: coefficients of powers grow to 6000 times the smallest terms, 1e-13 bounds their rounding. */
 static void dense_output_follows_the_solution_on_every_step(void **unused)
 {
@@ -116,14 +120,13 @@ static void dense_output_follows_the_solution_on_every_step(void **unused)
                 }
             }
         }
-        const double slack = strcmp(stepper->method->name, "msadams") == 0 ? 2e4 : 500;
-        assert_below(worst, 20 * slack * tolerance);
-        assert_below(worst_partial, slack * tolerance);
+        assert_below(worst, (strcmp(stepper->method->name, "gauss") == 0 ? 1e3 : 10) * tolerance);
+        assert_below(worst_partial, 10 * tolerance);
         jlt_stepper_destroy(stepper);
     }
 }
 
-/* Period of the Arenstorf orbit to the digits of the literature; its instability amplifies local errors by about 1e5. */
+/* Period of the Arenstorf orbit to the digits of the literature; its instability amplifies local errors by about 1e5, roundings too. */
 static void the_arenstorf_orbit_closes(void **unused)
 {
     (void)unused;
@@ -141,7 +144,7 @@ static void the_arenstorf_orbit_closes(void **unused)
             assert_ok(jlt_orbit_propagate(orbit, 17.0652165601579625588917206249, x));
             const double error = hypot(x[0] - start[0], x[1] - start[1]);
             assert_below(error, 1e5 * tolerance);
-            assert_below(error, last);
+            assert_below(error, fmax(last, 1e5 * DBL_EPSILON));
             last = error;
             jlt_orbit_destroy(orbit);
         }

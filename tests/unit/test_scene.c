@@ -97,7 +97,7 @@ static void every_mistake_is_named_with_its_line(void **unused)
           ":1: error: 'method' does not know 'euler' (it knows gauss, dop853" },
         { "parameters = { a3 = 3000000000; };\ncompute = ( { what = \"section\"; } );",
           ":1: error: the whole number 3000000000 is too large" },
-        { "compute = ( { what = \"section\"; returns = 0x80000000; } );", ":1: error: the whole number 0x80000000 is too large" },
+        { "compute = ( { what = \"section\"; returns = 0x80000000; } );", ":1: error: 0x80000000: numbers are decimal" },
         { "# 99999999999\n/* 99999999999\n*/ title = \"99999999999 \\\" 99999999999\"; // 99999999999\n"
           "parameters = { a3 = 99999999999999999999L; };\ncompute = ( { what = \"section\"; } );",
           ":4: error: the whole number 99999999999999999999L is too large" },

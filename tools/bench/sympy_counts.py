@@ -6,8 +6,10 @@ usage: tools/bench/sympy_counts.py FILE.tt... > tests/bench/sympy_counts.tsv
 Reads the tables on its own, builds the field of every variant, time and elimination, differentiates with SymPy, and
 counts the operations of sympy.cse's result: the smaller of the plain run and of optimizations='basic'. A negative term
 of a sum is subtracted, any other negation is one operation, as in ttc's own counts; a power costs its multiplications, a quotient one division, an integer or half-integer power of one base
-one division or root more. Needs SymPy; neither the build nor the tests run it.
+one division or root more. Each row carries the SHA-256 of its table, which the test of the counts holds against the tables there
+are. Needs SymPy; neither the build nor the tests run it.
 """
+import hashlib
 import re
 import sys
 
@@ -15,7 +17,8 @@ import sympy as sp
 
 KEYWORDS = {"model", "title", "source", "param", "state", "root", "angle", "let", "eq", "variant", "time", "eliminate",
             "default", "integral", "invariant", "measure", "reversor", "equilibria", "trace", "charpoly", "obstructs",
-            "equal", "matrix", "leftnull", "reduction", "rate", "symmetry", "exp", "log"}
+            "equal", "matrix", "leftnull", "reduction", "rate", "symmetry", "exp", "log", "domain",
+            "embedding"}
 
 
 def records(path):
@@ -247,16 +250,18 @@ def kernels(model, variant, time, elimination):
 
 
 def main(paths):
-    print("model\tvariant\ttime\telimination\tkernel\tsympy_flops\tsympy_div")
+    print("model\tvariant\ttime\telimination\tkernel\tsympy_flops\tsympy_div\tsha256")
     for path in paths:
         model = Model(path)
+        with open(path, "rb") as table:
+            digest = hashlib.sha256(table.read()).hexdigest()
         for variant in [None] + model.variants:
             for time in [None] + model.times:
                 for elimination in [None] + model.eliminations:
                     found = kernels(model, variant, time, elimination)
                     for name, functions in (found or {}).items():
                         key = [model.name] + [x[0] if x else "-" for x in (variant, time, elimination)] + [name]
-                        print("\t".join(key + [str(n) for n in cheapest(functions)]), flush=True)
+                        print("\t".join(key + [str(n) for n in cheapest(functions)] + [digest]), flush=True)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,161 @@
+#include "analysis/linearization.h"
+#include "core/random.h"
+#include "ext/eigen.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+enum { SIZE = JLT_LINEARIZATION_SIZE_MAX, NEWTON_STEPS = 60, HALVINGS = 30, STARTS = 24 };
+
+/* Beside the largest state, what may be an exact zero. */
+static const double snapped = 1e-8;
+
+typedef struct {
+    const jlt_descriptor *descriptor;
+    const double *params;
+    const unsigned char *fixed; /* shape (states,) */
+    double *x;
+    jlt_linearization at; /* x */
+} search;
+
+static bool bounded(const jlt_quantity *state)
+{
+    return isfinite(state->low) && isfinite(state->high);
+}
+
+/* The distance to the nearest ends of the domain, as a smooth function that is 1 in the middle. A field that vanishes at an
+ * end, divided by it, does not: Newton's method on that quotient stays inside. */
+static double room(const jlt_descriptor *d, const double *x)
+{
+    double product = 1.0;
+
+    for (unsigned j = 0; j < d->state_count; j++)
+        if (bounded(&d->states[j])) {
+            const double half = (d->states[j].high - d->states[j].low) / 2;
+            product *= (x[j] - d->states[j].low) / half * ((d->states[j].high - x[j]) / half);
+        }
+    return product;
+}
+
+static double merit(const search *s, const double *f, const double *x)
+{
+    double sum = 0.0;
+
+    for (unsigned i = 0; i < s->descriptor->state_count; i++) sum = hypot(sum, f[i]);
+    return sum == 0.0 ? 0.0 : sum / room(s->descriptor, x);
+}
+
+static jlt_status measure(search *s)
+{
+    return jlt_linearization_residual(&s->at, s->descriptor, s->params, s->x);
+}
+
+/* One Newton step for f/room, halved until that falls. *settled: there is nothing left to gain. */
+static jlt_status advance(search *s, bool *settled)
+{
+    const size_t n = s->at.n;
+    double a[SIZE * SIZE], step[SIZE], trial[SIZE];
+    size_t moving = 0, columns[SIZE];
+    const double before = merit(s, s->at.f, s->x);
+    jlt_linearization next;
+    jlt_status st;
+
+    for (size_t j = 0; j < n; j++)
+        if (!s->fixed[j]) columns[moving++] = j;
+    for (size_t k = 0; k < moving; k++) {
+        const size_t j = columns[k];
+        const jlt_quantity *state = &s->descriptor->states[j];
+        const double rate = bounded(state) ? 1 / (s->x[j] - state->low) - 1 / (state->high - s->x[j]) : 0.0;
+        for (size_t i = 0; i < n; i++) a[i * moving + k] = s->at.jacobian[i * n + j] - s->at.f[i] * rate;
+    }
+    *settled = moving == 0 || before == 0.0;
+    if (*settled) return JLT_OK;
+    st = jlt_eigen_least_squares(step, a, s->at.f, n, moving, 1e-10);
+    if (st != JLT_OK) return st;
+    for (int halving = 0; halving < HALVINGS; halving++) {
+        memcpy(trial, s->x, n * sizeof *trial);
+        for (size_t j = 0; j < moving; j++) trial[columns[j]] -= ldexp(step[j], -halving);
+        st = jlt_linearization_residual(&next, s->descriptor, s->params, trial);
+        if (st == JLT_ERR_NOMEM) return st;
+        if (st == JLT_OK && merit(s, next.f, trial) < before) {
+            s->at = next;
+            memcpy(s->x, trial, n * sizeof *trial);
+            return JLT_OK;
+        }
+    }
+    *settled = true;
+    return JLT_OK;
+}
+
+/* States that Newton's method leaves at rounding level become exact zeros where that makes a better equilibrium: a term
+ * that is linear in them has nothing beside it that would show them to be small. Together, since one alone may not. */
+static void snap(search *s)
+{
+    double largest = 0.0, trial[SIZE];
+    jlt_linearization next;
+
+    for (size_t j = 0; j < s->at.n; j++) largest = fmax(largest, fabs(s->x[j]));
+    for (size_t j = 0; j < s->at.n; j++) trial[j] = !s->fixed[j] && fabs(s->x[j]) <= snapped * largest ? 0.0 : s->x[j];
+    if (jlt_linearization_residual(&next, s->descriptor, s->params, trial) != JLT_OK ||
+        next.residual_ratio > s->at.residual_ratio)
+        return;
+    s->at = next;
+    memcpy(s->x, trial, s->at.n * sizeof *trial);
+}
+
+static jlt_status newton(search *s)
+{
+    bool settled = false;
+    jlt_status st;
+
+    JLT_TRY(measure(s));
+    for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(s, &settled));
+    if (s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE) {
+        snap(s);
+        settled = false;
+        for (int i = 0; i < NEWTON_STEPS && !settled; i++) JLT_TRY(advance(s, &settled));
+    }
+    if (s->at.residual_ratio > JLT_LINEARIZATION_TOLERANCE) st = JLT_ERR_NO_CONVERGENCE;
+done:
+    return st;
+}
+
+/* Start number `k`: the guess itself, then states farther and farther from it, so that no zero among them stays one by
+ * symmetry alone. */
+static void scatter(double *x, const search *s, const double *guess, jlt_random *random, int k)
+{
+    const double width = k / (double)STARTS;
+
+    for (unsigned j = 0; j < s->descriptor->state_count; j++) {
+        const jlt_quantity *state = &s->descriptor->states[j];
+        const double unit = jlt_random_between(random, -1.0, 1.0);
+        x[j] = guess[j];
+        if (s->fixed[j]) continue;
+        if (bounded(state)) x[j] += width * unit * (unit < 0 ? x[j] - state->low : state->high - x[j]);
+        else x[j] += 2 * width * unit * fmax(1.0, fabs(x[j]));
+    }
+}
+
+jlt_status jlt_linearization_find(double *x, const jlt_descriptor *descriptor, const double *params, const size_t *order,
+                                  size_t held)
+{
+    jlt_status st = JLT_ERR_NO_CONVERGENCE;
+    jlt_random random;
+
+    if (descriptor->state_count > SIZE) return JLT_ERR_UNSUPPORTED;
+    jlt_random_seed(&random, 1);
+    for (size_t keep = held + 1; keep-- > 0;) {
+        unsigned char fixed[SIZE] = { 0 };
+        double trial[SIZE];
+        search s = { .descriptor = descriptor, .params = params, .fixed = fixed, .x = trial };
+        for (size_t i = 0; i < keep; i++) fixed[order[i]] = 1;
+        for (int k = 0; k < STARTS; k++) {
+            scatter(trial, &s, x, &random, k);
+            st = newton(&s);
+            if (st == JLT_OK) memcpy(x, trial, descriptor->state_count * sizeof *x);
+            if (st == JLT_OK || st == JLT_ERR_NOMEM) return st;
+        }
+    }
+    return st;
+}

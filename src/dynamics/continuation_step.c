@@ -1,0 +1,242 @@
+#include "dynamics/continuation_step.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "dynamics/linear.h"
+#include "ext/eigen.h"
+
+enum { U = JLT_CONTINUATION_U, NEWTON = 12 };
+
+static const double same_point = 1e-7;
+
+static jlt_status image_at(const jlt_continuation_runner *self, jlt_image *image, const double *u, bool with_slope)
+{
+    jlt_map *map;
+    jlt_status st = self->family->map_at(self->family->context, &map, u[self->d] * self->options.scale);
+
+    if (st != JLT_OK) return st;
+    return with_slope ? jlt_map_apply(map, image, u, self->period, 1) : jlt_map_point(map, image, u, self->period, 1);
+}
+
+jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, jlt_continuation_equation *out,
+                                          const double *u)
+{
+    const unsigned d = self->d;
+    const double h = 1e-5;
+    double shifted[U], difference[JLT_CHART_DIM_MAX];
+    jlt_image image, above, below;
+    jlt_map *map;
+    jlt_status st = JLT_OK;
+    unsigned i, j;
+
+    memcpy(shifted, u, sizeof *u * (d + 1));
+    shifted[d] = u[d] + h;
+    JLT_TRY(image_at(self, &above, shifted, false));
+    shifted[d] = u[d] - h;
+    JLT_TRY(image_at(self, &below, shifted, false));
+    JLT_TRY(image_at(self, &image, u, true));
+    JLT_TRY(self->family->map_at(self->family->context, &map, u[d] * self->options.scale));
+    jlt_chart_difference(jlt_map_flow(map)->chart, out->f, image.q, u);
+    jlt_chart_difference(jlt_map_flow(map)->chart, difference, above.q, below.q);
+    memcpy(out->slope, image.slope, sizeof out->slope);
+    out->scale = 1;
+    for (i = 0; i < d; i++) {
+        for (j = 0; j < d; j++) {
+            out->jacobian[i * (d + 1) + j] = image.slope[i * d + j] - (i == j);
+            out->scale = fmax(out->scale, fabs(image.slope[i * d + j]));
+        }
+        out->jacobian[i * (d + 1) + d] = difference[i] / (2 * h);
+    }
+done:
+    return st;
+}
+
+/* The bordered matrix [J; t] and its determinant. */
+static double border(double *matrix, const jlt_continuation_equation *at, const double *tangent, unsigned d)
+{
+    memcpy(matrix, at->jacobian, sizeof *matrix * d * (d + 1));
+    memcpy(matrix + d * (d + 1), tangent, sizeof *matrix * (d + 1));
+    return jlt_linear_determinant(matrix, d + 1);
+}
+
+/* Held coordinates stay: the least squares below leave out columns of zeros. */
+static void leave_out(const jlt_continuation_runner *self, double *matrix)
+{
+    for (unsigned j = 0; j < self->d; j++)
+        for (unsigned i = 0; self->held[j] && i <= self->d; i++) matrix[i * (self->d + 1) + j] = 0;
+}
+
+/* Unit null vector of J on the side of `last`. Where last is orthogonal to it, the border is singular. */
+static jlt_status tangent_at(const jlt_continuation_runner *self, double *tangent, const jlt_continuation_equation *at,
+                             const double *last)
+{
+    const unsigned d = self->d;
+    double matrix[U * U], right[U] = { 0 }, sum = 0;
+    unsigned i;
+    jlt_status st;
+
+    border(matrix, at, last, d);
+    leave_out(self, matrix);
+    right[d] = 1;
+    st = jlt_eigen_least_squares(tangent, matrix, right, d + 1, d + 1, 1e-14);
+    if (st != JLT_OK) return st;
+    for (i = 0; i <= d; i++) sum += tangent[i] * tangent[i];
+    if (!(sum > 0)) return JLT_ERR_NO_CONVERGENCE;
+    for (i = 0; i <= d; i++) tangent[i] /= sqrt(sum);
+    return JLT_OK;
+}
+
+jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, double *u, jlt_continuation_equation *at,
+                                         const double *tangent, unsigned *iterations)
+{
+    const unsigned d = self->d;
+    double matrix[U * U], right[U], delta[U], start[U], last = INFINITY;
+    jlt_status st = JLT_OK;
+    unsigned i, k;
+
+    memcpy(start, u, sizeof *u * (d + 1));
+    for (k = 0; k < NEWTON; k++) {
+        double residual = 0, moved = 0;
+        JLT_TRY(jlt_continuation_step_evaluate(self, at, u));
+        for (i = 0; i < d; i++) residual = fmax(residual, fabs(at->f[i]));
+        if (iterations != NULL) *iterations = k;
+        /* On to rounding: until the residual is that, or falls no more. */
+        if (residual < 1e-15 * at->scale || (residual < 1e-10 * at->scale && residual > last / 8)) return JLT_OK;
+        last = residual;
+        border(matrix, at, tangent, d);
+        leave_out(self, matrix);
+        right[d] = 0;
+        for (i = 0; i < d; i++) right[i] = -at->f[i];
+        for (i = 0; i <= d; i++) right[d] -= tangent[i] * (u[i] - start[i]);
+        JLT_TRY(jlt_eigen_least_squares(delta, matrix, right, d + 1, d + 1, 1e-14));
+        for (i = 0; i <= d; i++) {
+            u[i] += delta[i];
+            moved = fmax(moved, fabs(delta[i]));
+        }
+        if (moved > 0.2) return JLT_ERR_NO_CONVERGENCE;
+    }
+    st = JLT_ERR_NO_CONVERGENCE;
+done:
+    return st;
+}
+
+jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jlt_continuation_point *out, const double *u,
+                                         const double *tangent, double arc, jlt_bifurcation kind)
+{
+    const unsigned d = self->d;
+    jlt_map *map;
+    jlt_image image;
+    jlt_continuation_point point = { .value = u[d] * self->options.scale, .arc = arc, .kind = kind };
+    jlt_status st = JLT_OK;
+    size_t k;
+
+    JLT_TRY(self->family->map_at(self->family->context, &map, point.value));
+    point.orbit.period = self->period;
+    memcpy(point.orbit.points, u, d * sizeof *u);
+    jlt_chart_wrap(jlt_map_flow(map)->chart, point.orbit.points);
+    for (k = 0; k + 1 < self->period; k++) {
+        JLT_TRY(jlt_map_point(map, &image, point.orbit.points + k * d, 1, 1));
+        memcpy(point.orbit.points + (k + 1) * d, image.q, d * sizeof *u);
+    }
+    JLT_TRY(jlt_periodic_measure(map, &point.orbit));
+    memcpy(point.tangent, tangent, sizeof *tangent * (d + 1));
+    *out = point;
+done:
+    return st;
+}
+
+/* Test functions at a point, in the order of jlt_bifurcation from FOLD. NaN: does not apply. */
+static void test_functions(double test[4], const jlt_continuation_equation *at, const double *tangent, bool symmetric, unsigned d)
+{
+    double matrix[U * U], shifted[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
+    unsigned i;
+
+    test[0] = tangent[d];
+    memcpy(shifted, at->slope, sizeof shifted);
+    for (i = 0; i < d; i++) shifted[i * d + i] += 1;
+    test[1] = jlt_linear_determinant(shifted, d);
+    test[2] = border(matrix, at, tangent, d);
+    test[3] = NAN;
+    if (d == 2 && !symmetric && fabs(at->slope[0] + at->slope[3]) < 2)
+        test[3] = jlt_linear_determinant(at->slope, d) - 1;
+}
+
+jlt_status jlt_continuation_step_to(const jlt_continuation_runner *self, jlt_continuation_place *out,
+                                    const jlt_continuation_place *from, double step, unsigned *iterations)
+{
+    const unsigned d = self->d;
+    jlt_continuation_place next = { .arc = from->arc + fabs(step), .symmetric = from->symmetric };
+    jlt_status st = JLT_OK;
+    unsigned i;
+
+    for (i = 0; i <= d; i++) next.u[i] = from->u[i] + step * from->tangent[i];
+    JLT_TRY(jlt_continuation_step_correct(self, next.u, &next.at, from->tangent, iterations));
+    JLT_TRY(tangent_at(self, next.tangent, &next.at, from->tangent));
+    test_functions(next.test, &next.at, next.tangent, next.symmetric, d);
+    *out = next;
+done:
+    return st;
+}
+
+jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_options *asked)
+{
+    jlt_continuation_options options = *asked;
+
+    if (options.scale == 0) options.scale = 1;
+    if (options.step == 0) options.step = 0.01;
+    if (options.step_min == 0) options.step_min = 1e-6;
+    if (options.step_max == 0) options.step_max = 0.05;
+    if (options.points_max == 0) options.points_max = 500;
+    return options;
+}
+
+jlt_status jlt_continuation_step_begin(jlt_continuation_runner *self, jlt_continuation_place *out,
+                                       const jlt_continuation_point *start, int direction)
+{
+    const unsigned d = self->d;
+    jlt_continuation_place first = { .symmetric = start->orbit.symmetric };
+    double guess[U], mirror[JLT_CHART_DIM_MAX], sum = 0;
+    const jlt_chart *chart;
+    jlt_map *map;
+    jlt_status st = JLT_OK;
+    unsigned i;
+
+    JLT_TRY(self->family->map_at(self->family->context, &map, start->value));
+    chart = jlt_map_flow(map)->chart;
+    if (start->orbit.symmetric) {
+        jlt_chart_mirror(chart, mirror, start->orbit.points);
+        if (jlt_chart_distance(chart, mirror, start->orbit.points) < same_point)
+            for (i = 0; i < d; i++) self->held[i] = chart->mirror[i] < 0;
+    }
+    memcpy(first.u, start->orbit.points, sizeof *first.u * d);
+    first.u[d] = start->value / self->options.scale;
+    JLT_TRY(jlt_continuation_step_evaluate(self, &first.at, first.u));
+    memcpy(guess, start->tangent, sizeof guess);
+    for (i = 0; i <= d; i++) sum += guess[i] * guess[i];
+    if (!(sum > 0)) guess[d] = direction;
+    JLT_TRY(tangent_at(self, first.tangent, &first.at, guess));
+    test_functions(first.test, &first.at, first.tangent, first.symmetric, d);
+    *out = first;
+done:
+    return st;
+}
+
+static double dot(const double *a, const double *b, unsigned count)
+{
+    double sum = 0;
+    for (unsigned i = 0; i < count; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+bool jlt_continuation_step_straight(const jlt_continuation_place *from, const jlt_continuation_place *to, double angle,
+                                    unsigned d)
+{
+    double way[U], length;
+
+    for (unsigned i = 0; i <= d; i++) way[i] = to->u[i] - from->u[i];
+    length = sqrt(dot(way, way, d + 1));
+    return dot(from->tangent, to->tangent, d + 1) >= cos(angle) &&
+           fabs(dot(way, from->tangent, d + 1)) >= length * cos(angle / 2) &&
+           fabs(dot(way, to->tangent, d + 1)) >= length * cos(angle / 2);
+}

@@ -1,0 +1,61 @@
+/** Inside the continuation of periodic orbits: the equation, one step of it, and what is measured at a point. */
+#ifndef JLT_DYNAMICS_CONTINUATION_STEP_H
+#define JLT_DYNAMICS_CONTINUATION_STEP_H
+
+#include "dynamics/continuation.h"
+
+enum { JLT_CONTINUATION_U = JLT_CHART_DIM_MAX + 1, JLT_CONTINUATION_TESTS = 4 };
+
+/* One run's constants. */
+typedef struct {
+    const jlt_family *family;
+    jlt_continuation_options options;
+    size_t period;
+    unsigned d;
+    bool held[JLT_CHART_DIM_MAX]; /* coordinates that the mirror image fixes along a branch of symmetric orbits */
+} jlt_continuation_runner;
+
+/* F(u) = P^period(q) - q with its Jacobian (d, d + 1). */
+typedef struct {
+    double f[JLT_CHART_DIM_MAX], jacobian[JLT_CHART_DIM_MAX * JLT_CONTINUATION_U], slope[JLT_CHART_DIM_MAX * JLT_CHART_DIM_MAX];
+    double scale;
+} jlt_continuation_equation;
+
+/* A point of the branch in working form; test: the test functions, in the order of jlt_bifurcation from FOLD, NaN where one
+ * does not apply. */
+typedef struct {
+    double u[JLT_CONTINUATION_U], tangent[JLT_CONTINUATION_U], test[JLT_CONTINUATION_TESTS], arc;
+    jlt_continuation_equation at;
+    bool symmetric;
+} jlt_continuation_place;
+
+/* Zeros of the options replaced by their defaults. */
+jlt_continuation_options jlt_continuation_step_defaults(const jlt_continuation_options *asked);
+
+JLT_CHECKED jlt_status jlt_continuation_step_evaluate(const jlt_continuation_runner *self, jlt_continuation_equation *out,
+                                                      const double *u);
+
+/* Newton from u on F = 0, tangent . (u - start) = 0. *iterations may be NULL. */
+JLT_CHECKED jlt_status jlt_continuation_step_correct(const jlt_continuation_runner *self, double *u,
+                                                     jlt_continuation_equation *at, const double *tangent,
+                                                     unsigned *iterations);
+
+/* The place where a run begins. A symmetric orbit whose first point is its own mirror image holds those coordinates: no step
+ * leaves the branch for one that breaks the symmetry. */
+JLT_CHECKED jlt_status jlt_continuation_step_begin(jlt_continuation_runner *self, jlt_continuation_place *out,
+                                                   const jlt_continuation_point *start, int direction);
+
+/* From `from` by arclength `step` along its tangent. */
+JLT_CHECKED jlt_status jlt_continuation_step_to(const jlt_continuation_runner *self, jlt_continuation_place *out,
+                                                const jlt_continuation_place *from, double step, unsigned *iterations);
+
+/* The branch turns by less than `angle` between the places, and leaves and meets the straight way by half of it: a longer
+ * step may have jumped over a fold or to another branch. */
+bool jlt_continuation_step_straight(const jlt_continuation_place *from, const jlt_continuation_place *to, double angle,
+                                    unsigned d);
+
+/* The measured point at u. */
+JLT_CHECKED jlt_status jlt_continuation_step_measure(const jlt_continuation_runner *self, jlt_continuation_point *out,
+                                                     const double *u, const double *tangent, double arc, jlt_bifurcation kind);
+
+#endif

@@ -1,0 +1,142 @@
+#include "integrate/approach.h"
+
+#include <math.h>
+
+#include "ext/eigen.h"
+
+enum { DIM_MAX = JLT_JACOBIAN_DIM_MAX };
+
+static const double rounding = 1e-16;
+static const double nothing = 1e-40; /* of the largest entry: a root may be 1e-180, which eigenvalue solvers do not stand */
+
+double jlt_approach_size(const jlt_stepper *stepper, unsigned i)
+{
+    return (int)i == stepper->field->root ? 1 : fmax(fabs(stepper->x[i]), stepper->scale[i]);
+}
+
+/* df/dx by central differences where no kernel gives it: their error of 1e-10 is far below what separates rates from 0. */
+static void jacobian(double *a, const jlt_field *field, const double *x)
+{
+    const unsigned n = field->dim;
+    double shifted[DIM_MAX], ahead[DIM_MAX], behind[DIM_MAX];
+
+    if (field->jacobian != NULL) {
+        field->jacobian(x, field->p, a);
+        return;
+    }
+    for (unsigned j = 0; j < n; j++) {
+        const double step = 1e-5 * fmax(1, fabs(x[j]));
+        for (unsigned i = 0; i < n; i++) shifted[i] = x[i];
+        shifted[j] = x[j] + step;
+        field->call(shifted, field->p, ahead);
+        shifted[j] = x[j] - step;
+        field->call(shifted, field->p, behind);
+        for (unsigned i = 0; i < n; i++) a[i * n + j] = (ahead[i] - behind[i]) / (2 * step);
+    }
+}
+
+/* The states that move or are pushed by those that do, in order. Returns their number. */
+static unsigned moving_states(unsigned *moving, const double *a, const double *f, unsigned n)
+{
+    bool moves[DIM_MAX];
+    unsigned count = 0;
+
+    for (unsigned i = 0; i < n; i++) moves[i] = f[i] != 0;
+    for (bool more = true; more;) {
+        more = false;
+        for (unsigned i = 0; i < n; i++)
+            for (unsigned j = 0; j < n && !moves[i]; j++) more |= moves[i] = moves[j] && a[i * n + j] != 0;
+    }
+    for (unsigned i = 0; i < n; i++)
+        if (moves[i]) moving[count++] = i;
+    return count;
+}
+
+/* Slowest and fastest rate across the equilibria, and how many there are. A slowest rate <= 0: something grows. Eigenvalues
+ * that are 0 on the set of equilibria are of the order of the distance from it here. */
+static jlt_status rates(double *slowest, double *fastest, unsigned *count, const double *a, unsigned n, double direction)
+{
+    double re[DIM_MAX], im[DIM_MAX];
+    const jlt_status st = jlt_eigen_values(re, im, a, n);
+    if (st != JLT_OK) return st;
+
+    *fastest = *count = 0;
+    *slowest = INFINITY;
+    for (unsigned i = 0; i < n; i++) *fastest = fmax(*fastest, hypot(re[i], im[i]));
+    for (unsigned i = 0; i < n; i++) {
+        if (hypot(re[i], im[i]) <= 1e-5 * *fastest) continue;
+        *slowest = fmin(*slowest, -re[i] * direction);
+        ++*count;
+    }
+    return JLT_OK;
+}
+
+static void multiply(double *out, const double *a, const double *x, unsigned n, double factor)
+{
+    for (unsigned i = 0; i < n; i++) {
+        out[i] = 0;
+        for (unsigned j = 0; j < n; j++) out[i] += factor * a[i * n + j] * x[j];
+    }
+}
+
+/* The way left, y with a y = f in the space of what decays: that is spanned by f, a f, a^2 f, ..., as many as there are
+ * rates. Below a part of 1e-9 such a vector is rounding. */
+static jlt_status way_left(double *y, const double *a, const double *f, unsigned n, unsigned count, double fastest)
+{
+    double power[DIM_MAX][DIM_MAX], system[DIM_MAX * DIM_MAX], weight[DIM_MAX];
+
+    for (unsigned i = 0; i < n; i++) power[0][i] = f[i];
+    for (unsigned k = 1; k < count; k++) multiply(power[k], a, power[k - 1], n, 1 / fastest);
+    for (unsigned k = 0; k < count; k++) {
+        double image[DIM_MAX];
+        multiply(image, a, power[k], n, 1 / fastest);
+        for (unsigned i = 0; i < n; i++) system[i * count + k] = image[i];
+    }
+    const jlt_status st = jlt_eigen_least_squares(weight, system, f, n, count, 1e-9);
+    for (unsigned i = 0; i < n; i++) {
+        y[i] = 0;
+        for (unsigned k = 0; st == JLT_OK && k < count; k++) y[i] += weight[k] * power[k][i] / fastest;
+    }
+    return st;
+}
+
+bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper)
+{
+    const double negligible = fmax(rounding, stepper->asked / 100);
+    return self->decays && self->longest * self->longest * self->fastest <= negligible * self->slowest;
+}
+
+jlt_status jlt_approach_judge(jlt_approach *out, const jlt_stepper *stepper)
+{
+    const jlt_field *field = stepper->field;
+    double whole[DIM_MAX * DIM_MAX], a[DIM_MAX * DIM_MAX], f[DIM_MAX], y[DIM_MAX], image[DIM_MAX], largest = 0, defect = 0, slope = 0;
+    unsigned moving[DIM_MAX], count;
+
+    *out = (jlt_approach){ .decays = false };
+    if (field->dim > DIM_MAX) return JLT_OK;
+    jacobian(whole, field, stepper->x);
+    const unsigned n = moving_states(moving, whole, stepper->f, field->dim);
+    if (n == 0) return JLT_OK;
+    for (unsigned i = 0; i < n; i++) {
+        f[i] = stepper->f[moving[i]];
+        for (unsigned j = 0; j < n; j++) {
+            a[i * n + j] = whole[moving[i] * field->dim + moving[j]];
+            largest = fmax(largest, fabs(a[i * n + j]));
+        }
+    }
+    for (unsigned i = 0; i < n * n; i++)
+        if (fabs(a[i]) < nothing * largest) a[i] = 0;
+    jlt_status st = rates(&out->slowest, &out->fastest, &count, a, n, stepper->direction);
+    if (st != JLT_OK || !(out->slowest > 0) || count == 0) return st;
+    st = way_left(y, a, f, n, count, out->fastest);
+    if (st != JLT_OK) return st;
+    multiply(image, a, y, n, 1);
+    for (unsigned i = 0; i < n; i++) {
+        out->left[moving[i]] = y[i];
+        out->longest = fmax(out->longest, fabs(y[i]) / jlt_approach_size(stepper, moving[i]));
+        defect = fmax(defect, fabs(image[i] - f[i]));
+        slope = fmax(slope, fabs(f[i]));
+    }
+    out->decays = defect <= 1e-3 * slope;
+    return JLT_OK;
+}

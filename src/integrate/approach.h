@@ -1,0 +1,29 @@
+/** How an orbit decays onto an equilibrium, judged by the field's Jacobian where the orbit is now.
+ *
+ *  What is left of the way to the equilibrium is y with J y = x', in the space of what decays: x(infinity) = x - y up to second
+ *  order. States that rest exactly and that no moving state pushes (omega_n = 0 in planar motion) are left out: an orbit on such
+ *  an invariant plane decays or grows in it alone. */
+#ifndef JLT_INTEGRATE_APPROACH_H
+#define JLT_INTEGRATE_APPROACH_H
+
+#include "integrate/method.h"
+
+typedef struct {
+    bool decays;             /* all rates across the equilibria are negative, and y accounts for the field here */
+    double slowest, fastest; /* when decays: rates of decay in tau, > 0 */
+    double left[JLT_JACOBIAN_DIM_MAX]; /* when decays: y, shape (dim,) */
+    double longest;          /* when decays: the largest of y relative to the states or their scale */
+} jlt_approach;
+
+/** Whether what is left out beyond first order, y^2 times the ratio of the fastest rate to the slowest, is below a hundredth of
+ *  the tolerance. */
+bool jlt_approach_is_known(const jlt_approach *self, const jlt_stepper *stepper);
+
+/** Judge the stepper's current point. Cost: a Jacobian and its eigenvalues. A field with more than JLT_JACOBIAN_DIM_MAX states is
+ *  not judged: it never decays. Errors: NO_CONVERGENCE (eigenvalues). */
+JLT_CHECKED jlt_status jlt_approach_judge(jlt_approach *out, const jlt_stepper *stepper);
+
+/** The size that state i is measured against: itself or its scale; 1 for a root. */
+double jlt_approach_size(const jlt_stepper *stepper, unsigned i);
+
+#endif

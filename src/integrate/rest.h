@@ -1,0 +1,25 @@
+/** An orbit that comes to rest: it decays onto an equilibrium, or is on one as far as its accuracy goes.
+ *
+ *  Time never ends there, but what is left of the motion drowns in the errors of the method. Speeds are changes in a unit of
+ *  physical time, relative to the state or 1: near a pole everything slows down in tau, and that is no rest. */
+#ifndef JLT_INTEGRATE_REST_H
+#define JLT_INTEGRATE_REST_H
+
+#include "integrate/approach.h"
+
+/** Slower than this, a thousand tolerances, an orbit that decays counts as come to rest; the bound keeps out others at loose
+ *  tolerances, whose speeds are of the order of 1. Slower than JLT_REST_STILL any orbit does. */
+#define JLT_REST_STILL 1e-12
+double jlt_rest_slow(double tolerance);
+
+/** Whether the field at x is slower. Cost: 1 evaluation. */
+bool jlt_rest_is_slower(const jlt_field *field, const double *x, double speed);
+
+/** Whether the stepper's current point is slow. Cost: none. */
+bool jlt_rest_is_slow(const jlt_stepper *stepper);
+
+/** Whether a slow orbit is at its end at the stepper's current point; limit, shape (dim,), then gets the equilibrium. Cost: a
+ *  Jacobian and its eigenvalues. */
+bool jlt_rest_ends(const jlt_stepper *stepper, double *limit);
+
+#endif

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# Signals: a command that is asked to end does so within a second, saves its whole rows or says what is lost, leaves nothing
+# beside them, and ends by the signal; further signals within a second change nothing.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+fail() { echo "$*"; status=1; }
+now() { date +%s%N; }
+
+# SIGNALS COMMAND...: run in $scratch/d, send each signal when it has run for 0.4 s, one right after the other; into $code, $seconds, err.
+interrupt() {
+    local signals=$1 job begun
+    shift
+    rm -rf "$scratch/d"
+    mkdir "$scratch/d"
+    set -m # a background job of a script ignores SIGINT otherwise
+    (cd "$scratch/d" && exec "$@") > "$scratch/out" 2> "$scratch/err" &
+    job=$!
+    set +m
+    # A busy machine: wait until the program catches TERM.
+    for _ in $(seq 100); do
+        [ "$(cat /proc/$job/comm 2> /dev/null)" = jellett ] && (((0x$(awk '/SigCgt/ { print $2 }' /proc/$job/status) >> 14) & 1)) && break
+        sleep 0.05
+    done
+    sleep 0.4
+    begun=$(now)
+    for signal in $signals; do kill -"$signal" -$job 2> /dev/null; done
+    wait $job 2> /dev/null
+    code=$?
+    seconds=$(awk -v ns=$(($(now) - begun)) 'BEGIN { printf "%.2f", ns * 1e-9 }')
+}
+expect() { # CODE FILES TITLE
+    [ $code -eq "$1" ] || fail "$3: status $code, not $1: $(head -3 "$scratch/err")"
+    [ "$(ls -A "$scratch/d" | tr '\n' ' ')" = "$2" ] || fail "$3: leaves '$(ls -A "$scratch/d" | tr '\n' ' ')', not '$2'"
+    awk -v s="$seconds" 'BEGIN { exit !(s < 1.5) }' || fail "$3: ends after $seconds s"
+    [ -s "$scratch/err" ] || fail "$3: nothing said"
+}
+
+section=(jellett section --grid 300x300 --returns 2000 -o t.csv)
+for signals in TERM "TERM TERM" "INT INT INT" "HUP TERM INT TERM"; do
+    first=${signals%% *}
+    interrupt "$signals" "${section[@]}"
+    expect $((128 + $(kill -l "$first"))) "t.csv " "section, $signals"
+    grep -q "saved in t.csv" "$scratch/err" || fail "section, $signals: says '$(cat "$scratch/err")'"
+    tail -c 1 "$scratch/d/t.csv" | cmp -s - <(echo) || fail "section, $signals: the last row is cut"
+done
+interrupt "TERM TERM" jellett fates --grid 300x300 -o t.csv
+expect 143 "t.csv " "fates"
+[ "$(grep -vc '^#' "$scratch/d/t.csv")" -gt 10 ] || fail "fates: saves nothing"
+# Commands that save nothing before they are done say so.
+interrupt TERM jellett verify --samples 10000000
+expect 143 "" "verify"
+interrupt "INT INT" jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.99:0.99:900000 -o t.csv
+expect 130 "" "eigen"
+# A scene is as quick as its command.
+printf 'compute = ( { what = "verify"; samples = 10000000; }, { what = "verify"; } );\n' > "$scratch/slow.scene"
+for signals in TERM "INT INT"; do
+    interrupt "$signals" jellett run "$scratch/slow.scene"
+    expect $((128 + $(kill -l "${signals%% *}"))) "" "a scene of verify, $signals"
+    grep -q "the last 1 were not begun" "$scratch/err" || fail "a scene of verify: says '$(cat "$scratch/err")'"
+done
+printf 'compute = ( { what = "section"; grid = "300x300"; returns = 2000; output = "t.csv"; } );\n' > "$scratch/rows.scene"
+interrupt "TERM TERM" jellett run "$scratch/rows.scene"
+expect 143 "t.csv " "a scene of section"
+
+# A command that cannot look at the flag, as its standard output is a pipe that nobody empties, gets a second.
+mkfifo "$scratch/pipe"
+sleep 4 < "$scratch/pipe" &
+reader=$!
+interrupt TERM sh -c "exec jellett section --grid 300x300 --returns 2000 > $scratch/pipe"
+expect 143 "" "a pipe that is full"
+kill $reader 2> /dev/null
+wait $reader 2> /dev/null
+# A reader that goes away leaves nothing behind either.
+rm -rf "$scratch/d"
+mkdir "$scratch/d"
+(cd "$scratch/d" && jellett manifolds --length 0.2 --count 20 --crossings c.csv 2> /dev/null | true)
+[ -z "$(ls -A "$scratch/d")" ] || fail "a broken pipe: leaves $(ls -A "$scratch/d")"
+exit $status

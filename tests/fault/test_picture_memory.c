@@ -1,0 +1,68 @@
+/* Memory runs out at every single allocation while gnuplot draws: the picture is refused, and nobody waits for gnuplot, which waits
+ * for somebody to read on. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "report/picture.h"
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *old, size_t size);
+void *__real_aligned_alloc(size_t alignment, size_t size);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *old, size_t size);
+void *__wrap_aligned_alloc(size_t alignment, size_t size);
+
+static long failing = -1; /* the allocation that fails, counted down; negative: none */
+
+static bool fails(void) { return failing >= 0 && failing-- == 0; }
+
+void *__wrap_malloc(size_t size) { return fails() ? NULL : __real_malloc(size); }
+void *__wrap_calloc(size_t count, size_t size) { return fails() ? NULL : __real_calloc(count, size); }
+void *__wrap_realloc(void *old, size_t size) { return fails() ? NULL : __real_realloc(old, size); }
+void *__wrap_aligned_alloc(size_t alignment, size_t size) { return fails() ? NULL : __real_aligned_alloc(alignment, size); }
+
+/* A picture several times as large as what a pipe holds. */
+static void no_failure_leaves_gnuplot_waiting(void **unused)
+{
+    static const char script[] = "set samples 20000\nplot sin(x)\n";
+    char *whole = NULL, *picture = NULL;
+    size_t length = 0, size = 0;
+    jlt_status st = JLT_ERR_NOMEM;
+    long k;
+
+    (void)unused;
+    assert_int_equal(jlt_picture_script(&whole, &length, "p.svg", script), JLT_OK);
+    assert_int_equal(jlt_picture_draw(&picture, &size, whole, length), JLT_OK);
+    assert_true(size > 4 * 65536);
+    free(picture);
+    alarm(60); /* a deadlock ends the test */
+    for (k = 0; st == JLT_ERR_NOMEM; k++) {
+        failing = k;
+        st = jlt_picture_draw(&picture, &size, whole, length);
+        if (st != JLT_OK) assert_null(picture);
+        failing = -1;
+    }
+    alarm(0);
+    assert_int_equal(st, JLT_OK);
+    assert_true(k > 3); /* the buffer grew, and each time could not */
+    free(picture);
+    free(whole);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(no_failure_leaves_gnuplot_waiting) };
+
+    if (system("gnuplot --version > /dev/null 2>&1") != 0) return 77;
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# What `jellett continue` lists does not depend on its steps: bifurcations that a long step crosses are rows, sharp folds are
+# followed around, no branch is listed twice, and the range's end is reached.
+set -euo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+failures=0
+fail() { printf '%s\n' "$*"; failures=$((failures + 1)); }
+
+# STEP NAME=LOW:HIGH: rows of bifurcations as "branch kind value", all rows in rows.csv. They are located to 1e-10 of arc, but for
+# the period doubling where a branch ends: a double point, which steps near it find to 1e-6 only, and which is left out.
+bifurcations() {
+    jellett continue --branches --along "$2" --step "$1" -o rows.csv 2> log || fail "$2, step $1: status $?"
+    awk -F, '/^[0-9]/ && $17 != "" && ($1 == 0 || $17 != "period doubling") { printf "%s %s %.8f\n", $1, $17, $2 }' rows.csv
+}
+
+# At a branch point where the period-2 orbits of G lose their symmetry, Newton's method leaves for the other branch.
+for step in 0.01 0.003; do
+    bifurcations $step G=-0.56:-0.2 > found
+    for row in '0 period doubling -0.27198467' '1 fold -0.27181958' '1 branch point -0.27243466'; do
+        grep -qxF -- "$row" found || fail "G, step $step: no '$row' among: $(tr '\n' ';' < found)"
+    done
+    [ "$(cut -d' ' -f2- found | sort | uniq -d)" = "" ] || fail "G, step $step: listed twice: $(cat found)"
+    # The asymmetric orbits on the way out of the range: the last row is on its end.
+    awk -F, '/^0,/ { last = $2 } END { exit !(last > -0.2 - 1e-12 && last < -0.2 + 1e-12) }' rows.csv || fail "G: the end -0.2 is not reached"
+done
+
+# The branch of I3 turns by half a circle within 0.01 before its fold.
+for step in 0.01 0.004; do
+    bifurcations $step I3=0.28:0.39 > found
+    printf '%s\n' '0 period doubling 0.38340270' '1 fold 0.28672235' | cmp -s - found || fail "I3, step $step: $(cat found)"
+    grep -q 'it ends at a period doubling' log || fail "I3, step $step: $(cat log)"
+done
+# A branch point of orbits that are symmetric at no point of the section: a row all the same, whose bracket holds 0.5041034, where
+# the trace is 2.
+for step in 0.01 0.003; do
+    bifurcations $step a3=0.503:0.52 > found
+    awk -F, '$17 == "branch point" && $18 < 0.50410347 && $19 > 0.50410331 { found = 1 } END { exit !found }' rows.csv ||
+        fail "a3, step $step: $(cat found)"
+done
+
+# A signal ends a run within a second; whole rows are saved, or what is lost is said.
+interrupted() { # SIGNAL MESSAGE COMMAND...
+    local signal=$1 message=$2 code=0 begun
+    shift 2
+    set -m
+    "$@" > /dev/null 2> err &
+    local child=$!
+    set +m
+    sleep 1
+    begun=$(date +%s%N)
+    kill -"$signal" $child
+    wait $child 2> /dev/null || code=$?
+    [ $code -eq $((128 + $(kill -l "$signal"))) ] || fail "$1 $2: status $code after SIG$signal"
+    [ $(($(date +%s%N) - begun)) -lt 1000000000 ] || fail "$1 $2: more than a second after SIG$signal"
+    grep -q "$message" err || fail "$1 $2, SIG$signal: $(cat err)"
+}
+for signal in INT TERM HUP; do
+    interrupted $signal 'interrupted; [0-9]* whole rows' jellett continue --along I3=0.1:0.6 --branches --step 1e-5 --count 1000000 -o long.csv
+    [ "$(grep -c '^[0-9]' long.csv)" -eq "$(sed -n 's/.*interrupted; \([0-9]*\) whole rows.*/\1/p' err)" ] || fail "saved rows"
+done
+interrupted TERM 'interrupted; nothing is saved, as only [0-9]* of 900000' jellett eigen --set a3=0 --at v_nu=0.7,omega3=1.1 --sweep gamma3=-0.9:0.9:900000
+interrupted TERM 'interrupted; nothing is reported' jellett verify spherical_top --samples 10000000
+[ $failures = 0 ] || exit 1
+echo "bifurcations are the same at all steps"

@@ -1,0 +1,134 @@
+#!/usr/bin/env bash
+# Every orbit ends by a name and a time, in its own row, whatever the method: at rest, at a pole, where its coordinates end, or by a
+# failure of the method; and every field is a number or empty.
+set -euo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+fail() { echo "$*"; status=1; }
+
+# run STATUS ARGUMENTS...: jellett's table in $scratch/out, its words in $scratch/err; fields that are neither numbers nor names fail.
+run() {
+    local want=$1 got=0
+    shift
+    jellett "$@" > "$scratch/out" 2> "$scratch/err" || got=$?
+    [ "$got" = "$want" ] || fail "$*: status $got, not $want: $(tail -1 "$scratch/err")"
+    ! grep -v '^#' "$scratch/out" | tr ', ' '\n\n' | grep -qE '^[-+]?(nan|inf)' || fail "$*: a field that is no number"
+    ! tr '=, (' '\n\n\n\n' < "$scratch/err" | grep -qE '^[-+]?(nan|inf)' || fail "$*: says a number that is none"
+}
+last() { tail -1 "$scratch/out" | cut -d, -f"$1"; }
+near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(a != "" && b != "" && d <= t) }'; }
+
+# A balanced sphere spirals into an equilibrium (4.4). The row has the limit, which all methods agree on to the error of twenty
+# returns, a thousand tolerances at most.
+spiral=(--set a3=0 --level E=1,G=-0.3 --start eta=-0.5235987755982987,gamma3=-0.066 --returns 100)
+for how in "--method gauss" "--method dop853" "--method taylor" "--method rk8pd" "--method rkf45" "--method msadams" --batch; do
+    run 0 section "${spiral[@]}" $how
+    [ "$(last 9)" = equilibrium ] || fail "spiral, $how: ends by '$(last 9)'"
+    near "$(last 5)" -0.673987147562 1e-9 || fail "spiral, $how: limit gamma3 = $(last 5)"
+    near "$(last 7)" 0 1e-9 || fail "spiral, $how: omega_n = $(last 7)"
+done
+# At an equilibrium of nobody's attraction, at rest: the start alone.
+run 0 section --set a3=0,g=0,I1=1/3,I3=1/3 --level E=0.5,G=0 --start eta=pi,gamma3=0.3 --returns 5
+run 0 fates --set a3=0 --level E=1,G=-0.3 --start eta=-0.5235987755982987,gamma3=-0.066
+[ "$(last 3)" = equilibrium ] && near "$(last 6)" 0 1e-9 || fail "fates of the spiral: $(tail -1 "$scratch/out")"
+
+# Balanced spheres of all kinds (masses, radii, inertias, levels; no gravity, G = 0): no start takes another's row away.
+awk 'BEGIN { srand(7); for (k = 0; k < 10; k++) {
+    m = 10^(2*rand() - 1); R = 10^(rand() - 0.5); I1 = m*R*R*10^(1.8*rand() - 1.5); I3 = I1*(rand() < 0.5 ? 1 : 0.2 + 1.7*rand())
+    E = m*10^(3*rand() - 2); G = rand() < 0.2 ? 0 : (2*rand() - 1)*0.9*R*sqrt(2*I1*E)
+    printf "m=%.6g,R=%.6g,I1=%.6g,I3=%.6g,g=%d,a3=0 E=%.6g,G=%.6g\n", m, R, I1, I3, k % 2, E, G } }' > "$scratch/spheres"
+while read -r set level; do
+    run 0 fates --set "$set" --level "$level" --grid 6x4 --returns 60
+    [ "$(grep -c '^-\?[0-9]' "$scratch/out")" = 24 ] || fail "$set $level: $(grep -c '^-\?[0-9]' "$scratch/out") of 24 rows"
+    run 0 section --batch --set "$set" --level "$level" --grid 6x4 --returns 60
+    [ "$(last 1)" = 23 ] || fail "$set $level: in batches the last orbit is $(last 1)"
+done < "$scratch/spheres"
+
+# A failure of the method is a row as well: of an orbit that begins where Lorenz's field overflows, beside a good one. The status says
+# so at the end.
+run 4 section lorenz --section x=0 --start y=1e200,z=1 --start y=1,z=1 --returns 3
+grep -q '^0,[01],.*,\(nonfinite\|no_progress\)$' "$scratch/out" || fail "the orbit that fails has no row"
+[ "$(last 1),$(last 2),$(last 6)" = 1,3,alive ] || fail "an orbit that fails took the next one away: $(tail -1 "$scratch/out")"
+grep -q 'failed on 1 of 2 orbits' "$scratch/err" || fail "the failure is not said: $(cat "$scratch/err")"
+
+# What has no limit at a pole, or is not told there, is an empty field.
+for how in "section --returns 3" "section --batch --returns 3" fates; do
+    run 0 $how --set I3=0 --level E=1,G=0 --start eta=0.3,gamma3=0.2
+    grep -q ',pole-' "$scratch/out" || fail "$how, I3 = G = 0: no pole"
+done
+run 0 simulate --set I3=0 --start gamma3=0.2,v_nu=0.1,omega_tau=0.2,omega_n=0,omega3=0.3 --until 5 --every 1
+! grep -q 'not positive' "$scratch/err" || fail "a force that is not known is said not to be positive"
+run 0 simulate --set I3=0,a3=0 --start gamma3=-0.9,v_nu=-2,omega_tau=-3.5,omega_n=0,omega3=1 --until 5 --every 1
+run 0 simulate --set a3=-1 --start gamma3=0.3,v_nu=-0.5,omega_tau=1.1,omega_n=0,omega3=0 --until 5 --every 1
+
+run 0 separation --set m=0.42,R=0.5,g=0,I1=0.03,I3=0.014,a3=0.19 --level E=0.043,G=0.0012 --returns 20 \
+    --grid eta=-0.5:0.5:4,gamma3=-0.7:-0.5:4
+run 0 drift --returns 2 --set a3=0 --level E=1,G=0 --start eta=0.8,gamma3=-0.5 --method gauss
+run 0 section --check --set a3=0 --level E=1,G=-0.3 --start eta=-0.5235987755982987,gamma3=-0.066 --returns 3
+
+# Planar motion (omega_n = omega3 = 0) runs into the pole. By the quadrature of the energy, with gamma3 = (g0 - 1)/2 - (g0 + 1)/2 cos u,
+# t = integral from 0 to pi of sqrt((I1 + m a3^2 s^2)/(2 m g a3 (1 - gamma3))) du, smooth and periodic: 64 points of the midpoint rule.
+planar=(--start gamma3=0.3,v_nu=0,omega_tau=0,omega_n=0,omega3=0 --times 1,2.1,3)
+end=$(awk 'BEGIN { pi = atan2(0, -1); for (k = 0; k < 64; k++) { c = -0.35 - 0.65*cos(pi*(k + 0.5)/64)
+    sum += sqrt((1/3 + 0.51^2*(1 - c*c))/(1.02*(1 - c))) } printf "%.15g", sum*pi/64 }')
+for tier in level five track; do
+    for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+        run 0 simulate --tier $tier --method $method "${planar[@]}"
+        [ "$(last 10)" = pole- ] && near "$(last 1)" "$end" 1e-10 || fail "planar, $tier, $method: $(tail -1 "$scratch/out")"
+    done
+done
+for tier in full level_plain level_omega_n five_plain model; do # plain time: as near as it can, and no farther
+    run 4 simulate --tier $tier "${planar[@]}"
+    [ "$(last 10)" = left_domain ] && near "$(last 1)" "$end" 1e-4 || fail "planar, $tier: $(tail -1 "$scratch/out")"
+    grep -q 'near a pole' "$scratch/err" || fail "planar, $tier: $(cat "$scratch/err")"
+done
+run 0 simulate --set a3=0 --start gamma3=0.3,v_nu=-0.5,omega_tau=1.1,omega_n=0,omega3=0 --until 5 --every 5
+[ "$(last 12)" = pole+ ] || fail "planar, a3 = 0: $(tail -1 "$scratch/out")"
+# With G = 0 and eta = pi/2 the section starts planar motion; the number nearest to pi/2 is pi/2.
+run 0 section --set m=1.24736,R=2.86494,g=9.81,I1=0.332387,I3=0.545693,a3=2.47133 --level E=39.5229,G=0 \
+    --start eta=1.5707963267948966,gamma3=-0.594
+[ "$(last 9),$(last 5)" = pole-,-1 ] || fail "planar on the section: $(tail -1 "$scratch/out")"
+
+# Into a pole with rates of decay far apart, where s is 1e-150 before the rest is known.
+run 0 simulate --track --set m=0.67395,R=0.470985,g=0,I1=0.0591889,I3=0.0591889,a3=-1.2053 --until 5 --every 5 \
+    --start gamma3=-0.0607461,v_nu=-1.39643,omega_tau=3.62448,omega_n=-0.986603779295012,omega3=-1.73545
+tail -1 "$scratch/out" | grep -q ',pole+$' || fail "|a3| > R: $(tail -1 "$scratch/out")"
+
+# The chart without omega3 ends before b = a3 + R gamma3 vanishes: an error of omega3 is there one of omega_n divided by b, and up to
+# there the orbit is that of the level, within a tolerance of 1e-12 times a thousand for that and a thousand for steps and conditioning.
+for start in v_nu=0,omega_tau=0,omega_n=0.3,omega3=0.2 v_nu=2.4,omega_tau=-1.1,omega_n=0.26,omega3=-0.34 \
+    v_nu=1.28,omega_tau=-0.25,omega_n=-1.1,omega3=-0.36 v_nu=0.16,omega_tau=-0.24,omega_n=0.59,omega3=-0.64; do
+    run 4 simulate --tier level_omega3 --compare level --start "gamma3=0.3,$start" --until 10 --every 1/20
+    [ "$(last 11)" = left_domain ] && near "$(last 2)" -0.509 1e-9 || fail "level_omega3: $(tail -1 "$scratch/out")"
+    awk -F, '/^[0-9]/ && $10 != "" && $10 > worst { worst = $10 } END { exit !(worst <= 1e-6) }' "$scratch/out" ||
+        fail "level_omega3, $start: off before its end"
+    grep -q 'b = a3 + R gamma3 is below' "$scratch/err" || fail "level_omega3: $(cat "$scratch/err")"
+done
+run 4 simulate --tier level_omega3 --start gamma3=-0.51,v_nu=1,omega_tau=1,omega_n=0.3,omega3=0.2 --until 10 --every 5
+[ "$(last 10)" = left_domain ] || fail "level_omega3 from b = 0: $(tail -1 "$scratch/out")"
+
+# A level of the balanced sphere without a state. F0 is least where Theta omega3^2 is largest: -0.16 here (I1 = 2/5, I3 = 3/5,
+# E = 1, G = 0: M^2 = 2.8 - 2.5 F0, and F0 >= -0.2*0.4 M^2/1.6).
+run 3 portrait --set I1=1/2,I3=1/4 --level E=1,G=-0.2,F0=-0.01
+grep -q 'no state has these levels' "$scratch/err" || fail "an empty level is not said"
+run 3 portrait --set I1=2/5,I3=3/5 --level E=1,G=0,F0=-0.17
+run 0 portrait --set I1=2/5,I3=3/5 --level E=1,G=0,F0=-0.15 --orbits 4 --until 2 --trajectories "$scratch/trajectories"
+grep -q '^3,' "$scratch/trajectories" || fail "no orbits on a level that is not empty"
+
+# Without gravity every command answers.
+run 0 section --set g=0 --start eta=0.1,gamma3=-0.6 --returns 3
+run 0 section --set g=0 --batch --grid 6x4 --returns 5
+run 0 fates --set g=0 --grid 6x4
+run 0 orbits --set g=0 --period 1
+run 0 eigen --set g=0 --at gamma3=0.3,v_nu=0.7,omega3=1.1
+run 0 measure --set g=0,I3=0
+run 0 portrait --set g=0 --level E=1,G=-0.2,F0=0.15
+run 0 rod --set g=0,I3=0 --start gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0
+run 0 lyapunov --set g=0 --grid 4x3 --returns 3
+run 3 lyapunov --set g=0 --returns 3
+grep -q 'the orbit return before it ends' "$scratch/err" || fail "lyapunov, an orbit without a return: $(cat "$scratch/err")"
+for tier in level five track full; do
+    run 0 simulate --set g=0 --tier $tier --start gamma3=0.2,v_nu=0.1,omega_tau=0.2,omega_n=0.1,omega3=0.3 --until 2 --every 1
+done
+exit $status

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Values are what was typed: a name given twice, a number in another base, a spacing that cannot be are refused by name; what a
+# sweep runs over prints as the decimal that it is, and headers do not claim a value for it.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+fail() { echo "$*"; status=1; }
+
+refused() { # TEXT COMMAND...: with status 3, and this text
+    local text=$1 code
+    shift
+    timeout 10 "$@" > "$scratch/out" 2> "$scratch/err"
+    code=$?
+    [ $code -eq 3 ] && grep -qF -- "$text" "$scratch/err" || fail "$*: status $code, says '$(cat "$scratch/err")'"
+}
+refused "--set: 'a3' is given twice" jellett measure --set a3=1,a3=2
+refused "--set: 'a3' is given twice" jellett measure --set a3=1 --set a3=1
+refused "--at: 'gamma3' is given twice" jellett eigen --at gamma3=0.1,gamma3=0.2
+refused "--level: 'E' is given twice" jellett section --grid 2x2 --level E=2,E=2.15
+refused "--start: 'eta' is given twice" jellett section --start eta=0.1,gamma3=-0.6,eta=0.2
+refused "--grid: 'eta' is given twice" jellett section --grid eta=0:1:2,eta=1:2:3
+refused "--spacing: '1e-300'" jellett manifolds --spacing 1e-300
+for number in 0x10 0X1F 0b11; do
+    printf 'compute = ( { what = "section";\n grid = "2x2"; returns = %s; } );\n' $number > "$scratch/s.scene"
+    refused "s.scene:2: error: " jellett run "$scratch/s.scene"
+done
+
+start=gamma3=0.2,v_nu=0.6,omega_tau=0.4,omega_n=1,omega3=0
+rows() { grep -v '^#' "$scratch/out" | tail -n +2 | cut -d, -f1 | tr '\n' ' '; }
+claims() { grep '^# ' "$scratch/out" | grep -v '^# command' | grep -c "[ #]$1="; }
+jellett rod --start $start --sweep a3=0.1:0.7:7 > "$scratch/out"
+[ "$(rows)" = "0.1 0.2 0.3 0.4 0.5 0.6 0.7 " ] || fail "rod: prints $(rows)"
+[ "$(claims a3)" -eq 0 ] && [ "$(claims I1)" -eq 1 ] || fail "rod: the header claims a value of a3"
+jellett rod --start $start --sweep omega_n=1/3:1:3 > "$scratch/out"
+[ "$(rows)" = "0.3333333333333333 0.6666666666666666 1 " ] || fail "rod: prints $(rows)"
+[ "$(claims omega_n)" -eq 0 ] || fail "rod: the header claims a value of omega_n"
+jellett fates --grid 2x2 --returns 2 --sweep E=1.1:1.7:7 > "$scratch/out" 2> /dev/null
+[ "$(rows)" = "1.1 1.2 1.3 1.4 1.5 1.6 1.7 " ] || fail "fates: prints $(rows)"
+[ "$(claims E)" -eq 0 ] && [ "$(claims G)" -eq 2 ] || fail "fates: the header claims a value of E"
+jellett eigen --at v_nu=0.7,omega3=1.1 --sweep a3=0:0:1,gamma3=0.1:0.7:7 > "$scratch/out"
+[ "$(claims a3)" -eq 0 ] || fail "eigen: the header claims a value of a3"
+exit $status
