@@ -26,7 +26,7 @@ struct jlt_map {
     double scale[DIM_MAX];
     jlt_orbit *orbit;
     jlt_section *section; /* plain returns */
-    bool at_pole;
+    bool is_slow; /* when the orbit was last looked at */
 };
 
 static void varied_call(const double *restrict x, const double *restrict p, double *restrict out)
@@ -65,12 +65,19 @@ static void varied_time(const double *restrict x, const double *restrict p, doub
     block->field->time_rate(x, block->field->p, out);
 }
 
-static int watch_pole(void *context, jlt_orbit *orbit)
+/* What never comes back to the section: a pole it falls into, or a place where it comes to rest. */
+static int watch(void *context, jlt_orbit *orbit)
 {
+    enum { SLOW_STEPS = 64 }; /* some turns of a spiral */
     jlt_map *self = context;
+    const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
+    const int root = self->flow.field->root;
 
-    self->at_pole = fabs(jlt_orbit_stepper(orbit)->x[self->flow.field->root]) < root_floor;
-    return self->at_pole;
+    if (root >= 0 && fabs(stepper->x[root]) < root_floor) return 1;
+    if (stepper->steps % SLOW_STEPS != 0) return 0;
+    const bool was_slow = self->is_slow;
+    self->is_slow = jlt_rest_is_slower(self->flow.field, stepper->x, jlt_rest_slow(stepper->asked));
+    return was_slow && self->is_slow;
 }
 
 static jlt_status make_field(jlt_map *self)
@@ -116,7 +123,7 @@ jlt_status jlt_map_create(jlt_map **out, const jlt_flow *flow)
                              &(jlt_options){ .tolerance = flow->tolerance,
                                              .max_steps = self->flow.max_steps,
                                              .interrupt = flow->interrupt }));
-    if (flow->field->root >= 0) jlt_orbit_observe(self->orbit, watch_pole, self);
+    jlt_orbit_observe(self->orbit, watch, self);
     JLT_TRY(jlt_section_create(&self->section, &self->flow));
     *out = self;
     self = NULL; /* ownership moved to the caller */
@@ -145,7 +152,7 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
                               .direction = self->flow.direction };
     jlt_status st;
 
-    self->at_pole = false;
+    self->is_slow = false;
     const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
     st = jlt_orbit_next(self->orbit, time_direction * t_max, &event, 1, outcome);
     if (st != JLT_OK) return st;
