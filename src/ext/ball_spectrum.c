@@ -5,9 +5,11 @@
 #if __has_include(<flint/acb_poly.h>)
 #include <flint/acb_mat.h>
 #include <flint/acb_poly.h>
+#include <flint/arb_poly.h>
 #else
 #include <acb_mat.h>
 #include <acb_poly.h>
+#include <arb_poly.h>
 #endif
 
 #include <float.h>
