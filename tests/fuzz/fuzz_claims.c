@@ -116,10 +116,11 @@ static tally examine(uint64_t seed, made_table *made)
 static void limit(void)
 {
 #ifndef __SANITIZE_ADDRESS__ /* the sanitizer maps more than any limit */
+    const struct rlimit time = { SECONDS, SECONDS + 1 };
     const struct rlimit memory = { (rlim_t)MEBIBYTES << 20, (rlim_t)MEBIBYTES << 20 };
     setrlimit(RLIMIT_AS, &memory);
 #endif
-    alarm(SECONDS);
+    setrlimit(RLIMIT_CPU, &time); /* of the processor: what else runs here does not count */
 }
 
 /* In a process of its own, so that a crash is a failure like any other. */
