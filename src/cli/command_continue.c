@@ -22,7 +22,7 @@ static const struct argp_option option_table[] = {
     { "period", 'n', "N", 0, "Returns of the orbit; default 1", 1 },
     { "step", STEP, "VALUE", 0, "First arc length between points, in (eta, gamma3, value); at most 5 of them later; default 0.01", 1 },
     { "count", 'c', "N", 0, "Points of a branch at most; default 500", 1 },
-    { "decreasing", DOWN, NULL, 0, "Start towards smaller values", 1 },
+    { "decreasing", DOWN, NULL, 0, "Start towards smaller values, as from the range's upper end", 1 },
     { "branches", FOLLOW, NULL, 0, "Follow the branches that begin at branch points and period doublings as well, each once", 1 },
     { 0 },
 };
@@ -284,10 +284,12 @@ static jlt_exit run(int argc, char **argv)
     family = (jlt_system_family){ .values = system->values, .name = axis.name, .options = o.motion.flow };
     family.options.max_steps = 20000;
     code = find_first(&first, &family, &axis, &o, system);
+    if (code == JLT_EXIT_DONE && first.value >= axis.high) o.direction = -1; /* there is nowhere else to go */
     if (code == JLT_EXIT_DONE) code = jlt_stream_open(&stream, o.motion.common.output);
     if (code != JLT_EXIT_DONE) goto done;
     to.file = stream.file;
     if (o.motion.common.plot != NULL) to.points = open_memstream(&points, &size);
+    o.motion.swept = axis.name;
     jlt_motion_header(stream.file, &o.motion, system);
     fprintf(stream.file, "branch,%s,arc,period,eta,gamma3,T,trace,det,mu1_re,mu1_im,mu2_re,mu2_im,symmetric,type,residual,"
                          "bifurcation,low,high\n", axis.name);

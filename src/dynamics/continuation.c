@@ -173,12 +173,18 @@ static bool next_place(const runner *self, place *next, double *step, unsigned *
     return false;
 }
 
+/* The end of the range that the branch crosses between `here` and `next`. */
+static double limit_ahead(const runner *self, const place *next, const place *here)
+{
+    return (next->u[self->d] > here->u[self->d] ? self->options.high : self->options.low) / self->options.scale;
+}
+
 /* Where the branch leaves the range between `here` and *next, which is outside: *next becomes that place, found by the
  * secant method. */
 static jlt_status clip(const runner *self, place *next, double *step, const place *here)
 {
     const unsigned d = self->d;
-    const double limit = (next->u[d] > here->u[d] ? self->options.high : self->options.low) / self->options.scale;
+    const double limit = limit_ahead(self, next, here);
     double inside = 0, outside = *step, miss_inside = here->u[d] - limit, miss_outside = next->u[d] - limit;
     jlt_status st = JLT_OK;
 
@@ -226,6 +232,10 @@ jlt_status jlt_continuation_run(jlt_continuation_end *end, const jlt_family *fam
         if (!next_place(&self, &next, &step, &iterations, &here, &st, end)) break;
         value = next.u[self.d] * self.options.scale;
         leaves = value < self.options.low || value > self.options.high;
+        if (leaves && fabs(here.u[self.d] - limit_ahead(&self, &next, &here)) <= 1e-14 * fmax(1, fabs(here.u[self.d]))) {
+            *end = JLT_CONTINUATION_RANGE;
+            break;
+        }
         if (leaves) JLT_TRY(clip(&self, &next, &step, &here));
         if (count > 2 && closes(&self, &here, step, &first)) {
             *end = JLT_CONTINUATION_CLOSED;

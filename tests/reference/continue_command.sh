@@ -40,6 +40,12 @@ for step in 0.01 0.003; do
         fail "a3, step $step: $(cat found)"
 done
 
+# From the upper end of the range there is one way to go, and from it no row is outside.
+jellett continue --along E=2.1:2.15 -o rows.csv 2> /dev/null
+awk -F, '/^[0-9]/ { if ($2 < 2.1 - 1e-12 || $2 > 2.15 + 1e-12) outside++; else rows++; last = $2 } END { exit outside > 0 || rows < 3 || last > 2.1 + 1e-12 }' rows.csv ||
+    fail "E=2.1:2.15: $(grep '^[0-9]' rows.csv | cut -d, -f2 | tr '\n' ' ')"
+! grep -q '^# levels.*E=' rows.csv || fail "the header claims a level that runs: $(grep levels rows.csv)"
+
 # A signal ends a run within a second; whole rows are saved, or what is lost is said.
 interrupted() { # SIGNAL MESSAGE COMMAND...
     local signal=$1 message=$2 code=0 begun
