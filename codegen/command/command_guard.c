@@ -18,15 +18,10 @@
 
 enum { SECONDS_A_CLAIM = 20, SECONDS_A_TABLE = 50, MEMORY_MIB = 1536 };
 
-#if defined(__SANITIZE_ADDRESS__)
-#define ADDRESS_SPACE_IS_BOUNDED 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define ADDRESS_SPACE_IS_BOUNDED 0
-#endif
-#endif
-#ifndef ADDRESS_SPACE_IS_BOUNDED
-#define ADDRESS_SPACE_IS_BOUNDED 1
+#ifdef JLT_SANITIZED
+enum { ADDRESS_SPACE_IS_BOUNDED = 0 };
+#else
+enum { ADDRESS_SPACE_IS_BOUNDED = 1 };
 #endif
 
 /* A verdict as it goes through the pipe; the texts follow, without their final zeros. SIZE_MAX stands for no text. */

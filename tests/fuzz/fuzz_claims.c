@@ -116,7 +116,7 @@ static tally examine(uint64_t seed, made_table *made)
 static void limit(void)
 {
     const struct rlimit time = { SECONDS, SECONDS + 1 };
-#ifndef __SANITIZE_ADDRESS__ /* the sanitizer maps more than any limit */
+#ifndef JLT_SANITIZED /* the sanitizer maps more than any limit */
     const struct rlimit memory = { (rlim_t)MEBIBYTES << 20, (rlim_t)MEBIBYTES << 20 };
     setrlimit(RLIMIT_AS, &memory);
 #endif

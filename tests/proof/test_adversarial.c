@@ -149,7 +149,7 @@ static tally check_apart(const table *t, char *file_text)
     assert_true(child >= 0);
     if (child == 0) {
         const struct rlimit memory = { (rlim_t)MEBIBYTES << 20, (rlim_t)MEBIBYTES << 20 };
-#ifndef __SANITIZE_ADDRESS__
+#ifndef JLT_SANITIZED
         setrlimit(RLIMIT_AS, &memory); /* the sanitizer maps more than any limit */
 #else
         (void)memory;
