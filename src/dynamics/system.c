@@ -121,11 +121,12 @@ void jlt_system_destroy(jlt_system *self)
     free(self);
 }
 
-/* The end of the interval between a point inside and one outside. */
+/* The end of the interval from a point inside towards another: between the two, or there. */
 static double edge(const jlt_chart_top *chart, double inside, double outside)
 {
     int i;
 
+    if (jlt_chart_top_speed2(chart, outside) > 0) return outside;
     for (i = 0; i < 60; i++) {
         const double middle = (inside + outside) / 2;
         if (jlt_chart_top_speed2(chart, middle) > 0) inside = middle;
@@ -144,9 +145,9 @@ bool jlt_system_interval(const jlt_chart_top *chart, double *low, double *high)
     for (i = 0; i <= POINTS; i++) {
         const double at = -1 + 2 * (i + 0.5) / POINTS;
         const bool inside = i < POINTS && jlt_chart_top_speed2(chart, at) > 0;
-        if (inside && !open) start = i == 0 ? -1 + 1e-9 : edge(chart, at, before);
+        if (inside && !open) start = edge(chart, at, i == 0 ? -1 + 1e-9 : before);
         if (!inside && open) {
-            const double end = i == POINTS ? 1 - 1e-9 : edge(chart, before, at);
+            const double end = edge(chart, before, i == POINTS ? 1 - 1e-9 : at);
             if (!found || end - start > *high - *low) *low = start, *high = end;
             found = true;
         }

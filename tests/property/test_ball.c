@@ -137,12 +137,55 @@ static void running_errors_know_where_digits_are_lost(void **unused)
     tear_down(&f);
 }
 
+static const char functions[] = "model functions\n"
+                                "param k > 0\n"
+                                "state x\n"
+                                "angle c s = cos(x + pi/3) sin(x + pi/3)\n"
+                                "exp e = exp(x/2)\n"
+                                "log l = log(k + x^2)\n"
+                                "let d = x^2 - k\n"
+                                "eq x = c + s + e + l + d\n";
+
+/* Oracle: long double. Its rounding: of the argument, which sines and the exponential pass on as it is, and of the value. */
+static void functions_are_enclosed(void **unused)
+{
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = ttc_model_parse(functions, strlen(functions), "functions.tt", diagnostics);
+    static const char *const names[] = { "c", "s", "e", "l", "d" };
+    uint32_t k, x, symbol = 0;
+    jlt_random random;
+
+    (void)unused;
+    assert_non_null(model);
+    ttc_ball *ball = ttc_ball_create(model);
+    assert_true(ttc_model_find_symbol(model, "k", &k) && ttc_model_find_symbol(model, "x", &x));
+    jlt_random_seed(&random, 47);
+    for (int trial = 0; trial < 50; trial++) {
+        const double kv = jlt_random_magnitude(&random, -3, 3), xv = jlt_random_between(&random, -5, 5);
+        const long double turn = xv + acosl(-1) / 3, square = (long double)xv * xv;
+        const long double expected[5] = { cosl(turn), sinl(turn), expl((long double)xv / 2), logl(kv + square), square - kv };
+        assert_true(ttc_ball_set(ball, k, kv) && ttc_ball_set(ball, x, xv));
+        for (int i = 0; i < 5; i++) {
+            ttc_enclosure e;
+            assert_true(ttc_model_find_symbol(model, names[i], &symbol));
+            assert_true(ttc_ball_enclose(&e, ball, model->symbols[symbol].node));
+            const long double size = 1 + fabsl(turn) + fabsl(expected[i]) + square + kv;
+            assert_true(fabsl((long double)e.value + e.rest - expected[i]) <= e.radius + 4 * LDBL_EPSILON * size);
+            assert_true(e.radius <= 1e-30 * (double)size);
+        }
+    }
+    ttc_ball_destroy(ball);
+    ttc_model_destroy(model);
+    ttc_diagnostics_destroy(diagnostics);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(enclosures_hold_what_long_double_computes),
         cmocka_unit_test(rational_points_are_exact),
         cmocka_unit_test(running_errors_know_where_digits_are_lost),
+        cmocka_unit_test(functions_are_enclosed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -230,6 +230,25 @@ static void empty_levels_and_poles_are_refused(void **unused)
     jlt_system_destroy(system);
 }
 
+/* The ends of the interval are neighbours of numbers without a state, or next to a pole, and are the ends of its widest part. */
+static void the_interval_ends_where_the_levels_do(void **unused)
+{
+    jlt_random random;
+
+    (void)unused;
+    jlt_random_seed(&random, 11);
+    for (int k = 0; k < 10 * SYSTEMS; k++) {
+        double q[2], low, high;
+        jlt_system *system = random_system(q, &random);
+        const jlt_chart_top *chart = &system->chart.top;
+        assert_true(jlt_system_interval(chart, &low, &high) && low < high);
+        assert_true(jlt_chart_top_speed2(chart, low) > 0 && jlt_chart_top_speed2(chart, high) > 0);
+        assert_true(low == -1 + 1e-9 || !(jlt_chart_top_speed2(chart, nextafter(low, -2)) > 0));
+        assert_true(high == 1 - 1e-9 || !(jlt_chart_top_speed2(chart, nextafter(high, 2)) > 0));
+        jlt_system_destroy(system);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -239,6 +258,7 @@ int main(void)
         cmocka_unit_test(determinant_is_flux_and_divergence),
         cmocka_unit_test(reversor_turns_the_map_into_its_inverse),
         cmocka_unit_test(empty_levels_and_poles_are_refused),
+        cmocka_unit_test(the_interval_ends_where_the_levels_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -192,6 +192,85 @@ static void a_clock_that_never_runs_is_nonfinite(void **unused)
     jlt_stepper_destroy(stepper);
 }
 
+/* A circle of frequency p[2] in the columns p[0] and p[1]; the third of three stays. */
+static void turning(const double *restrict x, const double *restrict p, double *restrict f)
+{
+    const unsigned a = (unsigned)p[0], b = (unsigned)p[1];
+    for (unsigned c = 0; c < 3; c++) f[c] = 0;
+    f[a] = p[2] * x[b];
+    f[b] = -p[2] * x[a];
+}
+
+/* The numbers are the same whichever columns move, but for the order of sums: the first length is guessed from all of them, and
+ * the error, the end, the polynomial and a part of the step are theirs. A change of rounding in h, of 17 factors, moves the end
+ * by that much of a step's angle. */
+static void all_columns_are_treated_alike(void **unused)
+{
+    (void)unused;
+    double lengths[4] = { 0 };
+    for (unsigned still = 0; still < 3; still++) {
+        const unsigned a = still == 0 ? 1 : 0, b = still == 2 ? 1 : 2;
+        const double p[3] = { a, b, 40 };
+        const jlt_field field = { .dim = 3, .call = turning, .p = p, .root = -1 };
+        double x[3] = { 1, 1, 1 }, t = 0;
+        jlt_stepper *stepper = NULL;
+
+        assert_ok(jlt_stepper_create(&stepper, jlt_method_find("gauss"), &field, 1e-12, INFINITY));
+        assert_ok(jlt_stepper_start(stepper, 0, x, +1, 0));
+        for (unsigned k = 0; k < 4; k++) {
+            double part[3], bernstein[32];
+            assert_ok(jlt_stepper_advance(stepper, INFINITY));
+            if (still == 0) lengths[k] = stepper->h;
+            assert_near(stepper->h, lengths[k], 1e-12 * stepper->h);
+            assert_ok(stepper->method->partial(stepper, 0.7, part));
+            assert_ok(stepper->method->dense(stepper));
+            for (unsigned end = 0; end < 2; end++) {
+                const double at = 40 * (t + (end == 0 ? 0.7 : 1) * stepper->h);
+                const double *is = end == 0 ? part : stepper->x;
+                assert_near(is[a], cos(at) + sin(at), 1e-11);
+                assert_near(is[b], cos(at) - sin(at), 1e-11);
+                assert_near(is[still], 1, 0);
+            }
+            for (unsigned c = 0; c < 3; c++) {
+                double sum = 0;
+                for (unsigned m = 0; m <= stepper->dense_degree; m++) sum += stepper->dense[m * (size_t)stepper->stride + c];
+                assert_near(sum, stepper->x[c], 1e-11);
+                const unsigned degree = stepper->method->bernstein(stepper, c, bernstein);
+                assert_near(bernstein[0], stepper->x_start[c], 0);
+                assert_near(bernstein[degree], stepper->x[c], 1e-11);
+            }
+            t += stepper->h;
+        }
+        jlt_stepper_destroy(stepper);
+    }
+}
+
+/* Beyond x = 1/2 the field of column p[0] alone is unknown, the position's column being the other. */
+static void blind_beyond(const double *restrict x, const double *restrict p, double *restrict f)
+{
+    const unsigned blind = (unsigned)p[0];
+    f[1 - blind] = 1;
+    f[blind] = x[1 - blind] > 0.5 ? NAN : 0;
+}
+
+/* The nodes of the first step of 0.5000001 are all before 1/2, its end is not. */
+static void an_end_that_is_not_finite_in_one_column_is_refused(void **unused)
+{
+    (void)unused;
+    for (unsigned blind = 0; blind < 2; blind++) {
+        const double p = blind, x[2] = { 0, 0 };
+        const jlt_field field = { .dim = 2, .call = blind_beyond, .p = &p, .root = -1 };
+        jlt_stepper *stepper = NULL;
+
+        assert_ok(jlt_stepper_create(&stepper, jlt_method_find("gauss"), &field, 1e-10, INFINITY));
+        assert_ok(jlt_stepper_start(stepper, 0, x, +1, 0.5000001));
+        assert_ok(jlt_stepper_advance(stepper, INFINITY));
+        assert_near(stepper->h, 0.25, 1e-6);
+        assert_true(isfinite(stepper->f[0]) && isfinite(stepper->f[1]));
+        jlt_stepper_destroy(stepper);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -202,6 +281,8 @@ int main(void)
         cmocka_unit_test(a_step_after_one_cut_short_is_as_long_as_before_it),
         cmocka_unit_test(a_gap_in_the_clock_is_not_stepped_over),
         cmocka_unit_test(a_clock_that_never_runs_is_nonfinite),
+        cmocka_unit_test(all_columns_are_treated_alike),
+        cmocka_unit_test(an_end_that_is_not_finite_in_one_column_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# On a terminal, orbits that are computed many at once and then written are counted once: what is shown never falls and ends
+# below the whole. Two seconds, for a line appears every 0.2 s.
+set -uo pipefail
+command -v script > /dev/null || exit 77
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+script -qec "jellett section --batch --grid 40x40 --returns 300 --output '$scratch/section.csv'" "$scratch/terminal" < /dev/null > /dev/null ||
+    { echo "section ends with $?"; exit 1; }
+tr '\r' '\n' < "$scratch/terminal" | sed -n 's/^\([0-9]*\) of \([0-9]*\) returns.*/\1 \2/p' > "$scratch/shown"
+awk '$1 < last || $1 > $2 || $2 != 480000 { print "after " last ": " $0; bad = 1 } { last = $1 } END { exit bad || NR == 0 }' "$scratch/shown"
