@@ -1,0 +1,66 @@
+/* The motion of the top in quadruple precision, from (3.2) of Kilin & Ivanova (2023) alone: what random tops are held against.
+ *
+ * Field: (3.2) times s, in (gamma3, s) together. Method: Taylor series of order 24, errors of a step below 1e-21 of scale.
+ * Shadows are the same orbit in 64 bits with a random error of one tolerance in every state after every step: their distance from
+ * the orbit is the tolerance times what the orbit makes of errors, and where they do not agree on an end, nobody can. */
+#ifndef JLT_TESTS_ORACLE_H
+#define JLT_TESTS_ORACLE_H
+
+#include <stdbool.h>
+
+#include "core/random.h"
+
+enum { ORACLE_ROWS_MAX = 16, ORACLE_SHADOWS = 3 };
+
+typedef enum {
+    ORACLE_GAMMA3, ORACLE_V_NU, ORACLE_OMEGA_TAU, ORACLE_OMEGA_N, ORACLE_OMEGA3, ORACLE_S, ORACLE_T,
+    ORACLE_STATES
+} oracle_state;
+
+typedef struct {
+    double m, R, g, I1, I3, a3;
+} oracle_top;
+
+typedef enum {
+    ORACLE_ALIVE, /* all rows are there */
+    ORACLE_POLE_PLUS,
+    ORACLE_POLE_MINUS,
+    ORACLE_REST,   /* nothing moves any more */
+    ORACLE_BUDGET, /* its own steps are spent */
+    ORACLE_ENDS
+} oracle_end;
+
+typedef enum { ORACLE_EXACT, ORACLE_LEVEL_NOISE, ORACLE_FIVE_NOISE, ORACLE_KINDS } oracle_noise;
+
+typedef struct {
+    oracle_top top;
+    double gamma3, v_nu, omega_tau, omega_n, omega3; /* of the start; */
+    bool level;                                      /* omega_n and omega3 by v_tau and G: */
+    double v_tau, G;
+    int time_direction;  /* +1, -1 */
+    int crossings;       /* +1 rising, -1 falling for growing t, 0 both; */
+    const double *times; /* or the state at times, NULL: crossings */
+    int count;           /* rows that are wanted */
+    double tolerance, speed; /* speed: the scale of velocities */
+} oracle_question;
+
+typedef struct {
+    int count;    /* rows */
+    oracle_end end;
+    long double rows[ORACLE_ROWS_MAX + 1][ORACLE_STATES]; /* from 1; where it ended by name one more, the limit */
+    long double least_s, shallowest; /* met on the way; depth of the least extremum of omega_tau, in scale */
+    long double drift;               /* of E, G and s^2 + gamma3^2, in scale */
+    long double away;                /* largest |gamma3 - start| and the like: 0 for an equilibrium */
+    unsigned long steps;
+} oracle_orbit;
+
+/* The orbit; with noise (not EXACT) a shadow. */
+void oracle_follow(oracle_orbit *out, const oracle_question *question, oracle_noise noise, jlt_random *random);
+
+/* df/dx of (3.2) in t, five states, by sixth-order differences in quadruple precision: good to 1e-20 of scale. */
+void oracle_jacobian(long double a[25], const oracle_top *top, const double x[5], double speed);
+
+/* The monic characteristic polynomial of the same Jacobian, highest power first, without rounding to 64 bits between: c[0] = 1. */
+void oracle_polynomial(long double c[6], const oracle_top *top, const double x[5], double speed);
+
+#endif
