@@ -30,7 +30,8 @@ typedef enum {
     ORACLE_ENDS
 } oracle_end;
 
-typedef enum { ORACLE_EXACT, ORACLE_LEVEL_NOISE, ORACLE_FIVE_NOISE, ORACLE_KINDS } oracle_noise;
+/* Which states get errors: v_tau, or omega_n and omega3, or one of these, the other then by G. */
+typedef enum { ORACLE_EXACT, ORACLE_LEVEL_NOISE, ORACLE_FIVE_NOISE, ORACLE_OMEGA_N_NOISE, ORACLE_OMEGA3_NOISE } oracle_noise;
 
 typedef struct {
     oracle_top top;
@@ -48,6 +49,7 @@ typedef struct {
     int count;    /* rows */
     oracle_end end;
     long double rows[ORACLE_ROWS_MAX + 1][ORACLE_STATES]; /* from 1; where it ended by name one more, the limit */
+    long double pace[ORACLE_ROWS_MAX + 1]; /* how fast it is there, relative to scale: 0 at rest */
     long double least_s, shallowest; /* met on the way; depth of the least extremum of omega_tau, in scale */
     long double drift;               /* of E, G and s^2 + gamma3^2, in scale */
     long double away;                /* largest |gamma3 - start| and the like: 0 for an equilibrium */

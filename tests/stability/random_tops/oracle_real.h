@@ -136,10 +136,14 @@ static void NAME(disturb)(NAME(series) *t, const oracle_question *q, oracle_nois
     t->x[ORACLE_S][0] *= 1 + error[0];
     for (int i = ORACLE_V_NU; i <= ORACLE_OMEGA3; i++) {
         const REAL scale = i == ORACLE_V_NU ? U : W, size = NAME(size)(t->x[i][0]);
-        if (i < ORACLE_OMEGA_N || noise == ORACLE_FIVE_NOISE) t->x[i][0] += error[i] * (size > scale ? size : scale);
+        const bool kept = (i == ORACLE_OMEGA_N && noise == ORACLE_OMEGA3_NOISE) || (i == ORACLE_OMEGA3 && noise == ORACLE_OMEGA_N_NOISE);
+        if (i < ORACLE_OMEGA_N || (noise != ORACLE_LEVEL_NOISE && !kept)) t->x[i][0] += error[i] * (size > scale ? size : scale);
     }
     const REAL size = NAME(size)(v_tau);
     if (noise == ORACLE_LEVEL_NOISE) NAME(rotate)(t, v_tau + error[3] * (size > U ? size : U), G);
+    const REAL s = t->x[ORACLE_S][0], b = t->a3 + t->R * t->x[ORACLE_GAMMA3][0];
+    if (noise == ORACLE_OMEGA_N_NOISE) t->x[ORACLE_OMEGA3][0] = (t->I1 * t->R * s * t->x[ORACLE_OMEGA_N][0] - G) / (t->I3 * b);
+    if (noise == ORACLE_OMEGA3_NOISE) t->x[ORACLE_OMEGA_N][0] = (G + t->I3 * b * t->x[ORACLE_OMEGA3][0]) / (t->I1 * t->R * s);
 }
 
 /* The length of a step: what the last two coefficients leave below `part` of scale. */
@@ -250,15 +254,19 @@ static void NAME(follow)(oracle_orbit *out, const oracle_question *q, oracle_noi
     while (out->steps++ < STEPS_MAX) {
         NAME(expand)(&t);
         if (NAME(ends)(out, &t, q, scale)) break;
+        const int before = out->count;
+        const REAL pace = NAME(pace)(&t, scale);
         const REAL h = q->time_direction * NAME(length)(&t, scale);
-        if (q->times != NULL ? NAME(pass)(out, &t, q, h) : NAME(cross)(out, &t, q, h, scale)) {
+        const bool done = q->times != NULL ? NAME(pass)(out, &t, q, h) : NAME(cross)(out, &t, q, h, scale);
+        for (int k = before + 1; k <= out->count; k++) out->pace[k] = (long double)pace;
+        if (done) {
             out->end = ORACLE_ALIVE;
             break;
         }
         for (int i = 0; i < ORACLE_STATES; i++) t.x[i][0] = NAME(value)(t.x[i], h);
         out->least_s = fminl(out->least_s, (long double)t.x[ORACLE_S][0]);
         /* Near its end at a pole or at rest errors die out. */
-        if (noise != ORACLE_EXACT && t.x[ORACLE_S][0] > q->tolerance && NAME(pace)(&t, scale) > q->tolerance) NAME(disturb)(&t, q, noise, random);
+        if (noise != ORACLE_EXACT && t.x[ORACLE_S][0] > q->tolerance && pace > q->tolerance) NAME(disturb)(&t, q, noise, random);
     }
     NAME(levels)(&t, &E, &G, &v_tau);
     const REAL c = t.x[ORACLE_GAMMA3][0], s = t.x[ORACLE_S][0], U = q->speed;

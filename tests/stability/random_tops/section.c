@@ -23,8 +23,8 @@ static void row_of(double row[ROW_SIZE], const jlt_chart_top *chart, const doubl
 /* An orbit that jellett ends at rest: it is where the oracle comes to rest, if not before long. */
 static void check_rest(trial *t, const family *f, const char *how, const double row[ROW_SIZE])
 {
-    static const double never = 1e300;
     oracle_question q = f->question;
+    const double never = 1e300 * q.time_direction;
     family end;
     double limit[ROW_SIZE];
 
@@ -33,7 +33,7 @@ static void check_rest(trial *t, const family *f, const char *how, const double 
     family_follow(&end, t, &q, ORACLE_LEVEL_NOISE);
     memcpy(limit, row, sizeof limit);
     limit[ROW_T] = NAN; /* when an orbit is slow enough is for the method to say */
-    if (end.truth.end == ORACLE_REST && end.ends) family_check(&end, t, how, 1, limit);
+    if (end.truth.end == ORACLE_REST) family_check(&end, t, how, 1, limit);
     else if (end.truth.end != ORACLE_BUDGET) trial_complain(t, "%s: at rest, and the oracle ends by %d", how, end.truth.end);
 }
 

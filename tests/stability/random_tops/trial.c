@@ -84,6 +84,37 @@ static long double distance(const family *f, const long double *a, long double v
     return fmaxl(fmaxl(worst, time), fmaxl(n, three)); /* NaN: not told, and passed over */
 }
 
+/* Rows on which all agree that they exist; an orbit that is slower than a thousand tolerances is at rest for whoever asks. */
+static void agree(family *f)
+{
+    const oracle_orbit *truth = &f->truth;
+
+    f->certain = truth->count;
+    f->ends = f->sound && truth->end != ORACLE_ALIVE;
+    for (int k = 0; k < ORACLE_SHADOWS; k++) {
+        if (f->shadows[k].count < f->certain) f->certain = f->shadows[k].count;
+        f->ends &= f->shadows[k].end == truth->end && f->shadows[k].count == truth->count;
+    }
+    for (int n = f->certain; n > 0; n--)
+        if (truth->pace[n] < 1e3L * f->question.tolerance) f->certain = n - 1, f->ends = false;
+}
+
+void family_disturb(family *f, trial *t, oracle_noise noise)
+{
+    for (int k = 0; k < ORACLE_SHADOWS; k++) oracle_follow(&f->shadows[k], &f->question, noise, &t->random);
+    agree(f);
+    f->stray[0] = 0;
+    for (int n = 1; n <= f->certain + f->ends; n++) {
+        f->stray[n] = f->stray[n - 1];
+        for (int k = 0; k < ORACLE_SHADOWS; k++) {
+            const long double *x = f->shadows[k].rows[n];
+            const long double row[ROW_SIZE] = { x[ORACLE_GAMMA3], x[ORACLE_V_NU], x[ORACLE_OMEGA_TAU], x[ORACLE_OMEGA_N],
+                                                x[ORACLE_OMEGA3], 0, x[ORACLE_T] };
+            f->stray[n] = fmaxl(f->stray[n], distance(f, row, velocity_along(&f->question.top, x), f->truth.rows[n]));
+        }
+    }
+}
+
 void family_follow(family *out, trial *t, const oracle_question *question, oracle_noise noise)
 {
     const oracle_orbit *truth = &out->truth;
@@ -93,25 +124,7 @@ void family_follow(family *out, trial *t, const oracle_question *question, oracl
     sum.ends[truth->end]++;
     out->sound = truth->end != ORACLE_BUDGET && truth->drift < 1e-16L;
     if (!out->sound) sum.undecided++;
-    out->certain = truth->count;
-    out->ends = out->sound && truth->end != ORACLE_ALIVE;
-    for (int k = 0; k < ORACLE_SHADOWS; k++) {
-        const oracle_orbit *shadow = &out->shadows[k];
-        oracle_follow(&out->shadows[k], question, noise, &t->random);
-        if (shadow->count < out->certain) out->certain = shadow->count;
-    }
-    for (int k = 0; k < ORACLE_SHADOWS; k++)
-        out->ends &= out->shadows[k].end == truth->end && out->shadows[k].count == truth->count;
-    out->stray[0] = 0;
-    for (int n = 1; n <= out->certain + out->ends; n++) {
-        out->stray[n] = out->stray[n - 1];
-        for (int k = 0; k < ORACLE_SHADOWS; k++) {
-            const long double *x = out->shadows[k].rows[n];
-            const long double row[ROW_SIZE] = { x[ORACLE_GAMMA3], x[ORACLE_V_NU], x[ORACLE_OMEGA_TAU], x[ORACLE_OMEGA_N],
-                                                x[ORACLE_OMEGA3], 0, x[ORACLE_T] };
-            out->stray[n] = fmaxl(out->stray[n], distance(out, row, velocity_along(&question->top, x), truth->rows[n]));
-        }
-    }
+    family_disturb(out, t, noise);
 }
 
 bool family_check(const family *f, const trial *t, const char *how, int number, const double row[ROW_SIZE])
@@ -157,9 +170,9 @@ int trial_run(unsigned long seed, unsigned long count, unsigned long first)
 
     for (unsigned long i = first; i < first + count; i++) do_case(seed, i);
     printf("%lu cases from seed %lu in %.0f s: %lu broken; %lu rows within their bounds, the worst at %.2Lg of it, %lu of them "
-           "chaotic; orbits: %lu alive, %lu + %lu at poles, %lu at rest; unsure ends %lu, oracle undecided %lu\n",
+           "chaotic; orbits: %lu alive, %lu + %lu at poles, %lu at rest; unsure ends %lu, coordinates left %lu, oracle undecided %lu\n",
            sum.cases, seed, (double)(clock() - begin) / CLOCKS_PER_SEC, sum.broken, sum.rows, sum.worst, sum.chaotic,
            sum.ends[ORACLE_ALIVE], sum.ends[ORACLE_POLE_PLUS], sum.ends[ORACLE_POLE_MINUS], sum.ends[ORACLE_REST], sum.unsure,
-           sum.undecided);
+           sum.left, sum.undecided);
     return sum.broken > 0;
 }

@@ -20,7 +20,7 @@ typedef struct {
 
 /* What a run has done; rows are what was held against the oracle. */
 typedef struct {
-    unsigned long cases, broken, rows, ends[ORACLE_ENDS], unsure, chaotic, undecided, least_steps;
+    unsigned long cases, broken, rows, ends[ORACLE_ENDS], unsure, left, chaotic, undecided, least_steps;
     long double worst; /* error over its bound */
 } tally;
 
@@ -43,6 +43,9 @@ typedef struct {
 } family;
 
 void family_follow(family *out, trial *t, const oracle_question *question, oracle_noise noise);
+
+/* Other shadows of the same orbit. */
+void family_disturb(family *f, trial *t, oracle_noise noise);
 
 /* A row of jellett's: gamma3, v_nu, omega_tau, omega_n, omega3, v_tau, t; NaN where it is not told. */
 enum { ROW_GAMMA3, ROW_V_NU, ROW_OMEGA_TAU, ROW_OMEGA_N, ROW_OMEGA3, ROW_V_TAU, ROW_T, ROW_SIZE };
