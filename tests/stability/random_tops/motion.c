@@ -24,16 +24,6 @@ static void choose(double x[JLT_TOP_STATES], double times[TIMES], trial *t)
     for (int i = 0; i < TIMES; i++) times[i] = end * (i + 1) / TIMES;
 }
 
-static void row_of(double row[ROW_SIZE], const trial *t, const double *x, double at)
-{
-    const jlt_top_values *v = &t->top;
-    const double s = sqrt((1 - x[0]) * (1 + x[0]));
-
-    memcpy(row, x, JLT_TOP_STATES * sizeof *row);
-    row[ROW_T] = at;
-    row[ROW_V_TAU] = (v->a3 + v->R * x[0]) * x[JLT_TOP_OMEGA_N] + v->R * s * x[JLT_TOP_OMEGA3];
-}
-
 /* Plain time ends near a pole, and the chart without omega3 near b = 0 as well: the oracle comes there, too. */
 static bool may_leave(const trial *t, const family *f, const double *x)
 {
@@ -56,13 +46,17 @@ static void follow(trial *t, const family *f, const jlt_question *question, cons
     for (int k = 1; st == JLT_OK && k <= TIMES; k++) {
         st = jlt_course_to(course, f->question.times[k - 1], &at);
         if (st != JLT_OK) break;
-        row_of(row, t, at.x, at.t);
+        memcpy(row, at.x, JLT_TOP_STATES * sizeof *row);
+        row[ROW_V_TAU] = NAN; /* its s is not told */
+        row[ROW_T] = at.t;
         const bool pole = at.end == JLT_END_POLE;
+        if (f->truth.end == ORACLE_REST && k > f->truth.count) row[ROW_T] = NAN; /* the same for ever */
+        if (f->truth.end == ORACLE_REST && k > f->truth.count + 1) break;
         if (k > f->certain + f->ends) {
             sum.unsure++;
             break;
         }
-        if (pole != (k > f->truth.count)) {
+        if (pole != (k > f->truth.count && f->truth.end != ORACLE_REST)) {
             trial_complain(t, "%s, row %d: %s a pole, and the oracle has %d rows, then %d", how, k, pole ? "at" : "not at",
                            f->truth.count, f->truth.end);
             break;
@@ -70,6 +64,7 @@ static void follow(trial *t, const family *f, const jlt_question *question, cons
         if (!family_check(f, t, how, k, row) || pole) break;
     }
     if ((st == JLT_ERR_DOMAIN || st == JLT_ERR_BUDGET) && plain && may_leave(t, f, at.x)) sum.left++;
+    else if ((st == JLT_ERR_NONFINITE || st == JLT_ERR_NO_PROGRESS) && t->top.I3 == 0 && f->truth.end != ORACLE_ALIVE) sum.left++; /* omega3 = v_tau/(R s) is infinite there */
     else if (st != JLT_OK)
         trial_complain(t, "%s: %s; the oracle has %d rows, then %d", how, jlt_status_text(st), f->truth.count, f->truth.end);
     jlt_course_destroy(course);
@@ -106,8 +101,11 @@ void case_motion(trial *t)
     family_follow(&f, t, &q, noise);
     for (size_t i = 0; f.sound && i < sizeof tiers / sizeof *tiers; i++) {
         const jlt_question question = { model, params, x, false, false, tiers[i].name };
-        if (tiers[i].noise == ORACLE_OMEGA_N_NOISE && v->I3 == 0) continue; /* G does not tell omega3 */
-        if (tiers[i].noise != noise) family_disturb(&f, t, noise = tiers[i].noise);
+        if (tiers[i].noise == ORACLE_OMEGA_N_NOISE && v->I3 < 1e-3 * v->I1) continue; /* it divides by I3, as its name says */
+        if (tiers[i].noise != noise || tiers[i].plain != f.question.plain) {
+            f.question.plain = tiers[i].plain;
+            family_disturb(&f, t, noise = tiers[i].noise);
+        }
         follow(t, &f, &question, jlt_method_at(jlt_random_below(&t->random, 6)), tiers[i].plain);
     }
 }

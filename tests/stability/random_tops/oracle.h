@@ -43,6 +43,7 @@ typedef struct {
     const double *times; /* or the state at times, NULL: crossings */
     int count;           /* rows that are wanted */
     double tolerance, speed; /* speed: the scale of velocities */
+    bool plain;              /* shadows have s by gamma3 alone, as in plain time */
 } oracle_question;
 
 typedef struct {

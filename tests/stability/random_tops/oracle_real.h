@@ -133,7 +133,9 @@ static void NAME(disturb)(NAME(series) *t, const oracle_question *q, oracle_nois
     for (int i = 0; i < 5; i++) error[i] = q->tolerance * (2 * jlt_random_unit(random) - 1);
     const REAL U = q->speed, W = U / q->top.R;
     t->x[ORACLE_GAMMA3][0] += error[0];
-    t->x[ORACLE_S][0] *= 1 + error[0];
+    const REAL c = t->x[ORACLE_GAMMA3][0];
+    if (q->plain) t->x[ORACLE_S][0] = NAME(root)((1 - c) * (1 + c) > 0 ? (1 - c) * (1 + c) : 0);
+    else t->x[ORACLE_S][0] *= 1 + error[0];
     for (int i = ORACLE_V_NU; i <= ORACLE_OMEGA3; i++) {
         const REAL scale = i == ORACLE_V_NU ? U : W, size = NAME(size)(t->x[i][0]);
         const bool kept = (i == ORACLE_OMEGA_N && noise == ORACLE_OMEGA3_NOISE) || (i == ORACLE_OMEGA3 && noise == ORACLE_OMEGA_N_NOISE);
@@ -141,7 +143,7 @@ static void NAME(disturb)(NAME(series) *t, const oracle_question *q, oracle_nois
     }
     const REAL size = NAME(size)(v_tau);
     if (noise == ORACLE_LEVEL_NOISE) NAME(rotate)(t, v_tau + error[3] * (size > U ? size : U), G);
-    const REAL s = t->x[ORACLE_S][0], b = t->a3 + t->R * t->x[ORACLE_GAMMA3][0];
+    const REAL s = t->x[ORACLE_S][0], b = t->a3 + t->R * c;
     if (noise == ORACLE_OMEGA_N_NOISE) t->x[ORACLE_OMEGA3][0] = (t->I1 * t->R * s * t->x[ORACLE_OMEGA_N][0] - G) / (t->I3 * b);
     if (noise == ORACLE_OMEGA3_NOISE) t->x[ORACLE_OMEGA_N][0] = (G + t->I3 * b * t->x[ORACLE_OMEGA3][0]) / (t->I1 * t->R * s);
 }
@@ -151,8 +153,8 @@ static REAL NAME(length)(const NAME(series) *t, const REAL *scale)
 {
     long double h = INFINITY;
     for (int k = ORDER - 1; k <= ORDER; k++)
-        for (int i = 0; i < ORACLE_S; i++) {
-            const long double part = (long double)(NAME(size)(t->x[i][k]) / scale[i]);
+        for (int i = 0; i <= ORACLE_S; i++) { /* s has an error relative to itself: else it stays at the limit of stability */
+            const long double part = (long double)(NAME(size)(t->x[i][k]) / (i == ORACLE_S ? t->x[i][0] : scale[i]));
             if (part > 0) h = fminl(h, powl(PART / part, 1.0L / k));
         }
     return isfinite(h) ? h : (REAL)(1 / (1e-3L + scale[ORACLE_OMEGA3]));

@@ -20,7 +20,7 @@ typedef struct {
 
 /* What a run has done; rows are what was held against the oracle. */
 typedef struct {
-    unsigned long cases, broken, rows, ends[ORACLE_ENDS], unsure, left, chaotic, undecided, least_steps;
+    unsigned long cases, broken, rows, ends[ORACLE_ENDS], unsure, left, spent, chaotic, undecided, least_steps;
     long double worst; /* error over its bound */
 } tally;
 
@@ -36,6 +36,7 @@ __attribute__((format(printf, 2, 3))) void trial_complain(const trial *t, const 
 typedef struct {
     oracle_question question;
     oracle_orbit truth, shadows[ORACLE_SHADOWS];
+    long double slack; /* what rows are off by their own word, in scale */
     bool sound;  /* the oracle kept its integrals */
     int certain; /* rows on which all of them agree that they exist */
     bool ends;   /* they agree on the end after these rows, too */
