@@ -41,7 +41,7 @@ static void follow(trial *t, const family *f, const jlt_question *question, cons
 
     if (jlt_plan_make(&plan, question) != JLT_OK) return;
     snprintf(how, sizeof how, "simulate --tier %s --method %s", question->tier, method->name);
-    const jlt_course_options options = { .method = method, .tolerance = t->tolerance, .max_steps = 100000 };
+    const jlt_course_options options = { .method = method, .tolerance = t->tolerance, .max_steps = plain ? 100000 : 0 };
     jlt_status st = jlt_course_create(&course, &plan, question, &options);
     for (int k = 1; st == JLT_OK && k <= TIMES; k++) {
         st = jlt_course_to(course, f->question.times[k - 1], &at);

@@ -51,19 +51,13 @@ typedef struct {
     oracle_end end;
     long double rows[ORACLE_ROWS_MAX + 1][ORACLE_STATES]; /* from 1; where it ended by name one more, the limit */
     long double pace[ORACLE_ROWS_MAX + 1]; /* how fast it is there, relative to scale: 0 at rest */
-    long double least_s, shallowest; /* met on the way; depth of the least extremum of omega_tau, in scale */
+    long double depth[ORACLE_ROWS_MAX + 2]; /* crossings: largest |omega_tau| since the one before, in scale */
+    long double least_s; /* met on the way */
     long double drift;               /* of E, G and s^2 + gamma3^2, in scale */
-    long double away;                /* largest |gamma3 - start| and the like: 0 for an equilibrium */
     unsigned long steps;
 } oracle_orbit;
 
 /* The orbit; with noise (not EXACT) a shadow. */
 void oracle_follow(oracle_orbit *out, const oracle_question *question, oracle_noise noise, jlt_random *random);
-
-/* df/dx of (3.2) in t, five states, by sixth-order differences in quadruple precision: good to 1e-20 of scale. */
-void oracle_jacobian(long double a[25], const oracle_top *top, const double x[5], double speed);
-
-/* The monic characteristic polynomial of the same Jacobian, highest power first, without rounding to 64 bits between: c[0] = 1. */
-void oracle_polynomial(long double c[6], const oracle_top *top, const double x[5], double speed);
 
 #endif

@@ -178,13 +178,13 @@ static bool NAME(cross)(oracle_orbit *out, const NAME(series) *t, const oracle_q
         points[count++] = here;
         if (k < PARTS && NAME(slope)(w, here) * NAME(slope)(w, next) < 0) {
             const REAL at = NAME(zero)(w, 0, true, here, next);
-            const long double depth = (long double)(NAME(size)(NAME(value)(w, at)) / scale[ORACLE_OMEGA_TAU]);
-            out->shallowest = fminl(out->shallowest, depth);
             points[count++] = at;
         }
     }
     for (int k = 1; k < count; k++) {
         const REAL before = NAME(value)(w, points[k - 1]), after = NAME(value)(w, points[k]);
+        const long double depth = (long double)(NAME(size)(before) / scale[ORACLE_OMEGA_TAU]);
+        if (depth > out->depth[out->count + 1]) out->depth[out->count + 1] = depth;
         const int sign = q->time_direction * ((before < 0 && after >= 0) - (before > 0 && after <= 0));
         if (sign == 0 || (q->crossings != 0 && sign != q->crossings)) continue;
         NAME(put)(out, t, NAME(zero)(w, 0, false, points[k - 1], points[k]), ++out->count);
@@ -250,7 +250,7 @@ static void NAME(follow)(oracle_orbit *out, const oracle_question *q, oracle_noi
     const REAL W = (REAL)q->speed / q->top.R, scale[ORACLE_STATES] = { 1, q->speed, W, W, W, 1, 1 / W };
     REAL E, G, E0, G0, v_tau;
 
-    *out = (oracle_orbit){ .end = ORACLE_BUDGET, .least_s = 1, .shallowest = INFINITY };
+    *out = (oracle_orbit){ .end = ORACLE_BUDGET, .least_s = 1 };
     NAME(begin)(&t, q);
     NAME(levels)(&t, &E0, &G0, &v_tau);
     while (out->steps++ < STEPS_MAX) {

@@ -100,7 +100,7 @@ static void single(trial *t, const jlt_system *system, const family *f, const ch
     while (st == JLT_OK && at.fate == JLT_FATE_ALIVE && (int)at.number < returns) {
         st = jlt_section_next(section, &at);
         row_of(row, &system->chart.top, at.x, at.t);
-        const bool spent = st == JLT_OK && at.fate == JLT_FATE_BUDGET && max_steps == STEPS;
+        const bool spent = st == JLT_OK && at.fate == JLT_FATE_BUDGET && max_steps == STEPS && (int)at.number <= f->certain + f->ends;
         if (spent) {
             sum.spent++;
             single(t, system, f, how, returns, 30 * STEPS);

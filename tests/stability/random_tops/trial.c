@@ -84,7 +84,8 @@ static long double distance(const family *f, const long double *a, long double v
     return fmaxl(fmaxl(worst, time), fmaxl(n, three)); /* NaN: not told, and passed over */
 }
 
-/* Rows on which all agree that they exist; an orbit that is slower than a thousand tolerances is at rest for whoever asks. */
+/* Rows on which all agree that they exist; an orbit that is slower than a thousand tolerances is at rest for whoever asks, and
+ * a crossing goes ten tolerances to either side. */
 static void agree(family *f)
 {
     const oracle_orbit *truth = &f->truth;
@@ -96,7 +97,8 @@ static void agree(family *f)
         f->ends &= f->shadows[k].end == truth->end && f->shadows[k].count == truth->count;
     }
     for (int n = f->certain; n > 0; n--)
-        if (truth->pace[n] < 1e3L * f->question.tolerance) f->certain = n - 1, f->ends = false;
+        if (truth->pace[n] < 1e3L * f->question.tolerance
+            || (f->question.times == NULL && truth->depth[n] < 10 * f->question.tolerance)) f->certain = n - 1, f->ends = false;
 }
 
 void family_disturb(family *f, trial *t, oracle_noise noise)
