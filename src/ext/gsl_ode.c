@@ -21,6 +21,9 @@ static int call(double t, const double x[], double f[], void *self)
     const jlt_gsl_ode *ode = self;
     (void)t;
     ode->field(ode->context, x, f);
+    /* GSL takes steps whose error is no number, but halves those that its field refuses. */
+    for (size_t i = 0; i < ode->dim; i++)
+        if (!isfinite(f[i])) return GSL_EDOM;
     return GSL_SUCCESS;
 }
 
@@ -68,6 +71,7 @@ jlt_status jlt_gsl_ode_step(jlt_gsl_ode *self, double *x, double *h, double *tak
     const int code = gsl_odeiv2_evolve_apply(d->e, d->c, d->s, &self->system, &self->clock, before + limit, h, x);
 
     *rejected += d->e->failed_steps - failed;
+    if (code == GSL_EDOM) return JLT_ERR_NONFINITE;
     if (code != GSL_SUCCESS || self->clock == before) return JLT_ERR_NO_PROGRESS;
     for (size_t i = 0; i < self->dim; i++)
         if (!isfinite(x[i])) return JLT_ERR_NONFINITE;

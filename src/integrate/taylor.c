@@ -80,11 +80,56 @@ static double longest_step(const taylor *self, const jlt_stepper *stepper)
     return longest;
 }
 
+/* The step's polynomial and what it adds to the point; false: not finite. */
+static bool expand(taylor *self, jlt_stepper *stepper, double h)
+{
+    const unsigned columns = stepper->columns, stride = stepper->stride, dim = stepper->field->dim;
+    double power = 1;
+
+    for (unsigned k = 0; k <= self->order; k++) {
+        for (unsigned i = 0; i < columns; i++)
+            stepper->dense[k * (size_t)stride + i] = power * self->jet[k * (size_t)columns + i];
+        power *= h;
+    }
+    if (columns > dim) stepper->dense[dim] = stepper->x[dim];
+    stepper->dense_degree = self->order;
+    for (unsigned i = 0; i < columns; i++) {
+        double move = 0; /* small terms first */
+        for (unsigned k = self->order; k >= 1; k--) move += stepper->dense[k * (size_t)stride + i];
+        self->move[i] = move + stepper->x_low[i];
+        if (!isfinite(self->move[i])) return false;
+    }
+    return true;
+}
+
+/* Whether the polynomial still obeys the field where it ends. A series runs smoothly through a pole, where the field's root would
+ * change its sign, and comes out as a motion that the field does not know. What is left out of the slope is the order times what is
+ * left out of the state; a hundred of that is no truncation any more. As near as that to the bound, where both are small, the signs
+ * tell: a step that turned there went through, and is halved until it ends before. */
+static bool follows_field(const taylor *self, const jlt_stepper *stepper, double h)
+{
+    double end[JLT_FIELD_DIM_MAX] = { 0 }, f[JLT_FIELD_DIM_MAX];
+    const unsigned dim = stepper->field->dim;
+    const double allowed = 100 * self->order * jlt_larger(stepper->tolerance, 1e-15);
+
+    for (unsigned i = 0; i < dim; i++) end[i] = stepper->x[i] + self->move[i];
+    stepper->field->call(end, stepper->field->p, f);
+    for (unsigned i = 0; i < dim; i++) {
+        double slope = 0;
+        for (unsigned k = self->order; k >= 1; k--) slope += k * stepper->dense[k * (size_t)stepper->stride + i];
+        const double size = jlt_larger(jlt_larger(fabs(stepper->x[i]), fabs(end[i])), stepper->scale[i]);
+        if (!(fabs(slope - h * f[i]) <= allowed * size)) return false;
+        const double left = jlt_smaller(end[i] - stepper->field->domain[i].low, stepper->field->domain[i].high - end[i]);
+        if (slope * (h * f[i]) < 0 && left < allowed * size) return false;
+    }
+    return true;
+}
+
 static jlt_status step(jlt_stepper *stepper, double limit)
 {
     taylor *self = stepper->state;
     const jlt_field *field = stepper->field;
-    const unsigned columns = stepper->columns, stride = stepper->stride;
+    const unsigned columns = stepper->columns;
 
     field->jet(stepper->x, field->p, self->order, self->jet);
     stepper->evaluations++;
@@ -92,23 +137,14 @@ static jlt_status step(jlt_stepper *stepper, double limit)
     if (isnan(longest)) return JLT_ERR_NONFINITE;
     double size = jlt_smaller(longest, jlt_smaller(stepper->max_step, limit));
     if (size == INFINITY) size = 1; /* nothing moves */
-    const double h = stepper->direction * size;
+    double h = stepper->direction * size;
     if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_NO_PROGRESS;
 
-    double power = 1;
-    for (unsigned k = 0; k <= self->order; k++) {
-        for (unsigned i = 0; i < columns; i++)
-            stepper->dense[k * (size_t)stride + i] = power * self->jet[k * (size_t)columns + i];
-        power *= h;
-    }
-    if (columns > field->dim) stepper->dense[field->dim] = stepper->x[field->dim];
-    stepper->dense_degree = self->order;
-
-    for (unsigned i = 0; i < columns; i++) {
-        double move = 0; /* small terms first */
-        for (unsigned k = self->order; k >= 1; k--) move += stepper->dense[k * (size_t)stride + i];
-        self->move[i] = move + stepper->x_low[i];
-        if (!isfinite(self->move[i])) return JLT_ERR_NONFINITE;
+    if (!expand(self, stepper, h)) return JLT_ERR_NONFINITE;
+    while (field->domain != NULL && !follows_field(self, stepper, h)) {
+        h = stepper->direction * (size /= 2);
+        if (jlt_step_vanishes(stepper->tau, h)) return JLT_ERR_DOMAIN;
+        if (!expand(self, stepper, h)) return JLT_ERR_NONFINITE;
     }
 
     stepper->h = h;

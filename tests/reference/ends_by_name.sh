@@ -16,7 +16,7 @@ run() {
     ! grep -v '^#' "$scratch/out" | tr ', ' '\n\n' | grep -qE '^[-+]?(nan|inf)' || fail "$*: a field that is no number"
     ! tr '=, (' '\n\n\n\n' < "$scratch/err" | grep -qE '^[-+]?(nan|inf)' || fail "$*: says a number that is none"
 }
-last() { tail -1 "$scratch/out" | cut -d, -f"$1"; }
+last() { tail -1 "$scratch/out" | awk -F, "{ print \$$1 }"; }
 near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(a != "" && b != "" && d <= t) }'; }
 
 # A balanced sphere spirals into an equilibrium (4.4). The row has the limit, which all methods agree on to the error of twenty
@@ -82,6 +82,17 @@ for tier in full level_plain level_omega_n five_plain model; do # plain time: as
     run 4 simulate --tier $tier "${planar[@]}"
     [ "$(last 10)" = left_domain ] && near "$(last 1)" "$end" 1e-4 || fail "planar, $tier: $(tail -1 "$scratch/out")"
     grep -q 'near a pole' "$scratch/err" || fail "planar, $tier: $(cat "$scratch/err")"
+done
+# A balanced sphere in planar motion turns evenly: t = (pi/2 - asin gamma3)/omega_tau. In plain time its series runs smoothly through
+# the pole, where the field's root changes its sign, and long steps of other methods ask for the field beyond: neither is an orbit.
+end=$(awk 'BEGIN { g = 0.63; print atan2(sqrt(1 - g*g), g)/10 }')
+for tier in level_plain level_omega_n five_plain full; do
+    for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+        if [ $tier = full ] && [ $method = taylor ]; then continue; fi # no singularity there: it ends at its edge
+        run 4 simulate --tier $tier --method $method --tol 4e-6 --set a3=0 --times 0.19,0.38 \
+            --start gamma3=0.63,v_nu=0,omega_tau=10,omega_n=0,omega3=0
+        [ "$(last NF)" = left_domain ] && near "$(last 1)" "$end" 1e-3 || fail "even, $tier, $method: $(tail -1 "$scratch/out")"
+    done
 done
 run 0 simulate --set a3=0 --start gamma3=0.3,v_nu=-0.5,omega_tau=1.1,omega_n=0,omega3=0 --until 5 --every 5
 [ "$(last 12)" = pole+ ] || fail "planar, a3 = 0: $(tail -1 "$scratch/out")"

@@ -1,0 +1,7 @@
+/* The first cases of stability.test_random_tops_slow. */
+#include "stability/random_tops/trial.h"
+
+int main(void)
+{
+    return trial_run(1, 150, 0);
+}
