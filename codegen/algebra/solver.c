@@ -243,6 +243,8 @@ ttc_solver_answer ttc_solver_ask(ttc_witness *point, const ttc_conditions *condi
     Z3_params params = Z3_mk_params(q.z3);
     Z3_params_inc_ref(q.z3, params);
     Z3_params_set_uint(q.z3, params, Z3_mk_string_symbol(q.z3, "rlimit"), WORK_LIMIT);
+    /* Else it takes SIGINT for its own while it works, and nobody hears of it. */
+    Z3_params_set_bool(q.z3, params, Z3_mk_string_symbol(q.z3, "ctrl_c"), false);
     Z3_solver_set_params(q.z3, q.solver, params);
     ttc_solver_answer answer = ask(&q, conditions);
     Z3_params_dec_ref(q.z3, params);

@@ -8,8 +8,10 @@
 
 #include "algebra/search.h"
 
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/time.h>
 
 /* A table whose `let` records q0, q1, ... are the expressions of a test. */
 typedef struct {
@@ -128,6 +130,36 @@ static void roots_and_functions_have_their_own_values(void **unused)
     assert_int_equal(answer(&q), TTC_POINT_NOT_DECIDED);
 }
 
+static volatile sig_atomic_t looks, strangers;
+
+static void ours(int signal_number) { (void)signal_number; }
+
+static void look(int signal_number)
+{
+    struct sigaction now;
+    (void)signal_number;
+    looks = looks + 1;
+    if (sigaction(SIGINT, NULL, &now) == 0 && now.sa_handler != ours) strangers = strangers + 1;
+}
+
+/* Whoever interrupts a proof means the program: the solver takes no signal for its own. */
+static void signals_stay_with_the_program(void **unused)
+{
+    (void)unused;
+    struct sigaction keep = { .sa_handler = ours }, watch = { .sa_handler = look, .sa_flags = SA_RESTART };
+    sigaction(SIGINT, &keep, NULL);
+    sigaction(SIGPROF, &watch, NULL);
+    setitimer(ITIMER_PROF, &(struct itimerval){ { 0, 1000 }, { 0, 1000 } }, NULL);
+    for (int i = 0; i < 1000 && looks < 20; i++) {
+        question q = ask(PLANE "let f = 3*x^2*y^2 - x^4*y^2 - x^2*y^4 - 1 - b\n"); /* Motzkin's polynomial is nowhere negative */
+        require(&q, "f", TTC_IS_POSITIVE);
+        assert_int_not_equal(answer(&q), TTC_POINT_FOUND);
+    }
+    setitimer(ITIMER_PROF, &(struct itimerval){ { 0, 0 }, { 0, 0 } }, NULL);
+    signal(SIGINT, SIG_DFL);
+    assert_int_equal(strangers, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -136,6 +168,7 @@ int main(void)
         cmocka_unit_test(the_solver_finds_what_signs_leave_open),
         cmocka_unit_test(an_irrational_point_that_cannot_be_checked_is_no_point),
         cmocka_unit_test(roots_and_functions_have_their_own_values),
+        cmocka_unit_test(signals_stay_with_the_program),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
