@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What `jellett models` lists is what the tables and generated/counts.tsv say, in JSON and in print, of all models or of one.
 set -uo pipefail
+export LC_ALL=C # the numbers that awk reads and writes here have points
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$JLT_SOURCE_DIR" || exit 1
