@@ -2,6 +2,7 @@
 # `jellett bench` measures against true values, and its errors are those that theory says: methods reach rounding, differences
 # and multiple eigenvalues do not. Oracles: quadruple precision (section, slope, tiers), ball arithmetic (jacobian, eigenvalues).
 set -euo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 data=$JLT_SOURCE_DIR/tests/reference/data
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -2,6 +2,7 @@
 # Every kernel takes at most the operations of sympy.cse on the same functions, as recorded in sympy_counts.tsv by
 # tools/bench/sympy_counts.py from the tables that there are; a fused multiply-add counts as two.
 set -euo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
 awk -F'\t' '
     FILENAME ~ /manifest/ { if (FNR > 1) table[$1] = $5; next }

@@ -3,6 +3,7 @@
 # processor time, of two states with 500 monomials of degrees up to 40 in five, and of 32 states with 264 quadratic terms
 # each in five.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 grep -q '^CMAKE_BUILD_TYPE:STRING=Release' "$JLT_BINARY_DIR/CMakeCache.txt" || { echo "times are those of a release build"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

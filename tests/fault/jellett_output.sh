@@ -2,6 +2,7 @@
 # What jellett writes to a file is there whole or not at all: status 5 and the old file untouched where it cannot be
 # written; the old file or the new one, and nothing beside it, however the program is stopped.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 status=0

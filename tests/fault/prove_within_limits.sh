@@ -2,6 +2,7 @@
 # A claim whose proof outgrows the machine is not settled, by name, and takes no other claim with it: the characteristic
 # polynomial of a full symbolic 9 x 9 matrix of fractions, beside a trace that is proved.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 awk 'BEGIN {

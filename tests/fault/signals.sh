@@ -2,6 +2,7 @@
 # Signals: a command that is asked to end does so within a second, saves its whole rows or says what is lost, leaves nothing
 # beside them, and ends by the signal; further signals within a second change nothing.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 status=0

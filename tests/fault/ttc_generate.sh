@@ -2,6 +2,7 @@
 # `ttc generate` leaves whole files or none: where it cannot write it says so with status 5, and however it is stopped,
 # every file under a final name is complete, and running it again gives exactly what an undisturbed run gives.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 model=$JLT_SOURCE_DIR/codegen/models/chaplygin_sleigh.tt

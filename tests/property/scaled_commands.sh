@@ -2,6 +2,7 @@
 # Every command that integrates gives a problem in other units of mass, length and time (8 kg, 1/4 m, 32 s) the same answer in those
 # units, to the last digit. test_scaling.c asks it of random tops.
 set -euo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 plain=(--set m=1,R=1,g=1,I1=1/3,I3=1/3,a3=0.51)

@@ -2,6 +2,7 @@
 # What `jellett continue` lists does not depend on its steps: bifurcations that a long step crosses are rows, sharp folds are
 # followed around, no branch is listed twice, and the range's end is reached.
 set -euo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"

@@ -2,6 +2,7 @@
 # simulate, rod, portrait, run and plan as typed: the quadruple-precision orbits within 1e-11 at --tol 1e-13, ends at poles,
 # comparisons of tiers, quadratures against integration, scenes with every mistake at its line.
 set -euo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

@@ -2,6 +2,7 @@
 # `jellett section --batch`, as typed: rows against quadruple precision and against those of one orbit at a time, fates, threads,
 # rows that wait in the temporary file, projection, refusals, and what an interrupt leaves.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"

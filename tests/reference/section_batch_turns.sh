@@ -2,6 +2,7 @@
 # Orbits that leave the section and are back within the first step, or touch it at the start, as they are where the flux through
 # the section vanishes: batches find the first returns that single orbits find, by another method and another search.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"

@@ -2,6 +2,7 @@
 # The commands of the dynamics, as typed: rows against quadruple precision, headers that repeat the run, exit statuses,
 # pictures, and what an interrupt leaves.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"

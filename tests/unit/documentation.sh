@@ -2,6 +2,7 @@
 # The documentation keeps pace with the programs: every command that --help names is in the man page with its
 # options, and in the README, every program and file that the README names exists, and examples can be copied.
 set -euo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
 status=0
 fail() { echo "$*"; status=1; }

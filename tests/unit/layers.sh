@@ -3,6 +3,7 @@
 # only libc (Arb in ball files, vector instructions in lanes); outside libraries are called from their one place; no
 # include goes in a circle.
 set -euo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
 
 # FILE:LINE INCLUDED, one a line; <NAME> for system headers, NAME otherwise.

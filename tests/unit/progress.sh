@@ -2,6 +2,7 @@
 # On a terminal, orbits that are computed many at once and then written are counted once: what is shown never falls and ends
 # below the whole. Two seconds, for a line appears every 0.2 s.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 command -v script > /dev/null || exit 77
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

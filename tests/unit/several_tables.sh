@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What a command of ttc says of several tables is what it says of each alone, one after the other.
 set -uo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$JLT_SOURCE_DIR/codegen/models" || exit 1

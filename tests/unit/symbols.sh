@@ -4,6 +4,7 @@
 # the header of the interface that it implements (jlt_method_dop853: method.h). In generated/ it begins with jlt_, in
 # codegen/ with ttc_. Everything else is static.
 set -euo pipefail
+awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
 status=0
 
