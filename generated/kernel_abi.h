@@ -108,6 +108,17 @@ typedef struct {
     int obstructs;                 /* the table claims that the trace excludes an invariant measure */
 } jlt_equilibria;
 
+typedef enum { JLT_PROVED, JLT_REFUTED, JLT_UNSETTLED } jlt_proof;
+
+/* A claim of the table, or one that follows from it (root, variant, time, eliminate), and what the prover says of it. */
+typedef struct {
+    const char *kind, *name; /* kind as written in the table: "integral", "reduction", ... */
+    const char *condition;   /* the `when` clause, "" when it holds always */
+    jlt_proof verdict;
+    const char *reason;      /* refuted: what is not zero; not settled: why; "" when proved */
+    const char *target;      /* of a reduction or an embedding: SHA-256 of the other model's table; NULL of other kinds */
+} jlt_claim;
+
 typedef struct jlt_descriptor {
     const char *model, *variant, *time, *elimination; /* "" for the general field, its own time, all states */
     const char *title, *source;
@@ -115,6 +126,8 @@ typedef struct jlt_descriptor {
     const char *generator; /* "ttc VERSION" and flags that change kernels */
     const char *table;     /* the table's text */
     const char *unproved;  /* claims that these kernels rest on and that are not proved, "KIND NAME, ..."; NULL: none */
+    const struct jlt_descriptor *const *family; /* all descriptors of the model, the general one first; ends with NULL */
+    const jlt_claim *claims; /* of the model: those of its table in their order, then what follows; ends with kind NULL */
 
     unsigned state_count, param_count, block_count;
     const jlt_quantity *states, *params; /* params: the same, in the same order, in every variant of a model */
@@ -138,7 +151,8 @@ typedef struct jlt_descriptor {
     jlt_kernel eliminated;          /* the eliminated state, shape (1,); call NULL when none is */
     jlt_kernel_jet jet;
     jlt_kernel_complex rhs_complex;
-    const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has */
+    const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has. NULL where the file
+                                                       was compiled with JLT_WITHOUT_LANES */
 
     unsigned equilibria_count;     /* on the general field in its own time only */
     const jlt_equilibria *equilibria;

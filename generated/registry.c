@@ -116,3 +116,5 @@ const jlt_descriptor *const jlt_registry[] = {
 };
 
 const unsigned jlt_registry_count = 55;
+
+const unsigned jlt_registry_entry_size = sizeof(jlt_descriptor);

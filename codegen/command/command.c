@@ -65,28 +65,42 @@ ttc_model *ttc_command_read(const char *path, int *status, json_t *problems)
     return model;
 }
 
-void ttc_command_complain(const ttc_model *model, ttc_place place, json_t *problems, const char *format, ...)
+static void tell(ttc_severity severity, const ttc_model *model, ttc_place place, json_t *problems, const char *format,
+                 va_list arguments)
 {
     char message[MESSAGE_SIZE];
-    va_list arguments;
-    va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     if (diagnostics == NULL) {
-        fprintf(stderr, "%s:%u:%u: error: %s\n", model->file, (unsigned)place.line, (unsigned)place.column, message);
+        fprintf(stderr, "%s:%u:%u: %s\n", model->file, (unsigned)place.line, (unsigned)place.column, message);
         return;
     }
     ttc_diagnostics_source(diagnostics, model->file, model->text, strlen(model->text));
-    ttc_report(diagnostics, TTC_ERROR, place.line, place.column, "%s", message);
+    ttc_report(diagnostics, severity, place.line, place.column, "%s", message);
     ttc_diagnostics_print(diagnostics, stderr);
     if (problems != NULL) ttc_command_add_problems(problems, diagnostics);
     ttc_diagnostics_destroy(diagnostics);
 }
 
-bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, ttc_effort effort, int *status, json_t *problems)
+void ttc_command_complain(const ttc_model *model, ttc_place place, json_t *problems, const char *format, ...)
 {
-    if (ttc_plan_create(plan, model, effort)) return true;
+    va_list arguments;
+    va_start(arguments, format);
+    tell(TTC_ERROR, model, place, problems, format, arguments);
+    va_end(arguments);
+}
+
+void ttc_command_warn(const ttc_model *model, ttc_place place, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    tell(TTC_WARNING, model, place, NULL, format, arguments);
+    va_end(arguments);
+}
+
+bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, const ttc_options *options, int *status, json_t *problems)
+{
+    if (ttc_plan_create(plan, model, options->extent, options->effort)) return true;
     ttc_command_complain(model, plan->failed_at, problems, "the kernels asked for here cannot be made: %s", plan->failure);
     ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
     return false;

@@ -31,6 +31,7 @@ typedef struct {
     bool keep;     /* tables whose kernels are there already keep them */
     bool unproved; /* write kernels that rest on claims without a proof */
     ttc_effort effort;
+    ttc_plan_extent extent;
     const char *out;    /* directory */
     const char *format; /* "text", "latex" or "dot" */
     const char *command_line; /* "ttc COMMAND OPTIONS..." without directories of files, for headers of what is written */
@@ -40,6 +41,7 @@ typedef struct {
 int ttc_command_check(const ttc_options *options);
 int ttc_command_prove(const ttc_options *options);
 int ttc_command_generate(const ttc_options *options);
+int ttc_command_build(const ttc_options *options);
 int ttc_command_cost(const ttc_options *options);
 int ttc_command_show(const ttc_options *options);
 
@@ -57,6 +59,12 @@ __attribute__((format(printf, 4, 5)))
 #endif
 void ttc_command_complain(const ttc_model *model, ttc_place place, json_t *problems, const char *format, ...);
 
+/* A warning at a place of a table that was read, on stderr. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+void ttc_command_warn(const ttc_model *model, ttc_place place, const char *format, ...);
+
 /* Errors and warnings as objects with severity, file, line, column, message, added to an array. */
 void ttc_command_add_problems(json_t *array, const ttc_diagnostics *diagnostics);
 
@@ -64,7 +72,7 @@ void ttc_command_add_problems(json_t *array, const ttc_diagnostics *diagnostics)
 json_t *ttc_command_failure(const char *path, json_t *problems);
 
 /** The plan of a table, what cannot be planned told. False: *status is raised, and there is no plan. */
-bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, ttc_effort effort, int *status, json_t *problems);
+bool ttc_command_plan(ttc_plan *plan, const ttc_model *model, const ttc_options *options, int *status, json_t *problems);
 
 /** Prove a table in a process of its own, within bounds; proofs leave no trace in kernels. NULL: memory is out, which is told. */
 ttc_proof_report *ttc_command_prove_guarded(const ttc_model *model, int *status);

@@ -63,7 +63,7 @@ int ttc_command_cost(const ttc_options *options)
     for (size_t i = 0; i < options->file_count; i++) {
         json_t *problems = json_array();
         models[i] = ttc_command_read(options->files[i], &status, problems);
-        if (models[i] == NULL || !ttc_command_plan(plans + i, models[i], options->effort, &status, problems))
+        if (models[i] == NULL || !ttc_command_plan(plans + i, models[i], options, &status, problems))
             json_array_append_new(failures, ttc_command_failure(options->files[i], problems));
         else json_decref(problems);
     }

@@ -33,6 +33,7 @@ static char *read_list(const char *folder, const char *name)
 typedef struct {
     ttc_output *output;
     const ttc_plan *plan;
+    const ttc_proof_report *report;
     const char *unproved; /* for every file's first line; NULL: all is proved */
 } model_files;
 
@@ -69,7 +70,7 @@ static bool generate_model(const model_files *f, ttc_kernels **failed)
     *failed = NULL;
     ttc_text *text = add_file(f, "table", ".c");
     if (text == NULL) return false;
-    ttc_emit_table(text, plan->model);
+    ttc_emit_model(text, plan, f->report);
     for (size_t i = 0; i < plan->count; i++) {
         if (plan->fields[i].kernels == NULL || generate_field(f, plan->fields[i].kernels)) continue;
         *failed = plan->fields[i].kernels;
@@ -177,20 +178,36 @@ static void add_resting(ttc_text *text, const ttc_plan *plan, const ttc_proof_re
     }
 }
 
-/* Tell of every claim without a proof that kernels rest on; `all`: their names. False: memory is out. */
+/* What a claim without a proof takes along, in words; `resting` as add_resting wrote it. */
+static void tell_consequence(const ttc_model *model, const ttc_proof *proof, const ttc_claim *claim, const ttc_text *resting,
+                             bool refuse)
+{
+    const char *status = ttc_proof_status_name(proof->status), *cut = resting->length > 200 ? "..." : "";
+    if (resting->length > 0 && refuse)
+        ttc_command_complain(model, proof->place, NULL, "the %s claim '%s' is %s, and kernels rest on it (%.200s%s): correct it, "
+                             "or write them marked as unproved with --unproved", proof->kind, proof->name, status,
+                             ttc_text_string(resting), cut);
+    else if (refuse) return;
+    else if (resting->length > 0)
+        ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: kernels that rest on it are marked as unproved (%.200s%s)",
+                         proof->kind, proof->name, status, ttc_text_string(resting), cut);
+    else if (claim != NULL && claim->target != NULL)
+        ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: %s and this table no longer serve in place of each other",
+                         proof->kind, proof->name, status, claim->target);
+    else ttc_command_warn(model, proof->place, "the %s claim '%s' is %s", proof->kind, proof->name, status);
+}
+
+/* Tell of claims without a proof; `all`: the names of those that kernels rest on. False: memory is out. */
 static bool tell_unproved(const ttc_plan *plan, const ttc_proof_report *report, bool refuse, ttc_text *all)
 {
     bool failed = false;
     for (size_t i = 0; i < report->proof_count; i++) {
         const ttc_proof *proof = report->proofs + i;
+        const ttc_claim *claim = i < plan->model->claim_count ? plan->model->claims + i : NULL;
         ttc_text resting = { 0 };
-        if (strcmp(ttc_proof_status_name(proof->status), "proved") == 0) continue;
+        if (proof->status == TTC_PROVED) continue;
         add_resting(&resting, plan, report, i);
-        if (resting.length > 0 && refuse)
-            ttc_command_complain(plan->model, proof->place, NULL, "the %s claim '%s' is %s, and kernels rest on it (%.200s%s): "
-                                 "correct it, or write them marked as unproved with --unproved", proof->kind, proof->name,
-                                 proof->status == TTC_REFUTED ? "refuted" : "not settled", ttc_text_string(&resting),
-                                 resting.length > 200 ? "..." : "");
+        tell_consequence(plan->model, proof, claim, &resting, refuse);
         if (resting.length > 0) ttc_text_format(all, "%s%s %s", all->length > 0 ? ", " : "", proof->kind, proof->name);
         failed |= resting.failed;
         ttc_text_clear(&resting);
@@ -199,13 +216,9 @@ static bool tell_unproved(const ttc_plan *plan, const ttc_proof_report *report, 
 }
 
 /* The claims that kernels of the plan rest on without a proof, marked in its fields. False: they are refused. */
-static bool mark_unproved(ttc_plan *plan, const ttc_options *options, int *status, ttc_text *all)
+static bool mark_unproved(ttc_plan *plan, const ttc_proof_report *report, const ttc_options *options, int *status, ttc_text *all)
 {
-    ttc_proof_report *report = ttc_command_prove_guarded(plan->model, status);
-    if (report == NULL) return false;
-    bool ok = tell_unproved(plan, report, !options->unproved, all) && ttc_plan_mark_unproved(plan, report);
-    ttc_proof_report_destroy(report);
-    if (!ok) {
+    if (!tell_unproved(plan, report, !options->unproved, all) || !ttc_plan_mark_unproved(plan, report)) {
         fprintf(stderr, "ttc: out of memory\n");
         ttc_command_raise(status, TTC_EXIT_MEMORY);
         return false;
@@ -221,13 +234,16 @@ static void generate_table(ttc_output *output, ttc_plan *plan, const ttc_model *
 {
     ttc_text unproved = { 0 };
     ttc_kernels *failed = NULL;
-    if (ttc_command_plan(plan, model, options->effort, status, NULL) && mark_unproved(plan, options, status, &unproved)) {
-        model_files f = { output, plan, unproved.length > 0 ? ttc_text_string(&unproved) : NULL };
+    ttc_proof_report *report = NULL;
+    if (ttc_command_plan(plan, model, options, status, NULL)) report = ttc_command_prove_guarded(model, status);
+    if (report != NULL && mark_unproved(plan, report, options, status, &unproved)) {
+        model_files f = { output, plan, report, unproved.length > 0 ? ttc_text_string(&unproved) : NULL };
         if (!generate_model(&f, &failed)) {
             complain(&f, failed);
             ttc_command_raise(status, TTC_EXIT_BAD_TABLE);
         }
     }
+    ttc_proof_report_destroy(report);
     ttc_text_clear(&unproved);
 }
 

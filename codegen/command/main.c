@@ -13,7 +13,7 @@
 
 enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k',
        OPTION_CHALLENGE = 'c', OPTION_SEED = 's', OPTION_VERBOSE = 'v',
-       OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u', OPTION_KEEP = 'K' };
+       OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u', OPTION_KEEP = 'K', OPTION_ELIMINATED = 'E' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
 #define EFFORT_OPTION { "effort", OPTION_EFFORT, "EFFORT", 0, "How long to look for short programs: quick (the default) or full", 0 }
@@ -44,6 +44,10 @@ static const struct argp_option generate_options[] = {
     { "unproved", OPTION_UNPROVED, NULL, 0, "Write also kernels that rest on claims which are not proved, marked as such", 0 },
     END_OF_OPTIONS
 };
+static const struct argp_option build_options[] = {
+    { "eliminated", OPTION_ELIMINATED, NULL, 0, "Fields with an eliminated state as well, which take as long again", 0 },
+    END_OF_OPTIONS
+};
 static const struct argp_option cost_options[] = { JSON_OPTION, EFFORT_OPTION, END_OF_OPTIONS };
 
 typedef struct {
@@ -68,6 +72,10 @@ static const command commands[] = {
       "Write kernels for every variant, time and elimination of each table, the registry of all of them, a manifest and "
       "operation counts. Claims are proved first: kernels that rest on one which is refuted or not settled are not "
       "written. Output is a pure function of the tables and options; on any error no file is touched." },
+    { "build", "compile a table to a shared object, and print its path", ttc_command_build, build_options,
+      "Write kernels by --effort quick and compile them, with the compiler that CC names, else cc. The object is kept in "
+      "$XDG_CACHE_HOME/jellett, else ~/.cache/jellett, under a key of table, ttc, compiler and flags, so that the next time it is "
+      "there; jellett does this for tables that it is given. Kernels that rest on claims without a proof are marked." },
     { "cost", "print operation counts of all kernels", ttc_command_cost, cost_options,
       "Print operations, depth and live temporaries of every kernel, as generated and as the terms stand." },
 };
@@ -114,6 +122,9 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case OPTION_KEEP:
         options->keep = true;
+        return 0;
+    case OPTION_ELIMINATED:
+        options->extent = TTC_ALL_FIELDS;
         return 0;
     case OPTION_UNPROVED:
         options->unproved = true;
@@ -191,7 +202,7 @@ static int run_command(const command *chosen, int argc, char **argv)
 {
     char name[64];
     int status = TTC_EXIT_USAGE;
-    ttc_options options = { .format = "text" };
+    ttc_options options = { .format = "text", .extent = chosen->run == ttc_command_build ? TTC_WITHOUT_ELIMINATIONS : TTC_ALL_FIELDS };
     char *line = quote_command_line(argc, argv);
     char *help = malloc(strlen(chosen->help) + sizeof exit_text);
     options.files = calloc((size_t)argc, sizeof *options.files);

@@ -6,6 +6,7 @@
 #include "kernels/plan.h"
 #include "optimize/program.h"
 #include "fields/formula.h"
+#include "prove/prove.h"
 
 /** How programs are spelled: the type of temporaries, inputs (input INDEX input_end), what makes a scalar parameter or
  *  constant one of that type, functions, outputs (output INDEX output_middle VALUE output_end), and whether each temporary
@@ -81,8 +82,10 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *kernels);
 void ttc_emit_command(ttc_text *text, const ttc_kernels *kernels);
 void ttc_emit_generator(ttc_text *text, const ttc_kernels *kernels);
 
-/* The model's table as a character array. */
-void ttc_emit_table(ttc_text *text, const ttc_model *model);
+/* What the descriptors of a model share: its table, its claims with their verdicts, the list of the descriptors; and the
+ * declarations of these. report: of the plan's own table. */
+void ttc_emit_model(ttc_text *text, const ttc_plan *plan, const ttc_proof_report *report);
+void ttc_emit_model_names(ttc_text *text, const ttc_model *model);
 
 /* The ball-arithmetic file of one model, of its fields without variant. */
 bool ttc_emit_ball(ttc_text *text, const ttc_plan *plan);

@@ -256,7 +256,8 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k)
     ttc_emit_generator(text, k);
     ttc_text_add(text, "\",\n");
     if (k->unproved != NULL) add_string_member(text, "unproved", k->unproved);
-    ttc_text_format(text, "    .table = jlt_table_%s,\n", model->name);
+    ttc_text_format(text, "    .table = jlt_table_%s, .family = jlt_family_%s, .claims = jlt_claims_%s,\n", model->name,
+                    model->name, model->name);
     ttc_text_format(text, "    .state_count = %zu, .param_count = %zu, .block_count = %zu,\n", field->state_count,
                     field->param_count, ttc_block_size(&k->block));
     if (field->state_count > 0) ttc_text_add(text, "    .states = states,\n");
@@ -269,13 +270,13 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k)
     if (k->integral_count > 0) ttc_text_add(text, "    .integrals = integrals,\n");
     if (k->measure_count > 0) ttc_text_add(text, "    .measures = measures,\n");
     if (k->family_count > 0) ttc_text_add(text, "    .equilibria = equilibria,\n");
-    ttc_text_add(text, "    .jet = jet,\n    .rhs_complex = rhs_complex,\n    .batches = {\n");
+    ttc_text_add(text, "    .jet = jet,\n    .rhs_complex = rhs_complex,\n#ifndef JLT_WITHOUT_LANES\n    .batches = {\n");
     for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
         ttc_text_format(text, "        &jlt_batch_%s_", model->name);
         ttc_emit_stem(text, field);
         ttc_text_format(text, "_%s,\n", ttc_isa_names[isa]);
     }
-    ttc_text_add(text, "    },\n};\n");
+    ttc_text_add(text, "    },\n#endif\n};\n");
 }
 
 bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
@@ -283,8 +284,8 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     const ttc_field *field = k->field;
     add_header(text, k);
     ttc_text_add(text, "#include \"kernel_abi.h\"\n#include \"kernel_arithmetic.h\"\n#include \"kernel_jet.h\"\n\n#include <math.h>\n\n");
-    ttc_text_format(text, "extern const char jlt_table_%s[];\nextern const jlt_descriptor jlt_kernels_%s_", field->model->name,
-                    field->model->name);
+    ttc_emit_model_names(text, field->model);
+    ttc_text_format(text, "extern const jlt_descriptor jlt_kernels_%s_", field->model->name);
     ttc_emit_stem(text, field);
     ttc_text_add(text, ";\n");
     for (unsigned isa = 0; isa < TTC_ISA_COUNT; isa++) {
@@ -311,20 +312,4 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     add_names(text, "measures", k->field, k->measures, k->measure_count);
     add_descriptor(text, k);
     return !text->failed;
-}
-
-/* A string literal may be too long for a conforming compiler; an array of characters may not. */
-void ttc_emit_table(ttc_text *text, const ttc_model *model)
-{
-    ttc_text_format(text, "/* The table of %s, byte for byte; SHA-256 %s. Written by ttc %s; do not edit. */\n", model->name,
-                    model->sha256, JLT_VERSION);
-    ttc_text_format(text, "extern const char jlt_table_%s[];\n\nconst char jlt_table_%s[] = {", model->name, model->name);
-    for (const char *c = model->text; *c != '\0'; c++) {
-        if (c == model->text || c[-1] == '\n') ttc_text_add(text, "\n    ");
-        if (*c == '\n') ttc_text_add(text, "'\\n',");
-        else if (*c == '\'' || *c == '\\') ttc_text_format(text, "'\\%c',", *c);
-        else if ((unsigned char)*c < 32 || (unsigned char)*c > 126) ttc_text_format(text, "'\\%03o',", (unsigned)(unsigned char)*c);
-        else ttc_text_format(text, "'%c',", *c);
-    }
-    ttc_text_add(text, "\n    '\\0'\n};\n");
 }

@@ -14,6 +14,7 @@ void ttc_emit_registry_header(ttc_text *text)
                        "\n"
                        "extern const jlt_descriptor *const jlt_registry[];\n"
                        "extern const unsigned jlt_registry_count;\n"
+                       "extern const unsigned jlt_registry_entry_size; /* of a descriptor, by which versions are told apart */\n"
                        "\n"
                        "#endif\n");
 }
@@ -111,6 +112,7 @@ void ttc_emit_registry(ttc_text *text, const char *manifest)
 {
     ttc_text_add(text, "/* Written by ttc; do not edit. */\n#include \"registry.h\"\n\n");
     add_list(text, manifest, "jlt_descriptor", "jlt_kernels", "jlt_registry", false);
+    ttc_text_add(text, "\nconst unsigned jlt_registry_entry_size = sizeof(jlt_descriptor);\n");
 }
 
 void ttc_emit_ball_registry(ttc_text *text, const char *manifest)

@@ -34,14 +34,15 @@ static bool keep_digits(ttc_plan *plan, ttc_effort effort)
     return true;
 }
 
-bool ttc_plan_create(ttc_plan *plan, const ttc_model *model, ttc_effort effort)
+bool ttc_plan_create(ttc_plan *plan, const ttc_model *model, ttc_plan_extent extent, ttc_effort effort)
 {
-    size_t most = (model->variant_count + 1) * (model->time_count + 1) * (model->elimination_count + 1);
+    size_t eliminations = extent == TTC_WITHOUT_ELIMINATIONS ? 0 : model->elimination_count;
+    size_t most = (model->variant_count + 1) * (model->time_count + 1) * (eliminations + 1);
     *plan = (ttc_plan){ .model = model, .fields = calloc(most, sizeof *plan->fields) };
     if (plan->fields == NULL) return false;
     for (size_t v = 0; v <= model->variant_count; v++)
         for (size_t t = 0; t <= model->time_count; t++)
-            for (size_t e = 0; e <= model->elimination_count; e++) {
+            for (size_t e = 0; e <= eliminations; e++) {
                 ttc_planned *planned = plan->fields + plan->count++;
                 planned->variant = v == 0 ? NULL : model->variants + v - 1;
                 planned->time = t == 0 ? NULL : model->times + t - 1;

@@ -20,10 +20,13 @@ typedef struct {
     const char *failure;     /* and why; NULL otherwise */
 } ttc_plan;
 
+/* Which fields are planned. */
+typedef enum { TTC_ALL_FIELDS, TTC_WITHOUT_ELIMINATIONS } ttc_plan_extent;
+
 /** Every product variant x time x elimination of the model. A field that divides by zero identically is skipped.
  *  Returns false when memory is out or an expression outgrows the graph; the plan is then empty but
  *  for the failure. */
-bool ttc_plan_create(ttc_plan *plan, const ttc_model *model, ttc_effort effort);
+bool ttc_plan_create(ttc_plan *plan, const ttc_model *model, ttc_plan_extent extent, ttc_effort effort);
 /* The record that asks for a field: its elimination, its time, its variant, or the first equation. */
 ttc_place ttc_plan_place(const ttc_planned *planned, const ttc_model *model);
 

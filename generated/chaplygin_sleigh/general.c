@@ -25,6 +25,8 @@
 #include <math.h>
 
 extern const char jlt_table_chaplygin_sleigh[];
+extern const jlt_claim jlt_claims_chaplygin_sleigh[];
+extern const jlt_descriptor *const jlt_family_chaplygin_sleigh[];
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_general;
 extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_general_baseline;
 extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_general_avx2;
@@ -254,7 +256,7 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .source = "S. A. Chaplygin, On the theory of motion of nonholonomic systems. The reducing-multiplier theorem, Mat. Sb. 28 (1911) 303-314; English translation: Regul. Chaotic Dyn. 13 (2008) 369-376",
     .sha256 = "ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_chaplygin_sleigh,
+    .table = jlt_table_chaplygin_sleigh, .family = jlt_family_chaplygin_sleigh, .claims = jlt_claims_chaplygin_sleigh,
     .state_count = 2, .param_count = 3, .block_count = 9,
     .states = states,
     .params = params,
@@ -280,9 +282,11 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .equilibria = equilibria,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_chaplygin_sleigh_general_baseline,
         &jlt_batch_chaplygin_sleigh_general_avx2,
         &jlt_batch_chaplygin_sleigh_general_avx512,
     },
+#endif
 };

@@ -1,5 +1,9 @@
-/* The table of chaplygin_sleigh, byte for byte; SHA-256 ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166. Written by ttc 0.1.0; do not edit. */
+/* chaplygin_sleigh: its table byte for byte (SHA-256 ec3ac26ab8d11f99820039e71c75f8fa4e5baadbfc9e16c62e3265d72db16166), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_chaplygin_sleigh[];
+extern const jlt_claim jlt_claims_chaplygin_sleigh[];
+extern const jlt_descriptor *const jlt_family_chaplygin_sleigh[];
 
 const char jlt_table_chaplygin_sleigh[] = {
     'm','o','d','e','l',' ','c','h','a','p','l','y','g','i','n','_','s','l','e','i','g','h','\n',
@@ -43,4 +47,29 @@ const char jlt_table_chaplygin_sleigh[] = {
     'i','n','t','e','g','r','a','l',' ','t','u','r','n','i','n','g',' ','=',' ','w',' ','w','h','e','n',' ','a',' ','=',' ','0','\n',
     'm','e','a','s','u','r','e',' ','u','n','i','f','o','r','m',' ','=',' ','1',' ','w','h','e','n',' ','a',' ','=',' ','0','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_chaplygin_sleigh[] = {
+    { "integral", "E", "", JLT_PROVED, "", NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "equilibria", "straight", "", JLT_PROVED, "", NULL },
+    { "matrix", "straight", "", JLT_PROVED, "", NULL },
+    { "trace", "straight", "", JLT_PROVED, "", NULL },
+    { "charpoly", "straight", "", JLT_PROVED, "", NULL },
+    { "obstructs", "straight", "", JLT_PROVED, "", NULL },
+    { "leftnull", "straight", "", JLT_PROVED, "", NULL },
+    { "integral", "speed", "a = 0", JLT_PROVED, "", NULL },
+    { "integral", "turning", "a = 0", JLT_PROVED, "", NULL },
+    { "measure", "uniform", "a = 0", JLT_PROVED, "", NULL },
+    { "variant", "balanced", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_general;
+extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced;
+
+const jlt_descriptor *const jlt_family_chaplygin_sleigh[] = {
+    &jlt_kernels_chaplygin_sleigh_general,
+    &jlt_kernels_chaplygin_sleigh_balanced,
+    NULL
 };

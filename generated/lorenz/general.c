@@ -20,6 +20,8 @@
 #include <math.h>
 
 extern const char jlt_table_lorenz[];
+extern const jlt_claim jlt_claims_lorenz[];
+extern const jlt_descriptor *const jlt_family_lorenz[];
 extern const jlt_descriptor jlt_kernels_lorenz_general;
 extern const jlt_kernel_batch jlt_batch_lorenz_general_baseline;
 extern const jlt_kernel_batch jlt_batch_lorenz_general_avx2;
@@ -260,7 +262,7 @@ const jlt_descriptor jlt_kernels_lorenz_general = {
     .source = "E. N. Lorenz, Deterministic nonperiodic flow, J. Atmos. Sci. 20 (1963) 130-141",
     .sha256 = "2bab2d4fa634a7604b4f84d1f7fa912ed0fa8a5e4b51edfb0e1f1ce7cb60d449",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_lorenz,
+    .table = jlt_table_lorenz, .family = jlt_family_lorenz, .claims = jlt_claims_lorenz,
     .state_count = 3, .param_count = 3, .block_count = 6,
     .states = states,
     .params = params,
@@ -283,9 +285,11 @@ const jlt_descriptor jlt_kernels_lorenz_general = {
     .equilibria = equilibria,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_lorenz_general_baseline,
         &jlt_batch_lorenz_general_avx2,
         &jlt_batch_lorenz_general_avx512,
     },
+#endif
 };

@@ -1,5 +1,9 @@
-/* The table of lorenz, byte for byte; SHA-256 2bab2d4fa634a7604b4f84d1f7fa912ed0fa8a5e4b51edfb0e1f1ce7cb60d449. Written by ttc 0.1.0; do not edit. */
+/* lorenz: its table byte for byte (SHA-256 2bab2d4fa634a7604b4f84d1f7fa912ed0fa8a5e4b51edfb0e1f1ce7cb60d449), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_lorenz[];
+extern const jlt_claim jlt_claims_lorenz[];
+extern const jlt_descriptor *const jlt_family_lorenz[];
 
 const char jlt_table_lorenz[] = {
     '#',' ','L','o','r','e','n','z','\'','s',' ','s','y','s','t','e','m',':',' ','p','e','r','i','o','d','i','c',' ','o','r','b','i','t','s',' ','k','n','o','w','n',' ','t','o',' ','a',' ','t','h','o','u','s','a','n','d',' ','d','i','g','i','t','s',' ','(','D','.',' ','V','i','s','w','a','n','a','t','h',',',' ','P','h','y','s','i','c','a',' ','D',' ','1','9','0',' ','(','2','0','0','4',')',' ','1','1','5','-','1','2','8',')',',',' ','f','o','r',' ','c','h','e','c','k','s',' ','o','f','\n',
@@ -38,4 +42,21 @@ const char jlt_table_lorenz[] = {
     ' ',' ','t','r','a','c','e',' ','c','o','n','v','e','c','t','i','o','n',' ','=',' ','-','(','s','i','g','m','a',' ','+',' ','1',' ','+',' ','b','e','t','a',')','\n',
     ' ',' ','o','b','s','t','r','u','c','t','s',' ','c','o','n','v','e','c','t','i','o','n','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_lorenz[] = {
+    { "equilibria", "conduction", "", JLT_PROVED, "", NULL },
+    { "matrix", "conduction", "", JLT_PROVED, "", NULL },
+    { "equilibria", "convection", "rho = 1 + x^2/beta", JLT_PROVED, "", NULL },
+    { "matrix", "convection", "", JLT_PROVED, "", NULL },
+    { "trace", "convection", "", JLT_PROVED, "", NULL },
+    { "obstructs", "convection", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_lorenz_general;
+
+const jlt_descriptor *const jlt_family_lorenz[] = {
+    &jlt_kernels_lorenz_general,
+    NULL
 };

@@ -24,6 +24,8 @@
 #include <math.h>
 
 extern const char jlt_table_lotka_volterra[];
+extern const jlt_claim jlt_claims_lotka_volterra[];
+extern const jlt_descriptor *const jlt_family_lotka_volterra[];
 extern const jlt_descriptor jlt_kernels_lotka_volterra_general;
 extern const jlt_kernel_batch jlt_batch_lotka_volterra_general_baseline;
 extern const jlt_kernel_batch jlt_batch_lotka_volterra_general_avx2;
@@ -240,7 +242,7 @@ const jlt_descriptor jlt_kernels_lotka_volterra_general = {
     .source = "V. Volterra, Variazioni e fluttuazioni del numero d'individui in specie animali conviventi, Mem. Acad. Lincei Roma 2 (1926) 31-113",
     .sha256 = "74bd0797ba37376d0028cd3ec35e564e70e4bcb97d50e051e73f40b6925219f8",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_lotka_volterra,
+    .table = jlt_table_lotka_volterra, .family = jlt_family_lotka_volterra, .claims = jlt_claims_lotka_volterra,
     .state_count = 2, .param_count = 4, .block_count = 5,
     .states = states,
     .params = params,
@@ -269,9 +271,11 @@ const jlt_descriptor jlt_kernels_lotka_volterra_general = {
     .equilibria = equilibria,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_lotka_volterra_general_baseline,
         &jlt_batch_lotka_volterra_general_avx2,
         &jlt_batch_lotka_volterra_general_avx512,
     },
+#endif
 };

@@ -1,5 +1,9 @@
-/* The table of lotka_volterra, byte for byte; SHA-256 74bd0797ba37376d0028cd3ec35e564e70e4bcb97d50e051e73f40b6925219f8. Written by ttc 0.1.0; do not edit. */
+/* lotka_volterra: its table byte for byte (SHA-256 74bd0797ba37376d0028cd3ec35e564e70e4bcb97d50e051e73f40b6925219f8), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_lotka_volterra[];
+extern const jlt_claim jlt_claims_lotka_volterra[];
+extern const jlt_descriptor *const jlt_family_lotka_volterra[];
 
 const char jlt_table_lotka_volterra[] = {
     '#',' ','P','r','e','y',' ','a','n','d',' ','p','r','e','d','a','t','o','r',',',' ','w','i','t','h',' ','t','h','e',' ','e','x','p','o','n','e','n','t','i','a','l','s',' ','a','n','d',' ','l','o','g','a','r','i','t','h','m','s',' ','t','h','a','t',' ','i','t','s',' ','i','n','t','e','g','r','a','l',' ','a','n','d',' ','i','t','s',' ','n','a','t','u','r','a','l',' ','c','o','o','r','d','i','n','a','t','e','s',' ','n','e','e','d','.','\n',
@@ -35,4 +39,24 @@ const char jlt_table_lotka_volterra[] = {
     ' ',' ','m','a','t','r','i','x',' ','c','o','e','x','i','s','t','e','n','c','e',' ','=',' ','0',',',' ','-','b','*','c','/','d',';',' ','a','*','d','/','b',',',' ','0','\n',
     ' ',' ','c','h','a','r','p','o','l','y',' ','c','o','e','x','i','s','t','e','n','c','e',' ','=',' ','l','a','m','b','d','a','^','2',' ','+',' ','a','*','c','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_lotka_volterra[] = {
+    { "integral", "H", "", JLT_PROVED, "", NULL },
+    { "measure", "rho", "", JLT_PROVED, "", NULL },
+    { "rate", "drift", "", JLT_PROVED, "", NULL },
+    { "reversor", "reversor", "c = a, d = b", JLT_PROVED, "", NULL },
+    { "equilibria", "coexistence", "", JLT_PROVED, "", NULL },
+    { "matrix", "coexistence", "", JLT_PROVED, "", NULL },
+    { "charpoly", "coexistence", "", JLT_PROVED, "", NULL },
+    { "log", "u", "", JLT_PROVED, "", NULL },
+    { "log", "v", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_lotka_volterra_general;
+
+const jlt_descriptor *const jlt_family_lotka_volterra[] = {
+    &jlt_kernels_lotka_volterra_general,
+    NULL
 };

@@ -24,6 +24,8 @@
 #include <math.h>
 
 extern const char jlt_table_nose_hoover[];
+extern const jlt_claim jlt_claims_nose_hoover[];
+extern const jlt_descriptor *const jlt_family_nose_hoover[];
 extern const jlt_descriptor jlt_kernels_nose_hoover_general;
 extern const jlt_kernel_batch jlt_batch_nose_hoover_general_baseline;
 extern const jlt_kernel_batch jlt_batch_nose_hoover_general_avx2;
@@ -188,7 +190,7 @@ const jlt_descriptor jlt_kernels_nose_hoover_general = {
     .source = "W. G. Hoover, Canonical dynamics: equilibrium phase-space distributions, Phys. Rev. A 31 (1985) 1695-1697",
     .sha256 = "0e94aea4c9b2928c9741d0c1ca85c73ce0d4c8f4262b18320c66e53d04de6370",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_nose_hoover,
+    .table = jlt_table_nose_hoover, .family = jlt_family_nose_hoover, .claims = jlt_claims_nose_hoover,
     .state_count = 3, .param_count = 2, .block_count = 6,
     .states = states,
     .params = params,
@@ -213,9 +215,11 @@ const jlt_descriptor jlt_kernels_nose_hoover_general = {
     .measures = measures,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_nose_hoover_general_baseline,
         &jlt_batch_nose_hoover_general_avx2,
         &jlt_batch_nose_hoover_general_avx512,
     },
+#endif
 };

@@ -1,5 +1,9 @@
-/* The table of nose_hoover, byte for byte; SHA-256 0e94aea4c9b2928c9741d0c1ca85c73ce0d4c8f4262b18320c66e53d04de6370. Written by ttc 0.1.0; do not edit. */
+/* nose_hoover: its table byte for byte (SHA-256 0e94aea4c9b2928c9741d0c1ca85c73ce0d4c8f4262b18320c66e53d04de6370), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_nose_hoover[];
+extern const jlt_claim jlt_claims_nose_hoover[];
+extern const jlt_descriptor *const jlt_family_nose_hoover[];
 
 const char jlt_table_nose_hoover[] = {
     '#',' ','O','n','e',' ','h','a','r','m','o','n','i','c',' ','o','s','c','i','l','l','a','t','o','r',' ','w','i','t','h',' ','a',' ','t','h','e','r','m','o','s','t','a','t',':',' ','t','h','e',' ','c','a','n','o','n','i','c','a','l',' ','d','e','n','s','i','t','y',' ','i','s',' ','i','n','v','a','r','i','a','n','t',',',' ','n','o','r','m','a','l','i','z','e','d',' ','b','y',' ','a',' ','p','o','w','e','r',' ','o','f',' ','2',' ','p','i','.','\n',
@@ -34,4 +38,22 @@ const char jlt_table_nose_hoover[] = {
     'r','e','v','e','r','s','o','r',' ','p',' ','-','>',' ','-','p',',',' ','z',' ','-','>',' ','-','z','\n',
     's','y','m','m','e','t','r','y',' ','q',' ','-','>',' ','-','q',',',' ','p',' ','-','>',' ','-','p','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_nose_hoover[] = {
+    { "measure", "canonical", "", JLT_PROVED, "", NULL },
+    { "rate", "heat", "", JLT_PROVED, "", NULL },
+    { "rate", "weight", "", JLT_PROVED, "", NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "symmetry", "symmetry", "", JLT_PROVED, "", NULL },
+    { "root", "n", "", JLT_PROVED, "", NULL },
+    { "root", "m", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_nose_hoover_general;
+
+const jlt_descriptor *const jlt_family_nose_hoover[] = {
+    &jlt_kernels_nose_hoover_general,
+    NULL
 };

@@ -33,6 +33,8 @@
 #include <math.h>
 
 extern const char jlt_table_restricted_three_body[];
+extern const jlt_claim jlt_claims_restricted_three_body[];
+extern const jlt_descriptor *const jlt_family_restricted_three_body[];
 extern const jlt_descriptor jlt_kernels_restricted_three_body_general;
 extern const jlt_kernel_batch jlt_batch_restricted_three_body_general_baseline;
 extern const jlt_kernel_batch jlt_batch_restricted_three_body_general_avx2;
@@ -364,7 +366,7 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .source = "V. Szebehely, Theory of Orbits, Academic Press, 1967; R. F. Arenstorf, Amer. J. Math. 85 (1963) 27-35",
     .sha256 = "017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_restricted_three_body,
+    .table = jlt_table_restricted_three_body, .family = jlt_family_restricted_three_body, .claims = jlt_claims_restricted_three_body,
     .state_count = 4, .param_count = 1, .block_count = 5,
     .states = states,
     .params = params,
@@ -392,9 +394,11 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .measures = measures,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_restricted_three_body_general_baseline,
         &jlt_batch_restricted_three_body_general_avx2,
         &jlt_batch_restricted_three_body_general_avx512,
     },
+#endif
 };

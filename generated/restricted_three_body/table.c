@@ -1,5 +1,9 @@
-/* The table of restricted_three_body, byte for byte; SHA-256 017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7. Written by ttc 0.1.0; do not edit. */
+/* restricted_three_body: its table byte for byte (SHA-256 017960417ce52ac6d13353d2df86ff7087a859bc4561af33819612295b6a3ea7), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_restricted_three_body[];
+extern const jlt_claim jlt_claims_restricted_three_body[];
+extern const jlt_descriptor *const jlt_family_restricted_three_body[];
 
 const char jlt_table_restricted_three_body[] = {
     '#',' ','T','h','e',' ','p','l','a','n','a','r',' ','c','i','r','c','u','l','a','r',' ','r','e','s','t','r','i','c','t','e','d',' ','t','h','r','e','e','-','b','o','d','y',' ','p','r','o','b','l','e','m',' ','i','n',' ','t','h','e',' ','r','o','t','a','t','i','n','g',' ','f','r','a','m','e',';',' ','w','i','t','h',' ','t','h','e',' ','d','e','f','a','u','l','t',' ','m','a','s','s',' ','r','a','t','i','o',',',' ','t','h','a','t',' ','o','f',' ','A','r','e','n','s','t','o','r','f','\'','s','\n',
@@ -39,4 +43,20 @@ const char jlt_table_restricted_three_body[] = {
     'm','e','a','s','u','r','e',' ','v','o','l','u','m','e',' ','=',' ','1','\n',
     'r','e','v','e','r','s','o','r',' ','y',' ','-','>',' ','-','y',',',' ','v','x',' ','-','>',' ','-','v','x','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_restricted_three_body[] = {
+    { "integral", "jacobi", "", JLT_PROVED, "", NULL },
+    { "measure", "volume", "", JLT_PROVED, "", NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "root", "r1", "", JLT_PROVED, "", NULL },
+    { "root", "r2", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_restricted_three_body_general;
+
+const jlt_descriptor *const jlt_family_restricted_three_body[] = {
+    &jlt_kernels_restricted_three_body_general,
+    NULL
 };

@@ -20,6 +20,8 @@
 #include <math.h>
 
 extern const char jlt_table_roessler[];
+extern const jlt_claim jlt_claims_roessler[];
+extern const jlt_descriptor *const jlt_family_roessler[];
 extern const jlt_descriptor jlt_kernels_roessler_general;
 extern const jlt_kernel_batch jlt_batch_roessler_general_baseline;
 extern const jlt_kernel_batch jlt_batch_roessler_general_avx2;
@@ -207,7 +209,7 @@ const jlt_descriptor jlt_kernels_roessler_general = {
     .source = "O. E. Roessler, An equation for continuous chaos, Phys. Lett. A 57 (1976) 397-398",
     .sha256 = "7d2f97bb2c6d3f82c3ce5d0578ec3d5df1852a1298f7e68780337a2d6518941e",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_roessler,
+    .table = jlt_table_roessler, .family = jlt_family_roessler, .claims = jlt_claims_roessler,
     .state_count = 3, .param_count = 3, .block_count = 4,
     .states = states,
     .params = params,
@@ -230,9 +232,11 @@ const jlt_descriptor jlt_kernels_roessler_general = {
     .equilibria = equilibria,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_roessler_general_baseline,
         &jlt_batch_roessler_general_avx2,
         &jlt_batch_roessler_general_avx512,
     },
+#endif
 };

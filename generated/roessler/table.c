@@ -1,5 +1,9 @@
-/* The table of roessler, byte for byte; SHA-256 7d2f97bb2c6d3f82c3ce5d0578ec3d5df1852a1298f7e68780337a2d6518941e. Written by ttc 0.1.0; do not edit. */
+/* roessler: its table byte for byte (SHA-256 7d2f97bb2c6d3f82c3ce5d0578ec3d5df1852a1298f7e68780337a2d6518941e), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_roessler[];
+extern const jlt_claim jlt_claims_roessler[];
+extern const jlt_descriptor *const jlt_family_roessler[];
 
 const char jlt_table_roessler[] = {
     '#',' ','R','o','e','s','s','l','e','r','\'','s',' ','s','y','s','t','e','m',',',' ','f','o','r',' ','c','h','e','c','k','s',' ','o','f',' ','i','n','t','e','g','r','a','t','o','r','s',' ','a','n','d',' ','o','f',' ','e','v','e','r','y','t','h','i','n','g',' ','t','h','a','t',' ','f','i','n','d','s',' ','o','r','b','i','t','s','.','\n',
@@ -32,4 +36,18 @@ const char jlt_table_roessler[] = {
     ' ',' ','m','a','t','r','i','x',' ','f','o','c','i',' ','=',' ','0',',',' ','-','1',',',' ','-','1',';',' ','1',',',' ','a',',',' ','0',';',' ','x','/','a',',',' ','0',',',' ','x',' ','-',' ','c','\n',
     ' ',' ','t','r','a','c','e',' ','f','o','c','i',' ','=',' ','a',' ','+',' ','x',' ','-',' ','c','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_roessler[] = {
+    { "equilibria", "foci", "b = x*(c - x)/a", JLT_PROVED, "", NULL },
+    { "matrix", "foci", "", JLT_PROVED, "", NULL },
+    { "trace", "foci", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_roessler_general;
+
+const jlt_descriptor *const jlt_family_roessler[] = {
+    &jlt_kernels_roessler_general,
+    NULL
 };

@@ -33,6 +33,8 @@
 #include <math.h>
 
 extern const char jlt_table_routh_sphere[];
+extern const jlt_claim jlt_claims_routh_sphere[];
+extern const jlt_descriptor *const jlt_family_routh_sphere[];
 extern const jlt_descriptor jlt_kernels_routh_sphere_balanced;
 extern const jlt_kernel_batch jlt_batch_routh_sphere_balanced_baseline;
 extern const jlt_kernel_batch jlt_batch_routh_sphere_balanced_avx2;
@@ -617,7 +619,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .source = "E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243",
     .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_routh_sphere,
+    .table = jlt_table_routh_sphere, .family = jlt_family_routh_sphere, .claims = jlt_claims_routh_sphere,
     .state_count = 4, .param_count = 6, .block_count = 39,
     .states = states,
     .params = params,
@@ -647,9 +649,11 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
     .equilibria = equilibria,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_routh_sphere_balanced_baseline,
         &jlt_batch_routh_sphere_balanced_avx2,
         &jlt_batch_routh_sphere_balanced_avx512,
     },
+#endif
 };

@@ -39,6 +39,8 @@
 #include <math.h>
 
 extern const char jlt_table_routh_sphere[];
+extern const jlt_claim jlt_claims_routh_sphere[];
+extern const jlt_descriptor *const jlt_family_routh_sphere[];
 extern const jlt_descriptor jlt_kernels_routh_sphere_general;
 extern const jlt_kernel_batch jlt_batch_routh_sphere_general_baseline;
 extern const jlt_kernel_batch jlt_batch_routh_sphere_general_avx2;
@@ -953,7 +955,7 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .source = "E. J. Routh, The Advanced Part of a Treatise on the Dynamics of a System of Rigid Bodies, 6th ed., 1905, sec. 243",
     .sha256 = "7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_routh_sphere,
+    .table = jlt_table_routh_sphere, .family = jlt_family_routh_sphere, .claims = jlt_claims_routh_sphere,
     .state_count = 4, .param_count = 6, .block_count = 56,
     .states = states,
     .params = params,
@@ -982,9 +984,11 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .equilibria = equilibria,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_routh_sphere_general_baseline,
         &jlt_batch_routh_sphere_general_avx2,
         &jlt_batch_routh_sphere_general_avx512,
     },
+#endif
 };

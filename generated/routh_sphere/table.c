@@ -1,5 +1,9 @@
-/* The table of routh_sphere, byte for byte; SHA-256 7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e. Written by ttc 0.1.0; do not edit. */
+/* routh_sphere: its table byte for byte (SHA-256 7ea5d7e192247bbb71a43cf42803dc35e835526f39f8f2b9ef8220743e084b9e), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_routh_sphere[];
+extern const jlt_claim jlt_claims_routh_sphere[];
+extern const jlt_descriptor *const jlt_family_routh_sphere[];
 
 const char jlt_table_routh_sphere[] = {
     '#',' ','T','h','e',' ','s','a','m','e',' ','s','p','h','e','r','e',' ','r','o','l','l','i','n','g',' ','w','i','t','h','o','u','t',' ','s','l','i','p','p','i','n','g',' ','a','t',' ','a','l','l',':',' ','R','o','u','t','h','\'','s',' ','p','r','o','b','l','e','m',',',' ','i','n','t','e','g','r','a','b','l','e','.',' ','A',' ','c','o','n','t','r','o','l',':',' ','h','e','r','e',' ','a',' ','s','m','o','o','t','h',' ','i','n','v','a','r','i','a','n','t',' ','m','e','a','s','u','r','e','\n',
@@ -70,4 +74,36 @@ const char jlt_table_routh_sphere[] = {
     'e','q','u','i','l','i','b','r','i','a',' ','r','o','l','l','i','n','g',' ',':',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','0',',',' ','o','m','e','g','a','_','n',' ','=',' ','0',' ','w','h','e','n',' ','a','3',' ','=',' ','0','\n',
     't','r','a','c','e',' ','r','o','l','l','i','n','g',' ','=',' ','0','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_routh_sphere[] = {
+    { "integral", "E", "", JLT_PROVED, "", NULL },
+    { "integral", "Jellett", "", JLT_PROVED, "", NULL },
+    { "integral", "Routh", "", JLT_PROVED, "", NULL },
+    { "measure", "rho", "", JLT_PROVED, "", NULL },
+    { "equal", "norm", "", JLT_PROVED, "", NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "equilibria", "precession", "g = -omega_n*(I1*gamma3*omega_n + I3*omega3*s + m*e*v_tau)/(m*a3*s^2)", JLT_PROVED, "", NULL },
+    { "trace", "precession", "", JLT_PROVED, "", NULL },
+    { "leftnull", "precession", "", JLT_PROVED, "", NULL },
+    { "equilibria", "rolling", "a3 = 0", JLT_PROVED, "", NULL },
+    { "trace", "rolling", "", JLT_PROVED, "", NULL },
+    { "root", "s", "", JLT_PROVED, "", NULL },
+    { "root", "h", "", JLT_PROVED, "", NULL },
+    { "variant", "balanced", "", JLT_PROVED, "", NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_routh_sphere_general;
+extern const jlt_descriptor jlt_kernels_routh_sphere_general_in_regular;
+extern const jlt_descriptor jlt_kernels_routh_sphere_balanced;
+extern const jlt_descriptor jlt_kernels_routh_sphere_balanced_in_regular;
+
+const jlt_descriptor *const jlt_family_routh_sphere[] = {
+    &jlt_kernels_routh_sphere_general,
+    &jlt_kernels_routh_sphere_general_in_regular,
+    &jlt_kernels_routh_sphere_balanced,
+    &jlt_kernels_routh_sphere_balanced_in_regular,
+    NULL
 };

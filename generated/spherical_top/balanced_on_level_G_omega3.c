@@ -36,6 +36,8 @@
 #include <math.h>
 
 extern const char jlt_table_spherical_top[];
+extern const jlt_claim jlt_claims_spherical_top[];
+extern const jlt_descriptor *const jlt_family_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_on_level_G_omega3_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_on_level_G_omega3_avx2;
@@ -614,7 +616,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3 = {
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
     .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_spherical_top,
+    .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 4, .param_count = 7, .block_count = 36,
     .states = states,
     .params = params,
@@ -641,9 +643,11 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3 = {
     .integrals = integrals,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_spherical_top_balanced_on_level_G_omega3_baseline,
         &jlt_batch_spherical_top_balanced_on_level_G_omega3_avx2,
         &jlt_batch_spherical_top_balanced_on_level_G_omega3_avx512,
     },
+#endif
 };

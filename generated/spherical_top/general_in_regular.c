@@ -41,6 +41,8 @@
 #include <math.h>
 
 extern const char jlt_table_spherical_top[];
+extern const jlt_claim jlt_claims_spherical_top[];
+extern const jlt_descriptor *const jlt_family_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular;
 extern const jlt_kernel_batch jlt_batch_spherical_top_general_in_regular_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_general_in_regular_avx2;
@@ -826,7 +828,7 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
     .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_spherical_top,
+    .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 62,
     .states = states,
     .params = params,
@@ -852,9 +854,11 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .integrals = integrals,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_spherical_top_general_in_regular_baseline,
         &jlt_batch_spherical_top_general_in_regular_avx2,
         &jlt_batch_spherical_top_general_in_regular_avx512,
     },
+#endif
 };

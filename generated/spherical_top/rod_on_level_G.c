@@ -35,6 +35,8 @@
 #include <math.h>
 
 extern const char jlt_table_spherical_top[];
+extern const jlt_claim jlt_claims_spherical_top[];
+extern const jlt_descriptor *const jlt_family_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G;
 extern const jlt_kernel_batch jlt_batch_spherical_top_rod_on_level_G_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_rod_on_level_G_avx2;
@@ -574,7 +576,7 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G = {
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
     .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_spherical_top,
+    .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 4, .param_count = 7, .block_count = 27,
     .states = states,
     .params = params,
@@ -604,9 +606,11 @@ const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G = {
     .measures = measures,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_spherical_top_rod_on_level_G_baseline,
         &jlt_batch_spherical_top_rod_on_level_G_avx2,
         &jlt_batch_spherical_top_rod_on_level_G_avx512,
     },
+#endif
 };

@@ -1,5 +1,9 @@
-/* The table of spherical_top, byte for byte; SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918. Written by ttc 0.1.0; do not edit. */
+/* spherical_top: its table byte for byte (SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_spherical_top[];
+extern const jlt_claim jlt_claims_spherical_top[];
+extern const jlt_descriptor *const jlt_family_spherical_top[];
 
 const char jlt_table_spherical_top[] = {
     '#',' ','D','y','n','a','m','i','c','a','l','l','y',' ','s','y','m','m','e','t','r','i','c',' ','s','p','h','e','r','i','c','a','l',' ','t','o','p',' ','o','n',' ','a',' ','p','l','a','n','e',':',' ','n','o',' ','s','l','i','p','p','i','n','g',' ','a','l','o','n','g',' ','t','a','u',',',' ','f','r','e','e',' ','s','l','i','p','p','i','n','g',' ','a','l','o','n','g',' ','n','u','.','\n',
@@ -132,4 +136,90 @@ const char jlt_table_spherical_top[] = {
     ' ',' ',' ',' ','+',' ','m','*','G','_','l','e','v','e','l','^','2','/','(','2','*','(','T','h','e','t','a',' ','-',' ','I','1','*','I','3',')',')','\n',
     ' ',' ',' ',' ','w','h','e','n',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','0',',',' ','o','m','e','g','a','_','n',' ','=',' ','(','G','_','l','e','v','e','l',' ','+',' ','I','3','*','b','*','o','m','e','g','a','3',')','/','(','I','1','*','R','*','s',')','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_spherical_top[] = {
+    { "integral", "E", "", JLT_PROVED, "", NULL },
+    { "integral", "G", "", JLT_PROVED, "", NULL },
+    { "integral", "F0", "a3 = 0", JLT_PROVED, "", NULL },
+    { "integral", "F_linear", "a3 = 0, I1 = I3", JLT_PROVED, "", NULL },
+    { "integral", "E1", "I3 = 0", JLT_PROVED, "", NULL },
+    { "integral", "E2", "I3 = 0", JLT_PROVED, "", NULL },
+    { "measure", "rho", "I3 = 0", JLT_PROVED, "", NULL },
+    { "reduction", "on_level", "", JLT_PROVED, "", "a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6" },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "equilibria", "spin", "a3 = 0", JLT_PROVED, "", NULL },
+    { "matrix", "spin", "", JLT_PROVED, "", NULL },
+    { "charpoly", "spin", "", JLT_PROVED, "", NULL },
+    { "trace", "spin", "", JLT_PROVED, "", NULL },
+    { "leftnull", "spin", "", JLT_PROVED, "", NULL },
+    { "obstructs", "spin", "", JLT_PROVED, "", NULL },
+    { "equilibria", "spin_weightless", "g = 0", JLT_PROVED, "", NULL },
+    { "matrix", "spin_weightless", "", JLT_PROVED, "", NULL },
+    { "charpoly", "spin_weightless", "", JLT_PROVED, "", NULL },
+    { "trace", "spin_weightless", "", JLT_PROVED, "", NULL },
+    { "leftnull", "spin_weightless", "", JLT_PROVED, "", NULL },
+    { "obstructs", "spin_weightless", "", JLT_PROVED, "", NULL },
+    { "equilibria", "precession", "g = omega_n^2*(I3*b - R*I1*gamma3)/(m*R*a3*s^2)", JLT_PROVED, "", NULL },
+    { "trace", "precession", "", JLT_PROVED, "", NULL },
+    { "leftnull", "precession", "", JLT_PROVED, "", NULL },
+    { "equal", "section_energy", "omega_tau = 0, omega_n = (G_level + I3*omega3*b)/(R*I1*s)", JLT_PROVED, "", NULL },
+    { "equal", "section_ellipse", "omega_tau = 0, omega_n = (G_level + I3*omega3*b)/(R*I1*s)", JLT_PROVED, "", NULL },
+    { "root", "s", "", JLT_PROVED, "", NULL },
+    { "variant", "balanced", "", JLT_PROVED, "", NULL },
+    { "variant", "rod", "", JLT_PROVED, "", NULL },
+    { "variant", "balanced_equal", "", JLT_PROVED, "", NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL },
+    { "eliminate", "level_G", "", JLT_PROVED, "", NULL },
+    { "eliminate", "level_G_omega3", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_spherical_top_general;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_in_regular_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_rod_in_regular_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3;
+
+const jlt_descriptor *const jlt_family_spherical_top[] = {
+    &jlt_kernels_spherical_top_general,
+    &jlt_kernels_spherical_top_general_on_level_G,
+    &jlt_kernels_spherical_top_general_on_level_G_omega3,
+    &jlt_kernels_spherical_top_general_in_regular,
+    &jlt_kernels_spherical_top_general_in_regular_on_level_G,
+    &jlt_kernels_spherical_top_general_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced,
+    &jlt_kernels_spherical_top_balanced_on_level_G,
+    &jlt_kernels_spherical_top_balanced_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_in_regular,
+    &jlt_kernels_spherical_top_balanced_in_regular_on_level_G,
+    &jlt_kernels_spherical_top_balanced_in_regular_on_level_G_omega3,
+    &jlt_kernels_spherical_top_rod,
+    &jlt_kernels_spherical_top_rod_on_level_G,
+    &jlt_kernels_spherical_top_rod_in_regular,
+    &jlt_kernels_spherical_top_rod_in_regular_on_level_G,
+    &jlt_kernels_spherical_top_balanced_equal,
+    &jlt_kernels_spherical_top_balanced_equal_on_level_G,
+    &jlt_kernels_spherical_top_balanced_equal_on_level_G_omega3,
+    &jlt_kernels_spherical_top_balanced_equal_in_regular,
+    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G,
+    &jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3,
+    NULL
 };

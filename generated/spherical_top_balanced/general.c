@@ -31,6 +31,8 @@
 #include <math.h>
 
 extern const char jlt_table_spherical_top_balanced[];
+extern const jlt_claim jlt_claims_spherical_top_balanced[];
+extern const jlt_descriptor *const jlt_family_spherical_top_balanced[];
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_general;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_general_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_general_avx2;
@@ -494,7 +496,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
     .sha256 = "7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_spherical_top_balanced,
+    .table = jlt_table_spherical_top_balanced, .family = jlt_family_spherical_top_balanced, .claims = jlt_claims_spherical_top_balanced,
     .state_count = 3, .param_count = 6, .block_count = 32,
     .states = states,
     .params = params,
@@ -519,9 +521,11 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .integrals = integrals,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_spherical_top_balanced_general_baseline,
         &jlt_batch_spherical_top_balanced_general_avx2,
         &jlt_batch_spherical_top_balanced_general_avx512,
     },
+#endif
 };

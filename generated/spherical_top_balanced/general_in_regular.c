@@ -31,6 +31,8 @@
 #include <math.h>
 
 extern const char jlt_table_spherical_top_balanced[];
+extern const jlt_claim jlt_claims_spherical_top_balanced[];
+extern const jlt_descriptor *const jlt_family_spherical_top_balanced[];
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_general_in_regular_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_general_in_regular_avx2;
@@ -541,7 +543,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
     .sha256 = "7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_spherical_top_balanced,
+    .table = jlt_table_spherical_top_balanced, .family = jlt_family_spherical_top_balanced, .claims = jlt_claims_spherical_top_balanced,
     .state_count = 4, .param_count = 6, .block_count = 38,
     .states = states,
     .params = params,
@@ -567,9 +569,11 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular = {
     .integrals = integrals,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_spherical_top_balanced_general_in_regular_baseline,
         &jlt_batch_spherical_top_balanced_general_in_regular_avx2,
         &jlt_batch_spherical_top_balanced_general_in_regular_avx512,
     },
+#endif
 };

@@ -1,5 +1,9 @@
-/* The table of spherical_top_balanced, byte for byte; SHA-256 7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_balanced: its table byte for byte (SHA-256 7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_spherical_top_balanced[];
+extern const jlt_claim jlt_claims_spherical_top_balanced[];
+extern const jlt_descriptor *const jlt_family_spherical_top_balanced[];
 
 const char jlt_table_spherical_top_balanced[] = {
     '#',' ','T','h','e',' ','b','a','l','a','n','c','e','d',' ','s','p','h','e','r','e',' ','(','a','3',' ','=',' ','0',')',' ','o','n',' ','l','e','v','e','l','s',' ','o','f',' ','t','w','o',' ','i','n','t','e','g','r','a','l','s',':',' ','t','h','r','e','e',' ','s','t','a','t','e','s',',',' ','w','i','t','h','o','u','t',' ','a',' ','s','m','a','l','l',' ','d','i','v','i','s','o','r','.','\n',
@@ -63,4 +67,30 @@ const char jlt_table_spherical_top_balanced[] = {
     'e','m','b','e','d','d','i','n','g',' ','r','e','d','u','c','e','d',' ',':',' ','i','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','.','t','t',' ','w','i','t','h','\n',
     ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3',',',' ','a','3',' ','=',' ','0',',',' ','g',' ','=',' ','0','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_spherical_top_balanced[] = {
+    { "integral", "F0", "", JLT_PROVED, "", NULL },
+    { "equal", "two_energies", "", JLT_PROVED, "", NULL },
+    { "equal", "jellett", "", JLT_PROVED, "", NULL },
+    { "equal", "horizontal_momentum", "", JLT_PROVED, "", NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "embedding", "reduced", "", JLT_PROVED, "", "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918" },
+    { "root", "s", "", JLT_PROVED, "", NULL },
+    { "variant", "equal_moments", "", JLT_PROVED, "", NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_general;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_general_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments;
+extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_moments_in_regular;
+
+const jlt_descriptor *const jlt_family_spherical_top_balanced[] = {
+    &jlt_kernels_spherical_top_balanced_general,
+    &jlt_kernels_spherical_top_balanced_general_in_regular,
+    &jlt_kernels_spherical_top_balanced_equal_moments,
+    &jlt_kernels_spherical_top_balanced_equal_moments_in_regular,
+    NULL
 };

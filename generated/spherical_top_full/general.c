@@ -54,6 +54,8 @@
 #include <math.h>
 
 extern const char jlt_table_spherical_top_full[];
+extern const jlt_claim jlt_claims_spherical_top_full[];
+extern const jlt_descriptor *const jlt_family_spherical_top_full[];
 extern const jlt_descriptor jlt_kernels_spherical_top_full_general;
 extern const jlt_kernel_batch jlt_batch_spherical_top_full_general_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_full_general_avx2;
@@ -1982,7 +1984,7 @@ const jlt_descriptor jlt_kernels_spherical_top_full_general = {
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (2.5)-(2.7)",
     .sha256 = "dc0d20f6ac74946b7b13744f3256847225086e5aac3162d5df985f3f2d8747c2",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_spherical_top_full,
+    .table = jlt_table_spherical_top_full, .family = jlt_family_spherical_top_full, .claims = jlt_claims_spherical_top_full,
     .state_count = 17, .param_count = 6, .block_count = 38,
     .states = states,
     .params = params,
@@ -2007,9 +2009,11 @@ const jlt_descriptor jlt_kernels_spherical_top_full_general = {
     .integrals = integrals,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_spherical_top_full_general_baseline,
         &jlt_batch_spherical_top_full_general_avx2,
         &jlt_batch_spherical_top_full_general_avx512,
     },
+#endif
 };

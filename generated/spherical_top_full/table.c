@@ -1,5 +1,9 @@
-/* The table of spherical_top_full, byte for byte; SHA-256 dc0d20f6ac74946b7b13744f3256847225086e5aac3162d5df985f3f2d8747c2. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_full: its table byte for byte (SHA-256 dc0d20f6ac74946b7b13744f3256847225086e5aac3162d5df985f3f2d8747c2), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_spherical_top_full[];
+extern const jlt_claim jlt_claims_spherical_top_full[];
+extern const jlt_descriptor *const jlt_family_spherical_top_full[];
 
 const char jlt_table_spherical_top_full[] = {
     '#',' ','T','h','e',' ','f','u','l','l',' ','s','y','s','t','e','m',' ','w','i','t','h',' ','e','x','p','l','i','c','i','t',' ','m','u','l','t','i','p','l','i','e','r','s',',',' ','i','n',' ','t','h','e',' ','b','o','d','y',' ','f','r','a','m','e',':',' ','n','o','t','h','i','n','g',' ','o','f',' ','t','h','e',' ','r','e','d','u','c','t','i','o','n',' ','i','s',' ','p','r','e','s','u','p','p','o','s','e','d','.','\n',
@@ -171,4 +175,36 @@ const char jlt_table_spherical_top_full[] = {
     'e','q','u','a','l',' ','v','_','g','a','m','m','a',' ',':',' ','v','1','*','g','a','m','m','a','1',' ','+',' ','v','2','*','g','a','m','m','a','2',' ','+',' ','v','3','*','g','a','m','m','a','3',' ','=',' ','a','3','*','s','*','o','m','e','g','a','_','t','a','u',' ','m','o','d','u','l','o',' ','f','1','\n',
     'e','q','u','a','l',' ','v','_','t','a','u',' ',':',' ','(','v','2','*','g','a','m','m','a','1',' ','-',' ','v','1','*','g','a','m','m','a','2',')','/','s',' ','=',' ','b','*','o','m','e','g','a','_','n',' ','+',' ','R','*','s','*','o','m','e','g','a','3',' ','m','o','d','u','l','o',' ','f','2','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_spherical_top_full[] = {
+    { "integral", "gamma_norm", "", JLT_PROVED, "", NULL },
+    { "integral", "alpha_norm", "", JLT_PROVED, "", NULL },
+    { "integral", "beta_norm", "", JLT_PROVED, "", NULL },
+    { "integral", "alpha_gamma", "", JLT_PROVED, "", NULL },
+    { "integral", "beta_gamma", "", JLT_PROVED, "", NULL },
+    { "integral", "alpha_beta", "", JLT_PROVED, "", NULL },
+    { "integral", "f1", "", JLT_PROVED, "", NULL },
+    { "integral", "f2", "", JLT_PROVED, "", NULL },
+    { "integral", "E", "", JLT_PROVED, "", NULL },
+    { "integral", "G", "", JLT_PROVED, "", NULL },
+    { "rate", "momentum_x", "", JLT_PROVED, "", NULL },
+    { "rate", "momentum_y", "", JLT_PROVED, "", NULL },
+    { "rate", "transport1", "", JLT_PROVED, "", NULL },
+    { "rate", "transport2", "", JLT_PROVED, "", NULL },
+    { "rate", "transport3", "", JLT_PROVED, "", NULL },
+    { "reduction", "reduced", "", JLT_UNSETTLED, "its proof passes the limit of 20 s a claim, or of 50 s a table", "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918" },
+    { "equal", "normal_reaction", "", JLT_PROVED, "", NULL },
+    { "equal", "constraint_force", "", JLT_PROVED, "", NULL },
+    { "equal", "v_gamma", "", JLT_PROVED, "", NULL },
+    { "equal", "v_tau", "", JLT_PROVED, "", NULL },
+    { "root", "s", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_spherical_top_full_general;
+
+const jlt_descriptor *const jlt_family_spherical_top_full[] = {
+    &jlt_kernels_spherical_top_full_general,
+    NULL
 };

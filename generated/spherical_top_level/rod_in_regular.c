@@ -29,6 +29,8 @@
 #include <math.h>
 
 extern const char jlt_table_spherical_top_level[];
+extern const jlt_claim jlt_claims_spherical_top_level[];
+extern const jlt_descriptor *const jlt_family_spherical_top_level[];
 extern const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular;
 extern const jlt_kernel_batch jlt_batch_spherical_top_level_rod_in_regular_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_level_rod_in_regular_avx2;
@@ -462,7 +464,7 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
     .sha256 = "a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_spherical_top_level,
+    .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
     .state_count = 5, .param_count = 7, .block_count = 19,
     .states = states,
     .params = params,
@@ -489,9 +491,11 @@ const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular = {
     .integrals = integrals,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_spherical_top_level_rod_in_regular_baseline,
         &jlt_batch_spherical_top_level_rod_in_regular_avx2,
         &jlt_batch_spherical_top_level_rod_in_regular_avx512,
     },
+#endif
 };

@@ -1,5 +1,9 @@
-/* The table of spherical_top_level, byte for byte; SHA-256 a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_level: its table byte for byte (SHA-256 a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_spherical_top_level[];
+extern const jlt_claim jlt_claims_spherical_top_level[];
+extern const jlt_descriptor *const jlt_family_spherical_top_level[];
 
 const char jlt_table_spherical_top_level[] = {
     '#',' ','T','h','e',' ','s','p','h','e','r','i','c','a','l',' ','t','o','p',' ','o','n',' ','a',' ','l','e','v','e','l',' ','o','f',' ','J','e','l','l','e','t','t','\'','s',' ','i','n','t','e','g','r','a','l',',',' ','i','n',' ','c','o','o','r','d','i','n','a','t','e','s',' ','t','h','a','t',' ','a','r','e',' ','w','e','l','l',' ','c','o','n','d','i','t','i','o','n','e','d',' ','e','v','e','r','y','w','h','e','r','e','.','\n',
@@ -68,4 +72,38 @@ const char jlt_table_spherical_top_level[] = {
     ' ',' ','o','b','s','t','r','u','c','t','s',' ','s','p','i','n','n','i','n','g','\n',
     ' ',' ','l','e','f','t','n','u','l','l',' ','s','p','i','n','n','i','n','g',' ',':',' ','E',',',' ','F','0','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_spherical_top_level[] = {
+    { "integral", "E", "", JLT_PROVED, "", NULL },
+    { "integral", "F0", "a3 = 0", JLT_PROVED, "", NULL },
+    { "integral", "E1", "I3 = 0", JLT_PROVED, "", NULL },
+    { "measure", "density", "I3 = 0", JLT_PROVED, "", NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "equilibria", "spinning", "a3 = 0", JLT_PROVED, "", NULL },
+    { "trace", "spinning", "", JLT_PROVED, "", NULL },
+    { "obstructs", "spinning", "", JLT_PROVED, "", NULL },
+    { "leftnull", "spinning", "", JLT_PROVED, "", NULL },
+    { "root", "s", "", JLT_PROVED, "", NULL },
+    { "variant", "balanced", "", JLT_PROVED, "", NULL },
+    { "variant", "rod", "", JLT_PROVED, "", NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_spherical_top_level_general;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_general_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_balanced;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_balanced_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_rod;
+extern const jlt_descriptor jlt_kernels_spherical_top_level_rod_in_regular;
+
+const jlt_descriptor *const jlt_family_spherical_top_level[] = {
+    &jlt_kernels_spherical_top_level_general,
+    &jlt_kernels_spherical_top_level_general_in_regular,
+    &jlt_kernels_spherical_top_level_balanced,
+    &jlt_kernels_spherical_top_level_balanced_in_regular,
+    &jlt_kernels_spherical_top_level_rod,
+    &jlt_kernels_spherical_top_level_rod_in_regular,
+    NULL
 };

@@ -31,6 +31,8 @@
 #include <math.h>
 
 extern const char jlt_table_spherical_top_plane[];
+extern const jlt_claim jlt_claims_spherical_top_plane[];
+extern const jlt_descriptor *const jlt_family_spherical_top_plane[];
 extern const jlt_descriptor jlt_kernels_spherical_top_plane_general;
 extern const jlt_kernel_batch jlt_batch_spherical_top_plane_general_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_plane_general_avx2;
@@ -449,7 +451,7 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, section 4.1",
     .sha256 = "f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_spherical_top_plane,
+    .table = jlt_table_spherical_top_plane, .family = jlt_family_spherical_top_plane, .claims = jlt_claims_spherical_top_plane,
     .state_count = 2, .param_count = 7, .block_count = 33,
     .states = states,
     .params = params,
@@ -471,9 +473,11 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_general = {
     .integral_count = 0, .measure_count = 0, .equilibria_count = 0,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_spherical_top_plane_general_baseline,
         &jlt_batch_spherical_top_plane_general_avx2,
         &jlt_batch_spherical_top_plane_general_avx512,
     },
+#endif
 };

@@ -1,5 +1,9 @@
-/* The table of spherical_top_plane, byte for byte; SHA-256 f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_plane: its table byte for byte (SHA-256 f9aafbd8e8d9b885e87efe098f04e056def5e787fb1e1ba1e2a21b60624604a8), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_spherical_top_plane[];
+extern const jlt_claim jlt_claims_spherical_top_plane[];
+extern const jlt_descriptor *const jlt_family_spherical_top_plane[];
 
 const char jlt_table_spherical_top_plane[] = {
     '#',' ','T','h','e',' ','f','l','o','w',' ','o','n',' ','M','^','2',':',' ','t','h','e',' ','b','a','l','a','n','c','e','d',' ','s','p','h','e','r','e',' ','(','a','3',' ','=',' ','0',')',' ','w','i','t','h',' ','a','l','l',' ','t','h','r','e','e',' ','i','n','t','e','g','r','a','l','s',' ','E',',',' ','G',',',' ','F','0',' ','f','i','x','e','d','.','\n',
@@ -52,4 +56,28 @@ const char jlt_table_spherical_top_plane[] = {
     'e','m','b','e','d','d','i','n','g',' ','b','a','l','a','n','c','e','d',' ',':',' ','i','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','_','b','a','l','a','n','c','e','d','.','t','t',' ','w','i','t','h','\n',
     ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','s','l','i','p',' ','=',' ','v','_','s','l','i','p',',',' ','p','s','i',' ','=',' ','p','s','i','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_spherical_top_plane[] = {
+    { "equal", "jellett", "", JLT_PROVED, "", NULL },
+    { "equal", "third_integral", "", JLT_PROVED, "", NULL },
+    { "embedding", "balanced", "", JLT_PROVED, "", "7e770fa0d95a64a6d692eec7c896bb02a88565bddb8de74920152953481dc069" },
+    { "root", "s", "", JLT_PROVED, "", NULL },
+    { "root", "v_slip", "", JLT_PROVED, "", NULL },
+    { "variant", "equal_moments", "", JLT_PROVED, "", NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_spherical_top_plane_general;
+extern const jlt_descriptor jlt_kernels_spherical_top_plane_general_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments;
+extern const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular;
+
+const jlt_descriptor *const jlt_family_spherical_top_plane[] = {
+    &jlt_kernels_spherical_top_plane_general,
+    &jlt_kernels_spherical_top_plane_general_in_regular,
+    &jlt_kernels_spherical_top_plane_equal_moments,
+    &jlt_kernels_spherical_top_plane_equal_moments_in_regular,
+    NULL
 };

@@ -32,6 +32,8 @@
 #include <math.h>
 
 extern const char jlt_table_spherical_top_track[];
+extern const jlt_claim jlt_claims_spherical_top_track[];
+extern const jlt_descriptor *const jlt_family_spherical_top_track[];
 extern const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular;
 extern const jlt_kernel_batch jlt_batch_spherical_top_track_rod_in_regular_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_track_rod_in_regular_avx2;
@@ -854,7 +856,7 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular = {
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, systems (3.2) and (2.1)",
     .sha256 = "c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_spherical_top_track,
+    .table = jlt_table_spherical_top_track, .family = jlt_family_spherical_top_track, .claims = jlt_claims_spherical_top_track,
     .state_count = 10, .param_count = 6, .block_count = 20,
     .states = states,
     .params = params,
@@ -881,9 +883,11 @@ const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular = {
     .integrals = integrals,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_spherical_top_track_rod_in_regular_baseline,
         &jlt_batch_spherical_top_track_rod_in_regular_avx2,
         &jlt_batch_spherical_top_track_rod_in_regular_avx512,
     },
+#endif
 };

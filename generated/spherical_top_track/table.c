@@ -1,5 +1,9 @@
-/* The table of spherical_top_track, byte for byte; SHA-256 c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124. Written by ttc 0.1.0; do not edit. */
+/* spherical_top_track: its table byte for byte (SHA-256 c7bdf9b18905a1f818d5260ad87232eb89daed48e07bb866d4cc6758fadd9124), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_spherical_top_track[];
+extern const jlt_claim jlt_claims_spherical_top_track[];
+extern const jlt_descriptor *const jlt_family_spherical_top_track[];
 
 const char jlt_table_spherical_top_track[] = {
     '#',' ','T','h','e',' ','r','e','d','u','c','e','d',' ','s','y','s','t','e','m',' ','(','3','.','2',')',' ','w','i','t','h',' ','t','h','e',' ','a','t','t','i','t','u','d','e',' ','a','n','d',' ','t','h','e',' ','t','r','a','c','k',' ','o','n',' ','t','h','e',' ','p','l','a','n','e',' ','a','s',' ','q','u','a','d','r','a','t','u','r','e','s','.','\n',
@@ -98,4 +102,40 @@ const char jlt_table_spherical_top_track[] = {
     'r','e','d','u','c','t','i','o','n',' ','r','e','d','u','c','e','d',' ',':',' ','o','n','t','o',' ','s','p','h','e','r','i','c','a','l','_','t','o','p','.','t','t',' ','w','i','t','h','\n',
     ' ',' ',' ',' ','g','a','m','m','a','3',' ','=',' ','g','a','m','m','a','3',',',' ','v','_','n','u',' ','=',' ','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','o','m','e','g','a','_','t','a','u',',',' ','o','m','e','g','a','_','n',' ','=',' ','o','m','e','g','a','_','n',',',' ','o','m','e','g','a','3',' ','=',' ','o','m','e','g','a','3','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_spherical_top_track[] = {
+    { "integral", "E", "", JLT_PROVED, "", NULL },
+    { "integral", "G", "", JLT_PROVED, "", NULL },
+    { "rate", "along_nu", "", JLT_PROVED, "", NULL },
+    { "rate", "along_tau", "", JLT_PROVED, "", NULL },
+    { "rate", "vertical_turn", "", JLT_PROVED, "", NULL },
+    { "integral", "M_x", "a3 = 0", JLT_PROVED, "", NULL },
+    { "integral", "M_y", "a3 = 0", JLT_PROVED, "", NULL },
+    { "integral", "v_x", "I3 = 0", JLT_PROVED, "", NULL },
+    { "integral", "v_y", "I3 = 0", JLT_PROVED, "", NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "reduction", "reduced", "", JLT_PROVED, "", "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918" },
+    { "root", "s", "", JLT_PROVED, "", NULL },
+    { "variant", "balanced", "", JLT_PROVED, "", NULL },
+    { "variant", "rod", "", JLT_PROVED, "", NULL },
+    { "time", "regular", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_spherical_top_track_general;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_general_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_balanced;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_balanced_in_regular;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_rod;
+extern const jlt_descriptor jlt_kernels_spherical_top_track_rod_in_regular;
+
+const jlt_descriptor *const jlt_family_spherical_top_track[] = {
+    &jlt_kernels_spherical_top_track_general,
+    &jlt_kernels_spherical_top_track_general_in_regular,
+    &jlt_kernels_spherical_top_track_balanced,
+    &jlt_kernels_spherical_top_track_balanced_in_regular,
+    &jlt_kernels_spherical_top_track_rod,
+    &jlt_kernels_spherical_top_track_rod_in_regular,
+    NULL
 };

@@ -25,6 +25,8 @@
 #include <math.h>
 
 extern const char jlt_table_toda[];
+extern const jlt_claim jlt_claims_toda[];
+extern const jlt_descriptor *const jlt_family_toda[];
 extern const jlt_descriptor jlt_kernels_toda_general;
 extern const jlt_kernel_batch jlt_batch_toda_general_baseline;
 extern const jlt_kernel_batch jlt_batch_toda_general_avx2;
@@ -379,7 +381,7 @@ const jlt_descriptor jlt_kernels_toda_general = {
     .source = "M. Henon, Integrals of the Toda lattice, Phys. Rev. B 9 (1974) 1921-1923",
     .sha256 = "79463385d67ae1dc70b05259d1ce33196f59471c740553d39ca06f4200dd41de",
     .generator = "ttc 0.1.0 --effort full",
-    .table = jlt_table_toda,
+    .table = jlt_table_toda, .family = jlt_family_toda, .claims = jlt_claims_toda,
     .state_count = 6, .param_count = 1, .block_count = 2,
     .states = states,
     .params = params,
@@ -407,9 +409,11 @@ const jlt_descriptor jlt_kernels_toda_general = {
     .measures = measures,
     .jet = jet,
     .rhs_complex = rhs_complex,
+#ifndef JLT_WITHOUT_LANES
     .batches = {
         &jlt_batch_toda_general_baseline,
         &jlt_batch_toda_general_avx2,
         &jlt_batch_toda_general_avx512,
     },
+#endif
 };

@@ -1,5 +1,9 @@
-/* The table of toda, byte for byte; SHA-256 79463385d67ae1dc70b05259d1ce33196f59471c740553d39ca06f4200dd41de. Written by ttc 0.1.0; do not edit. */
+/* toda: its table byte for byte (SHA-256 79463385d67ae1dc70b05259d1ce33196f59471c740553d39ca06f4200dd41de), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+#include "kernel_abi.h"
+
 extern const char jlt_table_toda[];
+extern const jlt_claim jlt_claims_toda[];
+extern const jlt_descriptor *const jlt_family_toda[];
 
 const char jlt_table_toda[] = {
     '#',' ','T','h','r','e','e',' ','p','a','r','t','i','c','l','e','s',' ','o','n',' ','a',' ','r','i','n','g',' ','w','i','t','h',' ','e','x','p','o','n','e','n','t','i','a','l',' ','s','p','r','i','n','g','s',',',' ','a','n','d',' ','t','h','e',' ','t','h','i','r','d',' ','i','n','t','e','g','r','a','l',' ','t','h','a','t',' ','m','a','k','e','s',' ','t','h','e','m',' ','i','n','t','e','g','r','a','b','l','e','.',' ','T','h','e',' ','s','p','r','i','n','g','s','\'',' ','f','o','r','c','e','s','\n',
@@ -49,4 +53,25 @@ const char jlt_table_toda[] = {
     's','y','m','m','e','t','r','y',' ','m','i','r','r','o','r',' ',':',' ','q','1',' ','-','>',' ','-','q','3',',',' ','q','2',' ','-','>',' ','-','q','2',',',' ','q','3',' ','-','>',' ','-','q','1',',',' ','p','1',' ','-','>',' ','-','p','3',',',' ','p','2',' ','-','>',' ','-','p','2',',',' ','p','3',' ','-','>',' ','-','p','1','\n',
     's','y','m','m','e','t','r','y',' ','s','h','i','f','t',' ',':',' ','q','1',' ','-','>',' ','q','1',' ','+',' ','k',',',' ','q','2',' ','-','>',' ','q','2',' ','+',' ','k',',',' ','q','3',' ','-','>',' ','q','3',' ','+',' ','k','\n',
     '\0'
+};
+
+const jlt_claim jlt_claims_toda[] = {
+    { "integral", "P", "", JLT_PROVED, "", NULL },
+    { "integral", "H", "", JLT_PROVED, "", NULL },
+    { "integral", "J", "", JLT_PROVED, "", NULL },
+    { "equal", "ring", "", JLT_PROVED, "", NULL },
+    { "measure", "volume", "", JLT_PROVED, "", NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "reversor", "reversor", "", JLT_PROVED, "", NULL },
+    { "symmetry", "turn", "", JLT_PROVED, "", NULL },
+    { "symmetry", "mirror", "", JLT_PROVED, "", NULL },
+    { "symmetry", "shift", "", JLT_PROVED, "", NULL },
+    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }
+};
+
+extern const jlt_descriptor jlt_kernels_toda_general;
+
+const jlt_descriptor *const jlt_family_toda[] = {
+    &jlt_kernels_toda_general,
+    NULL
 };

@@ -125,7 +125,7 @@ done:
 
 static jlt_status bind(jlt_instance **instance, const jlt_descriptor *descriptor, const double *params)
 {
-    const jlt_descriptor *special = jlt_descriptor_choose(descriptor->model, NULL, NULL, params);
+    const jlt_descriptor *special = jlt_descriptor_choose(descriptor, NULL, NULL, params);
 
     *instance = NULL;
     if (descriptor->state_count > SIZE || descriptor->state_count == 0) return JLT_ERR_UNSUPPORTED;

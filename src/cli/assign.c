@@ -1,5 +1,6 @@
 #include "cli/assign.h"
 
+#include "cli/table.h"
 #include "core/memory.h"
 #include "ext/number.h"
 #include "kernel/descriptor.h"
@@ -94,18 +95,6 @@ const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name)
     return NULL;
 }
 
-static jlt_exit no_model(const char *model)
-{
-    fprintf(stderr, "jellett: there is no model '%s' built in; there are", model);
-    for (size_t i = 0, shown = 0; i < jlt_descriptor_count(); i++) {
-        const jlt_descriptor *d = jlt_descriptor_at(i);
-        if (i > 0 && strcmp(d->model, jlt_descriptor_at(i - 1)->model) == 0) continue;
-        fprintf(stderr, "%s %s", shown++ == 0 ? "" : ",", d->model);
-    }
-    fputs(" ('jellett models' tells more)\n", stderr);
-    return JLT_EXIT_INPUT;
-}
-
 static const char *condition(jlt_sign sign)
 {
     return sign == JLT_POSITIVE ? "> 0" : sign == JLT_NONNEGATIVE ? ">= 0" : "!= 0";
@@ -122,13 +111,13 @@ jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, doubl
 jlt_exit jlt_assign_model(const jlt_descriptor **descriptor, double **params, const char *model,
                           const jlt_assign_list *list)
 {
-    const jlt_descriptor *d = jlt_descriptor_find(model, NULL, NULL, NULL);
+    const jlt_descriptor *d;
     double *values;
     size_t index = 0;
-    jlt_exit code;
+    jlt_exit code = jlt_table_open(&d, model);
 
     *params = NULL;
-    if (d == NULL) return no_model(model);
+    if (code != JLT_EXIT_DONE) return code;
     values = jlt_memory_array(d->param_count, sizeof *values);
     if (values == NULL) return jlt_command_no_memory();
     for (unsigned i = 0; i < d->param_count; i++) values[i] = d->params[i].value;

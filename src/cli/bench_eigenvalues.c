@@ -126,7 +126,7 @@ static double draw_omega3(jlt_random *random, int kind)
 
 static jlt_status draw(eigen_run *run, jlt_oracle *oracle, jlt_random *random, const jlt_descriptor *d, int kind)
 {
-    const jlt_descriptor *balanced = jlt_descriptor_find(d->model, "balanced", NULL, NULL);
+    const jlt_descriptor *balanced = jlt_descriptor_sibling(d, "balanced", NULL, NULL);
     jlt_status st = JLT_OK;
     double block[512];
 

@@ -25,19 +25,19 @@ jlt_exit jlt_command_fail(jlt_exit code, const char *format, ...)
     return code;
 }
 
-static void warn_of(const char *model)
+static void warn_of(const jlt_descriptor *of)
 {
     char claims[1024];
 
-    if (!jlt_descriptor_unproved(claims, sizeof claims, model)) return;
-    fprintf(stderr, "jellett: warning: kernels of %s rest on claims that are not proved: %s\n", model, claims);
+    if (of == NULL || !jlt_descriptor_unproved(claims, sizeof claims, of)) return;
+    fprintf(stderr, "jellett: warning: kernels of %s rest on claims that are not proved: %s\n", of->model, claims);
 }
 
 void jlt_command_warn_unproved(const jlt_descriptor *descriptor)
 {
     const jlt_tier *tier, *other;
 
-    warn_of(descriptor->model);
+    warn_of(descriptor);
     if (!jlt_plan_has_tiers(descriptor)) return;
     /* The smaller models that may answer in its place, each once. */
     for (size_t i = 0; (tier = jlt_tier_at(i)) != NULL; i++) {
@@ -46,7 +46,7 @@ void jlt_command_warn_unproved(const jlt_descriptor *descriptor)
             other = jlt_tier_at(k);
             is_new = other->model == NULL || strcmp(other->model, tier->model) != 0;
         }
-        if (is_new) warn_of(tier->model);
+        if (is_new) warn_of(jlt_descriptor_find(tier->model, NULL, NULL, NULL));
     }
 }
 

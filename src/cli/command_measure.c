@@ -99,7 +99,7 @@ static jlt_status find_obstruction(finding *f, jlt_random *random)
 
 static jlt_status investigate(finding *f, const request *r)
 {
-    const jlt_descriptor *special = jlt_descriptor_choose(f->general->model, NULL, NULL, f->params);
+    const jlt_descriptor *special = jlt_descriptor_choose(f->general, NULL, NULL, f->params);
     jlt_random random;
     jlt_status st;
 

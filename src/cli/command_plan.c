@@ -49,7 +49,7 @@ static void print_candidate(const jlt_plan *plan, unsigned index)
     const jlt_candidate *c = &plan->candidates[index];
     const char *name = c->tier != NULL ? c->tier->name : "model";
     const unsigned dimension = c->tier != NULL ? c->tier->dimension : c->descriptor->state_count;
-    char kernel[128], counts[64] = "";
+    char kernel[128], counts[64] = "", refusal[1024];
 
     kernel_name(kernel, sizeof kernel, c->descriptor);
     if (c->descriptor != NULL) {
@@ -61,7 +61,10 @@ static void print_candidate(const jlt_plan *plan, unsigned index)
     if (index == plan->chosen)
         puts(plan->forced ? "taken: asked for by name" : plan->count == 1 ? "taken: the model's own field"
                                                                           : "taken: the smallest that answers");
-    else if (c->refusal != NULL) printf("no: %s\n", c->refusal);
+    else if (c->refusal != NULL) {
+        jlt_plan_refusal(refusal, sizeof refusal, c);
+        printf("no: %s\n", refusal);
+    }
     else if (c->tier != NULL && c->tier->by_name) puts("would answer: a comparison, by name only");
     else puts(index > plan->chosen ? "would answer, but is larger" : "would answer, and is smaller");
 }

@@ -124,8 +124,11 @@ static jlt_exit open_course(jlt_simulate_request *r, const char *tier)
     if (st == JLT_ERR_ARG)
         return jlt_command_fail(JLT_EXIT_INPUT, "there is no tier '%s' of %s; jellett plan lists them", tier,
                                 s->descriptor->model);
-    if (st == JLT_ERR_UNSUPPORTED && tier != NULL)
-        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", tier, plan->candidates[plan->chosen].refusal);
+    if (st == JLT_ERR_UNSUPPORTED && tier != NULL) {
+        char refusal[1024];
+        jlt_plan_refusal(refusal, sizeof refusal, &plan->candidates[plan->chosen]);
+        return jlt_command_fail(JLT_EXIT_INPUT, "the tier %s cannot answer: %s", tier, refusal);
+    }
     if (st == JLT_OK) st = jlt_course_create(&r->courses[r->course_count], plan, &question, &options);
     if (st == JLT_ERR_UNSUPPORTED && options.project && s->method->multistep)
         return jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", s->method->name);

@@ -1,8 +1,8 @@
 #include "cli/common.h"
 #include "cli/interrupt.h"
+#include "cli/table.h"
 #include "cli/verify.h"
 
-#include "kernel/descriptor.h"
 
 #include <stdlib.h>
 
@@ -78,14 +78,12 @@ static jlt_exit run_command(int argc, char **argv)
 {
     jlt_verify_run run = { .model = "spherical_top", .seed = 1, .samples = SAMPLES_DEFAULT };
     jlt_command_output output = { 0 };
-    const jlt_assign_list none = { 0 };
-    double *params = NULL;
     jlt_exit code;
     jlt_status st;
 
     argp_parse(&parser, argc, argv, 0, NULL, &run);
-    run.descriptor = jlt_descriptor_find(run.model, NULL, NULL, NULL);
-    if (run.descriptor == NULL) return jlt_assign_model(&run.descriptor, &params, run.model, &none);
+    code = jlt_table_open(&run.descriptor, run.model);
+    if (code != JLT_EXIT_DONE) return code;
     jlt_command_warn_unproved(run.descriptor);
     st = verify(&run);
     if (run.interrupt != NULL && *run.interrupt) {

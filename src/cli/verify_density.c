@@ -75,16 +75,16 @@ done:
 
 jlt_status jlt_verify_densities(jlt_verify_run *run)
 {
-    const char *model = run->descriptor->model;
-    size_t room = 1;
+    const jlt_descriptor *const *family = run->descriptor->family;
+    size_t room = 0;
     jlt_status st = JLT_OK;
 
-    for (size_t i = 0; i < jlt_descriptor_count(); i++) room += strcmp(jlt_descriptor_at(i)->model, model) == 0;
-    run->densities = calloc(room * DRAWS_OF_PARAMS, sizeof *run->densities);
+    while (family[room] != NULL) room++;
+    run->densities = calloc((room + 1) * DRAWS_OF_PARAMS, sizeof *run->densities);
     if (run->densities == NULL) return JLT_ERR_NOMEM;
-    for (size_t i = 0; i < jlt_descriptor_count(); i++) {
-        const jlt_descriptor *d = jlt_descriptor_at(i);
-        if (strcmp(d->model, model) != 0 || d->time[0] != '\0' || d->elimination[0] != '\0') continue;
+    for (size_t i = 0; i < room; i++) {
+        const jlt_descriptor *d = family[i];
+        if (d->time[0] != '\0' || d->elimination[0] != '\0') continue;
         if (d != run->descriptor && d->measure_count == 0) continue;
         for (unsigned kind = 0; st == JLT_OK && kind < (d->measure_count > 0 ? DRAWS_OF_PARAMS : 1u); kind++)
             st = add(run, d, kind == 0 ? 0 : 1);

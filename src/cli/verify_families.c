@@ -246,7 +246,7 @@ static jlt_status verify_family(jlt_verify_run *run, jlt_verify_family *f)
         f->samples++;
         refused = jlt_verify_sample_enclose(s, run, &subject);
         if (refused == JLT_OK) refused = compare(f, s, run->oracle, general, general);
-        special = jlt_descriptor_choose(general->model, NULL, NULL, s->params);
+        special = jlt_descriptor_choose(general, NULL, NULL, s->params);
         if (refused == JLT_OK && special != NULL && special != general) refused = compare(f, s, run->oracle, special, general);
         if (refused == JLT_ERR_NOMEM) st = refused;
         if (refused != JLT_OK) f->refused++;

@@ -69,7 +69,7 @@ jlt_status jlt_system_top(jlt_system **out, const jlt_top_values *values, const 
     if (descriptor == NULL || descriptor->param_count > JLT_SYSTEM_PARAMS_MAX) return JLT_ERR_UNSUPPORTED;
     if (!isfinite(values->E) || !isfinite(values->G)) return JLT_ERR_NONFINITE;
     JLT_TRY(top_params(params, descriptor, values));
-    descriptor = jlt_descriptor_choose(model, "regular", NULL, params);
+    descriptor = jlt_descriptor_choose(descriptor, "regular", NULL, params);
     self = calloc(1, sizeof *self);
     st = JLT_ERR_NOMEM;
     if (self == NULL) goto done;

@@ -59,17 +59,31 @@ static bool more_special(const jlt_descriptor *a, const jlt_descriptor *b)
     return operations(&a->rhs_jacobian.optimized) < operations(&b->rhs_jacobian.optimized);
 }
 
-const jlt_descriptor *jlt_descriptor_choose(const char *model, const char *time, const char *elimination,
+const jlt_descriptor *jlt_descriptor_sibling(const jlt_descriptor *of, const char *variant, const char *time,
+                                             const char *elimination)
+{
+    for (const jlt_descriptor *const *d = of->family; *d != NULL; d++)
+        if (same((*d)->variant, variant) && same((*d)->time, time) && same((*d)->elimination, elimination)) return *d;
+    return NULL;
+}
+
+const jlt_descriptor *jlt_descriptor_choose(const jlt_descriptor *of, const char *time, const char *elimination,
                                             const double *params)
 {
     const jlt_descriptor *best = NULL;
 
-    for (size_t i = 0; i < jlt_registry_count; i++) {
-        const jlt_descriptor *d = jlt_registry[i];
-        if (!same(d->model, model) || !same(d->time, time) || !same(d->elimination, elimination)) continue;
-        if (serves(d, params) && (best == NULL || more_special(d, best))) best = d;
+    for (const jlt_descriptor *const *d = of->family; *d != NULL; d++) {
+        if (!same((*d)->time, time) || !same((*d)->elimination, elimination)) continue;
+        if (serves(*d, params) && (best == NULL || more_special(*d, best))) best = *d;
     }
     return best;
+}
+
+const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name)
+{
+    for (const jlt_claim *claim = of->claims; claim->kind != NULL; claim++)
+        if (strcmp(claim->kind, kind) == 0 && strcmp(claim->name, name) == 0) return claim;
+    return NULL;
 }
 
 /* Add those of `more` that are not there yet; both are lists joined with ", ". */
@@ -89,12 +103,11 @@ static void join_claims(char *claims, size_t size, const char *more)
     }
 }
 
-bool jlt_descriptor_unproved(char *claims, size_t size, const char *model)
+bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of)
 {
     claims[0] = '\0';
-    for (size_t i = 0; i < jlt_registry_count; i++)
-        if (same(jlt_registry[i]->model, model) && jlt_registry[i]->unproved != NULL)
-            join_claims(claims, size, jlt_registry[i]->unproved);
+    for (const jlt_descriptor *const *d = of->family; *d != NULL; d++)
+        if ((*d)->unproved != NULL) join_claims(claims, size, (*d)->unproved);
     return claims[0] != '\0';
 }
 

@@ -16,15 +16,22 @@ const jlt_descriptor *jlt_descriptor_at(size_t index);
 const jlt_descriptor *jlt_descriptor_find(const char *model, const char *variant, const char *time,
                                           const char *elimination);
 
-/** The most special variant of a model that serves these parameters: its substitutions leave them unchanged, and it has
- *  the most integrals, then the fewest operations. Falls back to the general field. NULL when there is no such model.
+/** Another descriptor of the same model, with exactly these names; NULL stands for "". Returns NULL when there is none. */
+const jlt_descriptor *jlt_descriptor_sibling(const jlt_descriptor *of, const char *variant, const char *time,
+                                             const char *elimination);
+
+/** The most special variant of a descriptor's model that serves these parameters: its substitutions leave them unchanged, and it
+ *  has the most integrals, then the fewest operations. NULL when there is none in this time with this elimination.
  *  In: params, shape (params,) of the model. */
-const jlt_descriptor *jlt_descriptor_choose(const char *model, const char *time, const char *elimination,
+const jlt_descriptor *jlt_descriptor_choose(const jlt_descriptor *of, const char *time, const char *elimination,
                                             const double *params);
 
+/** A claim of the model, by kind and name; NULL when its table makes none. */
+const jlt_claim *jlt_descriptor_claim(const jlt_descriptor *of, const char *kind, const char *name);
+
 /** The claims that kernels of a model rest on without a proof, all its descriptors taken together: "KIND NAME, ...", cut to
- *  `size` bytes. False, and "", when everything is proved, or there is no such model. */
-bool jlt_descriptor_unproved(char *claims, size_t size, const char *model);
+ *  `size` bytes. False, and "", when everything is proved. */
+bool jlt_descriptor_unproved(char *claims, size_t size, const jlt_descriptor *of);
 
 /* Position of a name; false when there is none. */
 bool jlt_descriptor_state(const jlt_descriptor *descriptor, const char *name, size_t *index);

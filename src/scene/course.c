@@ -15,6 +15,7 @@ struct jlt_course {
     jlt_units units;
     const jlt_quantity *quantities; /* (states,): of the asked model */
     bool has_top;
+    bool has_force; /* the formula of the normal reaction is proved for this table */
     unsigned states;
     int direction; /* of time so far: 0, +1, -1 */
     double t;
@@ -30,6 +31,7 @@ struct jlt_course {
 
     double least_force, lost_at;
 
+    double params[JLT_PLAN_PARAMS_MAX]; /* of the asked model, in the course's units */
     double start[JLT_PLAN_STATES_MAX];
     double x[JLT_PLAN_STATES_MAX];
     double y[JLT_FIELD_DIM_MAX];
@@ -110,7 +112,7 @@ static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, cons
     if (options->project) JLT_TRY(jlt_conserved_of(&to_orbit.invariants, &self->conserved, chosen->descriptor, &self->field));
     JLT_TRY(jlt_orbit_create(&self->orbit, options->method != NULL ? options->method : jlt_method_find(NULL), &self->field,
                              &to_orbit));
-    if (self->has_top) jlt_orbit_observe(self->orbit, watch_force, self);
+    if (self->has_force) jlt_orbit_observe(self->orbit, watch_force, self);
 done:
     return st;
 }
@@ -119,17 +121,20 @@ done:
 static jlt_status look(jlt_course *self, jlt_tier_view *told, const jlt_candidate *chosen, const jlt_question *question)
 {
     const jlt_descriptor *model = question->model;
-    double params[JLT_PLAN_PARAMS_MAX], start[JLT_TOP_STATES];
+    double start[JLT_TOP_STATES];
     jlt_top top;
     jlt_status st = jlt_top_read(&top, model, question->params);
 
     if (st != JLT_OK) return st;
     jlt_tier_look(told, chosen->tier, chosen->descriptor, &top, question->start);
     self->units = jlt_chart_top_units(&told->chart);
-    jlt_units_count(params, question->params, model->params, model->param_count, &self->units);
+    jlt_units_count(self->params, question->params, model->params, model->param_count, &self->units);
     jlt_units_count(start, question->start, model->states, JLT_TOP_STATES, &self->units);
-    st = jlt_top_read(&top, model, params);
+    st = jlt_top_read(&top, model, self->params);
     if (st == JLT_OK) jlt_tier_look(&self->view, chosen->tier, chosen->descriptor, &top, start);
+    told->asked = self->view.asked = model;
+    told->asked_params = question->params;
+    self->view.asked_params = self->params;
     return st;
 }
 
@@ -154,13 +159,16 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     self->quantities = model->states;
     self->has_top = jlt_plan_has_tiers(model);
     if (self->has_top) JLT_TRY(look(self, &told, chosen, question));
+    self->has_force = self->has_top && jlt_plan_has_force(model);
     jlt_units_count(self->start, question->start, model->states, self->states, &self->units);
     memcpy(self->x, self->start, self->states * sizeof *self->x);
     JLT_TRY(jlt_instance_create_in(&self->watch, plan->reduced, question->params, &self->units));
     integrals(self, self->first, self->start);
-    if (self->has_top) {
+    if (self->has_force) {
         self->least_force = INFINITY;
         note_force(self, 0, self->start);
+    }
+    if (self->has_top) {
         if (chosen->tier != NULL && chosen->tier->model == NULL)
             JLT_TRY(jlt_rod_open(&self->rod, &self->view.top, self->start));
     }
@@ -212,7 +220,7 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     integrals(self, now, self->x);
     for (unsigned i = 0; i < jlt_course_integrals(self); i++)
         self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
-    if (self->has_top) {
+    if (self->has_force) {
         row->contact_force = jlt_top_contact_force(&self->view.top, self->x);
         note_force(self, t, self->x);
     }

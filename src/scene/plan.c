@@ -1,27 +1,85 @@
 #include "scene/plan.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "kernel/descriptor.h"
+#include "scene/link.h"
 
 static const char tiered_model[] = "spherical_top";
 
 bool jlt_plan_has_tiers(const jlt_descriptor *model)
 {
-    return strcmp(model->model, tiered_model) == 0;
+    static const char *const states[JLT_TOP_STATES] = { "gamma3", "v_nu", "omega_tau", "omega_n", "omega3" };
+
+    if (strcmp(model->model, tiered_model) != 0 || model->state_count != JLT_TOP_STATES) return false;
+    for (unsigned i = 0; i < JLT_TOP_STATES; i++)
+        if (strcmp(model->states[i].name, states[i]) != 0) return false;
+    return true;
+}
+
+/* The table whose kernels a tier takes: the one that was asked about where it has the tier's name. */
+static const jlt_descriptor *table_of(const char *name, const jlt_descriptor *asked)
+{
+    return strcmp(name, asked->model) == 0 ? asked : jlt_descriptor_find(name, NULL, NULL, NULL);
 }
 
 /* The most special kernel of a tier for these parameters; a model of its own is asked with its own parameters. */
-static const jlt_descriptor *kernel_of(const jlt_tier *tier, const jlt_top *top, const double *x)
+static const jlt_descriptor *kernel_of(const jlt_tier *tier, const jlt_question *question, const jlt_top *top, const double *x)
 {
-    const jlt_descriptor *general = jlt_descriptor_find(tier->model, NULL, tier->time, tier->elimination);
+    const jlt_descriptor *table = table_of(tier->model, question->model);
+    const jlt_descriptor *general = table == NULL ? NULL : jlt_descriptor_sibling(table, NULL, tier->time, tier->elimination);
     double params[JLT_PLAN_PARAMS_MAX];
     jlt_tier_view view;
 
     if (general == NULL || general->param_count > JLT_PLAN_PARAMS_MAX) return NULL;
     jlt_tier_look(&view, tier, general, top, x);
+    view.asked = question->model;
+    view.asked_params = question->params;
     if (jlt_tier_params(params, &view) != JLT_OK) return NULL;
-    return jlt_descriptor_choose(tier->model, tier->time, tier->elimination, params);
+    return jlt_descriptor_choose(table, tier->time, tier->elimination, params);
+}
+
+/* What a claim lacks; NULL where it is proved. */
+static const char *want_of(const jlt_claim *claim)
+{
+    if (claim == NULL) return "its table makes no claim that leads there";
+    if (claim->verdict == JLT_PROVED) return NULL;
+    return claim->verdict == JLT_REFUTED ? "a claim that it rests on is refuted" : "a claim that it rests on is not settled";
+}
+
+/* Why nothing proved leads from the asked table to the tier's; NULL where it does. */
+static const char *unproved(const jlt_claim **broken, const jlt_tier *tier, const jlt_descriptor *asked)
+{
+    const jlt_descriptor *table = table_of(tier->proofs.table, asked);
+    const char *want = NULL;
+
+    *broken = NULL;
+    if (table == NULL) return NULL; /* its kernel is not there: that is told elsewhere */
+    if (!jlt_link_holds(broken, asked, table))
+        return *broken != NULL ? want_of(*broken) : "it is proved to serve for another table of this name, not for this one";
+    for (size_t i = 0; want == NULL && i < JLT_TIER_CLAIMS_MAX && tier->proofs.claims[i].kind != NULL; i++) {
+        const jlt_claim *claim = jlt_descriptor_claim(asked, tier->proofs.claims[i].kind, tier->proofs.claims[i].name);
+        want = want_of(claim);
+        *broken = want != NULL ? claim : NULL;
+    }
+    return want;
+}
+
+bool jlt_plan_has_force(const jlt_descriptor *model)
+{
+    const jlt_descriptor *full = jlt_descriptor_find("spherical_top_full", NULL, NULL, NULL);
+    const jlt_claim *broken;
+
+    return full != NULL && jlt_link_holds(&broken, model, full);
+}
+
+void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate)
+{
+    const jlt_claim *claim = candidate->broken;
+
+    if (claim == NULL) snprintf(text, size, "%s", candidate->refusal);
+    else snprintf(text, size, "%s (%s %s: %s)", candidate->refusal, claim->kind, claim->name, claim->reason);
 }
 
 static jlt_candidate judge(const jlt_tier *tier, const jlt_question *question, const jlt_top *top)
@@ -35,7 +93,8 @@ static jlt_candidate judge(const jlt_tier *tier, const jlt_question *question, c
     else if (tier->refuses != NULL) candidate.refusal = tier->refuses(top, start);
     if (candidate.refusal == NULL && question->attitude && !tier->attitude)
         candidate.refusal = "attitude and track are asked for";
-    if (tier->model != NULL) candidate.descriptor = kernel_of(tier, top, start);
+    if (candidate.refusal == NULL) candidate.refusal = unproved(&candidate.broken, tier, question->model);
+    if (tier->model != NULL) candidate.descriptor = kernel_of(tier, question, top, start);
     if (candidate.refusal == NULL && tier->model != NULL
         && (candidate.descriptor == NULL || candidate.descriptor->rhs.call == NULL
             || candidate.descriptor->state_count != tier->columns))
@@ -46,7 +105,7 @@ static jlt_candidate judge(const jlt_tier *tier, const jlt_question *question, c
 /* The most special kernel of the model itself, in t. */
 static const jlt_descriptor *own_kernel(const jlt_question *question)
 {
-    return jlt_descriptor_choose(question->model->model, NULL, NULL, question->params);
+    return jlt_descriptor_choose(question->model, NULL, NULL, question->params);
 }
 
 jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question)

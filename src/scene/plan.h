@@ -23,6 +23,7 @@ typedef struct {
     const jlt_tier *tier;             /* NULL: the model's own kernel */
     const jlt_descriptor *descriptor; /* NULL: no kernel (quadratures), or not built in */
     const char *refusal;              /* NULL when it serves */
+    const jlt_claim *broken;          /* the claim that it would rest on and that is not proved; NULL: none, or the refusal is another */
 } jlt_candidate;
 
 typedef struct {
@@ -32,10 +33,18 @@ typedef struct {
     const jlt_descriptor *reduced;    /* the asked model's most special kernel in t: its integrals are watched */
 } jlt_plan;
 
-/** True for models that tiers speak of: the spherical top's reduced system. */
+/** True for models that tiers speak of: the spherical top's reduced system, in its five states. */
 bool jlt_plan_has_tiers(const jlt_descriptor *model);
 
-/** Errors: ARG, no such tier; UNSUPPORTED, none serves, or the tier asked for does not (plan->chosen then is that tier, and
+/** Whether the normal reaction of the plane is known of this model: its table is linked to that of the full system, which proves the
+ *  formula. */
+bool jlt_plan_has_force(const jlt_descriptor *model);
+
+/** Why a candidate does not serve, with the claim that is not proved: "...: reduction on_level: dG/dt = ...". */
+void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate);
+
+/** A tier serves only where claims that are proved link its table to the one that was asked about (scene/link.h).
+ *  Errors: ARG, no such tier; UNSUPPORTED, none serves, or the tier asked for does not (plan->chosen then is that tier, and
  *  its refusal says why). */
 JLT_CHECKED jlt_status jlt_plan_make(jlt_plan *out, const jlt_question *question);
 

@@ -1,5 +1,7 @@
 #include "scene/tier.h"
 
+#include "kernel/descriptor.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -233,30 +235,41 @@ const char jlt_tier_near_pole[] = "the orbit is so near a pole that in plain tim
 
 static const jlt_tier tiers[] = {
     { "quadrature", "I3 = 0: tilt, turn and time by quadratures, nothing is integrated in time", 0,
-      NULL, NULL, NULL, false, false, false, 0, needs_rod, NULL, NULL, NULL, NULL, NULL },
+      NULL, NULL, NULL, false, false, false, 0, needs_rod, NULL, NULL, NULL, NULL, NULL,
+      { "spherical_top_level", { { "integral", "E1" }, { "integral", "E2" }, { "integral", "G" } } } },
     { "plane", "a3 = 0: the flow on a half of M^2, levels of E, G and F0 fixed", 2,
-      "spherical_top_plane", "regular", NULL, false, false, false, 3, needs_halves, plane_embed, plane_extract, NULL, NULL, NULL },
+      "spherical_top_plane", "regular", NULL, false, false, false, 3, needs_halves, plane_embed, plane_extract, NULL, NULL, NULL,
+      { "spherical_top_plane", { { 0 } } } },
     { "balanced", "a3 = 0: M^2 whole, in three states on levels of G and of the horizontal momentum", 3,
       "spherical_top_balanced", "regular", NULL, false, false, false, 4, needs_balance, balanced_embed, balanced_extract, NULL,
-      NULL, NULL },
+      NULL, NULL,
+      { "spherical_top_balanced", { { 0 } } } },
     { "level", "four states on a level of G, in coordinates that divide by nothing small", 4,
-      "spherical_top_level", "regular", NULL, false, false, true, 5, NULL, level_embed, level_extract, NULL, NULL, NULL },
+      "spherical_top_level", "regular", NULL, false, false, true, 5, NULL, level_embed, level_extract, NULL, NULL, NULL,
+      { "spherical_top_level", { { 0 } } } },
     { "level_plain", "the same in t: steps collapse at the poles", 4,
-      "spherical_top_level", NULL, NULL, true, false, false, 4, NULL, level_embed, level_plain_extract, NULL, NULL, NULL },
+      "spherical_top_level", NULL, NULL, true, false, false, 4, NULL, level_embed, level_plain_extract, NULL, NULL, NULL,
+      { "spherical_top_level", { { 0 } } } },
     { "level_omega_n", "a level of G with omega_n eliminated: loses digits near the poles", 4,
-      "spherical_top", NULL, "level_G", true, false, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL, NULL, NULL },
+      "spherical_top", NULL, "level_G", true, false, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL, NULL, NULL,
+      { "spherical_top", { { "eliminate", "level_G" } } } },
     { "level_omega3", "a level of G with omega3 eliminated: loses digits near b = 0", 4,
       "spherical_top", NULL, "level_G_omega3", true, false, false, 4, needs_spin, without_omega3_embed, without_omega3_extract,
-      NULL, without_omega3_edge, "b = a3 + R gamma3 is below R/1000, where G does not tell omega3" },
+      NULL, without_omega3_edge, "b = a3 + R gamma3 is below R/1000, where G does not tell omega3",
+      { "spherical_top", { { "eliminate", "level_G_omega3" } } } },
     { "five", "the reduced system (3.2)", 5,
-      "spherical_top", "regular", NULL, false, false, false, 6, NULL, five_embed, five_extract, NULL, NULL, NULL },
+      "spherical_top", "regular", NULL, false, false, false, 6, NULL, five_embed, five_extract, NULL, NULL, NULL,
+      { "spherical_top", { { 0 } } } },
     { "five_plain", "the same in t: steps collapse at the poles", 5,
-      "spherical_top", NULL, NULL, true, false, false, 5, NULL, plain_embed, five_extract, NULL, NULL, NULL },
+      "spherical_top", NULL, NULL, true, false, false, 5, NULL, plain_embed, five_extract, NULL, NULL, NULL,
+      { "spherical_top", { { 0 } } } },
     { "track", "the reduced system with attitude and track by quadratures", 9,
-      "spherical_top_track", "regular", NULL, false, true, false, 10, NULL, track_embed, five_extract, track_orient, NULL, NULL },
+      "spherical_top_track", "regular", NULL, false, true, false, 10, NULL, track_embed, five_extract, track_orient, NULL, NULL,
+      { "spherical_top_track", { { 0 } } } },
     { "full", "the full system (2.7) with (2.1): every vector by its components", 17,
       "spherical_top_full", NULL, NULL, false, true, false, 17, needs_inertia, full_embed, full_extract, full_orient, full_edge,
-      jlt_tier_near_pole },
+      jlt_tier_near_pole,
+      { "spherical_top_full", { { 0 } } } },
 };
 
 const jlt_tier *jlt_tier_at(size_t index)
@@ -293,8 +306,13 @@ jlt_status jlt_tier_params(double *params, const jlt_tier_view *view)
                   { "M", view->levels.M }, { "F0", view->levels.F0 } };
 
     for (unsigned i = 0; i < view->descriptor->param_count; i++) {
+        const char *name = view->descriptor->params[i].name;
         size_t k = 0;
-        while (k < sizeof known / sizeof *known && strcmp(known[k].name, view->descriptor->params[i].name) != 0) k++;
+        if (view->asked != NULL && jlt_descriptor_param(view->asked, name, &k)) {
+            params[i] = view->asked_params[k];
+            continue;
+        }
+        for (k = 0; k < sizeof known / sizeof *known && strcmp(known[k].name, name) != 0;) k++;
         if (k == sizeof known / sizeof *known) return JLT_ERR_UNSUPPORTED;
         params[i] = known[k].value;
     }

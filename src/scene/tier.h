@@ -21,8 +21,20 @@ typedef struct {
     double G;
     jlt_chart_top chart;              /* level of G */
     jlt_balanced_levels levels;       /* a3 = 0 */
+    const jlt_descriptor *asked;      /* the model that was asked about, and its parameters; NULL where the top's are all */
+    const double *asked_params;
     int mirror;                       /* -1: the reversor's image is integrated, in reversed time */
 } jlt_tier_view;
+
+/** What must be proved for a tier to serve: that a chain of claims links its table to the asked one, and claims of the latter. */
+enum { JLT_TIER_CLAIMS_MAX = 3 };
+
+typedef struct {
+    const char *table;
+    struct {
+        const char *kind, *name;
+    } claims[JLT_TIER_CLAIMS_MAX];
+} jlt_tier_proofs;
 
 typedef struct {
     const char *name, *meaning;
@@ -39,6 +51,7 @@ typedef struct {
     double (*edge)(void *view, const double *y); /* > 0 where its coordinates are good, beyond what the kernel's domain tells;
                                                     NULL: everywhere */
     const char *edge_meaning;
+    jlt_tier_proofs proofs;
 } jlt_tier;
 
 /* What the edge of a kernel's domain means in plain time. */
@@ -53,7 +66,7 @@ const jlt_tier *jlt_tier_find(const char *name); /* NULL when there is none */
 void jlt_tier_look(jlt_tier_view *out, const jlt_tier *tier, const jlt_descriptor *descriptor, const jlt_top *top,
                    const double *x);
 
-/** The kernel's parameters by name: the top's, the levels it asks for (G, G_level, M, F0).
+/** The kernel's parameters by name: the asked model's, or the top's, and the levels it asks for (G, G_level, M, F0).
  *  params: shape (descriptor->param_count,). Errors: UNSUPPORTED, one that nobody knows. */
 JLT_CHECKED jlt_status jlt_tier_params(double *params, const jlt_tier_view *view);
 

@@ -19,7 +19,7 @@ static size_t check_table(const char *path)
     ttc_plan plan;
     ttc_proof_report report = { 0 };
     ttc_model *model = read_table(path);
-    assert_true(ttc_plan_create(&plan, model, TTC_EFFORT_FULL));
+    assert_true(ttc_plan_create(&plan, model, TTC_ALL_FIELDS, TTC_EFFORT_FULL));
     assert_true(ttc_prove_kernels(&plan, &report));
     for (size_t i = 0; i < report.proof_count; i++) {
         if (report.proofs[i].status != TTC_PROVED)
@@ -108,7 +108,7 @@ static void a_kernel_with_one_operation_exchanged_is_refuted(void **state)
     ttc_plan plan;
     size_t altered_count = 0;
     ttc_model *model = read_table(JLT_SOURCE_DIR "/codegen/models/spherical_top.tt");
-    assert_true(ttc_plan_create(&plan, model, TTC_EFFORT_FULL));
+    assert_true(ttc_plan_create(&plan, model, TTC_ALL_FIELDS, TTC_EFFORT_FULL));
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         /* The general field with this kernel, and those that it is compared with. */
         ttc_kernels few = *plan.fields[0].kernels;

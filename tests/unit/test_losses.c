@@ -17,7 +17,7 @@ static void expect_losses(const char *table, const char *losses)
     ttc_text text = { 0 };
 
     assert_non_null(model);
-    assert_true(ttc_plan_create(&plan, model, TTC_EFFORT_QUICK));
+    assert_true(ttc_plan_create(&plan, model, TTC_ALL_FIELDS, TTC_EFFORT_QUICK));
     ttc_emit_losses(&text, plan.fields[0].kernels, TTC_KERNEL_RHS);
     /* What follows of sums has its own tests. */
     const char *said = ttc_text_string(&text), *sums = strstr(said, TTC_LOSS_SEPARATOR "digits are lost");

@@ -1,0 +1,128 @@
+#define _XOPEN_SOURCE 700 /* nftw */
+#define _DEFAULT_SOURCE  /* flock */
+#include "build/cache.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <ftw.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+/* The user's own, and nobody else's to write. */
+static bool is_private(const struct stat *found) { return found->st_uid == geteuid() && (found->st_mode & 022) == 0; }
+
+static char *joined(const char *folder, const char *name, const char *extension)
+{
+    ttc_text text = { 0 };
+    ttc_text_format(&text, "%s/%s%s", folder, name, extension);
+    return text.failed ? NULL : text.bytes;
+}
+
+static char *base_folder(ttc_text *message)
+{
+    const char *xdg = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
+    if (xdg != NULL && *xdg == '/') return strdup(xdg);
+    if (home != NULL && *home == '/') return joined(home, ".cache", "");
+    ttc_text_add(message, "there is no place for compiled tables (expected HOME or XDG_CACHE_HOME to name a folder)");
+    return NULL;
+}
+
+bool ttc_cache_open(ttc_cache *cache, ttc_text *message)
+{
+    struct stat found;
+    *cache = (ttc_cache){ .lock = -1 };
+    char *base = base_folder(message);
+    if (base == NULL) return false;
+    cache->folder = joined(base, "jellett", "");
+    /* Only the last two folders are made: a misspelt one above them is told of. */
+    if (mkdir(base, 0700) != 0 && errno != EEXIST) goto failed;
+    if (cache->folder == NULL || (mkdir(cache->folder, 0700) != 0 && errno != EEXIST)) goto failed;
+    if (lstat(cache->folder, &found) != 0) goto failed;
+    free(base);
+    if (S_ISDIR(found.st_mode) && is_private(&found)) return true;
+    ttc_text_format(message, "the cache %s is not yours alone, so that nothing is loaded from it (expected a folder of your own that "
+                    "no group and nobody else may write to: chmod go-w, or another XDG_CACHE_HOME)", cache->folder);
+    return false;
+failed:
+    ttc_text_format(message, "cannot make the cache %s/jellett: %s", base, strerror(errno));
+    free(base);
+    return false;
+}
+
+void ttc_cache_close(ttc_cache *cache)
+{
+    if (cache->folder != NULL && cache->lock >= 0) close(cache->lock);
+    free(cache->folder);
+    *cache = (ttc_cache){ .lock = -1 };
+}
+
+char *ttc_cache_path(const ttc_cache *cache, const char *key) { return joined(cache->folder, key, ".so"); }
+
+bool ttc_cache_has(const char *path)
+{
+    struct stat found;
+    if (lstat(path, &found) != 0 || !S_ISREG(found.st_mode) || !is_private(&found)) return false;
+    utimensat(AT_FDCWD, path, NULL, 0);
+    return true;
+}
+
+/* Sixteen locks for all keys: tables that share one wait for each other, and no file a table is left behind. */
+bool ttc_cache_lock(ttc_cache *cache, const char *key)
+{
+    char name[] = "lock-0";
+    name[5] = *key;
+    char *path = joined(cache->folder, name, "");
+    if (path == NULL) return false;
+    cache->lock = open(path, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    free(path);
+    if (cache->lock < 0) return false;
+    int result;
+    do result = flock(cache->lock, LOCK_EX);
+    while (result != 0 && errno == EINTR);
+    return result == 0;
+}
+
+static int remove_entry(const char *path, const struct stat *found, int flag, struct FTW *walk)
+{
+    (void)found, (void)flag, (void)walk;
+    return remove(path);
+}
+
+static void remove_tree(const char *path) { nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS); }
+
+char *ttc_cache_workshop(const ttc_cache *cache, const char *key)
+{
+    char *path = joined(cache->folder, key, ".part");
+    if (path == NULL) return NULL;
+    remove_tree(path);
+    if (mkdir(path, 0700) == 0) return path;
+    free(path);
+    return NULL;
+}
+
+void ttc_cache_clear_workshop(char *workshop)
+{
+    if (workshop != NULL) remove_tree(workshop);
+    free(workshop);
+}
+
+void ttc_cache_prune(const ttc_cache *cache, unsigned days)
+{
+    const time_t oldest = time(NULL) - (time_t)days * 24 * 60 * 60;
+    DIR *open = opendir(cache->folder);
+    for (struct dirent *entry; open != NULL && (entry = readdir(open)) != NULL;) {
+        const size_t length = strlen(entry->d_name);
+        struct stat found;
+        if (length < 3 || strcmp(entry->d_name + length - 3, ".so") != 0) continue;
+        char *path = joined(cache->folder, entry->d_name, "");
+        if (path != NULL && lstat(path, &found) == 0 && found.st_mtime < oldest) remove(path);
+        free(path);
+    }
+    if (open != NULL) closedir(open);
+}

@@ -1,0 +1,197 @@
+#define _GNU_SOURCE /* sched_getaffinity */
+#include "build/compile.h"
+
+#include "base/text.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* -O1: on straight-line code -O2 gains nothing that is worth twice the time. The bits are the same by every one of them. */
+static const char *const flags[] = { "-std=c11", "-O1", "-fPIC", "-ffp-contract=off", "-DJLT_WITHOUT_LANES" };
+
+enum { FLAG_COUNT = sizeof flags / sizeof *flags };
+
+const char *ttc_compiler_flags(void) { return "-std=c11 -O1 -fPIC -ffp-contract=off -DJLT_WITHOUT_LANES -shared"; }
+
+char *ttc_compiler_find(void)
+{
+    const char *named = getenv("CC"), *path = getenv("PATH");
+    const char *name = named != NULL && *named != '\0' ? named : "cc";
+    if (strchr(name, '/') != NULL) return access(name, X_OK) == 0 ? strdup(name) : NULL;
+    for (const char *at = path; at != NULL && *at != '\0';) {
+        const size_t length = strcspn(at, ":");
+        struct stat found;
+        ttc_text file = { 0 };
+        ttc_text_format(&file, "%.*s/%s", length > 0 ? (int)length : 1, length > 0 ? at : ".", name);
+        if (!file.failed && stat(file.bytes, &found) == 0 && S_ISREG(found.st_mode) && access(file.bytes, X_OK) == 0)
+            return file.bytes;
+        ttc_text_clear(&file);
+        at += length + (at[length] == ':');
+    }
+    return NULL;
+}
+
+typedef struct {
+    char **names;
+    size_t count, capacity;
+} file_list;
+
+static bool add_file(file_list *list, char *name)
+{
+    if (name == NULL) return false;
+    if (list->count + 1 >= list->capacity) {
+        char **grown = realloc(list->names, (2 * list->capacity + 16) * sizeof *grown);
+        if (grown == NULL) {
+            free(name);
+            return false;
+        }
+        list->names = grown;
+        list->capacity = 2 * list->capacity + 16;
+    }
+    list->names[list->count++] = name;
+    list->names[list->count] = NULL;
+    return true;
+}
+
+static char *join(const char *folder, const char *name, const char *extension)
+{
+    ttc_text text = { 0 };
+    ttc_text_format(&text, "%s/%s%s", folder, name, extension);
+    return text.failed ? NULL : text.bytes;
+}
+
+static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+
+/* Every .c file but those that only hold lanes or need Arb. */
+static bool list_folder(file_list *list, const char *folder, bool into)
+{
+    DIR *open = opendir(folder);
+    bool ok = open != NULL;
+    for (struct dirent *entry; ok && (entry = readdir(open)) != NULL;) {
+        const size_t length = strlen(entry->d_name);
+        struct stat kind;
+        if (*entry->d_name == '.') continue;
+        char *path = join(folder, entry->d_name, "");
+        ok = path != NULL && stat(path, &kind) == 0;
+        if (ok && into && S_ISDIR(kind.st_mode)) ok = list_folder(list, path, false);
+        else if (ok && length > 2 && strcmp(entry->d_name + length - 2, ".c") == 0
+                 && strncmp(entry->d_name, "batch_", 6) != 0 && strstr(entry->d_name, "ball") == NULL) {
+            ok = add_file(list, path);
+            path = NULL;
+        }
+        free(path);
+    }
+    if (open != NULL) closedir(open);
+    return ok;
+}
+
+static void free_list(file_list *list)
+{
+    for (size_t i = 0; i < list->count; i++) free(list->names[i]);
+    free(list->names);
+}
+
+static pid_t start(const char *compiler, char *const *arguments)
+{
+    const pid_t parent = getpid(), child = fork();
+    if (child != 0) return child;
+    prctl(PR_SET_PDEATHSIG, SIGTERM); /* it takes its own children along */
+    if (getppid() != parent) _exit(127);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    if (nowhere >= 0) dup2(nowhere, STDOUT_FILENO);
+    execv(compiler, arguments);
+    _exit(127);
+}
+
+static pid_t compile_one(const char *compiler, const char *include, char *source, char *object)
+{
+    const char *arguments[FLAG_COUNT + 8] = { compiler };
+    size_t n = 1;
+    for (size_t i = 0; i < FLAG_COUNT; i++) arguments[n++] = flags[i];
+    arguments[n++] = include;
+    arguments[n++] = "-c";
+    arguments[n++] = source;
+    arguments[n++] = "-o";
+    arguments[n++] = object;
+    return start(compiler, (char *const *)arguments);
+}
+
+/* Wait for one child. False: it failed. */
+static bool finish_one(void)
+{
+    int status = 0;
+    pid_t child;
+    do child = wait(&status);
+    while (child < 0 && errno == EINTR);
+    return child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+static size_t processors(void)
+{
+    cpu_set_t set;
+    return sched_getaffinity(0, sizeof set, &set) == 0 ? (size_t)CPU_COUNT(&set) : 1;
+}
+
+static bool compile_all(const char *compiler, const char *folder, const file_list *sources, const file_list *objects)
+{
+    const size_t most = processors();
+    size_t running = 0;
+    bool ok = true;
+    ttc_text option = { 0 };
+    ttc_text_format(&option, "-I%s", folder);
+    for (size_t i = 0; ok && !option.failed && i < sources->count; i++) {
+        if (running == most) {
+            ok = finish_one();
+            running--;
+        }
+        if (ok) ok = compile_one(compiler, option.bytes, sources->names[i], objects->names[i]) > 0;
+        if (ok) running++;
+    }
+    for (; running > 0; running--) ok = finish_one() && ok;
+    ok = ok && !option.failed;
+    ttc_text_clear(&option);
+    return ok;
+}
+
+static bool link_all(const char *compiler, const file_list *objects, const char *target)
+{
+    const char **arguments = calloc(objects->count + 7, sizeof *arguments);
+    size_t n = 0;
+    if (arguments == NULL) return false;
+    arguments[n++] = compiler;
+    arguments[n++] = "-shared";
+    arguments[n++] = "-Wl,-Bsymbolic"; /* who loads it may have kernels of the same names */
+    arguments[n++] = "-o";
+    arguments[n++] = target;
+    for (size_t i = 0; i < objects->count; i++) arguments[n++] = objects->names[i];
+    arguments[n++] = "-lm";
+    const bool ok = start(compiler, (char *const *)arguments) > 0 && finish_one();
+    free(arguments);
+    return ok;
+}
+
+bool ttc_compile_folder(const char *compiler, const char *folder, const char *target)
+{
+    file_list sources = { 0 }, objects = { 0 };
+    bool ok = list_folder(&sources, folder, true);
+    if (ok) qsort(sources.names, sources.count, sizeof *sources.names, by_name);
+    for (size_t i = 0; ok && i < sources.count; i++) {
+        char *object = strdup(sources.names[i]);
+        if (object != NULL) object[strlen(object) - 1] = 'o';
+        ok = add_file(&objects, object);
+    }
+    ok = ok && sources.count > 0 && compile_all(compiler, folder, &sources, &objects) && link_all(compiler, &objects, target);
+    free_list(&objects);
+    free_list(&sources);
+    return ok;
+}

@@ -1,0 +1,18 @@
+/** The C compiler, run on generated files. */
+#ifndef TTC_COMPILE_H
+#define TTC_COMPILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/** The compiler that $CC names, else cc, looked up in $PATH; for the caller to free. NULL: there is none, or memory is out. */
+char *ttc_compiler_find(void);
+
+/** The options that decide on what is compiled, in one text. */
+const char *ttc_compiler_flags(void);
+
+/** Compile the .c files of `folder` and of its subfolders, as many at once as there are processors, and link them to the shared
+ *  object `target`. The compiler's words go to stderr; no shell sees any name. False: it failed, and they say why. */
+bool ttc_compile_folder(const char *compiler, const char *folder, const char *target);
+
+#endif

@@ -1,0 +1,118 @@
+/* ttc build: a table as a shared object of kernels, from the cache where it is there. */
+#include "build/cache.h"
+#include "build/compile.h"
+#include "base/sha256.h"
+#include "command/command.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { DAYS_UNUSED = 90 };
+
+/* Which file this is, without reading it all. */
+static void add_identity(ttc_text *key, const char *path)
+{
+    struct stat found;
+    if (stat(path, &found) == 0)
+        ttc_text_format(key, "%s %lld %lld.%09ld\n", path, (long long)found.st_size, (long long)found.st_mtim.tv_sec,
+                        found.st_mtim.tv_nsec);
+}
+
+/* Everything that decides on the object: ttc, compiler, flags, the table, and those that its claims lead to. */
+static void make_key(char digest[65], const ttc_model *model, const char *compiler, const ttc_options *options)
+{
+    ttc_text key = { 0 };
+    ttc_text_format(&key, "ttc %s %d\n%s\n%s\n", JLT_VERSION, (int)options->extent, ttc_compiler_flags(), model->sha256);
+    add_identity(&key, "/proc/self/exe");
+    add_identity(&key, compiler);
+    for (size_t i = 0; i < model->claim_count; i++) {
+        if (model->claims[i].target == NULL) continue;
+        ttc_diagnostics *ignored = ttc_diagnostics_create();
+        ttc_model *target = ignored == NULL ? NULL : ttc_resolve_beside(NULL, model, model->claims[i].target, ignored);
+        ttc_text_format(&key, "%s\n", target == NULL ? "none" : target->sha256);
+        ttc_model_destroy(target);
+        ttc_diagnostics_destroy(ignored);
+    }
+    ttc_sha256(digest, ttc_text_string(&key), key.length);
+    ttc_text_clear(&key);
+}
+
+/* On the disk before it has its name: a name never leads to half an object. */
+static bool move_into_place(const char *from, const char *to)
+{
+    const int descriptor = open(from, O_RDONLY | O_CLOEXEC);
+    const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
+    if (descriptor >= 0) close(descriptor);
+    return flushed && rename(from, to) == 0;
+}
+
+static int fail(int code, const char *format, const char *what)
+{
+    fputs("ttc: ", stderr);
+    fprintf(stderr, format, what);
+    fputc('\n', stderr);
+    return code;
+}
+
+/* The object is made in a folder of its own and moved into place. */
+static int make(ttc_cache *cache, const char *key, const char *path, const char *compiler, const ttc_options *options)
+{
+    ttc_options generate = *options;
+    ttc_text object = { 0 };
+    char *workshop = ttc_cache_workshop(cache, key);
+    if (workshop == NULL) return fail(TTC_EXIT_IO, "cannot write to the cache: %s", strerror(errno));
+    ttc_text_format(&object, "%s/kernels.so", workshop);
+    generate.out = workshop;
+    generate.unproved = true;
+    int status = object.failed ? TTC_EXIT_MEMORY : ttc_command_generate(&generate);
+    if (status == TTC_EXIT_DONE && !ttc_compile_folder(compiler, workshop, object.bytes))
+        status = fail(TTC_EXIT_IO, "the C compiler %s failed; what it says is above", compiler);
+    if (status == TTC_EXIT_DONE && (chmod(object.bytes, 0700) != 0 || !move_into_place(object.bytes, path)))
+        status = fail(TTC_EXIT_IO, "cannot write to the cache: %s", strerror(errno));
+    ttc_text_clear(&object);
+    ttc_cache_clear_workshop(workshop);
+    ttc_cache_prune(cache, DAYS_UNUSED);
+    return status;
+}
+
+/* The object's path in *path, for the caller to free. */
+static int find_or_make(ttc_cache *cache, const ttc_model *model, const char *compiler, const ttc_options *options, char **path)
+{
+    char key[65];
+    make_key(key, model, compiler, options);
+    *path = ttc_cache_path(cache, key);
+    if (*path == NULL) return TTC_EXIT_MEMORY;
+    if (ttc_cache_has(*path)) return TTC_EXIT_DONE;
+    if (!ttc_cache_lock(cache, key)) return fail(TTC_EXIT_IO, "cannot lock the cache: %s", strerror(errno));
+    if (ttc_cache_has(*path)) return TTC_EXIT_DONE; /* another run has made it meanwhile */
+    return make(cache, key, *path, compiler, options);
+}
+
+int ttc_command_build(const ttc_options *options)
+{
+    int status = TTC_EXIT_DONE;
+    ttc_cache cache = { .lock = -1 };
+    ttc_text message = { 0 };
+    char *compiler = NULL, *path = NULL;
+    if (options->file_count != 1) return fail(TTC_EXIT_USAGE, "build takes one table, not '%s' as well", options->files[1]);
+    ttc_model *model = ttc_command_read(options->files[0], &status, NULL);
+    if (model == NULL) return status;
+    compiler = ttc_compiler_find();
+    if (compiler == NULL)
+        status = fail(TTC_EXIT_IO, "there is no C compiler '%s' to compile kernels with: install gcc or clang, or name one by CC",
+                      getenv("CC") != NULL ? getenv("CC") : "cc");
+    else if (!ttc_cache_open(&cache, &message)) status = fail(TTC_EXIT_IO, "%s", ttc_text_string(&message));
+    else status = find_or_make(&cache, model, compiler, options, &path);
+    if (status == TTC_EXIT_DONE) puts(path);
+    else if (status == TTC_EXIT_MEMORY) fputs("ttc: out of memory\n", stderr);
+    free(path);
+    free(compiler);
+    ttc_text_clear(&message);
+    ttc_cache_close(&cache);
+    ttc_model_destroy(model);
+    return status;
+}

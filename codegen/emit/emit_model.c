@@ -1,0 +1,90 @@
+/* The file table.c of a model: what its descriptors share, which is the table itself, its claims with their verdicts, and the list
+ * of the descriptors. */
+#include "emit/emit.h"
+
+#include <string.h>
+
+/* A string literal may be too long for a conforming compiler; an array of characters may not. */
+static void add_table(ttc_text *text, const ttc_model *model)
+{
+    ttc_text_format(text, "const char jlt_table_%s[] = {", model->name);
+    for (const char *c = model->text; *c != '\0'; c++) {
+        if (c == model->text || c[-1] == '\n') ttc_text_add(text, "\n    ");
+        if (*c == '\n') ttc_text_add(text, "'\\n',");
+        else if (*c == '\'' || *c == '\\') ttc_text_format(text, "'\\%c',", *c);
+        else if ((unsigned char)*c < 32 || (unsigned char)*c > 126) ttc_text_format(text, "'\\%03o',", (unsigned)(unsigned char)*c);
+        else ttc_text_format(text, "'%c',", *c);
+    }
+    ttc_text_add(text, "\n    '\\0'\n};\n");
+}
+
+/* SHA-256 of the table that a reduction or embedding leads to, in quotation marks; NULL where there is none. */
+static void add_target(ttc_text *text, const ttc_model *model, const ttc_claim *claim)
+{
+    ttc_diagnostics *ignored = claim != NULL && claim->target != NULL ? ttc_diagnostics_create() : NULL;
+    ttc_model *target = ignored == NULL ? NULL : ttc_resolve_beside(NULL, model, claim->target, ignored);
+    if (target == NULL) ttc_text_add(text, "NULL");
+    else ttc_text_format(text, "\"%s\"", target->sha256);
+    ttc_model_destroy(target);
+    ttc_diagnostics_destroy(ignored);
+}
+
+static void add_claims(ttc_text *text, const ttc_plan *plan, const ttc_proof_report *report)
+{
+    static const char *const verdicts[] = { "JLT_PROVED", "JLT_REFUTED", "JLT_UNSETTLED" };
+    const ttc_model *model = plan->model;
+    ttc_field *field = NULL; /* conditions are written with its names */
+    for (size_t i = plan->count; i-- > 0;)
+        if (plan->fields[i].kernels != NULL) field = plan->fields[i].kernels->field;
+    ttc_text_format(text, "\nconst jlt_claim jlt_claims_%s[] = {\n", model->name);
+    for (size_t i = 0; i < report->proof_count; i++) {
+        const ttc_proof *proof = report->proofs + i;
+        const ttc_claim *claim = i < model->claim_count ? model->claims + i : NULL;
+        ttc_text_format(text, "    { \"%s\", \"%s\", \"", proof->kind, proof->name);
+        if (claim != NULL && field != NULL) ttc_emit_condition(text, field, &claim->when);
+        ttc_text_format(text, "\", %s, \"", verdicts[proof->status]);
+        if (proof->status != TTC_PROVED && proof->remainder != NULL) ttc_text_add_escaped(text, proof->remainder);
+        ttc_text_add(text, "\", ");
+        add_target(text, model, claim);
+        ttc_text_add(text, " },\n");
+    }
+    ttc_text_add(text, "    { NULL, NULL, NULL, JLT_UNSETTLED, NULL, NULL }\n};\n");
+}
+
+static void add_family(ttc_text *text, const ttc_plan *plan)
+{
+    ttc_text list = { 0 };
+    ttc_text_add(text, "\n");
+    for (size_t i = 0; i < plan->count; i++) {
+        if (plan->fields[i].kernels == NULL) continue;
+        ttc_text name = { 0 };
+        ttc_text_format(&name, "jlt_kernels_%s_", plan->model->name);
+        ttc_emit_stem(&name, plan->fields[i].kernels->field);
+        ttc_text_format(text, "extern const jlt_descriptor %s;\n", ttc_text_string(&name));
+        ttc_text_format(&list, "    &%s,\n", ttc_text_string(&name));
+        list.failed |= name.failed;
+        ttc_text_clear(&name);
+    }
+    ttc_text_format(text, "\nconst jlt_descriptor *const jlt_family_%s[] = {\n%s    NULL\n};\n", plan->model->name,
+                    ttc_text_string(&list));
+    text->failed |= list.failed;
+    ttc_text_clear(&list);
+}
+
+void ttc_emit_model_names(ttc_text *text, const ttc_model *model)
+{
+    ttc_text_format(text, "extern const char jlt_table_%s[];\nextern const jlt_claim jlt_claims_%s[];\n"
+                          "extern const jlt_descriptor *const jlt_family_%s[];\n", model->name, model->name, model->name);
+}
+
+void ttc_emit_model(ttc_text *text, const ttc_plan *plan, const ttc_proof_report *report)
+{
+    const ttc_model *model = plan->model;
+    ttc_text_format(text, "/* %s: its table byte for byte (SHA-256 %s), what is proved of it, its descriptors. Written by ttc %s; do "
+                          "not edit. */\n#include \"kernel_abi.h\"\n\n", model->name, model->sha256, JLT_VERSION);
+    ttc_emit_model_names(text, model);
+    ttc_text_add(text, "\n");
+    add_table(text, model);
+    add_claims(text, plan, report);
+    add_family(text, plan);
+}

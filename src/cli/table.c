@@ -1,0 +1,114 @@
+#include "cli/table.h"
+
+#include "cli/interrupt.h"
+#include "kernel/descriptor.h"
+#include "kernel/load.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+bool jlt_table_is_file(const char *model)
+{
+    const size_t length = strlen(model);
+
+    return strchr(model, '/') != NULL || (length > 3 && strcmp(model + length - 3, ".tt") == 0);
+}
+
+static jlt_exit no_model(const char *model)
+{
+    fprintf(stderr, "jellett: there is no model '%s' built in; there are", model);
+    for (size_t i = 0, shown = 0; i < jlt_descriptor_count(); i++) {
+        const jlt_descriptor *d = jlt_descriptor_at(i);
+        if (i > 0 && strcmp(d->model, jlt_descriptor_at(i - 1)->model) == 0) continue;
+        fprintf(stderr, "%s %s", shown++ == 0 ? "" : ",", d->model);
+    }
+    fputs(" ('jellett models' tells more; a table of your own is named by its file, ./my.tt)\n", stderr);
+    return JLT_EXIT_INPUT;
+}
+
+/* In the child: the ttc that was installed with this program, else that of $PATH. */
+static _Noreturn void run_ttc(const char *table, int output)
+{
+    char path[PATH_MAX];
+    const ssize_t length = readlink("/proc/self/exe", path, sizeof path - sizeof "ttc");
+    char *slash;
+
+    dup2(output, STDOUT_FILENO);
+    if (length > 0) {
+        path[length] = '\0';
+        slash = strrchr(path, '/');
+        strcpy(slash != NULL ? slash + 1 : path, "ttc");
+        execl(path, "ttc", "build", "--", table, (char *)NULL);
+    }
+    execlp("ttc", "ttc", "build", "--", table, (char *)NULL);
+    _exit(127);
+}
+
+/* One line of what the child writes, without its end. */
+static void read_line(char *line, size_t size, int from)
+{
+    size_t used = 0;
+    ssize_t got = 1;
+
+    while (got != 0 && used + 1 < size) {
+        got = read(from, line + used, size - 1 - used);
+        if (got < 0 && errno != EINTR) break;
+        if (got > 0) used += (size_t)got;
+    }
+    line[used] = '\0';
+    line[strcspn(line, "\n")] = '\0';
+}
+
+/* The object's path, as ttc names it. */
+static jlt_exit build(char *path, size_t size, const char *table)
+{
+    int ends[2], status = 0;
+    pid_t child;
+
+    if (pipe(ends) != 0) return jlt_command_fail(JLT_EXIT_IO, "no pipe to ttc: %s", strerror(errno));
+    child = jlt_interrupt_fork();
+    if (child == 0) {
+        close(ends[0]);
+        run_ttc(table, ends[1]);
+    }
+    close(ends[1]);
+    if (child > 0) read_line(path, size, ends[0]);
+    close(ends[0]);
+    if (child < 0) return jlt_command_fail(JLT_EXIT_IO, "ttc cannot be started: %s", strerror(errno));
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    const int raised = jlt_interrupt_alone();
+    if (raised != 0) {
+        fprintf(stderr, "jellett: interrupted while %s was compiled; nothing was computed\n", table);
+        jlt_interrupt_end(raised);
+    }
+    if (!WIFEXITED(status)) return jlt_command_fail(JLT_EXIT_NUMERICAL, "ttc was ended by signal %d", WTERMSIG(status));
+    if (WEXITSTATUS(status) == 127)
+        return jlt_command_fail(JLT_EXIT_IO, "ttc, which compiles tables, is neither beside this program nor in $PATH");
+    return WEXITSTATUS(status) == 0 ? JLT_EXIT_DONE : (jlt_exit)WEXITSTATUS(status);
+}
+
+static jlt_exit load(const jlt_descriptor **descriptor, const char *table)
+{
+    char path[PATH_MAX];
+    const jlt_exit code = build(path, sizeof path, table);
+    jlt_status st;
+
+    if (code != JLT_EXIT_DONE) return code;
+    st = jlt_load(descriptor, path);
+    if (st == JLT_OK) return JLT_EXIT_DONE;
+    return jlt_command_fail(JLT_EXIT_IO, "the kernels of %s cannot be loaded from %s: %s", table, path,
+                            st == JLT_ERR_UNSUPPORTED ? "ttc is of another version than this program" : "remove this file");
+}
+
+jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model)
+{
+    *descriptor = NULL;
+    if (jlt_table_is_file(model)) return load(descriptor, model);
+    *descriptor = jlt_descriptor_find(model, NULL, NULL, NULL);
+    return *descriptor != NULL ? JLT_EXIT_DONE : no_model(model);
+}

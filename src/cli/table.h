@@ -1,0 +1,15 @@
+/** The model that a command line names: one that is built in, or a table of the user's own. */
+#ifndef JLT_CLI_TABLE_H
+#define JLT_CLI_TABLE_H
+
+#include "cli/command.h"
+#include "kernel_abi.h"
+
+/** Whether this names a table, by a slash or by ending in .tt, and not a model that is built in. */
+bool jlt_table_is_file(const char *model);
+
+/** The model's general field. A table is read, proved and compiled by ttc, unless its kernels are in the cache. Says what is
+ *  wrong; ttc has said what is wrong with a table. */
+jlt_exit jlt_table_open(const jlt_descriptor **descriptor, const char *model);
+
+#endif

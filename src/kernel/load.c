@@ -1,0 +1,23 @@
+#include "kernel/load.h"
+
+#include "registry.h"
+
+#include <dlfcn.h>
+
+jlt_status jlt_load(const jlt_descriptor **model, const char *path)
+{
+    void *object = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    const jlt_descriptor *const *registry;
+    const unsigned *count, *size;
+
+    if (object == NULL) return JLT_ERR_IO;
+    registry = dlsym(object, "jlt_registry");
+    count = dlsym(object, "jlt_registry_count");
+    size = dlsym(object, "jlt_registry_entry_size");
+    if (registry == NULL || count == NULL || size == NULL || *size != jlt_registry_entry_size || *count == 0) {
+        dlclose(object);
+        return JLT_ERR_UNSUPPORTED;
+    }
+    *model = registry[0];
+    return JLT_OK;
+}
