@@ -1,6 +1,5 @@
 #include "cli/assign.h"
 
-#include "cli/table.h"
 #include "core/memory.h"
 #include "ext/number.h"
 #include "kernel/descriptor.h"
@@ -108,16 +107,13 @@ jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, doubl
                             condition(q->sign));
 }
 
-jlt_exit jlt_assign_model(const jlt_descriptor **descriptor, double **params, const char *model,
-                          const jlt_assign_list *list)
+jlt_exit jlt_assign_params(double **params, const jlt_descriptor *d, const jlt_assign_list *list)
 {
-    const jlt_descriptor *d;
     double *values;
     size_t index = 0;
-    jlt_exit code = jlt_table_open(&d, model);
+    jlt_exit code;
 
     *params = NULL;
-    if (code != JLT_EXIT_DONE) return code;
     values = jlt_memory_array(d->param_count, sizeof *values);
     if (values == NULL) return jlt_command_no_memory();
     for (unsigned i = 0; i < d->param_count; i++) values[i] = d->params[i].value;
@@ -132,8 +128,6 @@ jlt_exit jlt_assign_model(const jlt_descriptor **descriptor, double **params, co
         free(values);
         return code;
     }
-    jlt_command_warn_unproved(d);
-    *descriptor = d;
     *params = values;
     return JLT_EXIT_DONE;
 }

@@ -34,9 +34,8 @@ const char *jlt_assign_fraction(const jlt_assign_list *list, const char *name);
 /** Say that parameter number `index` must not have this value, and which the table allows. */
 jlt_exit jlt_assign_refuse(const jlt_descriptor *descriptor, size_t index, double value);
 
-/** The model's general field, its parameters set: defaults of the table, then the list. Checks the table's conditions.
- *  Out: *descriptor; params, for the caller to free(). */
-jlt_exit jlt_assign_model(const jlt_descriptor **descriptor, double **params, const char *model,
-                          const jlt_assign_list *list);
+/** A model's parameters: defaults of the table, then the list. Checks the table's conditions. Out: params, for the caller to
+ *  free(). */
+jlt_exit jlt_assign_params(double **params, const jlt_descriptor *descriptor, const jlt_assign_list *list);
 
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/grid.h"
+#include "cli/table.h"
 #include "report/picture.h"
 
 enum { METHOD = 1000, KEEP };
@@ -99,9 +100,19 @@ void jlt_common_end(jlt_common *self)
     self->command = NULL;
 }
 
+jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descriptor)
+{
+    const jlt_exit code = jlt_table_open(descriptor, self->model != NULL ? self->model : "spherical_top");
+
+    if (code == JLT_EXIT_DONE) jlt_command_warn_unproved(*descriptor);
+    return code;
+}
+
 jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params)
 {
-    return jlt_assign_model(descriptor, params, self->model != NULL ? self->model : "spherical_top", &self->set);
+    const jlt_exit code = jlt_common_model(self, descriptor);
+
+    return code == JLT_EXIT_DONE ? jlt_assign_params(params, *descriptor, &self->set) : code;
 }
 
 void jlt_common_check_files(const jlt_common *self, const char *option, const char *path)

@@ -27,6 +27,9 @@ extern const struct argp jlt_common_argp, jlt_accuracy_argp;
 void jlt_common_begin(jlt_common *self, int argc, char **argv);
 void jlt_common_end(jlt_common *self);
 
+/** The model's general field. Says what is wrong, and what is not proved of it. */
+jlt_exit jlt_common_model(const jlt_common *self, const jlt_descriptor **descriptor);
+
 /** The model's general field and its parameters, checked; params for the caller to free(). Says what is wrong. */
 jlt_exit jlt_common_open(const jlt_common *self, const jlt_descriptor **descriptor, double **params);
 

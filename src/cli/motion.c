@@ -6,6 +6,7 @@
 
 #include "cli/interrupt.h"
 #include "kernel/descriptor.h"
+#include "scene/link.h"
 #include "report/csv.h"
 #include "report/decimal.h"
 
@@ -99,9 +100,8 @@ static jlt_exit top_system(jlt_system **system, const jlt_motion_options *option
     const jlt_assign_list *const lists[] = { &options->common.set, &options->level };
     jlt_status st;
 
-    if (options->section != NULL || options->mirror != NULL)
-        return jlt_command_fail(JLT_EXIT_USAGE,
-                                "--section and --mirror are for other models: that of the spherical top is omega_tau = 0");
+    if (options->mirror != NULL)
+        return jlt_command_fail(JLT_EXIT_USAGE, "--mirror goes with --section: what the reversor does on levels of E and G is known");
     if (strcmp(options->contact, "report") == 0 && !options->tells_contact)
         return jlt_command_fail(JLT_EXIT_USAGE, "--contact report: only section and fates have a column for it");
     for (size_t k = 0; k < 2; k++)
@@ -153,9 +153,8 @@ static jlt_exit read_section(jlt_grid_axis *section, const char *text)
     return jlt_grid_axis_parse(section, text, strlen(text), "--section");
 }
 
-static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *options)
+static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *options, const jlt_descriptor *descriptor)
 {
-    const jlt_descriptor *descriptor;
     jlt_grid_axis section;
     int signs[JLT_CHART_STATES_MAX];
     double *params = NULL;
@@ -163,7 +162,7 @@ static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *opti
     jlt_status st;
     jlt_exit code;
 
-    code = jlt_common_open(&options->common, &descriptor, &params);
+    code = jlt_assign_params(&params, descriptor, &options->common.set);
     if (code != JLT_EXIT_DONE) return code;
     if (options->section == NULL)
         code = jlt_command_fail(JLT_EXIT_USAGE, "say which section of %s: --section STATE=VALUE", descriptor->model);
@@ -186,22 +185,57 @@ static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *opti
     return code;
 }
 
-static bool is_top(const char *model)
+static bool is_top(const jlt_descriptor *d)
 {
-    return model == NULL || strcmp(model, "spherical_top") == 0 || strcmp(model, "spherical_top_level") == 0;
+    return strcmp(d->model, "spherical_top") == 0 || strcmp(d->model, "spherical_top_level") == 0;
+}
+
+/* Levels of E and G are sections of motion while both are integrals, and the model on a level of G stands for the asked one. */
+static jlt_exit check_levels(const jlt_descriptor *d)
+{
+    static const char *const integrals[] = { "E", "G" };
+    const jlt_descriptor *level = jlt_descriptor_find("spherical_top_level", NULL, NULL, NULL);
+    const jlt_claim *broken = NULL, *claim;
+
+    if (level != NULL && jlt_link_holds(&broken, d, level)) return JLT_EXIT_DONE;
+    for (size_t i = 0; i < 2; i++) {
+        claim = jlt_descriptor_claim(d, "integral", integrals[i]);
+        if (claim == NULL || claim->verdict == JLT_PROVED) continue;
+        jlt_command_fail(JLT_EXIT_INPUT, "%s is no integral of this table any more: %s", claim->name, claim->reason);
+        broken = claim;
+    }
+    if (broken == NULL) jlt_command_fail(JLT_EXIT_INPUT, "nothing that is proved leads from this table to spherical_top_level");
+    else if (strcmp(broken->kind, "integral") != 0)
+        jlt_command_fail(JLT_EXIT_INPUT, "%s %s is not proved of this table: %s", broken->kind, broken->name, broken->reason);
+    return jlt_command_fail(JLT_EXIT_INPUT, "there is no section on levels of E and G, then: ask for one of the table itself, "
+                            "--section omega_tau=0, with all other states as coordinates");
 }
 
 jlt_exit jlt_motion_system(jlt_system **system, const jlt_motion_options *options)
 {
+    const jlt_descriptor *descriptor;
+    jlt_exit code;
+
     *system = NULL;
-    return is_top(options->common.model) ? top_system(system, options) : plane_system(system, options);
+    code = jlt_common_model(&options->common, &descriptor);
+    if (code != JLT_EXIT_DONE) return code;
+    if (!is_top(descriptor) || options->section != NULL) return plane_system(system, options, descriptor);
+    code = check_levels(descriptor);
+    return code == JLT_EXIT_DONE ? top_system(system, options) : code;
 }
 
 jlt_exit jlt_motion_top(jlt_system **system, const jlt_motion_options *options, const char *what)
 {
+    const jlt_descriptor *descriptor;
+    jlt_exit code;
+
     *system = NULL;
-    if (is_top(options->common.model)) return top_system(system, options);
-    return jlt_command_fail(JLT_EXIT_INPUT, "%s are those of the spherical top, not of %s", what, options->common.model);
+    code = jlt_common_model(&options->common, &descriptor);
+    if (code != JLT_EXIT_DONE) return code;
+    if (!is_top(descriptor))
+        return jlt_command_fail(JLT_EXIT_INPUT, "%s are those of the spherical top, not of %s", what, descriptor->model);
+    code = check_levels(descriptor);
+    return code == JLT_EXIT_DONE ? top_system(system, options) : code;
 }
 
 jlt_exit jlt_motion_fail(jlt_status status, const jlt_system *system, const char *what)

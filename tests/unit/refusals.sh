@@ -56,8 +56,7 @@ refuse 2 "is no section \(write STATE=VALUE\)" jellett section lorenz --start x=
 refuse 4 "finds no periodic orbit from .*: try another --start or --period" jellett orbits lorenz --section z=27 --start x=1,y=1 --period 1
 
 # Options that say nothing here.
-refuse 2 "--section and --mirror are for other models" jellett section --start "$point" --section gamma3=0
-refuse 2 "--section and --mirror are for other models" jellett section --start "$point" --mirror v_nu
+refuse 2 "--mirror goes with --section" jellett section --start "$point" --mirror v_nu
 refuse 2 "--level is for the spherical top" jellett section lorenz --start x=1,y=1 --section z=27 --level E=1
 refuse 2 "--contact is for the spherical top" jellett section lorenz --start x=1,y=1 --section z=27 --contact report
 refuse 2 "only section and fates" jellett orbits --contact report
