@@ -21,7 +21,8 @@ ttc_angle_relation ttc_angle_relate(ttc_ring *ring, long *multiples, const ttc_r
 bool ttc_angle_weigh(ttc_ring *ring, fmpq *weights, const ttc_ratio *angle, const ttc_ratio *basis, size_t count);
 
 /** As few of the angles as all others are sums of whole multiples of, tried in their order, and again with one first that is a
- *  fraction of others; where there are no such, fractions are left. The first `fixed` ones, which are independent, are always chosen.
+ *  fraction of others; where there are no such, fractions are left. The first `fixed` ones, which are independent, are always
+ *  chosen.
  *  Out: chosen, shape (count,): positions, as many as returned. count is at most TTC_ANGLE_LIMIT. */
 size_t ttc_angle_choose(ttc_ring *ring, size_t *chosen, const ttc_ratio *angles, size_t count, size_t fixed);
 

@@ -110,7 +110,8 @@ static ttc_condition *find(const ttc_conditions *c, const fmpz_mpoly_t polynomia
     return NULL;
 }
 
-static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient, bool is_denominator)
+static void append(ttc_conditions *c, const fmpz_mpoly_t polynomial, ttc_relation relation, bool of_quotient,
+                   bool is_denominator)
 {
     ttc_condition *known = find(c, polynomial, relation);
     if (known != NULL) {

@@ -29,8 +29,8 @@ typedef struct {
 void ttc_conditions_init(ttc_conditions *conditions, ttc_valuation *valuation);
 void ttc_conditions_clear(ttc_conditions *conditions);
 
-/* Add that a ratio stands in a relation to zero, and that its denominator is not zero. A value may exist where the denominator of
- * its normal form vanishes: that no point was found then says nothing of those, see ttc_conditions_at_denominator. */
+/* Add that a ratio stands in a relation to zero, and that its denominator is not zero. A value may exist where the denominator
+ * of its normal form vanishes: that no point was found then says nothing of those, see ttc_conditions_at_denominator. */
 void ttc_conditions_add(ttc_conditions *conditions, const ttc_ratio *ratio, ttc_relation relation);
 
 /* The same for the opposite of a ratio. */

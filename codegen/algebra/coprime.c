@@ -27,7 +27,7 @@ static void make_positive(ttc_ring *ring, fmpz_mpoly_t a)
     fmpz_clear(leading);
 }
 
-/* a and b, with common factor c, become a/c, b/c, c; all have less in common than before. Depth: each step takes a factor out. */
+/* a and b, with common factor c, become a/c, b/c, c; all have less in common than before. Depth: a factor is taken out a step. */
 static void insert(ttc_coprime *base, const fmpz_mpoly_t element)
 {
     ttc_ring *ring = base->ring;
@@ -88,7 +88,8 @@ static slong multiplicity(ttc_coprime *base, const fmpz_mpoly_t element, const f
 void ttc_coprime_exponents(ttc_coprime *base, fmpq_mat_t matrix, slong column, const ttc_ratio *a, ulong divisor)
 {
     for (size_t i = 0; i < base->count && base->ring->status == TTC_RING_OK; i++) {
-        slong count = multiplicity(base, base->elements[i], a->numerator) - multiplicity(base, base->elements[i], a->denominator);
+        const fmpz_mpoly_struct *element = base->elements[i];
+        slong count = multiplicity(base, element, a->numerator) - multiplicity(base, element, a->denominator);
         fmpq_set_si(fmpq_mat_entry(matrix, (slong)i, column), count, divisor);
     }
 }

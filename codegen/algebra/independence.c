@@ -90,7 +90,8 @@ static bool has_settled_coefficient(const ttc_ring *ring, const fmpz_mpoly_t pol
     bool settled = false;
     fmpz_mpoly_t coefficient;
     fmpz_mpoly_init(coefficient, ring->context);
-    for (slong i = 0; variables != NULL && exponents != NULL && !settled && i < fmpz_mpoly_length(polynomial, ring->context); i++) {
+    const slong terms = variables != NULL && exponents != NULL ? fmpz_mpoly_length(polynomial, ring->context) : 0;
+    for (slong i = 0; i < terms && !settled; i++) {
         usage u;
         coefficient_of(ring, coefficient, polynomial, i, variables, exponents);
         settled = survey(&u, ring, coefficient) && (decides(&u) || is_simple(ring, &u, coefficient));
@@ -137,8 +138,8 @@ bool ttc_ring_is_constant(const ttc_ring *ring, const fmpz_mpoly_t polynomial)
     return survey(&u, ring, polynomial) && u.count[TTC_TRUST_FREE] == 0 && !u.doubtful;
 }
 
-/* slopes, shape (variable_count,): a power of the parameter of its own for each variable that is no number, so that a derivative
- * along them is zero only where all partial derivatives are. */
+/* slopes, shape (variable_count,): a power of the parameter of its own for each variable that is no number, so that a
+ * derivative along them is zero only where all partial derivatives are. */
 static void set_slopes(ttc_ring *ring, ttc_ratio *slopes, slong parameter)
 {
     for (slong v = 0; v < (slong)ring->variable_count; v++) {

@@ -24,12 +24,13 @@ typedef enum {
 /* Whether a polynomial that is not zero as a form is known not to be zero. */
 bool ttc_ring_settles(const ttc_ring *ring, const fmpz_mpoly_t polynomial);
 
-/** How an angle, or an exponent, that follows from no others exactly follows from them modulo constants, and what is known of its
- *  functions. basis, shape (count,): free angles, or free exponents and logarithms. parameter: a variable that stands in none. */
+/** How an angle, or an exponent, that follows from no others exactly follows from them modulo constants, and what is known of
+ *  its functions. basis, shape (count,): free angles, or free exponents and logarithms. parameter: a variable that stands in
+ *  none. */
 ttc_trust ttc_ring_trust(ttc_ring *ring, const ttc_ratio *angle, const ttc_ratio *basis, size_t count, slong parameter);
 
-/* Whether the variables of some ratios, shape (count,), are known to be independent, numbers or free: the ratios are then equal, or
- * linearly or multiplicatively dependent, only where they are so in form. */
+/* Whether the variables of some ratios, shape (count,), are known to be independent, numbers or free: the ratios are then
+ * equal, or linearly or multiplicatively dependent, only where they are so in form. */
 bool ttc_ring_settles_all(const ttc_ring *ring, const ttc_ratio *ratios, size_t count);
 
 bool ttc_ring_is_constant(const ttc_ring *ring, const fmpz_mpoly_t polynomial); /* uses numbers alone */

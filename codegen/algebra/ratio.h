@@ -104,7 +104,8 @@ char *ttc_ratio_text(const ttc_ring *ring, const ttc_ratio *a); /* for free(); N
 void ttc_ratio_norm(ttc_ring *ring, fmpz_mpoly_t norm, const ttc_ratio *a);
 
 /** A square root of `radicand`, positive or (positive = false) any. Expressed through what the ring has when the radicand is
- *  a square in its field, which is decided exactly, nested roots included; otherwise `variable` (or a spare one when negative) becomes a generator. */
+ *  a square in its field, which is decided exactly, nested roots included; otherwise `variable` (or a spare one when negative)
+ *  becomes a generator. */
 void ttc_ring_root(ttc_ring *ring, ttc_ratio *out, const ttc_ratio *radicand, slong variable, bool positive);
 
 /** Derivative of a along a direction. slopes: shape (variable_count,), the rate of each variable; those of generators are

@@ -3,7 +3,8 @@
 /* sum += d(polynomial)/d(variable) * slope */
 static void add_term(ttc_ring *ring, ttc_ratio *sum, const fmpz_mpoly_t polynomial, slong variable, const ttc_ratio *slope)
 {
-    if (fmpz_mpoly_is_zero(slope->numerator, ring->context) || fmpz_mpoly_degree_si(polynomial, variable, ring->context) < 1) return;
+    if (fmpz_mpoly_is_zero(slope->numerator, ring->context)) return;
+    if (fmpz_mpoly_degree_si(polynomial, variable, ring->context) < 1) return;
     fmpz_mpoly_t derivative;
     ttc_ratio partial;
     fmpz_mpoly_init(derivative, ring->context);

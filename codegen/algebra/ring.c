@@ -215,7 +215,8 @@ static void check_radicand(ttc_ring *ring, const ttc_ratio *radicand)
     /* A quotient whose square it is says nothing where its denominator vanishes. */
     if (ttc_ratio_is_zero(ring, radicand)) ttc_ring_fail(ring, TTC_RING_ROOT_OF_ZERO);
     else if (ttc_ratio_sign(ring, radicand) < 0
-             || (field_root(ring, ring->generator_count, &root, &negative) && fmpz_mpoly_is_fmpz(root.denominator, ring->context)))
+             || (field_root(ring, ring->generator_count, &root, &negative)
+                 && fmpz_mpoly_is_fmpz(root.denominator, ring->context)))
         ttc_ring_fail(ring, TTC_RING_ROOT_OF_NEGATIVE);
     ttc_ratio_clear(ring, &root);
     ttc_ratio_clear(ring, &negative);

@@ -75,8 +75,10 @@ static void choose(ttc_witness *point, unsigned attempt)
         size_t symbol = ttc_valuation_symbol(point->valuation, v);
         uint64_t random = mix(((uint64_t)attempt << 20) + (uint64_t)v);
         const ttc_symbol_entry *entry = symbol < model->symbol_count ? &model->symbols[symbol] : NULL;
-        if (entry != NULL && entry->kind == TTC_STATE) choose_state(point->values + v, model->graph, entry, attempt, random);
-        else if (entry != NULL && entry->kind == TTC_PARAM) choose_param(point->values + v, model->graph, entry, attempt, random);
+        if (entry != NULL && entry->kind == TTC_STATE)
+            choose_state(point->values + v, model->graph, entry, attempt, random);
+        else if (entry != NULL && entry->kind == TTC_PARAM)
+            choose_param(point->values + v, model->graph, entry, attempt, random);
         else {
             magnitude(point->values + v, attempt, random);
             if (random >> 32 & 1) fmpq_neg(point->values + v, point->values + v);

@@ -1,9 +1,9 @@
 /** Expressions of a model as exact ratios, under substitutions.
  *
  *  A symbol is free (a variable of the ring), bound to an expression, or, for a state, bound to a square root. Functions follow
- *  from what they are defined by: cosines and sines of angles that are linearly independent over the rationals are variables with
- *  c^2 + s^2 = 1, those of sums of their multiples follow by the addition theorems; exponentials likewise, and logarithms of
- *  arguments that are multiplicatively independent.
+ *  from what they are defined by: cosines and sines of angles that are linearly independent over the rationals are variables
+ *  with c^2 + s^2 = 1, those of sums of their multiples follow by the addition theorems; exponentials likewise, and logarithms
+ *  of arguments that are multiplicatively independent.
  *
  *  A plain valuation reads bound expressions in itself, so `when a = b, b = 1` means a = b = 1, and a circle is an error. A map
  *  (base != NULL) reads them in its base: the model at an image point, or another model seen from the base. */
@@ -46,14 +46,14 @@ void ttc_evaluate(ttc_valuation *valuation, ttc_ratio *out, ttc_id id);
  *  ring fails with ANGLE or ANGLE_FRACTION. */
 void ttc_valuation_angle(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *angle, bool is_sine);
 
-/** The same of exponentials and logarithms: the value for an exponent, or an argument, that follows from those that the table names;
- *  else the ring fails. */
+/** The same of exponentials and logarithms: the value for an exponent, or an argument, that follows from those that the table
+ *  names; else the ring fails. */
 void ttc_valuation_exp(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *exponent);
 void ttc_valuation_log(ttc_valuation *valuation, ttc_ratio *out, const ttc_ratio *argument);
 
-/** The rates of the own variables of functions that were evaluated before, by the chain rule. rates, shape (variable_count,), has
- *  those of the states. A function may be expressed through one that the table names after it, so that rates are taken until
- *  none changes. */
+/** The rates of the own variables of functions that were evaluated before, by the chain rule. rates, shape (variable_count,),
+ *  has those of the states. A function may be expressed through one that the table names after it, so that rates are taken
+ *  until none changes. */
 void ttc_valuation_add_function_rates(ttc_valuation *valuation, ttc_ratio *rates);
 
 void ttc_valuation_pi(ttc_valuation *valuation, ttc_ratio *out); /* fails where the table has no pi */

@@ -1,6 +1,6 @@
 /* Exponentials of a valuation: a basis of those whose exponents are linearly independent over the rationals, together with the
- * logarithms, and the others as products of whole powers of it: exp(e_1)^2 for exp(2 e_1), an argument for the exponential of its
- * logarithm. */
+ * logarithms, and the others as products of whole powers of it: exp(e_1)^2 for exp(2 e_1), an argument for the exponential of
+ * its logarithm. */
 #include "algebra/angle.h"
 #include "algebra/valuation_state.h"
 
@@ -97,8 +97,8 @@ static size_t plain_exponentials(ttc_valuation *v, uint32_t *symbols)
     return count;
 }
 
-/* The plain ones are taken together, so that one of exp(a), exp(2 a) is found that the others are powers of. What is in the basis
- * by now is part of what a state is bound to, and stays. An exponent that is zero makes the number 1. */
+/* The plain ones are taken together, so that one of exp(a), exp(2 a) is found that the others are powers of. What is in the
+ * basis by now is part of what a state is bound to, and stays. An exponent that is zero makes the number 1. */
 static void find_exponentials(ttc_valuation *v)
 {
     const size_t most = v->model->symbol_count;

@@ -1,9 +1,9 @@
-/* Logarithms of a valuation: a basis of those whose arguments are multiplicatively independent, together with the exponentials, and
- * the others as sums of rational multiples of it: 2 log(x) for log(x^2), an exponent for the logarithm of its exponential.
+/* Logarithms of a valuation: a basis of those whose arguments are multiplicatively independent, together with the exponentials,
+ * and the others as sums of rational multiples of it: 2 log(x) for log(x^2), an exponent for the logarithm of its exponential.
  *
- * Arguments are compared as products, by the exponents of elements without common factors. One that holds roots is compared by its
- * square, where that holds none; any other is known again only as what it is, or as its inverse, and nothing is known of what its
- * logarithm depends on. */
+ * Arguments are compared as products, by the exponents of elements without common factors. One that holds roots is compared by
+ * its square, where that holds none; any other is known again only as what it is, or as its inverse, and nothing is known of
+ * what its logarithm depends on. */
 #include "algebra/coprime.h"
 #include "algebra/valuation_state.h"
 

@@ -44,8 +44,8 @@ void ttc_valuation_exp_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
 void ttc_valuation_log_value(ttc_valuation *v, ttc_ratio *out, uint32_t symbol);
 void ttc_valuation_pi_value(ttc_valuation *v, ttc_ratio *out);
 
-/* Functions join a basis when they are met. Where a value follows from no basis, all of the table are met first: true when that has
- * been done now, so that another attempt is worth while. */
+/* Functions join a basis when they are met. Where a value follows from no basis, all of the table are met first: true when that
+ * has been done now, so that another attempt is worth while. */
 bool ttc_valuation_meet(ttc_valuation *v);
 
 /* What is known of the functions of an angle or exponent, see ttc_ring_trust. basis, shape (count,): symbols whose definitions,

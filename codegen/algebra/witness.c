@@ -320,7 +320,8 @@ ttc_truth ttc_witness_meets(ttc_witness *point, const ttc_condition *condition)
         if (!arb_is_finite(ball)) break; /* a root of what is negative */
         if (arb_is_positive(ball)) truth = truth_of_sign(1, condition->relation);
         else if (arb_is_negative(ball)) truth = truth_of_sign(-1, condition->relation);
-        else if (exact_polynomial(value, point, condition->polynomial)) truth = truth_of_sign(fmpq_sgn(value), condition->relation);
+        else if (exact_polynomial(value, point, condition->polynomial))
+            truth = truth_of_sign(fmpq_sgn(value), condition->relation);
     }
     fmpq_clear(value);
     arb_clear(ball);

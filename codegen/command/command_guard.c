@@ -1,6 +1,7 @@
 /* Proofs within bounds: a worker process settles one claim after the other and sends each verdict through a pipe. Algebra can
  * outgrow any machine, and the libraries beneath end their process when memory is out: then the worker dies, the claim that it
- * was at is not settled, by name, and another worker goes on with the next. */
+ * was at is not settled, by name, and another worker goes on with the next. A worker that dies without a word of memory has a
+ * fault, which must not pass for a bound. */
 #include "command/command_guard.h"
 
 #include <errno.h>
@@ -16,7 +17,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { SECONDS_A_CLAIM = 20, SECONDS_A_TABLE = 50, MEMORY_MIB = 1536 };
+enum { SECONDS_A_CLAIM = 20, SECONDS_A_TABLE = 50, MEMORY_MIB = 1536, WORDS_SIZE = 200 };
 
 #ifdef JLT_SANITIZED
 enum { ADDRESS_SPACE_IS_BOUNDED = 0 };
@@ -33,10 +34,11 @@ typedef struct {
     size_t lengths[3];
 } message;
 
-static double now(void)
+/* Seconds of the processor that a process has taken: a verdict must not hang on what else the machine does. */
+static double taken(clockid_t clock)
 {
     struct timespec time;
-    return clock_gettime(CLOCK_MONOTONIC, &time) == 0 ? (double)time.tv_sec + 1e-9 * (double)time.tv_nsec : 0;
+    return clock_gettime(clock, &time) == 0 ? (double)time.tv_sec + 1e-9 * (double)time.tv_nsec : 0;
 }
 
 static bool write_all(int descriptor, const void *data, size_t size)
@@ -69,13 +71,13 @@ static bool send_proof(int descriptor, size_t index, const ttc_proof *proof)
     return ok;
 }
 
-/* In the worker; what its libraries say when they die is said by us. */
-static void work(ttc_proof_run *run, const bool *settled, int descriptor)
+/* In the worker; what its libraries say when they die goes to `words`, and is said by us. */
+static void work(ttc_proof_run *run, const bool *settled, int descriptor, int words)
 {
-    int nowhere = open("/dev/null", O_WRONLY);
     struct rlimit memory = { (rlim_t)MEMORY_MIB << 20, (rlim_t)MEMORY_MIB << 20 }, core = { 0, 0 };
     prctl(PR_SET_PDEATHSIG, SIGKILL); /* whatever ends the parent ends the work */
-    if (nowhere >= 0 && dup2(nowhere, STDERR_FILENO) >= 0) dup2(nowhere, STDOUT_FILENO);
+    dup2(words, STDOUT_FILENO); /* FLINT 2 says it there, others with stderr */
+    dup2(words, STDERR_FILENO);
     if (ADDRESS_SPACE_IS_BOUNDED) setrlimit(RLIMIT_AS, &memory);
     setrlimit(RLIMIT_CORE, &core);
     for (size_t i = 0; i < ttc_proof_run_count(run); i++) {
@@ -87,12 +89,18 @@ static void work(ttc_proof_run *run, const bool *settled, int descriptor)
 
 typedef enum { READ_DONE, READ_END, READ_LATE } read_result;
 
-static read_result read_all(int descriptor, void *data, size_t size, double deadline)
+/* Until the process whose clock this is has taken `most` seconds. */
+typedef struct {
+    clockid_t clock;
+    double most;
+} allowance;
+
+static read_result read_all(int descriptor, void *data, size_t size, allowance allowed)
 {
     char *at = data;
     while (size > 0) {
         struct pollfd poll_of = { .fd = descriptor, .events = POLLIN };
-        double left = deadline - now();
+        double left = allowed.most - taken(allowed.clock);
         if (left <= 0) return READ_LATE;
         int ready = poll(&poll_of, 1, (int)(1000 * left) + 1);
         if (ready < 0 && errno != EINTR) return READ_END;
@@ -106,16 +114,16 @@ static read_result read_all(int descriptor, void *data, size_t size, double dead
     return READ_DONE;
 }
 
-static read_result receive_proof(int descriptor, ttc_proof_run *run, bool *settled, double deadline)
+static read_result receive_proof(int descriptor, ttc_proof_run *run, bool *settled, allowance allowed)
 {
     message m;
     char *texts[3] = { NULL, NULL, NULL };
-    read_result result = read_all(descriptor, &m, sizeof m, deadline);
+    read_result result = read_all(descriptor, &m, sizeof m, allowed);
     if (result == READ_DONE && m.index >= ttc_proof_run_count(run)) result = READ_END;
     for (int i = 0; i < 3 && result == READ_DONE; i++) {
         if (m.lengths[i] == SIZE_MAX) continue;
         texts[i] = calloc(m.lengths[i] + 1, 1);
-        result = texts[i] == NULL ? READ_END : read_all(descriptor, texts[i], m.lengths[i], deadline);
+        result = texts[i] == NULL ? READ_END : read_all(descriptor, texts[i], m.lengths[i], allowed);
     }
     if (result != READ_DONE) {
         for (int i = 0; i < 3; i++) free(texts[i]);
@@ -136,55 +144,106 @@ static size_t first_open(const bool *settled, size_t count)
     return i;
 }
 
-static void give_up(ttc_proof_run *run, bool *settled, size_t index, read_result result)
+/* What the libraries say when an allocation fails or a number is too large to be stored; they abort then. */
+static bool speak_of_memory(const char *words)
 {
-    char text[120];
-    if (result == READ_LATE)
+    return strstr(words, "allocate") != NULL || strstr(words, "bad_alloc") != NULL || strstr(words, "overflow in mpz") != NULL;
+}
+
+/* Why a worker that is no more, with that status, did not send all. A kill is the kernel's, for memory, or ours. */
+static ttc_proof_ending ending_of(read_result result, int status, const char *words)
+{
+    if (result == READ_LATE) return TTC_ENDED_LATE;
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return TTC_ENDED_OUT_OF_MEMORY;
+    return speak_of_memory(words) ? TTC_ENDED_OUT_OF_MEMORY : TTC_ENDED_BY_FAULT;
+}
+
+static void give_up(ttc_proof_run *run, bool *settled, ttc_proof_ending ending, int status, const char *words)
+{
+    char text[WORDS_SIZE + 80];
+    const size_t index = first_open(settled, ttc_proof_run_count(run));
+    if (ending == TTC_ENDED_LATE)
         snprintf(text, sizeof text, "its proof passes the limit of %d s a claim, or of %d s a table", SECONDS_A_CLAIM,
                  SECONDS_A_TABLE);
-    else snprintf(text, sizeof text, "its proof passes the limit of %d MiB", MEMORY_MIB);
-    ttc_proof verdict = { .status = TTC_UNSETTLED, .remainder = strdup(text) };
+    else if (ending == TTC_ENDED_OUT_OF_MEMORY)
+        snprintf(text, sizeof text, "its proof passes the limit of %d MiB", MEMORY_MIB);
+    else
+        snprintf(text, sizeof text, "its proof fails, by %s %d%s%s", WIFSIGNALED(status) ? "signal" : "exit status",
+                 WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status), words[0] != '\0' ? ": " : "", words);
+    ttc_proof verdict = { .status = TTC_UNSETTLED, .ending = ending, .remainder = strdup(text) };
     ttc_proof_run_accept(run, index, &verdict);
     settled[index] = true;
 }
 
-/* One worker, until it is done, dead or late; the claim that it was at is then given up. False: no worker can be made. */
-static bool employ(ttc_proof_run *run, bool *settled, double deadline)
+/* The first line of what a worker that is no more said, shape (WORDS_SIZE,). */
+static void read_words(int descriptor, char *words)
 {
-    int ends[2];
+    ssize_t length = read(descriptor, words, WORDS_SIZE - 1);
+    words[length > 0 ? length : 0] = '\0';
+    words[strcspn(words, "\n")] = '\0';
+}
+
+/* Two pipes: for verdicts, and for last words, where a worker never waits for a reader. False: none is open. */
+static bool open_pipes(int verdicts[2], int words[2])
+{
+    if (pipe(verdicts) != 0) return false;
+    if (pipe(words) == 0) {
+        if (fcntl(words[0], F_SETFL, O_NONBLOCK) == 0 && fcntl(words[1], F_SETFL, O_NONBLOCK) == 0) return true;
+        close(words[0]);
+        close(words[1]);
+    }
+    close(verdicts[0]);
+    close(verdicts[1]);
+    return false;
+}
+
+/* One worker, until it is done, dead or late; the claim that it was at is then given up. *left: seconds that the table may still
+ * take. False: no worker can be made. */
+static bool employ(ttc_proof_run *run, bool *settled, double *left)
+{
+    int verdicts[2], words[2], status = 0;
+    clockid_t clock = CLOCK_MONOTONIC;
+    char said[WORDS_SIZE];
     const size_t count = ttc_proof_run_count(run);
     read_result result = READ_DONE;
-    if (pipe(ends) != 0) return false;
+    if (!open_pipes(verdicts, words)) return false;
     fflush(NULL);
     pid_t worker = fork();
     if (worker == 0) {
-        close(ends[0]);
-        work(run, settled, ends[1]);
+        close(verdicts[0]);
+        close(words[0]);
+        work(run, settled, verdicts[1], words[1]);
         _exit(0);
     }
-    close(ends[1]);
-    while (worker > 0 && result == READ_DONE && first_open(settled, count) < count) {
-        double claim_deadline = now() + SECONDS_A_CLAIM;
-        result = receive_proof(ends[0], run, settled, claim_deadline < deadline ? claim_deadline : deadline);
+    close(verdicts[1]);
+    close(words[1]);
+    bool ok = worker > 0 && clock_getcpuclockid(worker, &clock) == 0;
+    while (ok && result == READ_DONE && first_open(settled, count) < count) {
+        double most = taken(clock) + SECONDS_A_CLAIM;
+        result = receive_proof(verdicts[0], run, settled, (allowance){ clock, most < *left ? most : *left });
     }
-    close(ends[0]);
-    if (worker < 0) return false;
-    kill(worker, SIGKILL);
-    while (waitpid(worker, NULL, 0) < 0 && errno == EINTR) continue;
-    if (result != READ_DONE) give_up(run, settled, first_open(settled, count), result);
-    return true;
+    if (ok) *left -= taken(clock);
+    if (worker > 0) {
+        kill(worker, SIGKILL); /* one that is dead keeps its status */
+        while (waitpid(worker, &status, 0) < 0 && errno == EINTR) continue;
+        read_words(words[0], said);
+        if (result != READ_DONE) give_up(run, settled, ending_of(result, status, said), status, said);
+    }
+    close(verdicts[0]);
+    close(words[0]);
+    return ok;
 }
 
-ttc_proof_report *ttc_prove_guarded(const ttc_model *model)
+ttc_proof_report *ttc_prove_guarded(const ttc_model *model, ttc_resolver resolver, void *context)
 {
-    ttc_proof_run *run = ttc_proof_run_create(model, ttc_resolve_beside, NULL);
+    ttc_proof_run *run = ttc_proof_run_create(model, resolver, context);
     ttc_proof_report *report = NULL;
     size_t count = run == NULL ? 0 : ttc_proof_run_count(run);
     bool *settled = calloc(count + 1, sizeof *settled), ok = run != NULL && settled != NULL;
-    double deadline = now() + SECONDS_A_TABLE;
+    double left = SECONDS_A_TABLE;
     while (ok && first_open(settled, count) < count) {
-        if (now() >= deadline) give_up(run, settled, first_open(settled, count), READ_LATE);
-        else ok = employ(run, settled, deadline);
+        if (left <= 0) give_up(run, settled, TTC_ENDED_LATE, 0, "");
+        else ok = employ(run, settled, &left);
     }
     if (ok) report = ttc_proof_run_report(run, count);
     free(settled);

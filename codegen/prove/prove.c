@@ -173,6 +173,7 @@ void ttc_proof_run_accept(ttc_proof_run *run, size_t index, const ttc_proof *ver
     free(proof->point);
     free(proof->note);
     proof->status = verdict->status;
+    proof->ending = verdict->ending;
     proof->remainder = verdict->remainder;
     proof->point = verdict->point;
     proof->note = verdict->note;

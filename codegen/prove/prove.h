@@ -21,11 +21,16 @@ typedef enum { TTC_PROVED, TTC_REFUTED, TTC_UNSETTLED } ttc_proof_status;
 
 const char *ttc_proof_status_name(ttc_proof_status status); /* "proved", "refuted", "not settled" */
 
+/* How the search for a proof ended: by a verdict, or beyond a bound that command/command_guard.h sets, or with its process, which
+ * is a fault of the prover. All but the first leave the claim not settled. */
+typedef enum { TTC_ENDED_BY_VERDICT, TTC_ENDED_LATE, TTC_ENDED_OUT_OF_MEMORY, TTC_ENDED_BY_FAULT } ttc_proof_ending;
+
 typedef struct {
     char *name;
     const char *kind;  /* as written in the table; for derived claims "root", "variant", "time", "eliminate" */
     ttc_place place;
     ttc_proof_status status;
+    ttc_proof_ending ending;
     char *remainder;   /* refuted: what is not zero or not positive, as text; not settled: the reason; else NULL */
     char *point;       /* proved: a point of the domain that meets the claim's conditions; refuted: one at which it is false */
     char *note;        /* of a measure: where its density is positive and smooth, zero, negative, or has poles; else NULL */

@@ -3,7 +3,7 @@
 # below the whole. Two seconds, for a line appears every 0.2 s.
 set -uo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
-command -v script > /dev/null || exit 77
+command -v script > /dev/null || { echo "script is missing: there is no terminal to write to"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 

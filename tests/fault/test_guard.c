@@ -1,0 +1,99 @@
+/* Proofs under guard: a claim whose proof is late, out of memory or at fault is not settled, says which of the three it was, and
+ * takes no other claim with it. What goes wrong here goes wrong where a reduction's target is read, in the worker. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <flint/flint.h>
+
+#include "command/command_guard.h"
+
+static const char table[] = "model guarded\nstate x\nstate y\neq x = y\neq y = -x\nreduction other : onto other.tt with x = x\n"
+                            "integral E = x^2 + y^2\n";
+
+typedef void (*misfortune)(void);
+
+static ttc_model *resolve(void *context, const ttc_model *model, const char *target, ttc_diagnostics *diagnostics)
+{
+    (void)model;
+    (void)target;
+    (void)diagnostics;
+    (*(misfortune *)context)();
+    return NULL;
+}
+
+static void crash(void)
+{
+    signal(SIGSEGV, SIG_DFL); /* cmocka's own handler is in the worker too */
+    raise(SIGSEGV);
+}
+static void give_up_itself(void) { abort(); }
+static void leave(void) { exit(3); }
+static void outgrow(void)
+{
+    for (size_t i = 0; i < 4096; i++) memset(flint_malloc(1 << 20), 1, 1 << 20); /* flint aborts at the limit */
+}
+static void hang(void)
+{
+    for (;;) raise(0);
+}
+
+static void expect(misfortune what, ttc_proof_ending ending, const char *reason)
+{
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    ttc_model *model = ttc_model_parse(table, strlen(table), "guarded.tt", diagnostics);
+    assert_non_null(model);
+    ttc_proof_report *report = ttc_prove_guarded(model, resolve, &what);
+    assert_non_null(report);
+    assert_string_equal(report->proofs[0].kind, "reduction");
+    assert_int_equal(report->proofs[0].status, TTC_UNSETTLED);
+    if (report->proofs[0].ending != ending) print_error("%s\n", report->proofs[0].remainder);
+    assert_int_equal(report->proofs[0].ending, ending);
+    assert_non_null(strstr(report->proofs[0].remainder, reason));
+    assert_int_equal(report->proofs[1].status, TTC_PROVED);
+    assert_int_equal(report->proofs[1].ending, TTC_ENDED_BY_VERDICT);
+    ttc_proof_report_destroy(report);
+    ttc_model_destroy(model);
+    ttc_diagnostics_destroy(diagnostics);
+}
+
+static void a_fault_is_no_bound(void **unused)
+{
+    (void)unused;
+#ifndef JLT_SANITIZED /* the sanitizer makes an exit of its own of signals */
+    expect(crash, TTC_ENDED_BY_FAULT, "its proof fails, by signal 11");
+    expect(give_up_itself, TTC_ENDED_BY_FAULT, "its proof fails, by signal 6");
+#endif
+    expect(leave, TTC_ENDED_BY_FAULT, "its proof fails, by exit status 3");
+}
+
+static void memory_is_bounded(void **unused)
+{
+    (void)unused;
+#ifdef JLT_SANITIZED
+    skip(); /* the sanitizer maps more than any limit */
+#endif
+    expect(outgrow, TTC_ENDED_OUT_OF_MEMORY, "passes the limit of 1536 MiB");
+}
+
+static void time_is_bounded(void **unused)
+{
+    (void)unused;
+    expect(hang, TTC_ENDED_LATE, "passes the limit of 20 s a claim");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_fault_is_no_bound),
+        cmocka_unit_test(memory_is_bounded),
+        cmocka_unit_test(time_is_bounded),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,47 @@
+/** Models from text, and the text of their expressions. */
+#ifndef TEST_PARSED_MODEL_H
+#define TEST_PARSED_MODEL_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "read/model.h"
+#include "show/print.h"
+
+static inline ttc_model *parse(const char *text)
+{
+    ttc_diagnostics *diagnostics = ttc_diagnostics_create();
+    assert_non_null(diagnostics);
+    ttc_model *model = ttc_model_parse(text, strlen(text), "t.tt", diagnostics);
+    if (model == NULL) ttc_diagnostics_print(diagnostics, stderr);
+    ttc_diagnostics_destroy(diagnostics);
+    assert_non_null(model);
+    return model;
+}
+
+static inline void prints(const ttc_model *model, ttc_id id, const char *expected)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    assert_non_null(stream);
+    assert_true(ttc_print(stream, model, id, TTC_NOTATION_TEXT));
+    fclose(stream);
+    assert_string_equal(text, expected);
+    free(text);
+}
+
+static inline uint32_t symbol(const ttc_model *model, const char *name)
+{
+    uint32_t found;
+    assert_true(ttc_model_find_symbol(model, name, &found));
+    return found;
+}
+
+#endif
