@@ -154,6 +154,9 @@ typedef struct jlt_descriptor {
     const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has. NULL where the file
                                                        was compiled with JLT_WITHOUT_LANES */
 
+    const struct jlt_ball_table *balls; /* kernel_ball.h: of this time and elimination, for all variants; NULL where the file was
+                                           compiled with JLT_WITHOUT_BALLS */
+
     unsigned equilibria_count;     /* on the general field in its own time only */
     const jlt_equilibria *equilibria;
 } jlt_descriptor;

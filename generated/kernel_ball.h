@@ -16,7 +16,7 @@
 
 typedef void (*jlt_ball_function)(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec);
 
-typedef struct {
+typedef struct jlt_ball_table {
     const char *model, *time, *elimination; /* "" for the model's own time, for all states */
     unsigned state_count, param_count;
     jlt_ball_function rhs, jacobian, divergence; /* shapes as in the descriptor */
@@ -27,9 +27,6 @@ typedef struct {
     const char *const *trace;  /* names of the families */
     const jlt_ball_function *traces;
 } jlt_ball_table;
-
-extern const jlt_ball_table *const jlt_ball_registry[];
-extern const unsigned jlt_ball_registry_count;
 
 /* The exact rational "p/q", rounded outwards. */
 void jlt_ball_rational(arb_t out, const char *digits, slong prec);

@@ -72,8 +72,8 @@ static char *join(const char *folder, const char *name, const char *extension)
 
 static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
-/* Every .c file but those that only hold lanes or need Arb. */
-static bool list_folder(file_list *list, const char *folder, bool into)
+/* Every .c file but those that only hold lanes, or need Arb where it is not there. */
+static bool list_folder(file_list *list, const char *folder, bool into, bool balls)
 {
     DIR *open = opendir(folder);
     bool ok = open != NULL;
@@ -83,9 +83,9 @@ static bool list_folder(file_list *list, const char *folder, bool into)
         if (*entry->d_name == '.') continue;
         char *path = join(folder, entry->d_name, "");
         ok = path != NULL && stat(path, &kind) == 0;
-        if (ok && into && S_ISDIR(kind.st_mode)) ok = list_folder(list, path, false);
+        if (ok && into && S_ISDIR(kind.st_mode)) ok = list_folder(list, path, false, balls);
         else if (ok && length > 2 && strcmp(entry->d_name + length - 2, ".c") == 0
-                 && strncmp(entry->d_name, "batch_", 6) != 0 && strstr(entry->d_name, "ball") == NULL) {
+                 && strncmp(entry->d_name, "batch_", 6) != 0 && (balls || strstr(entry->d_name, "ball") == NULL)) {
             ok = add_file(list, path);
             path = NULL;
         }
@@ -101,7 +101,7 @@ static void free_list(file_list *list)
     free(list->names);
 }
 
-static pid_t start(const char *compiler, char *const *arguments)
+static pid_t start(const char *compiler, char *const *arguments, bool in_silence)
 {
     const pid_t parent = getpid(), child = fork();
     if (child != 0) return child;
@@ -109,21 +109,23 @@ static pid_t start(const char *compiler, char *const *arguments)
     if (getppid() != parent) _exit(127);
     const int nowhere = open("/dev/null", O_WRONLY);
     if (nowhere >= 0) dup2(nowhere, STDOUT_FILENO);
+    if (nowhere >= 0 && in_silence) dup2(nowhere, STDERR_FILENO);
     execv(compiler, arguments);
     _exit(127);
 }
 
-static pid_t compile_one(const char *compiler, const char *include, char *source, char *object)
+static pid_t compile_one(const char *compiler, const char *include, bool balls, char *source, char *object)
 {
-    const char *arguments[FLAG_COUNT + 8] = { compiler };
+    const char *arguments[FLAG_COUNT + 9] = { compiler };
     size_t n = 1;
     for (size_t i = 0; i < FLAG_COUNT; i++) arguments[n++] = flags[i];
+    if (!balls) arguments[n++] = "-DJLT_WITHOUT_BALLS";
     arguments[n++] = include;
     arguments[n++] = "-c";
     arguments[n++] = source;
     arguments[n++] = "-o";
     arguments[n++] = object;
-    return start(compiler, (char *const *)arguments);
+    return start(compiler, (char *const *)arguments, false);
 }
 
 /* Wait for one child. False: it failed. */
@@ -142,7 +144,17 @@ static size_t processors(void)
     return sched_getaffinity(0, sizeof set, &set) == 0 ? (size_t)CPU_COUNT(&set) : 1;
 }
 
-static bool compile_all(const char *compiler, const char *folder, const file_list *sources, const file_list *objects)
+/* Whether Arb's headers are there, which ball arithmetic needs. */
+static bool has_arb(const char *compiler, const char *folder)
+{
+    char *header = join(folder, "kernel_ball.h", "");
+    const char *const arguments[] = { compiler, "-fsyntax-only", "-w", "-x", "c", header, NULL };
+    const bool found = header != NULL && start(compiler, (char *const *)arguments, true) > 0 && finish_one();
+    free(header);
+    return found;
+}
+
+static bool compile_all(const char *compiler, const char *folder, bool balls, const file_list *sources, const file_list *objects)
 {
     const size_t most = processors();
     size_t running = 0;
@@ -154,7 +166,7 @@ static bool compile_all(const char *compiler, const char *folder, const file_lis
             ok = finish_one();
             running--;
         }
-        if (ok) ok = compile_one(compiler, option.bytes, sources->names[i], objects->names[i]) > 0;
+        if (ok) ok = compile_one(compiler, option.bytes, balls, sources->names[i], objects->names[i]) > 0;
         if (ok) running++;
     }
     for (; running > 0; running--) ok = finish_one() && ok;
@@ -175,7 +187,7 @@ static bool link_all(const char *compiler, const file_list *objects, const char 
     arguments[n++] = target;
     for (size_t i = 0; i < objects->count; i++) arguments[n++] = objects->names[i];
     arguments[n++] = "-lm";
-    const bool ok = start(compiler, (char *const *)arguments) > 0 && finish_one();
+    const bool ok = start(compiler, (char *const *)arguments, false) > 0 && finish_one();
     free(arguments);
     return ok;
 }
@@ -183,14 +195,15 @@ static bool link_all(const char *compiler, const file_list *objects, const char 
 bool ttc_compile_folder(const char *compiler, const char *folder, const char *target)
 {
     file_list sources = { 0 }, objects = { 0 };
-    bool ok = list_folder(&sources, folder, true);
+    const bool balls = has_arb(compiler, folder);
+    bool ok = list_folder(&sources, folder, true, balls);
     if (ok) qsort(sources.names, sources.count, sizeof *sources.names, by_name);
     for (size_t i = 0; ok && i < sources.count; i++) {
         char *object = strdup(sources.names[i]);
         if (object != NULL) object[strlen(object) - 1] = 'o';
         ok = add_file(&objects, object);
     }
-    ok = ok && sources.count > 0 && compile_all(compiler, folder, &sources, &objects) && link_all(compiler, &objects, target);
+    ok = ok && sources.count > 0 && compile_all(compiler, folder, balls, &sources, &objects) && link_all(compiler, &objects, target);
     free_list(&objects);
     free_list(&sources);
     return ok;

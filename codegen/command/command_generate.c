@@ -105,9 +105,7 @@ static bool generate_lists(ttc_output *output, ttc_model *const *models, const t
     const char *list = ttc_text_string(&rows);
     ttc_text *registry = ttc_output_add(output, "registry.c");
     if (registry != NULL) ttc_emit_registry(registry, list);
-    ttc_text *balls = registry == NULL ? NULL : ttc_output_add(output, "ball_registry.c");
-    if (balls != NULL) ttc_emit_ball_registry(balls, list);
-    return balls != NULL;
+    return registry != NULL;
 }
 
 static bool generate_fixed(ttc_output *output)
@@ -118,6 +116,7 @@ static bool generate_fixed(ttc_output *output)
     } fixed[] = { { "kernel_abi.h", ttc_emit_abi },
                   { "kernel_arithmetic.h", ttc_emit_arithmetic },
                   { "kernel_ball.h", ttc_emit_ball_header },
+                  { "kernel_ball.c", ttc_emit_ball_support },
                   { "kernel_jet.h", ttc_emit_jet_header },
                   { "lanes.h", ttc_emit_lanes_header },
                   { "registry.h", ttc_emit_registry_header } };

@@ -94,5 +94,6 @@ bool ttc_emit_ball(ttc_text *text, const ttc_plan *plan);
 void ttc_emit_abi(ttc_text *text);
 void ttc_emit_arithmetic(ttc_text *text);
 void ttc_emit_ball_header(ttc_text *text);
+void ttc_emit_ball_support(ttc_text *text);
 
 #endif

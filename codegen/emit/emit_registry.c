@@ -21,8 +21,8 @@ void ttc_emit_registry_header(ttc_text *text)
 
 /* The columns of one row, not terminated. */
 typedef struct {
-    const char *model, *variant, *hash, *file;
-    int model_length, variant_length, hash_length, file_length;
+    const char *model, *hash, *file;
+    int model_length, hash_length, file_length;
 } row;
 
 /* Read the row at `line`, and step to the next one; false at the end of the list. Columns that are missing are empty. */
@@ -41,7 +41,7 @@ static bool next_row(const char **line, row *out)
         lengths[i] = (int)(stop - at);
         at = stop + 1;
     }
-    *out = (row){ columns[0], columns[1], columns[4], columns[5], lengths[0], lengths[1], lengths[4], lengths[5] };
+    *out = (row){ columns[0], columns[4], columns[5], lengths[0], lengths[4], lengths[5] };
     *line = *end == '\0' ? end : end + 1;
     return true;
 }
@@ -55,24 +55,22 @@ static bool add_name(ttc_text *name, const row *r)
     return true;
 }
 
-static void add_list(ttc_text *text, const char *manifest, const char *type, const char *prefix, const char *registry,
-                     bool balls)
+static void add_list(ttc_text *text, const char *manifest)
 {
     ttc_text entries = { 0 };
     size_t number = 0;
     row r;
     for (bool title = true; next_row(&manifest, &r); title = false) {
-        bool is_variant = r.variant_length != 1 || *r.variant != '-';
         ttc_text name = { 0 };
-        if (title || (balls && is_variant) || !add_name(&name, &r)) continue;
-        ttc_text_format(text, "extern const %s %s_%s;\n", type, prefix, ttc_text_string(&name));
-        ttc_text_format(&entries, "    &%s_%s,\n", prefix, ttc_text_string(&name));
+        if (title || !add_name(&name, &r)) continue;
+        ttc_text_format(text, "extern const jlt_descriptor jlt_kernels_%s;\n", ttc_text_string(&name));
+        ttc_text_format(&entries, "    &jlt_kernels_%s,\n", ttc_text_string(&name));
         text->failed |= name.failed;
         ttc_text_clear(&name);
         number++;
     }
-    ttc_text_format(text, "\nconst %s *const %s[] = {\n%s};\n\nconst unsigned %s_count = %zu;\n", type, registry,
-                    ttc_text_string(&entries), registry, number);
+    ttc_text_format(text, "\nconst jlt_descriptor *const jlt_registry[] = {\n%s};\n\nconst unsigned jlt_registry_count = %zu;\n",
+                    ttc_text_string(&entries), number);
     text->failed |= entries.failed;
     ttc_text_clear(&entries);
 }
@@ -111,22 +109,8 @@ bool ttc_manifest_has(const char *manifest, const ttc_model *model)
 void ttc_emit_registry(ttc_text *text, const char *manifest)
 {
     ttc_text_add(text, "/* Written by ttc; do not edit. */\n#include \"registry.h\"\n\n");
-    add_list(text, manifest, "jlt_descriptor", "jlt_kernels", "jlt_registry", false);
+    add_list(text, manifest);
     ttc_text_add(text, "\nconst unsigned jlt_registry_entry_size = sizeof(jlt_descriptor);\n");
-}
-
-void ttc_emit_ball_registry(ttc_text *text, const char *manifest)
-{
-    ttc_text_add(text, "/* Written by ttc; do not edit. */\n#include \"kernel_ball.h\"\n\n");
-    add_list(text, manifest, "jlt_ball_table", "jlt_balls", "jlt_ball_registry", true);
-    ttc_text_add(text, "\nvoid jlt_ball_rational(arb_t out, const char *digits, slong prec)\n"
-                       "{\n"
-                       "    fmpq_t q;\n"
-                       "    fmpq_init(q);\n"
-                       "    if (fmpq_set_str(q, digits, 10) == 0) arb_set_fmpq(out, q, prec);\n"
-                       "    else arb_indeterminate(out);\n"
-                       "    fmpq_clear(q);\n"
-                       "}\n");
 }
 
 static const char *name_or_dash(const char *name) { return name == NULL ? "-" : name; }

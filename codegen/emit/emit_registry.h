@@ -15,7 +15,6 @@ void ttc_emit_counts_rows(ttc_text *text, const ttc_plan *plan);
 
 /* The registries of what a manifest lists. */
 void ttc_emit_registry(ttc_text *text, const char *manifest);
-void ttc_emit_ball_registry(ttc_text *text, const char *manifest);
 
 /* Append the rows of a model from an older list, whose first column names the model. Returns how many there were. */
 size_t ttc_copy_rows(ttc_text *text, const char *list, const char *model);

@@ -49,7 +49,7 @@ void ttc_emit_ball_header(ttc_text *text)
                  "typedef void (*jlt_ball_function)(arb_ptr out, arb_srcptr x, arb_srcptr params, slong prec);\n"
                  "\n");
     ttc_text_add(text,
-                 "typedef struct {\n"
+                 "typedef struct jlt_ball_table {\n"
                  "    const char *model, *time, *elimination; /* \"\" for the model's own time, for all states */\n"
                  "    unsigned state_count, param_count;\n"
                  "    jlt_ball_function rhs, jacobian, divergence; /* shapes as in the descriptor */\n"
@@ -61,11 +61,23 @@ void ttc_emit_ball_header(ttc_text *text)
                  "    const jlt_ball_function *traces;\n"
                  "} jlt_ball_table;\n"
                  "\n"
-                 "extern const jlt_ball_table *const jlt_ball_registry[];\n"
-                 "extern const unsigned jlt_ball_registry_count;\n"
-                 "\n"
                  "/* The exact rational \"p/q\", rounded outwards. */\n"
                  "void jlt_ball_rational(arb_t out, const char *digits, slong prec);\n"
                  "\n"
                  "#endif\n");
+}
+
+void ttc_emit_ball_support(ttc_text *text)
+{
+    ttc_text_add(text, "/* Written by ttc; do not edit. */\n"
+                       "#include \"kernel_ball.h\"\n"
+                       "\n"
+                       "void jlt_ball_rational(arb_t out, const char *digits, slong prec)\n"
+                       "{\n"
+                       "    fmpq_t q;\n"
+                       "    fmpq_init(q);\n"
+                       "    if (fmpq_set_str(q, digits, 10) == 0) arb_set_fmpq(out, q, prec);\n"
+                       "    else arb_indeterminate(out);\n"
+                       "    fmpq_clear(q);\n"
+                       "}\n");
 }

@@ -28,6 +28,7 @@ extern const char jlt_table_chaplygin_sleigh[];
 extern const jlt_claim jlt_claims_chaplygin_sleigh[];
 extern const jlt_descriptor *const jlt_family_chaplygin_sleigh[];
 extern const jlt_descriptor jlt_kernels_chaplygin_sleigh_general;
+extern const struct jlt_ball_table jlt_balls_chaplygin_sleigh_general;
 extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_general_baseline;
 extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_general_avx2;
 extern const jlt_kernel_batch jlt_batch_chaplygin_sleigh_general_avx512;
@@ -280,6 +281,9 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .integral_count = 1, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_chaplygin_sleigh_general,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

@@ -23,6 +23,7 @@ extern const char jlt_table_lorenz[];
 extern const jlt_claim jlt_claims_lorenz[];
 extern const jlt_descriptor *const jlt_family_lorenz[];
 extern const jlt_descriptor jlt_kernels_lorenz_general;
+extern const struct jlt_ball_table jlt_balls_lorenz_general;
 extern const jlt_kernel_batch jlt_batch_lorenz_general_baseline;
 extern const jlt_kernel_batch jlt_batch_lorenz_general_avx2;
 extern const jlt_kernel_batch jlt_batch_lorenz_general_avx512;
@@ -283,6 +284,9 @@ const jlt_descriptor jlt_kernels_lorenz_general = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 0, .measure_count = 0, .equilibria_count = 2,
     .equilibria = equilibria,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_lorenz_general,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

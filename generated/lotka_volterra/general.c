@@ -27,6 +27,7 @@ extern const char jlt_table_lotka_volterra[];
 extern const jlt_claim jlt_claims_lotka_volterra[];
 extern const jlt_descriptor *const jlt_family_lotka_volterra[];
 extern const jlt_descriptor jlt_kernels_lotka_volterra_general;
+extern const struct jlt_ball_table jlt_balls_lotka_volterra_general;
 extern const jlt_kernel_batch jlt_batch_lotka_volterra_general_baseline;
 extern const jlt_kernel_batch jlt_batch_lotka_volterra_general_avx2;
 extern const jlt_kernel_batch jlt_batch_lotka_volterra_general_avx512;
@@ -269,6 +270,9 @@ const jlt_descriptor jlt_kernels_lotka_volterra_general = {
     .integrals = integrals,
     .measures = measures,
     .equilibria = equilibria,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_lotka_volterra_general,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

@@ -27,6 +27,7 @@ extern const char jlt_table_nose_hoover[];
 extern const jlt_claim jlt_claims_nose_hoover[];
 extern const jlt_descriptor *const jlt_family_nose_hoover[];
 extern const jlt_descriptor jlt_kernels_nose_hoover_general;
+extern const struct jlt_ball_table jlt_balls_nose_hoover_general;
 extern const jlt_kernel_batch jlt_batch_nose_hoover_general_baseline;
 extern const jlt_kernel_batch jlt_batch_nose_hoover_general_avx2;
 extern const jlt_kernel_batch jlt_batch_nose_hoover_general_avx512;
@@ -213,6 +214,9 @@ const jlt_descriptor jlt_kernels_nose_hoover_general = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 0, .measure_count = 1, .equilibria_count = 0,
     .measures = measures,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_nose_hoover_general,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

@@ -36,6 +36,7 @@ extern const char jlt_table_restricted_three_body[];
 extern const jlt_claim jlt_claims_restricted_three_body[];
 extern const jlt_descriptor *const jlt_family_restricted_three_body[];
 extern const jlt_descriptor jlt_kernels_restricted_three_body_general;
+extern const struct jlt_ball_table jlt_balls_restricted_three_body_general;
 extern const jlt_kernel_batch jlt_batch_restricted_three_body_general_baseline;
 extern const jlt_kernel_batch jlt_batch_restricted_three_body_general_avx2;
 extern const jlt_kernel_batch jlt_batch_restricted_three_body_general_avx512;
@@ -392,6 +393,9 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
     .integral_count = 1, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_restricted_three_body_general,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

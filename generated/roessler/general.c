@@ -23,6 +23,7 @@ extern const char jlt_table_roessler[];
 extern const jlt_claim jlt_claims_roessler[];
 extern const jlt_descriptor *const jlt_family_roessler[];
 extern const jlt_descriptor jlt_kernels_roessler_general;
+extern const struct jlt_ball_table jlt_balls_roessler_general;
 extern const jlt_kernel_batch jlt_batch_roessler_general_baseline;
 extern const jlt_kernel_batch jlt_batch_roessler_general_avx2;
 extern const jlt_kernel_batch jlt_batch_roessler_general_avx512;
@@ -230,6 +231,9 @@ const jlt_descriptor jlt_kernels_roessler_general = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 0, .measure_count = 0, .equilibria_count = 1,
     .equilibria = equilibria,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_roessler_general,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

@@ -42,6 +42,7 @@ extern const char jlt_table_routh_sphere[];
 extern const jlt_claim jlt_claims_routh_sphere[];
 extern const jlt_descriptor *const jlt_family_routh_sphere[];
 extern const jlt_descriptor jlt_kernels_routh_sphere_general;
+extern const struct jlt_ball_table jlt_balls_routh_sphere_general;
 extern const jlt_kernel_batch jlt_batch_routh_sphere_general_baseline;
 extern const jlt_kernel_batch jlt_batch_routh_sphere_general_avx2;
 extern const jlt_kernel_batch jlt_batch_routh_sphere_general_avx512;
@@ -982,6 +983,9 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
     .integrals = integrals,
     .measures = measures,
     .equilibria = equilibria,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_routh_sphere_general,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

@@ -39,6 +39,7 @@ extern const char jlt_table_spherical_top[];
 extern const jlt_claim jlt_claims_spherical_top[];
 extern const jlt_descriptor *const jlt_family_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_level_G_omega3;
+extern const struct jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G_omega3;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_equal_in_regular_on_level_G_omega3_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_equal_in_regular_on_level_G_omega3_avx2;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_equal_in_regular_on_level_G_omega3_avx512;
@@ -587,6 +588,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_spherical_top_general_in_regular_on_level_G_omega3,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

@@ -44,6 +44,7 @@ extern const char jlt_table_spherical_top[];
 extern const jlt_claim jlt_claims_spherical_top[];
 extern const jlt_descriptor *const jlt_family_spherical_top[];
 extern const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G;
+extern const struct jlt_ball_table jlt_balls_spherical_top_general_in_regular_on_level_G;
 extern const jlt_kernel_batch jlt_batch_spherical_top_general_in_regular_on_level_G_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_general_in_regular_on_level_G_avx2;
 extern const jlt_kernel_batch jlt_batch_spherical_top_general_in_regular_on_level_G_avx512;
@@ -811,6 +812,9 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular_on_level_G = {
         "divides by s: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, b/R*(R*I3)*omega3 + G_level" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_spherical_top_general_in_regular_on_level_G,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

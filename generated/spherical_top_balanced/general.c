@@ -34,6 +34,7 @@ extern const char jlt_table_spherical_top_balanced[];
 extern const jlt_claim jlt_claims_spherical_top_balanced[];
 extern const jlt_descriptor *const jlt_family_spherical_top_balanced[];
 extern const jlt_descriptor jlt_kernels_spherical_top_balanced_general;
+extern const struct jlt_ball_table jlt_balls_spherical_top_balanced_general;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_general_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_general_avx2;
 extern const jlt_kernel_batch jlt_batch_spherical_top_balanced_general_avx512;
@@ -519,6 +520,9 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_general = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_spherical_top_balanced_general,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

@@ -57,6 +57,7 @@ extern const char jlt_table_spherical_top_full[];
 extern const jlt_claim jlt_claims_spherical_top_full[];
 extern const jlt_descriptor *const jlt_family_spherical_top_full[];
 extern const jlt_descriptor jlt_kernels_spherical_top_full_general;
+extern const struct jlt_ball_table jlt_balls_spherical_top_full_general;
 extern const jlt_kernel_batch jlt_batch_spherical_top_full_general_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_full_general_avx2;
 extern const jlt_kernel_batch jlt_batch_spherical_top_full_general_avx512;
@@ -2007,6 +2008,9 @@ const jlt_descriptor jlt_kernels_spherical_top_full_general = {
     .eliminated = { .loses_digits = "" },
     .integral_count = 9, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_spherical_top_full_general,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

@@ -29,6 +29,7 @@ extern const char jlt_table_spherical_top_plane[];
 extern const jlt_claim jlt_claims_spherical_top_plane[];
 extern const jlt_descriptor *const jlt_family_spherical_top_plane[];
 extern const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular;
+extern const struct jlt_ball_table jlt_balls_spherical_top_plane_general_in_regular;
 extern const jlt_kernel_batch jlt_batch_spherical_top_plane_equal_moments_in_regular_baseline;
 extern const jlt_kernel_batch jlt_batch_spherical_top_plane_equal_moments_in_regular_avx2;
 extern const jlt_kernel_batch jlt_batch_spherical_top_plane_equal_moments_in_regular_avx512;
@@ -361,6 +362,9 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments_in_regular = 
         "" },
     .eliminated = { .loses_digits = "" },
     .integral_count = 0, .measure_count = 0, .equilibria_count = 0,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_spherical_top_plane_general_in_regular,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

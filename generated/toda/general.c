@@ -28,6 +28,7 @@ extern const char jlt_table_toda[];
 extern const jlt_claim jlt_claims_toda[];
 extern const jlt_descriptor *const jlt_family_toda[];
 extern const jlt_descriptor jlt_kernels_toda_general;
+extern const struct jlt_ball_table jlt_balls_toda_general;
 extern const jlt_kernel_batch jlt_batch_toda_general_baseline;
 extern const jlt_kernel_batch jlt_batch_toda_general_avx2;
 extern const jlt_kernel_batch jlt_batch_toda_general_avx512;
@@ -407,6 +408,9 @@ const jlt_descriptor jlt_kernels_toda_general = {
     .integral_count = 3, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,
+#ifndef JLT_WITHOUT_BALLS
+    .balls = &jlt_balls_toda_general,
+#endif
     .jet = jet,
     .rhs_complex = rhs_complex,
 #ifndef JLT_WITHOUT_LANES

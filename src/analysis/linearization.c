@@ -257,7 +257,7 @@ done:
 jlt_status jlt_linearization_enclose(jlt_linearization *result, const jlt_descriptor *descriptor,
                                      const jlt_ball_value *params, const jlt_ball_value *x)
 {
-    const jlt_ball_question question = { descriptor->model, params, x, result->reach, result->sources, result->integrals };
+    const jlt_ball_question question = { descriptor->balls, params, x, result->reach, result->sources, result->integrals };
     jlt_deflation *eigen = &result->eigen;
     jlt_ball_spectrum s;
     const jlt_status st = jlt_ball_spectrum_compute(&s, &question);

@@ -1,4 +1,4 @@
-#include "cli/command.h"
+#include "cli/table.h"
 
 #include "kernel/descriptor.h"
 #include "report/json.h"
@@ -33,7 +33,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "What is built in: models, their states and parameters, variants, kernels with operation counts, and hashes."
+    "What is built in, or what a table of your own (./my.tt) says: models, their states and parameters, variants, kernels with operation counts, and hashes."
     "\vCounts are operations of one call of the right-hand side, of the Jacobian, and of both fused, on prepared parameters; "
     "a fused multiply-add counts once. "
     "The hash is that of the table that the kernels were written from.",
@@ -159,34 +159,40 @@ static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
     fputc('\n', stream);
 }
 
+/* As text, or into `all` unless that is NULL. */
+static void show_family(FILE *stream, json_t *all, const jlt_descriptor *model)
+{
+    for (const jlt_descriptor *const *d = model->family; *d != NULL; d++)
+        if (all != NULL) json_array_append_new(all, descriptor_json(*d));
+        else print_descriptor(stream, *d, d == model->family);
+}
+
 static jlt_exit run(int argc, char **argv)
 {
     options o = { 0 };
     jlt_command_output output;
     json_t *all = NULL;
-    size_t shown = 0;
 
     argp_parse(&parser, argc, argv, 0, NULL, &o);
     if (jlt_command_open(&output) != JLT_OK)
         return jlt_command_no_memory();
     if (o.json) all = json_array();
-    for (size_t i = 0; i < jlt_descriptor_count(); i++) {
-        const jlt_descriptor *d = jlt_descriptor_at(i);
-        const bool first = i == 0 || strcmp(d->model, jlt_descriptor_at(i - 1)->model) != 0;
-        if (o.model != NULL && strcmp(o.model, d->model) != 0) continue;
-        if (o.json) {
-            json_array_append_new(all, descriptor_json(d));
-        } else {
-            if (first && shown > 0) fputc('\n', output.stream);
-            print_descriptor(output.stream, d, first);
+    if (o.model != NULL) {
+        const jlt_descriptor *model;
+        const jlt_exit code = jlt_table_open(&model, o.model);
+        if (code != JLT_EXIT_DONE) {
+            json_decref(all);
+            jlt_command_discard(&output);
+            return code;
         }
-        shown++;
-    }
-    if (shown == 0) {
-        json_decref(all);
-        jlt_command_discard(&output);
-        return jlt_command_fail(JLT_EXIT_INPUT, "there is no model '%s' built in; 'jellett models' lists what there is",
-                                o.model == NULL ? "" : o.model);
+        show_family(output.stream, all, model);
+    } else {
+        for (size_t i = 0; i < jlt_descriptor_count(); i++) {
+            const jlt_descriptor *d = jlt_descriptor_at(i);
+            if (d != d->family[0]) continue;
+            if (!o.json && i > 0) fputc('\n', output.stream);
+            show_family(output.stream, all, d);
+        }
     }
     if (o.json) {
         char *text;

@@ -330,14 +330,9 @@ static jlt_status attempt(jlt_ball_spectrum *s, problem *p)
 
 jlt_status jlt_ball_spectrum_compute(jlt_ball_spectrum *spectrum, const jlt_ball_question *question)
 {
-    const jlt_ball_table *table = NULL;
+    const jlt_ball_table *table = question->table;
     jlt_status st = JLT_ERR_UNSUPPORTED;
 
-    for (unsigned i = 0; i < jlt_ball_registry_count && table == NULL; i++) {
-        const jlt_ball_table *candidate = jlt_ball_registry[i];
-        if (strcmp(candidate->model, question->model) == 0 && candidate->time[0] == '\0' && candidate->elimination[0] == '\0')
-            table = candidate;
-    }
     if (table == NULL) return st;
     if (table->state_count > SIZE) return JLT_ERR_ARG;
     for (slong precision = FIRST_PRECISION; precision <= LAST_PRECISION; precision *= 2) {

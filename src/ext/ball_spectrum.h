@@ -15,7 +15,7 @@ typedef struct {
 } jlt_ball_value;
 
 typedef struct {
-    const char *model;
+    const struct jlt_ball_table *table;    /* of the model in its own time (generated/kernel_ball.h); NULL: there is none */
     const jlt_ball_value *params, *states; /* in the model's order */
     const double *reach;                   /* shape (states,): how far from the states the equilibrium may lie */
     const char *const *integrals;          /* names of those that hold at these parameters */

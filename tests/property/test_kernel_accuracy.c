@@ -44,16 +44,6 @@ typedef struct {
     unsigned compared;
 } worst;
 
-static const jlt_ball_table *balls_of(const jlt_descriptor *d)
-{
-    for (unsigned i = 0; i < jlt_ball_registry_count; i++) {
-        const jlt_ball_table *t = jlt_ball_registry[i];
-        if (strcmp(t->model, d->model) == 0 && strcmp(t->time, d->time) == 0 && strcmp(t->elimination, d->elimination) == 0)
-            return t;
-    }
-    return NULL;
-}
-
 /* At an edge: a state within 2^-k of one end of its interval, zeros, and parameters tiny or, where allowed, zero. */
 static double draw_state(const jlt_quantity *q, bool is_edge)
 {

@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# A table of one's own works as a model that is built in: it is compiled behind the command, kept in a private cache, and an edit of
+# its physics is followed, or refused with the claim that it broke.
+set -uo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch" || exit 1
+export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+status=0
+fail() { echo "$*"; status=1; }
+expect() { # STATUS WORDS COMMAND...
+    local want=$1 words=$2 code
+    shift 2
+    "$@" > out 2> err < /dev/null
+    code=$?
+    [ $code -eq "$want" ] || fail "$*: status $code, not $want: $(head -c 300 err)"
+    grep -qE -- "$words" out err || fail "$*: '$words' is in neither '$(head -c 300 out)' nor '$(head -c 300 err)'"
+}
+rows() { grep -v '^#' "$1"; }
+# Whether rows of numbers agree to the tolerance of the integration; their kernels may round in another order.
+agree() { # FILE FILE
+    paste -d , "$1" "$2" | awk -F, '
+        NR > 1 { for (i = 1; i <= 6; i++) { d = $i - $(i + NF/2); if (d > 1e-12 || d < -1e-12) exit 1 } } END { exit NR != 3 }'
+}
+
+cp "$JLT_SOURCE_DIR"/codegen/models/*.tt .
+
+# The same table gives the same numbers, whether it is built in or not, and the second time at once.
+start=gamma3=0.25,v_nu=0.8,omega_tau=-0.6,omega_n=1.1,omega3=-2.3
+expect 0 alive jellett simulate --start $start --times 0,1 --tier five
+rows out > built_in
+expect 0 "tier level" jellett simulate ./spherical_top.tt --start $start --times 0,1
+expect 0 alive jellett simulate spherical_top.tt --start $start --times 0,1 --tier five
+rows out > own
+agree own built_in || fail "the table's own kernels give other numbers than those built in"
+[ "$(find cache -name '*.so' | wc -l)" -eq 1 ] || fail "one table has several objects: $(find cache -type f)"
+[ "$(stat -c %a cache/jellett)" = 700 ] || fail "the cache is not private"
+
+# Friction against the turning about n: 20 of the table's claims fall. G decays as dG/dt = -mu R I1 s omega_n says.
+sed -i -e 's/^param a3 /param mu >= 0 "friction"\n&/' -e 's/^    + m\*R\*e\*I3\*omega3\*omega_tau\/Theta$/&\n    - mu*omega_n/' \
+    -e 's/^default m = 1, R = 1/default mu = 0, m = 1, R = 1/' spherical_top.tt
+expect 1 "33 claims: 13 proved, 20 refuted" ttc prove spherical_top.tt
+expect 0 "integral claim 'G' is refuted" jellett simulate ./spherical_top.tt --set mu=1 --start $start --until 1 --every 1/64
+grep -q "no longer serve in place of each other" err || fail "nobody says that the smaller model no longer serves"
+rows out | awk -F, '
+    NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+    {
+        s = sqrt(1 - $at["gamma3"]^2)
+        rate = -s * $at["omega_n"] / 3 # mu = R = 1, I1 = 1/3
+        if (NR == 2) G0 = s * $at["omega_n"] / 3 - (0.51 + $at["gamma3"]) * $at["omega3"] / 3
+        # Simpson: weights 1 4 2 4 ... 4 1, 64 intervals
+        k = NR - 2
+        sum += rate * (k == 0 || k == 64 ? 1 : k % 2 ? 4 : 2) / (3 * 64)
+        drift = $at["drift_G"]
+    }
+    END {
+        size = G0 < 0 ? -G0 : G0
+        expected = (sum < 0 ? -sum : sum) / (size > 1 ? size : 1)
+        difference = drift - expected
+        # The error of the rule is below 64^-4 of a fourth derivative of some hundreds.
+        exit !(k == 64 && expected > 0.1 && difference < 1e-6 && difference > -1e-6)
+    }' || fail "drift_G is not what friction makes it: $(tail -1 out)"
+expect 0 alive jellett simulate ./spherical_top.tt --start $start --times 0,1 --tier five
+rows out > without
+agree without built_in || fail "without friction the motion is another"
+expect 3 "a claim that it rests on is refuted .reduction on_level: dG/dt" \
+    jellett simulate ./spherical_top.tt --set mu=1 --start $start --times 1 --tier level
+expect 3 "proved to serve for another table" jellett simulate ./spherical_top.tt --start $start --times 1 --tier full
+expect 3 "G is no integral of this table any more: d.G./dt = -R.mu.I1" \
+    jellett section ./spherical_top.tt --start eta=0.3,gamma3=0.2 --returns 3
+grep -q -- "--section omega_tau=0" err || fail "section does not say what can be asked instead"
+expect 0 alive jellett section ./spherical_top.tt --set mu=0.01 --section omega_tau=0 --returns 1 \
+    --start gamma3=0.2,v_nu=0.4,omega_n=0.5,omega3=-2
+expect 0 "UNPROVED: rests on" jellett models ./spherical_top.tt
+
+# What is wrong with a table is said with its place; its name reaches no shell.
+printf 'model bad\nstate x\neq x = y\n' > bad.tt
+expect 3 'bad.tt:3:8: error' jellett simulate ./bad.tt --start x=1 --times 1
+name='a table; touch shell $(touch shell).tt'
+printf 'model decay\nstate x\neq x = -x\n' > "$name"
+expect 0 0.36787944117144 jellett simulate "./$name" --start x=1 --times 1
+[ ! -e shell ] || fail "the name of a table reached a shell"
+expect 5 "cannot open|No such file" jellett simulate ./absent.tt --start x=1 --times 1
+
+# Several at once, and after a run that was killed at any time, the object is whole.
+rm -rf cache
+for i in 1 2 3; do jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1 > "said.$i" 2>&1 & done
+wait
+for i in 1 2 3; do grep -q '^1,-4.409120389219' "said.$i" || fail "of several runs at once one fails: $(head -c 300 "said.$i")"; done
+rm -rf cache
+{ for delay in 0.02 0.1 0.2 0.4; do timeout -s KILL $delay ttc build lorenz.tt; done; } > /dev/null 2>&1
+expect 0 '^1,-4.409120389219' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
+[ -z "$(find cache -name '*.part')" ] || fail "work of a killed run stays"
+
+# Nothing is loaded from where others may write; without a compiler there is a clear word; as on a full or closed folder.
+chmod g+w cache/jellett
+expect 5 "not yours alone" jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
+chmod g-w cache/jellett
+object=$(find cache -name '*.so')
+chmod o+w "$object"
+expect 0 '^1,-4.409120389219' jellett simulate ./lorenz.tt --start x=1,y=1,z=20 --times 1
+[ "$(stat -c %a "$object")" = 700 ] || fail "an object that others could write to was used"
+expect 5 "no C compiler 'absent-cc'" env CC=absent-cc jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --times 1
+expect 5 "cannot make the cache" env XDG_CACHE_HOME=/dev/null jellett simulate ./toda.tt --start q1=0,q2=0,q3=0,p1=0,p2=0,p3=0 --times 1
+exit $status
