@@ -29,6 +29,13 @@ for how in "--method gauss" "--method dop853" "--method taylor" "--method rk8pd"
     near "$(last 5)" -0.673987147562 1e-9 || fail "spiral, $how: limit gamma3 = $(last 5)"
     near "$(last 7)" 0 1e-9 || fail "spiral, $how: omega_n = $(last 7)"
 done
+# At a loose tolerance, by methods that step at their limit of stability and hold the orbit at some tolerances: at rest all the same.
+stiff=(--set m=0.046734604353749626,R=22.446218763535271,g=0.025455591964824414,I1=0.29057800922835364,I3=0.29057800922835364,a3=0
+    --level E=0.0039105511413038392,G=0.9313121078740304 --start eta=1.8457677938053836,gamma3=-0.99999999261361949 --tol 1.67e-06)
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    run 0 section "${stiff[@]}" --direction both --backward --method $method
+    [ "$(last 9)" = equilibrium ] || fail "stiff spiral, $method: ends by '$(last 9)'"
+done
 # At an equilibrium of nobody's attraction, at rest: the start alone.
 run 0 section --set a3=0,g=0,I1=1/3,I3=1/3 --level E=0.5,G=0 --start eta=pi,gamma3=0.3 --returns 5
 run 0 fates --set a3=0 --level E=1,G=-0.3 --start eta=-0.5235987755982987,gamma3=-0.066
