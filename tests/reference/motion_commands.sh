@@ -93,6 +93,12 @@ awk -F, '/^[0-9]/ { n++; if ($9 > 1e-12 || $10 > 1e-12) bad = 1 } END { exit !(n
 jellett rod --set I1=0.7,a3=0.3 --start gamma3=0.6,v_nu=0,omega_tau=0.4,omega_n=1.2,omega3=-27/20 --check -o "$scratch/rod.csv"
 awk -F, '/^[0-9]/ { exit !($10 <= 1e-12) }' "$scratch/rod.csv" || fail "an orbit with E1 = 0 does not return"
 
+# Near a pole, where the pace changes a thousandfold and Newton's steps alone went to and fro: the level's orbit, within 1e-12 times a
+# hundred for steps and conditioning.
+jellett simulate --tier quadrature --compare level --tol 1e-12 -o "$scratch/thin.csv" --set m=0.0175,R=0.117,g=9.81,I1=1.075e-05,I3=0,a3=0.2195 \
+    --start gamma3=0.9999999835,v_nu=-2.527,omega_tau=-0.5707,omega_n=1.256,omega3=22.167 --times 0.0123,0.0246,0.037 2> "$scratch/err" ||
+    fail "a thin rod beside a pole: $(cat "$scratch/err")"
+
 # M^2: two attracting and two repelling foci, as (4.5) has them.
 jellett portrait --set I1=2/5,I3=1/4 --start gamma3=0.5,v_nu=0.8,omega_tau=0,omega_n=0,omega3=0.9 -o "$scratch/m2.csv" \
     --trajectories "$scratch/orbits.csv" --orbits 6
