@@ -135,6 +135,15 @@ run 3 portrait --set I1=2/5,I3=3/5 --level E=1,G=0,F0=-0.17
 run 0 portrait --set I1=2/5,I3=3/5 --level E=1,G=0,F0=-0.15 --orbits 4 --until 2 --trajectories "$scratch/trajectories"
 grep -q '^3,' "$scratch/trajectories" || fail "no orbits on a level that is not empty"
 
+# A pole's limits are the orbit's, to ten tolerances: of quadruple precision. What is left of the way decays at two rates, and is all but
+# gone at one of them.
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    run 0 section --set m=12.866166371398588,R=0.14524217514756682,g=9.81,I1=0.45002889890013548,I3=2.1321580562758649,a3=-0.094012934376266802 \
+        --level E=5.7174220524306136,G=0.020454462471229184 --start eta=-0.36744439882633673,gamma3=-0.32513254690187954 --tol 1.71e-08 \
+        --direction down --method $method
+    [ "$(last 9)" = pole+ ] && near "$(last 6)" 1.61970498298205 1.7e-7 || fail "two rates, $method: v_nu = $(last 6) at $(last 9)"
+done
+
 # Without gravity every command answers.
 run 0 section --set g=0 --start eta=0.1,gamma3=-0.6 --returns 3
 run 0 section --set g=0 --batch --grid 6x4 --returns 5
