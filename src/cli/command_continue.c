@@ -23,7 +23,8 @@ static const struct argp_option option_table[] = {
     { "step", STEP, "VALUE", 0, "First arc length between points, in (eta, gamma3, value); at most 5 of them later; default 0.01", 1 },
     { "count", 'c', "N", 0, "Points of a branch at most; default 500", 1 },
     { "decreasing", DOWN, NULL, 0, "Start towards smaller values, as from the range's upper end", 1 },
-    { "branches", FOLLOW, NULL, 0, "Follow the branches that begin at branch points and period doublings of branch 0, too, each once", 1 },
+    { "branches", FOLLOW, NULL, 0,
+      "Follow the branches that begin at branch points and period doublings of branch 0 as well, each once", 1 },
     { 0 },
 };
 
