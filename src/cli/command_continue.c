@@ -23,7 +23,8 @@ static const struct argp_option option_table[] = {
     { "step", STEP, "VALUE", 0, "First arc length between points, in (eta, gamma3, value); at most 5 of them later; default 0.01", 1 },
     { "count", 'c', "N", 0, "Points of a branch at most; default 500", 1 },
     { "decreasing", DOWN, NULL, 0, "Start towards smaller values, as from the range's upper end", 1 },
-    { "branches", FOLLOW, NULL, 0, "Follow the branches that begin at branch points and period doublings as well, each once", 1 },
+    { "branches", FOLLOW, NULL, 0,
+      "Follow the branches that begin at branch points and period doublings of branch 0 as well, each once", 1 },
     { 0 },
 };
 
@@ -55,7 +56,8 @@ static const struct argp parser = {
     "folds, period doublings, branch points and tori."
     "\vColumns: branch, the running value, arc, period, eta, gamma3, T, trace, det, mu1_re, mu1_im, mu2_re, mu2_im, symmetric, type, "
     "residual, bifurcation, low, high. Branch 0 is the orbit itself; a bifurcation has a row of its own, with the values at the "
-    "nearest points found on both sides of it: low and high are wide apart where it was not located, as steps may cease to converge there.\n\n"
+    "nearest points found on both sides of it: low and high are wide apart where it was not located, as steps may cease to converge "
+    "there. Branches that begin on branch 1 or later are not followed: their bifurcations are listed, and how many is said at the end.\n\n"
     "  jellett continue --along E=2:2.4\n"
     "  jellett continue --along a3=0.4:0.6 --branches --plot tree.svg > tree.csv",
     children, NULL, NULL,
@@ -159,6 +161,20 @@ static jlt_status run_branch(sink *to, const jlt_family *family, const jlt_conti
     return JLT_OK;
 }
 
+/* Bifurcations listed after the first branch's `count`, whose branches are left alone. */
+static void tell_of_others(const sink *to, size_t count)
+{
+    size_t left = 0;
+
+    for (size_t i = count; i < to->count; i++) {
+        const jlt_bifurcation kind = to->landmarks[i].point.kind;
+        left += !to->landmarks[i].followed && (kind == JLT_BIFURCATION_BRANCH || kind == JLT_BIFURCATION_DOUBLING);
+    }
+    if (left > 0)
+        fprintf(stderr, "jellett: not followed: what begins at %zu branch points and period doublings of branches 1 to %zu; "
+                "start there with --start and --period\n", left, to->branch);
+}
+
 /* Branches that begin at the bifurcations of the first: both sides of a branch point, and of a period doubling one, as the
  * other is the same orbit one return later. */
 static jlt_status follow_branches(sink *to, const jlt_family *family, const jlt_continuation_options *run)
@@ -187,6 +203,7 @@ static jlt_status follow_branches(sink *to, const jlt_family *family, const jlt_
             if (st != JLT_OK) return st;
         }
     }
+    tell_of_others(to, count);
     return JLT_OK;
 }
 

@@ -1,5 +1,6 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
+#include "integrate/rest.h"
 #include "kernel/descriptor.h"
 #include "report/csv.h"
 #include "scene/conserved.h"
@@ -46,13 +47,15 @@ static const struct argp parser = {
     "system (3.2) in regular time, where no integral is built in."
     "\vColumns: method, returns, t, evaluations, drift_E, drift_G: of the field since the start, and the largest |F - F(start)|/"
     "|F(start)| at a return so far (not divided where F(start) = 0); rows at powers of two and at the end. Comment lines at the end have the slopes: the "
-    "powers of the number of returns with which the drifts grow, fitted over the last four doublings.\n\n"
+    "powers of the number of returns with which the drifts grow, fitted over the last four doublings; or, where the orbit ends before all returns are done, its end: pole+, pole- or "
+    "equilibrium, as in jellett section --help, with its time and the returns until then.\n\n"
     "  jellett drift --returns 1000000 --method gauss --tol 1e-13",
     children, NULL, NULL,
 };
 
 typedef struct {
-    double returns, drift[WATCHED];
+    double returns, t, drift[WATCHED];
+    size_t evaluations;
 } sample;
 
 /* Power of the returns with which the drift grows: the slope of a line through the logarithms. */
@@ -94,49 +97,78 @@ typedef struct {
     unsigned drawn; /* bit k: method k has points in the picture */
 } run_state;
 
-static void write_row(run_state *r, const jlt_method *method, const sample *row, double t, size_t evaluations)
+static void write_row(run_state *r, const jlt_method *method, const sample *row, sample *rows, size_t *count)
 {
-    fprintf(r->stream->file, "%s,%.0f,%.17g,%zu,%.3g,%.3g\n", method->name, row->returns, t, evaluations, row->drift[0],
+    rows[(*count)++] = *row;
+    fprintf(r->stream->file, "%s,%.0f,%.17g,%zu,%.3g,%.3g\n", method->name, row->returns, row->t, row->evaluations, row->drift[0],
             row->drift[1]);
     if (r->points != NULL) fprintf(r->points, "%.0f %.4g %.4g\n", row->returns, row->drift[0], row->drift[1]);
 }
 
-/* One method over all returns. Errors: those of the orbit; DOMAIN, it ends at a pole. */
-static jlt_status follow(run_state *r, sample *rows, size_t *count, const jlt_method *method)
+/* What may come before all returns are done. */
+typedef struct {
+    jlt_rest_watch rest;
+    double limit[STATES];
+    const char *name; /* as fates are called; NULL: none */
+    double t;         /* in the table's unit */
+    size_t returns;
+} ending;
+
+static int watch(void *context, jlt_orbit *orbit)
+{
+    ending *end = context;
+    return jlt_rest_watch_step(&end->rest, jlt_orbit_stepper(orbit), end->limit);
+}
+
+static void end_by(ending *end, const jlt_outcome *at, double t, size_t returns)
+{
+    const jlt_fate fate = at->end == JLT_END_OBSERVER ? JLT_FATE_EQUILIBRIUM : at->x[JLT_TOP_GAMMA3] > 0 ? JLT_FATE_POLE_PLUS : JLT_FATE_POLE_MINUS;
+
+    end->name = jlt_section_fate_name(fate);
+    end->t = t;
+    end->returns = returns;
+}
+
+/* One method over all returns, or to the orbit's end. Errors: those of the orbit. */
+static jlt_status follow(run_state *r, sample *rows, size_t *count, ending *end, const jlt_method *method)
 {
     const jlt_event section = { .column = JLT_TOP_OMEGA_TAU, .direction = r->o->motion.flow.direction };
     const jlt_options to_orbit = { .tolerance = r->o->motion.flow.tolerance, .interrupt = r->o->motion.flow.interrupt,
                                    .max_steps = 100000, /* of one return, as on sections */
                                    .invariants = r->invariants, .project = r->o->project };
-    double first[JLT_INVARIANTS_MAX], now[JLT_INVARIANTS_MAX], drift[WATCHED] = { 0 };
+    double first[JLT_INVARIANTS_MAX], now[JLT_INVARIANTS_MAX];
     jlt_orbit *orbit = NULL;
     jlt_outcome at = { .t = 0 };
-    size_t next = 1;
+    sample row = { .returns = 0 };
+    bool written = true;
     jlt_status st = JLT_OK;
 
     *count = 0;
+    *end = (ending){ .name = NULL };
     r->invariants.values(r->start, r->invariants.p, first);
     JLT_TRY(jlt_orbit_create(&orbit, method, &r->field, &to_orbit));
+    jlt_orbit_observe(orbit, watch, end);
     JLT_TRY(jlt_orbit_start(orbit, 0, r->start, 1));
-    for (size_t i = 1; i <= r->o->returns; i++) {
+    for (size_t i = 1, next = 1; i <= r->o->returns && !ferror(r->stream->file); i++) {
+        end->rest = (jlt_rest_watch){ 0 };
         JLT_TRY(jlt_orbit_next(orbit, INFINITY, &section, 1, &at));
         if (at.end == JLT_END_INTERRUPT) break;
         if (at.end != JLT_END_EVENT) {
-            st = JLT_ERR_DOMAIN;
+            end_by(end, &at, ldexp(at.t, r->time), i - 1);
             break;
         }
         r->invariants.values(at.x, r->invariants.p, now);
-        for (unsigned k = 0; k < WATCHED; k++) drift[k] = fmax(drift[k], fabs(now[k] - first[k]) / (first[k] != 0 ? fabs(first[k]) : 1));
-        if (i == next || i == r->o->returns) {
-            sample *row = &rows[(*count)++];
-            row->returns = (double)i;
-            memcpy(row->drift, drift, sizeof drift);
-            write_row(r, method, row, ldexp(at.t, r->time), jlt_orbit_stepper(orbit)->evaluations);
-            if (i == next) next *= 2;
-            if (ferror(r->stream->file)) break;
-        }
+        row.returns = (double)i;
+        row.t = ldexp(at.t, r->time);
+        row.evaluations = jlt_orbit_stepper(orbit)->evaluations;
+        for (unsigned k = 0; k < WATCHED; k++)
+            row.drift[k] = fmax(row.drift[k], fabs(now[k] - first[k]) / (first[k] != 0 ? fabs(first[k]) : 1));
+        written = i == next || i == r->o->returns;
+        if (written) write_row(r, method, &row, rows, count);
+        if (i == next) next *= 2;
         jlt_progress_show(&r->progress, i, r->o->returns);
     }
+    if (!written && end->name != NULL) write_row(r, method, &row, rows, count);
 done:
     jlt_orbit_destroy(orbit);
     return st;
@@ -159,19 +191,19 @@ static jlt_exit run_all(run_state *r)
     for (size_t m = 0; jlt_method_at(m) != NULL && !jlt_motion_interrupted(&r->o->motion); m++) {
         const jlt_method *method = jlt_method_at(m);
         sample rows[ROWS_MAX];
+        ending end;
         size_t count;
         if (!asked(r->o, method)) continue;
         if (r->points != NULL) fprintf(r->points, "$%s << END\n", method->name);
         jlt_progress_start(&r->progress, method->name);
-        const jlt_status st = follow(r, rows, &count, method);
+        const jlt_status st = follow(r, rows, &count, &end, method);
         jlt_progress_end(&r->progress);
         if (r->points != NULL) fputs("END\n", r->points);
         if (count > 0) r->drawn |= 1u << m;
         if (st == JLT_ERR_UNSUPPORTED) code = jlt_command_fail(JLT_EXIT_INPUT, "--project: one-step methods alone, not the multistep method %s", method->name);
-        else if (st == JLT_ERR_DOMAIN)
-            code = jlt_command_fail(JLT_EXIT_INPUT, "%s: the orbit ends at a pole: choose another --start, or fewer --returns",
-                                    method->name);
         else if (st != JLT_OK) code = jlt_command_fail(jlt_command_exit(st), "%s: %s", method->name, jlt_status_text(st));
+        else if (end.name != NULL)
+            fprintf(notes, "# %s: ends by %s at t = %.17g, after %zu returns\n", method->name, end.name, end.t, end.returns);
         else if (!isnan(slope(rows, count, 0)) && !isnan(slope(rows, count, 1))) /* three rows that drift, to fit a line */
             fprintf(notes, "# %s: E drifts as returns^%.2f, G as returns^%.2f\n", method->name, slope(rows, count, 0),
                      slope(rows, count, 1));

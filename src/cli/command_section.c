@@ -99,8 +99,8 @@ static const struct argp parser = {
     "budget (one return took more than 100000 steps); or, where the method failed, nonfinite, no_convergence or no_progress: "
     "then the status is 4, and all other orbits are there. Coordinates of the section are empty in that row, and so are omega_n "
     "and omega3 at a pole where I3 b = 0, at which G and v_tau do not tell them. With --check: trace and det of DP at that return, divergence (its integral on the levels), and "
-    "defect, det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is beyond 10000 "
-    "tolerances.\n\n"
+    "defect, det less flux(start)/flux(end) exp(divergence) relative to the size of DP; status 1 when one is beyond what "
+    "an error of a tolerance a step makes of it, which is much where the section is crossed slowly.\n\n"
     "With --batch orbits are followed in blocks of 256 a thread, and a block's rows written when it is done. Orbits that come near "
     "a pole are followed to their end one at a time. N is looked at at returns alone. Rows beyond 1024 of an orbit, or beyond "
     "256 MiB, wait in a file in TMPDIR.\n\n"
@@ -225,8 +225,9 @@ static jlt_exit closing_words(const follower *f, const jlt_stream *stream)
                 sum->lost_contact, sum->orbits);
     if (sum->failed > 0) return jlt_motion_failures(sum->failed, sum->orbits);
     if (!o->check) return JLT_EXIT_DONE;
-    fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g\n", f->table.worst_defect);
-    return f->table.worst_defect <= 1e4 * o->motion.flow.tolerance ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
+    fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g, %.2g of its bound\n",
+            f->table.worst_defect, f->table.worst_share);
+    return f->table.worst_share <= 1 ? JLT_EXIT_DONE : JLT_EXIT_FAILED;
 }
 
 /* Whatever orbits are followed with. */

@@ -27,7 +27,10 @@ static void write_check(FILE *stream, jlt_section_table *table, const jlt_sectio
         return;
     }
     for (unsigned k = 0; k < d; k++) trace += image.slope[k * d + k];
-    table->worst_defect = fmax(table->worst_defect, fabs(image.defect));
+    if (fabs(image.defect) > table->worst_share * image.bound) {
+        table->worst_share = fabs(image.defect) / image.bound;
+        table->worst_defect = fabs(image.defect);
+    }
     const double values[] = { trace, image.determinant, image.expansion, image.defect };
     fputc(',', stream);
     jlt_csv_values(stream, values, 4);

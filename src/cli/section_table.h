@@ -13,7 +13,7 @@ typedef struct {
     bool check;   /* columns for DP */
     jlt_map *map; /* of check; not owned */
     int time_direction;
-    double worst_defect; /* of check */
+    double worst_share, worst_defect; /* of the defect that is the largest part of its bound: that, and it */
 } jlt_section_table;
 
 typedef struct {

@@ -27,7 +27,21 @@ struct jlt_map {
     jlt_orbit *orbit;
     jlt_section *section; /* plain returns */
     bool is_slow; /* when the orbit was last looked at */
+    double most, least;   /* sizes that tangent vectors had on the way, and 1 */
+    double swing;         /* largest |integral of the divergence|, or 1 */
+    size_t steps;         /* before it */
 };
+
+/* Field and Jacobian: (n,) and (n, n). */
+static void jacobian_at(const varied *block, const double *x, double *both)
+{
+    if (block->rhs_jacobian != NULL) {
+        block->rhs_jacobian(x, block->field->p, both);
+        return;
+    }
+    block->field->call(x, block->field->p, both);
+    block->field->jacobian(x, block->field->p, both + block->chart->states);
+}
 
 static void varied_call(const double *restrict x, const double *restrict p, double *restrict out)
 {
@@ -39,11 +53,7 @@ static void varied_call(const double *restrict x, const double *restrict p, doub
     double trace = 0;
     unsigned i, j, k;
 
-    if (block->rhs_jacobian != NULL) block->rhs_jacobian(x, block->field->p, both);
-    else {
-        block->field->call(x, block->field->p, both);
-        block->field->jacobian(x, block->field->p, both + n);
-    }
+    jacobian_at(block, x, both);
     memcpy(out, both, n * sizeof *out);
     for (k = 0; k < columns; k++) {
         const double *y = x + n * (1 + k);
@@ -73,6 +83,13 @@ static int watch(void *context, jlt_orbit *orbit)
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
     const int root = self->flow.field->root;
 
+    for (unsigned k = 1; k <= self->flow.chart->dim; k++) {
+        double size = 0;
+        for (unsigned i = 0; i < self->flow.field->dim; i++) size = fmax(size, fabs(stepper->x[k * self->flow.field->dim + i]));
+        self->most = fmax(self->most, size);
+        self->least = fmin(self->least, size);
+    }
+    self->swing = fmax(self->swing, fabs(stepper->x[self->field.dim - 1]));
     if (root >= 0 && fabs(stepper->x[root]) < root_floor) return 1;
     if (stepper->steps % SLOW_STEPS != 0) return 0;
     const bool was_slow = self->is_slow;
@@ -153,6 +170,8 @@ static jlt_status to_section(jlt_map *self, jlt_outcome *outcome, int time_direc
     jlt_status st;
 
     self->is_slow = false;
+    self->most = self->least = self->swing = 1;
+    self->steps = jlt_orbit_stepper(self->orbit)->steps;
     const double t_max = self->flow.t_max == 0 ? INFINITY : ldexp(self->flow.t_max, -self->flow.units.time);
     st = jlt_orbit_next(self->orbit, time_direction * t_max, &event, 1, outcome);
     if (st != JLT_OK) return st;
@@ -180,18 +199,49 @@ static void project(const jlt_chart *chart, double *slope, double *q, const doub
     }
 }
 
+static double row_length(const double *row, unsigned d)
+{
+    double sum = 0;
+    for (unsigned j = 0; j < d; j++) sum += row[j] * row[j];
+    return sqrt(sum);
+}
+
 /* Product of the rows' lengths: what a determinant is at most, and what its rounding errors are relative to. */
 static double hadamard(const double *slope, unsigned d)
 {
     double product = 1;
-    unsigned i, j;
-
-    for (i = 0; i < d; i++) {
-        double sum = 0;
-        for (j = 0; j < d; j++) sum += slope[i * d + j] * slope[i * d + j];
-        product *= sqrt(sum);
-    }
+    for (unsigned i = 0; i < d; i++) product *= row_length(slope + i * d, d);
     return product;
+}
+
+/* Of a return's defect, whose terms are at most `part` of DP's size. Every step errs by a tolerance in everything, relative to its
+ * size or 1; errors grow on the way as tangent vectors do, those made where these were small with them. The section's rate f_c, of
+ * the flux and of the time of return, is off by its gradient times those of states, which is much of it where the section is crossed
+ * slowly; tangent vectors are off by f/f_c times as much along the flow. */
+static double bound_of(const jlt_map *self, const double *end, const double *f, const double *slope, double part)
+{
+    const jlt_chart *chart = self->flow.chart;
+    const jlt_stepper *stepper = jlt_orbit_stepper(self->orbit);
+    const unsigned n = chart->states, d = chart->dim, c = chart->column;
+    const double error = stepper->asked * (double)(stepper->steps - self->steps);
+    double both[JLT_CHART_STATES_MAX * (1 + JLT_CHART_STATES_MAX)], lowering[JLT_CHART_DIM_MAX * JLT_CHART_STATES_MAX];
+    double q[JLT_CHART_DIM_MAX], gradient = 0, fastest = 0, aside = 0, all = 1;
+
+    jacobian_at(&self->block, end, both);
+    chart->lower(chart, q, lowering, end);
+    for (unsigned i = 0; i < n; i++) {
+        gradient += fabs(both[n + c * n + i]) * fmax(1, fabs(end[i]));
+        fastest = fmax(fastest, fabs(f[i]));
+    }
+    for (unsigned k = 0; k < d; k++) aside = fmax(aside, fabs(end[n * (1 + k) + c]));
+    const double growth = self->most / self->least, rate = error * growth * gradient / fabs(f[c]), lean = fastest / fabs(f[c]);
+    const double tangent = error * growth * (1 + lean) + aside * lean * rate;
+    for (unsigned i = 0; i < d; i++) {
+        double largest = 0;
+        for (unsigned j = 0; j < n; j++) largest = fmax(largest, fabs(lowering[i * n + j]));
+        all *= 1 + largest * tangent / row_length(slope + i * d, d);
+    }
+    return (all - 1) + part * (error * self->swing + rate);
 }
 
 /* One return with derivative, multiplied onto what `image` holds. */
@@ -222,8 +272,13 @@ static jlt_status advance(jlt_map *self, jlt_image *image, int time_direction)
     expansion = outcome.x[n * (1 + d)];
     determinant = jlt_linear_determinant(slope, d);
     /* A crossing in the other direction turns the flux round; volume is counted positive. */
-    defect = (fabs(determinant) - fabs(before / after) * exp(expansion)) / hadamard(slope, d);
-    if (fabs(defect) > fabs(image->defect)) image->defect = defect;
+    const double size = hadamard(slope, d), told = fabs(before / after) * exp(expansion);
+    defect = (fabs(determinant) - told) / size;
+    const double bound = bound_of(self, outcome.x, f, slope, fmax(fabs(determinant), told) / size);
+    if (image->bound == 0 || fabs(defect) * image->bound > fabs(image->defect) * bound) {
+        image->defect = defect;
+        image->bound = bound;
+    }
     jlt_linear_multiply(image->slope, slope, image->slope, d);
     image->T += ldexp(outcome.t, self->flow.units.time);
     image->expansion += expansion;
@@ -269,7 +324,7 @@ jlt_status jlt_map_point(jlt_map *self, jlt_image *out, const double *q, size_t 
     memcpy(image.x, row.x, sizeof image.x);
     image.T = row.t;
     for (i = 0; i < (size_t)d * d; i++) image.slope[i] = NAN;
-    image.determinant = image.expansion = image.defect = NAN;
+    image.determinant = image.expansion = image.defect = image.bound = NAN;
     *out = image;
 done:
     return st;

@@ -19,7 +19,8 @@ typedef struct {
     double determinant;      /* of slope: product over the returns */
     double expansion;        /* integral of the divergence on the levels, over all returns */
     double defect;           /* of the identity, relative to the product of DP's row lengths (its rounding errors are
-                                relative to that); of the worst single return */
+                                relative to that); of the single return that is worst by its bound */
+    double bound;            /* on it: what an error of one tolerance a step makes of it, to first order */
     double x[JLT_CHART_STATES_MAX];
 } jlt_image;
 

@@ -6,8 +6,6 @@
 
 #include "integrate/rest.h"
 
-enum { SLOW_STEPS = 64 }; /* some turns of a spiral */
-
 struct jlt_section {
     jlt_flow flow;
     jlt_orbit *orbit;
@@ -19,7 +17,7 @@ struct jlt_section {
     double x[JLT_CHART_STATES_MAX]; /* there */
     jlt_fate start_fate; /* other than alive: it ended where it started */
     bool rests;          /* as the last return was judged */
-    unsigned slow_steps; /* since the last return: an orbit that creeps makes none */
+    jlt_rest_watch rest; /* since the last return */
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
     bool accepted;   /* the orbit's own integrator has not been there */
     double contact;
@@ -86,8 +84,7 @@ static int watch(void *context, jlt_orbit *orbit)
         const double contact = chart->contact(chart, stepper->x, stepper->f);
         if (contact < self->contact) self->contact = contact;
     }
-    if (!jlt_rest_is_slow(stepper)) self->slow_steps = 0;
-    return ++self->slow_steps > SLOW_STEPS && jlt_rest_ends(stepper, self->limit);
+    return jlt_rest_watch_step(&self->rest, stepper, self->limit);
 }
 
 jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
@@ -172,7 +169,7 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     self->number = 0;
     self->t_start = 0;
     self->accepted = self->rests = false;
-    self->slow_steps = 0;
+    self->rest = (jlt_rest_watch){ 0 };
     self->time_direction = time_direction;
     self->contact = arrive(self, x, f);
     if (jlt_rest_is_slower(self->flow.field, x, JLT_REST_STILL)) self->start_fate = JLT_FATE_EQUILIBRIUM;
@@ -256,7 +253,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
         fill(row, self, outcome.t, outcome.x, true);
         row->direction = outcome.crossing.direction;
         (void)arrive(self, outcome.x, f);
-        self->slow_steps = 0;
+        self->rest = (jlt_rest_watch){ 0 };
         self->rests = jlt_rest_is_slower(self->flow.field, self->x, jlt_rest_slow(jlt_orbit_stepper(self->orbit)->asked))
                       && jlt_rest_ends(jlt_orbit_stepper(self->orbit), self->limit);
     } else {

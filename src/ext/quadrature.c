@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-enum { SUBINTERVALS = 2000 };
+enum { SUBINTERVALS = 2000, FIRST = 200 };
 
 typedef struct {
     jlt_quadrature_integrand integrand;
@@ -38,7 +38,12 @@ jlt_status jlt_quadrature_integrate(double *integral, double *error, jlt_quadrat
     jlt_gsl_quiet();
     space = gsl_integration_workspace_alloc(SUBINTERVALS);
     if (space == NULL) goto done;
-    gsl = gsl_integration_qags(&function, low, high, absolute, relative, SUBINTERVALS, space, &result, &estimate);
+    gsl = gsl_integration_qag(&function, low, high, absolute, relative, FIRST, GSL_INTEG_GAUSS31, space, &result, &estimate);
+    if (gsl != GSL_SUCCESS && c.status == JLT_OK) {
+        double extrapolated = 0.0, doubt = 0.0;
+        const int again = gsl_integration_qags(&function, low, high, absolute, relative, SUBINTERVALS, space, &extrapolated, &doubt);
+        if (again == GSL_SUCCESS || gsl != GSL_EROUND || doubt < estimate) gsl = again, result = extrapolated, estimate = doubt;
+    }
     st = c.status;
     if (st != JLT_OK) goto done;
     /* GSL_EROUND: the rest is rounding, and the estimate says how much. */

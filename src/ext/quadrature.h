@@ -7,11 +7,12 @@
 /* The integrand; a status other than JLT_OK ends the integration with that status. */
 typedef jlt_status (*jlt_quadrature_integrand)(void *context, double *value, double at);
 
-/** Integral from low to high (either order), adaptive 21-point Gauss-Kronrod with extrapolation.
+/** Integral from low to high (either order), adaptive 31-point Gauss-Kronrod; where that does not reach the accuracy, as at
+ *  singular ends, 21 points with extrapolation, which takes a peak beside an end for a singularity, and loses digits there.
  *  Out: *integral; *error, an estimate of its absolute error.
  *  In:  relative, absolute: accuracy asked for; the integrand, whose endpoint values are never taken.
  *  Errors: the integrand's; NO_CONVERGENCE when the accuracy is not reached and rounding is not the reason; NOMEM.
- *  Source: Piessens et al., QUADPACK, routine QAGS. */
+ *  Source: Piessens et al., QUADPACK, routines QAG and QAGS. */
 JLT_CHECKED jlt_status jlt_quadrature_integrate(double *integral, double *error, jlt_quadrature_integrand integrand,
                                                 void *context, double low, double high, double absolute,
                                                 double relative);

@@ -79,13 +79,14 @@ static void multiply(double *out, const double *a, const double *x, unsigned n, 
     }
 }
 
-/* The way left, y with a y = f in the space of what decays: that is spanned by f, a f, a^2 f, ..., as many as there are
- * rates. Below a part of 1e-9 such a vector is rounding. */
+/* The way left, y with a y = f in the space of what decays: that is spanned by a f, a^2 f, ..., as many as there are
+ * rates; f itself has a part of second order along the equilibria, on which a is 0. Below a part of 1e-9 such a vector is
+ * rounding. */
 static jlt_status way_left(double *y, const double *a, const double *f, unsigned n, unsigned count, double fastest)
 {
     double power[DIM_MAX][DIM_MAX], system[DIM_MAX * DIM_MAX], weight[DIM_MAX];
 
-    for (unsigned i = 0; i < n; i++) power[0][i] = f[i];
+    multiply(power[0], a, f, n, 1 / fastest);
     for (unsigned k = 1; k < count; k++) multiply(power[k], a, power[k - 1], n, 1 / fastest);
     for (unsigned k = 0; k < count; k++) {
         double image[DIM_MAX];

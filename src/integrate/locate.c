@@ -329,6 +329,9 @@ jlt_status jlt_locate_refine(jlt_crossing *crossing, double *x, double *slope_wo
     double *f = slope_work, *theta = &crossing->theta;
     double lo = fmax(*theta - 0.5, -0.01), hi = fmin(*theta + 0.5, 1.01); /* shrinks about the sign change */
     const double span = fabs(stepper->h), turn = crossing->direction * stepper->direction;
+    /* Seen at the start, it lies where the orbit was within the noise, maybe in steps before: as far back as a partial step is
+     * accurate, which by multistep methods, whose steps are short, is not their own. */
+    if (*theta == 0) lo = -(stepper->method->multistep ? 16 : 1) * jlt_larger(1, stepper->h_next / span), hi = 1;
     double best = *theta, least = INFINITY;
     unsigned nudged = 0;
 

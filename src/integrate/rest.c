@@ -2,6 +2,10 @@
 
 #include <math.h>
 
+#include "integrate/locate.h"
+
+enum { SLOW_STEPS = 64 /* some turns of a spiral */, LOOK_STEPS = 1024 };
+
 double jlt_rest_slow(double tolerance)
 {
     return fmax(JLT_REST_STILL, fmin(1e3 * tolerance, 1e-6));
@@ -36,14 +40,40 @@ bool jlt_rest_is_slow(const jlt_stepper *stepper)
     return stepper_slower(stepper, jlt_rest_slow(stepper->asked));
 }
 
-bool jlt_rest_ends(const jlt_stepper *stepper, double *limit)
+/* Whether the orbit decays, to where is known; limit gets it. */
+static bool decays_to(jlt_approach *approach, const jlt_stepper *stepper, double *limit)
 {
     static const double weakest = 1e-5; /* of the fastest rate: a weaker one may be none */
-    jlt_approach approach;
-    const bool decays = jlt_approach_judge(&approach, stepper) == JLT_OK && jlt_approach_is_known(&approach, stepper)
-                        && approach.slowest > weakest * approach.fastest;
 
-    if (!decays && !stepper_slower(stepper, JLT_REST_STILL)) return false;
-    for (unsigned i = 0; i < stepper->field->dim; i++) limit[i] = stepper->x[i] - (decays ? approach.left[i] : 0);
+    if (jlt_approach_judge(approach, stepper) != JLT_OK || !jlt_approach_is_known(approach, stepper)
+        || !(approach->slowest > weakest * approach->fastest)) return false;
+    for (unsigned i = 0; i < stepper->field->dim; i++) limit[i] = stepper->x[i] - approach->left[i];
     return true;
+}
+
+bool jlt_rest_ends(const jlt_stepper *stepper, double *limit)
+{
+    jlt_approach approach;
+
+    if (decays_to(&approach, stepper, limit)) return true;
+    if (!stepper_slower(stepper, JLT_REST_STILL)) return false;
+    for (unsigned i = 0; i < stepper->field->dim; i++) limit[i] = stepper->x[i];
+    return true;
+}
+
+/* What is left is less than a crossing is deep; a root that goes to 0 leads to a pole, which is another end. */
+static bool is_near(const jlt_stepper *stepper, double *limit)
+{
+    const int root = stepper->field->root;
+    jlt_approach approach;
+
+    return decays_to(&approach, stepper, limit) && approach.longest <= jlt_locate_noise(stepper->asked)
+           && (root < 0 || limit[root] > 0.5 * stepper->x[root]);
+}
+
+bool jlt_rest_watch_step(jlt_rest_watch *self, const jlt_stepper *stepper, double *limit)
+{
+    if (!jlt_rest_is_slow(stepper)) self->slow_steps = 0;
+    if (++self->slow_steps > SLOW_STEPS && jlt_rest_ends(stepper, limit)) return true;
+    return ++self->steps % LOOK_STEPS == 0 && is_near(stepper, limit);
 }

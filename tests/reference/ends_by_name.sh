@@ -29,6 +29,13 @@ for how in "--method gauss" "--method dop853" "--method taylor" "--method rk8pd"
     near "$(last 5)" -0.673987147562 1e-9 || fail "spiral, $how: limit gamma3 = $(last 5)"
     near "$(last 7)" 0 1e-9 || fail "spiral, $how: omega_n = $(last 7)"
 done
+# At a loose tolerance, by methods that step at their limit of stability and hold the orbit at some tolerances: at rest all the same.
+stiff=(--set m=0.046734604353749626,R=22.446218763535271,g=0.025455591964824414,I1=0.29057800922835364,I3=0.29057800922835364,a3=0
+    --level E=0.0039105511413038392,G=0.9313121078740304 --start eta=1.8457677938053836,gamma3=-0.99999999261361949 --tol 1.67e-06)
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    run 0 section "${stiff[@]}" --direction both --backward --method $method
+    [ "$(last 9)" = equilibrium ] || fail "stiff spiral, $method: ends by '$(last 9)'"
+done
 # At an equilibrium of nobody's attraction, at rest: the start alone.
 run 0 section --set a3=0,g=0,I1=1/3,I3=1/3 --level E=0.5,G=0 --start eta=pi,gamma3=0.3 --returns 5
 run 0 fates --set a3=0 --level E=1,G=-0.3 --start eta=-0.5235987755982987,gamma3=-0.066
@@ -127,6 +134,15 @@ grep -q 'no state has these levels' "$scratch/err" || fail "an empty level is no
 run 3 portrait --set I1=2/5,I3=3/5 --level E=1,G=0,F0=-0.17
 run 0 portrait --set I1=2/5,I3=3/5 --level E=1,G=0,F0=-0.15 --orbits 4 --until 2 --trajectories "$scratch/trajectories"
 grep -q '^3,' "$scratch/trajectories" || fail "no orbits on a level that is not empty"
+
+# A pole's limits are the orbit's, to ten tolerances: of quadruple precision. What is left of the way decays at two rates, and is all but
+# gone at one of them.
+for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+    run 0 section --set m=12.866166371398588,R=0.14524217514756682,g=9.81,I1=0.45002889890013548,I3=2.1321580562758649,a3=-0.094012934376266802 \
+        --level E=5.7174220524306136,G=0.020454462471229184 --start eta=-0.36744439882633673,gamma3=-0.32513254690187954 --tol 1.71e-08 \
+        --direction down --method $method
+    [ "$(last 9)" = pole+ ] && near "$(last 6)" 1.61970498298205 1.7e-7 || fail "two rates, $method: v_nu = $(last 6) at $(last 9)"
+done
 
 # Without gravity every command answers.
 run 0 section --set g=0 --start eta=0.1,gamma3=-0.6 --returns 3

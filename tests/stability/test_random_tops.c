@@ -3,5 +3,5 @@
 
 int main(void)
 {
-    return trial_run(1, 150, 0);
+    return trial_run(1, 60, 0);
 }

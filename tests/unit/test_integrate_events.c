@@ -229,6 +229,29 @@ static void several_events_and_times_interleave_in_order(void **unused)
     }
 }
 
+/* A step that ends within ten tolerances of the section leaves the crossing to the next; slopes of a hundred tolerances make that a
+ * good part of a step, before its start or behind. The point handed out is on the section to rounding all the same. */
+static void a_slow_crossing_is_where_the_orbit_crosses_wherever_steps_end(void **unused)
+{
+    (void)unused;
+    const double tolerance = 1e-5, amplitude = 100 * tolerance;
+    const jlt_event event = { .column = 0 };
+
+    for (unsigned m = 0; m < METHODS; m++)
+        for (int k = 0; k < 200; k++) {
+            const double phase = 0.03 * k, x[2] = { amplitude * cos(phase), -amplitude * sin(phase) };
+            jlt_orbit *orbit = NULL;
+            jlt_outcome at;
+            assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &oscillator_field, &(jlt_options){ .tolerance = tolerance }));
+            assert_ok(jlt_orbit_start(orbit, 0, x, +1));
+            for (int n = 0; n < 4; n++) {
+                assert_ok(jlt_orbit_next(orbit, INFINITY, &event, 1, &at));
+                assert_near(at.x[0], 0, 1e-15);
+            }
+            jlt_orbit_destroy(orbit);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -240,6 +263,7 @@ int main(void)
         cmocka_unit_test(a_touch_is_grazing_and_a_near_miss_is_nothing),
         cmocka_unit_test(near_tangencies_come_in_pairs_or_not_at_all_at_any_tolerance),
         cmocka_unit_test(events_of_functions_are_found_with_and_without_their_rate),
+        cmocka_unit_test(a_slow_crossing_is_where_the_orbit_crosses_wherever_steps_end),
         cmocka_unit_test(several_events_and_times_interleave_in_order),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -165,6 +165,19 @@ static void NAME(put)(oracle_orbit *out, const NAME(series) *t, REAL h, int numb
     for (int i = 0; i < ORACLE_STATES; i++) out->rows[number][i] = (long double)NAME(value)(t->x[i], h);
 }
 
+/* At a crossing: the fastest change, of t too, for that of omega_tau. */
+static long double NAME(lean)(const NAME(series) *t, REAL h, const REAL *scale)
+{
+    const REAL turn = NAME(size)(NAME(slope)(t->x[ORACLE_OMEGA_TAU], h)) / scale[ORACLE_OMEGA_TAU];
+    REAL fastest = 0;
+    for (int i = 0; i < ORACLE_STATES; i++) {
+        const REAL size = NAME(size)(NAME(value)(t->x[i], h)), unit = i == ORACLE_T && size > scale[i] ? size : scale[i];
+        const REAL change = NAME(size)(NAME(slope)(t->x[i], h)) / unit;
+        if (i != ORACLE_S && change > fastest) fastest = change;
+    }
+    return (long double)(fastest / turn);
+}
+
 /* Crossings within a step, between extrema of omega_tau, which are looked for between nine points. */
 static bool NAME(cross)(oracle_orbit *out, const NAME(series) *t, const oracle_question *q, REAL h, const REAL *scale)
 {
@@ -187,7 +200,9 @@ static bool NAME(cross)(oracle_orbit *out, const NAME(series) *t, const oracle_q
         if (depth > out->depth[out->count + 1]) out->depth[out->count + 1] = depth;
         const int sign = q->time_direction * ((before < 0 && after >= 0) - (before > 0 && after <= 0));
         if (sign == 0 || (q->crossings != 0 && sign != q->crossings)) continue;
-        NAME(put)(out, t, NAME(zero)(w, 0, false, points[k - 1], points[k]), ++out->count);
+        const REAL at = NAME(zero)(w, 0, false, points[k - 1], points[k]);
+        NAME(put)(out, t, at, ++out->count);
+        out->lean[out->count] = NAME(lean)(t, at, scale);
         if (out->count == q->count) return true;
     }
     return false;

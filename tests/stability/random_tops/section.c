@@ -100,7 +100,11 @@ static void single(trial *t, const jlt_system *system, const family *f, const ch
     while (st == JLT_OK && at.fate == JLT_FATE_ALIVE && (int)at.number < returns) {
         st = jlt_section_next(section, &at);
         row_of(row, &system->chart.top, at.x, at.t);
-        const bool spent = st == JLT_OK && at.fate == JLT_FATE_BUDGET && max_steps == STEPS && (int)at.number <= f->certain + f->ends;
+        const bool known = st == JLT_OK && at.fate == JLT_FATE_ALIVE && goes_on && (int)at.number <= f->certain;
+        if (known && fabs(at.residual) > 1e-13 * t->speed / t->top.R)
+            trial_complain(t, "%s, row %zu: off the section by %.3g", how, at.number, at.residual);
+        const bool asked = (int)at.number <= f->certain + f->ends || (int)at.number > f->truth.count;
+        const bool spent = st == JLT_OK && at.fate == JLT_FATE_BUDGET && max_steps == STEPS && asked;
         if (spent) {
             sum.spent++;
             single(t, system, f, how, returns, 30 * STEPS);

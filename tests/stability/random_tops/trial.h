@@ -20,7 +20,7 @@ typedef struct {
 
 /* What a run has done; rows are what was held against the oracle. */
 typedef struct {
-    unsigned long cases, broken, rows, ends[ORACLE_ENDS], unsure, left, spent, chaotic, undecided, least_steps;
+    unsigned long cases, broken, rows, ends[ORACLE_ENDS], unsure, left, spent, chaotic, along, undecided, least_steps;
     long double worst; /* error over its bound */
 } tally;
 
