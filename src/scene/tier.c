@@ -188,9 +188,9 @@ static void full_extract(const jlt_tier_view *view, double *x, const double *y)
 {
     const double *gamma = y + FULL_GAMMA, *v = y + FULL_V, *omega = y + FULL_OMEGA;
     const double s = hypot(gamma[0], gamma[1]);
-    const double tau[3] = { -gamma[1] / s, gamma[0] / s, 0 };
-    const double n[3] = { -gamma[0] / s, -gamma[1] / s, 0 };
-    const double nu[3] = { gamma[2] * n[0], gamma[2] * n[1], s };
+    const double tau[] = { -gamma[1] / s, gamma[0] / s, 0 };
+    const double n[] = { -gamma[0] / s, -gamma[1] / s, 0 };
+    const double nu[] = { gamma[2] * n[0], gamma[2] * n[1], s };
 
     (void)view;
     x[JLT_TOP_GAMMA3] = gamma[2];
