@@ -91,6 +91,14 @@ static void level_extract(const jlt_tier_view *view, double *x, const double *y)
     jlt_chart_top_rotation(&view->chart, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], y);
 }
 
+static void level_plain_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    double lifted[JLT_CHART_TOP_S + 1];
+
+    level_embed(view, lifted, x);
+    memcpy(y, lifted, JLT_CHART_TOP_S * sizeof *y);
+}
+
 static void level_plain_extract(const jlt_tier_view *view, double *x, const double *y)
 {
     double lifted[JLT_CHART_TOP_S + 1];
@@ -242,7 +250,7 @@ static const jlt_tier tiers[] = {
     { "level", "four states on a level of G, in coordinates that divide by nothing small", 4,
       "spherical_top_level", "regular", NULL, false, false, true, 5, NULL, level_embed, level_extract, NULL, NULL, NULL },
     { "level_plain", "the same in t: steps collapse at the poles", 4,
-      "spherical_top_level", NULL, NULL, true, false, false, 4, NULL, level_embed, level_plain_extract, NULL, NULL, NULL },
+      "spherical_top_level", NULL, NULL, true, false, false, 4, NULL, level_plain_embed, level_plain_extract, NULL, NULL, NULL },
     { "level_omega_n", "a level of G with omega_n eliminated: loses digits near the poles", 4,
       "spherical_top", NULL, "level_G", true, false, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL, NULL, NULL },
     { "level_omega3", "a level of G with omega3 eliminated: loses digits near b = 0", 4,
