@@ -72,11 +72,11 @@ JLT_CHECKED jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flo
 void jlt_section_destroy(jlt_section *self); /* NULL is legal */
 
 /** Start at q (dim,) on the section, time_direction +1 or -1. row (may be NULL) gets the start itself, number 0.
- *  Errors: as the chart's lift. */
+ *  Errors: ARG, another time_direction; as the chart's lift. */
 JLT_CHECKED jlt_status jlt_section_start(jlt_section *self, jlt_return *row, const double *q, int time_direction);
 
-/** Start at any state x (states,), on the section or not; row->q is NaN off the section. Errors: NONFINITE, x; a field that is
- *  not finite there is a fate. */
+/** Start at any state x (states,), on the section or not; row->q is NaN off the section. Errors: ARG, as above; NONFINITE, x; a
+ *  field that is not finite there is a fate. */
 JLT_CHECKED jlt_status jlt_section_start_state(jlt_section *self, jlt_return *row, const double *x, int time_direction);
 
 /** The next return, or the end: after a row with a fate other than alive, or interrupted, call start again.

@@ -73,6 +73,7 @@ void jlt_orbit_destroy(jlt_orbit *self)
 
 jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direction)
 {
+    if (direction != 1 && direction != -1) return JLT_ERR_ARG;
     self->watch_count = self->pending_count = self->next_pending = 0;
     self->cursor = 1;
     self->pole.ends = false;

@@ -54,7 +54,8 @@ JLT_CHECKED jlt_status jlt_orbit_create(jlt_orbit **out, const jlt_method *metho
                                         const jlt_options *options);
 void jlt_orbit_destroy(jlt_orbit *self); /* NULL is legal */
 
-/** Put it at x (dim,) at time t; direction +1 or -1. Levels of the invariants and event sides are taken anew. */
+/** Put it at x (dim,) at time t; direction +1 or -1. Levels of the invariants and event sides are taken anew.
+ *  Errors: ARG, another direction; NONFINITE, t, x or the field there; NOMEM. */
 JLT_CHECKED jlt_status jlt_orbit_start(jlt_orbit *self, double t, const double *x, int direction);
 void jlt_orbit_observe(jlt_orbit *self, jlt_observer observer, void *context); /* NULL: nobody */
 

@@ -93,6 +93,14 @@ static void level_extract(const jlt_tier_view *view, double *x, const double *y)
     jlt_chart_top_rotation(&view->chart, &x[JLT_TOP_OMEGA_N], &x[JLT_TOP_OMEGA3], y);
 }
 
+static void level_plain_embed(const jlt_tier_view *view, double *y, const double *x)
+{
+    double lifted[JLT_CHART_TOP_S + 1];
+
+    level_embed(view, lifted, x);
+    memcpy(y, lifted, JLT_CHART_TOP_S * sizeof *y);
+}
+
 static void level_plain_extract(const jlt_tier_view *view, double *x, const double *y)
 {
     double lifted[JLT_CHART_TOP_S + 1];
@@ -190,9 +198,9 @@ static void full_extract(const jlt_tier_view *view, double *x, const double *y)
 {
     const double *gamma = y + FULL_GAMMA, *v = y + FULL_V, *omega = y + FULL_OMEGA;
     const double s = hypot(gamma[0], gamma[1]);
-    const double tau[3] = { -gamma[1] / s, gamma[0] / s, 0 };
-    const double n[3] = { -gamma[0] / s, -gamma[1] / s, 0 };
-    const double nu[3] = { gamma[2] * n[0], gamma[2] * n[1], s };
+    const double tau[] = { -gamma[1] / s, gamma[0] / s, 0 };
+    const double n[] = { -gamma[0] / s, -gamma[1] / s, 0 };
+    const double nu[] = { gamma[2] * n[0], gamma[2] * n[1], s };
 
     (void)view;
     x[JLT_TOP_GAMMA3] = gamma[2];
@@ -248,7 +256,7 @@ static const jlt_tier tiers[] = {
       "spherical_top_level", "regular", NULL, false, false, true, 5, NULL, level_embed, level_extract, NULL, NULL, NULL,
       { "spherical_top_level", { { 0 } } } },
     { "level_plain", "the same in t: steps collapse at the poles", 4,
-      "spherical_top_level", NULL, NULL, true, false, false, 4, NULL, level_embed, level_plain_extract, NULL, NULL, NULL,
+      "spherical_top_level", NULL, NULL, true, false, false, 4, NULL, level_plain_embed, level_plain_extract, NULL, NULL, NULL,
       { "spherical_top_level", { { 0 } } } },
     { "level_omega_n", "a level of G with omega_n eliminated: loses digits near the poles", 4,
       "spherical_top", NULL, "level_G", true, false, false, 4, NULL, without_omega_n_embed, without_omega_n_extract, NULL, NULL, NULL,

@@ -43,6 +43,7 @@ each eigenvalues '$2 == "deflated" && $3 != "defective_turned"' '$6 < 1e-14 && $
 each eigenvalues '$2 == "deflated" && $3 == "defective_turned"' '$4 < 1e-14'
 each eigenvalues '$2 == "QR" && $3 == "defective_turned"' '$4 > 1e-11'
 each tiers '$1 == "rod" && $2 == "quadrature"' '$5 < 1e-13 && $7 == 0'
+each tiers '$4 + 0 > 0 && $6 != "" && $2 != "quadrature"' '$6 > 0 && $7 > $6' # no step without an evaluation of the field
 each tiers '$4 == "1e-14" && $2 != "level_omega3"' '$5 < 1e-11'
 
 expect() { # STATUS COMMAND...

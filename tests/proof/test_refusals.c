@@ -296,6 +296,36 @@ static void variants_times_and_eliminations_are_held_to_the_field(void **state)
     expect(levels, "eliminate", "bad", TTC_REFUTED, "rate of the solution");
 }
 
+static void append_factors(char *text, size_t size, const char *symbol, int count)
+{
+    for (int i = 1; i <= count; i++) {
+        const size_t used = strlen(text);
+        snprintf(text + used, size - used, "%s(%s - %d)", i > 1 ? "*" : "", symbol, i);
+    }
+}
+
+/* A level of n linear factors in x, then one of m in y and perhaps z w - 1. One case for the start; on each of n two for its level
+ * met and the next begun; on each of m two again, five for z w = 1, of which three find that z = 0 has no points:
+ * 1 + n (2 + 2 m), or 1 + n (2 + 2 m + 5). */
+static void expect_of_factors(int n, int m, const char *last, ttc_proof_status status, const char *reason)
+{
+    char table[2048] = "model many\nstate x\nstate y\nstate z\nstate w\neq x = 0*x\neq y = 0*y\neq z = 0*z\neq w = 0*w\ninvariant K = ";
+    append_factors(table, sizeof table, "x", n);
+    strcat(table, "\ninvariant L = ");
+    append_factors(table, sizeof table, "y", m);
+    strcat(table, last);
+    strcat(table, "\nequal all : z = z modulo K, L\n");
+    expect(table, "equal", "all", status, reason);
+}
+
+/* 1 + 7 (2 + 2*33 + 5) = 512 and 1 + 16 (2 + 2*15) = 513. */
+static void a_claim_may_fall_into_512_cases_and_no_more(void **state)
+{
+    (void)state;
+    expect_of_factors(7, 33, "*(z*w - 1)", TTC_PROVED, NULL);
+    expect_of_factors(16, 15, "", TTC_UNSETTLED, "more than 512 cases");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -321,6 +351,7 @@ int main(void)
         cmocka_unit_test(a_sine_follows_its_cosine_onto_a_zero_level),
         cmocka_unit_test(a_reduction_answers_for_every_state_and_root_of_its_target),
         cmocka_unit_test(variants_times_and_eliminations_are_held_to_the_field),
+        cmocka_unit_test(a_claim_may_fall_into_512_cases_and_no_more),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -230,6 +230,22 @@ static void empty_levels_and_poles_are_refused(void **unused)
     jlt_system_destroy(system);
 }
 
+static void time_runs_forwards_or_backwards_and_at_no_other_rate(void **unused)
+{
+    const double q[2] = { 0.1, -0.6 };
+    const jlt_top_values v = jlt_system_defaults();
+    jlt_system *system;
+    jlt_section *section;
+
+    (void)unused;
+    assert_ok(jlt_system_top(&system, &v, NULL));
+    assert_ok(jlt_section_create(&section, &system->flow));
+    for (int direction = -3; direction <= 3; direction++)
+        assert_int_equal(jlt_section_start(section, NULL, q, direction), abs(direction) == 1 ? JLT_OK : JLT_ERR_ARG);
+    jlt_section_destroy(section);
+    jlt_system_destroy(system);
+}
+
 /* The ends of the interval are neighbours of numbers without a state, or next to a pole, and are the ends of its widest part. */
 static void the_interval_ends_where_the_levels_do(void **unused)
 {
@@ -258,6 +274,7 @@ int main(void)
         cmocka_unit_test(determinant_is_flux_and_divergence),
         cmocka_unit_test(reversor_turns_the_map_into_its_inverse),
         cmocka_unit_test(empty_levels_and_poles_are_refused),
+        cmocka_unit_test(time_runs_forwards_or_backwards_and_at_no_other_rate),
         cmocka_unit_test(the_interval_ends_where_the_levels_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -160,6 +160,7 @@ static const mistake mistakes[] = {
     { "model t\nparam a > 0\nstate x\neq x = a\nvariant v : a = 0\n",
       "5:13: warning: this value of 'a' lies outside the condition that its record states" },
     { HEAD "time u : -1\n", "7:10: error: the factor of a new time is not positive (expected dt = expr * dtau, expr > 0)" },
+    { HEAD "time u : a lifting q\n", "7:20: error: unknown name 'q' (expected a name defined above)" },
     { HEAD "time u : a lifting x\n", "7:20: error: 'x' is not a root (expected one)" },
     { HEAD "integral E = x^2 + y\neliminate c : x by E = L\n", "8:11: error: the integral 'E' is not linear in 'x'" },
     { HEAD "let b = x*y\nintegral E = b*x\neliminate c : x by E = L\n", "9:11: error: the integral 'E' is not linear in 'x'" },

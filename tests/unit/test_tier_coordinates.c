@@ -1,0 +1,76 @@
+/* Coordinates of every tier: written whole, no further, and back to the state they came from. */
+#include "unit/check.h"
+
+#include "kernel/descriptor.h"
+#include "scene/tier.h"
+
+enum { ROOM = 32 };
+
+typedef struct {
+    jlt_top top;
+    double x[JLT_TOP_STATES];
+} sample;
+
+/* A balanced sphere, on either half of M^2, and two that are not. */
+static const sample samples[] = {
+    { { 1, 1, 1, 0, 0.4, 0.25 }, { 0.3, 0.5, 0.2, 0.3, 0.9 } },
+    { { 1, 1, 1, 0, 0.25, 0.4 }, { 0.3, -1.5, 0.2, 0.3, 0.2 } },
+    { { 1.3, 0.7, 9.81, -0.12, 0.29, 0.21 }, { 0.25, 0.8, -0.6, 1.1, -2.3 } },
+    { { 1, 1, 1, 0.3, 0.7, 0 }, { 0.2, 0.6, 0.4, 1.3, -0.8 } },
+};
+
+static void poison(double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++) values[i] = NAN;
+}
+
+/* Extraction divides by s > 0.9 and b > 0.05 after sums of up to six terms below 10: some 20 roundings of 200. */
+static const double bound = 20 * 200 * 2.3e-16;
+
+static unsigned check_tier(const jlt_tier *tier, const sample *s)
+{
+    const jlt_descriptor *kernel = tier->model == NULL ? NULL : jlt_descriptor_find(tier->model, NULL, tier->time, tier->elimination);
+    double y[ROOM], x[JLT_TOP_STATES];
+    jlt_tier_view view;
+    jlt_attitude attitude;
+
+    if (tier->embed == NULL || (tier->refuses != NULL && tier->refuses(&s->top, s->x) != NULL)) return 0;
+    assert_non_null(kernel);
+    assert_int_equal(tier->columns, kernel->state_count);
+    jlt_tier_look(&view, tier, kernel, &s->top, s->x);
+    poison(y, ROOM);
+    poison(x, JLT_TOP_STATES);
+    tier->embed(&view, y, s->x);
+    for (unsigned i = 0; i < ROOM; i++)
+        if (isfinite(y[i]) != (i < tier->columns)) fail_msg("%s: column %u is %g", tier->name, i, y[i]);
+    tier->extract(&view, x, y);
+    for (unsigned i = 0; i < JLT_TOP_STATES; i++) assert_near(x[i], s->x[i], bound);
+    if (!tier->attitude) return 1;
+    tier->orient(&view, &attitude, y);
+    assert_below(attitude.orthonormality, bound);
+    /* The track starts with the contact point at the origin, nu along x: r = -R gamma - a3 e3 there. */
+    assert_near(attitude.contact[0], 0, bound);
+    assert_near(attitude.contact[1], 0, bound);
+    assert_near(attitude.axes[2][2], s->x[JLT_TOP_GAMMA3], bound);
+    assert_near(attitude.axes[0][2], sqrt(1 - s->x[JLT_TOP_GAMMA3] * s->x[JLT_TOP_GAMMA3]), bound);
+    assert_near(attitude.axes[1][2], 0, bound);
+    return 1;
+}
+
+static void every_tier_writes_all_its_columns_and_gives_the_state_back(void **unused)
+{
+    (void)unused;
+    for (size_t k = 0; jlt_tier_at(k) != NULL; k++) {
+        unsigned checked = 0;
+        for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) checked += check_tier(jlt_tier_at(k), &samples[i]);
+        if (jlt_tier_at(k)->embed != NULL && checked == 0) fail_msg("no sample for %s", jlt_tier_at(k)->name);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_tier_writes_all_its_columns_and_gives_the_state_back),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
