@@ -96,8 +96,9 @@ typedef struct {
 
 static void write_row(run_state *r, const jlt_method *method, const sample *row, double t, size_t evaluations)
 {
-    fprintf(r->stream->file, "%s,%.0f,%.17g,%zu,%.3g,%.3g\n", method->name, row->returns, t, evaluations, row->drift[0],
-            row->drift[1]);
+    fprintf(r->stream->file, "%s,%.0f,", method->name, row->returns);
+    jlt_csv_value(r->stream->file, t);
+    fprintf(r->stream->file, ",%zu,%.3g,%.3g\n", evaluations, row->drift[0], row->drift[1]);
     if (r->points != NULL) fprintf(r->points, "%.0f %.4g %.4g\n", row->returns, row->drift[0], row->drift[1]);
 }
 
