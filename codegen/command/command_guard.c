@@ -6,6 +6,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
@@ -17,7 +18,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { SECONDS_A_CLAIM = 20, SECONDS_A_TABLE = 50, MEMORY_MIB = 1536, WORDS_SIZE = 200 };
+enum { SECONDS_A_CLAIM = 20, SECONDS_A_TABLE = 50, MEMORY_MIB = 1536, PATIENCE = 30, WORDS_SIZE = 200 };
 
 #ifdef JLT_SANITIZED
 enum { ADDRESS_SPACE_IS_BOUNDED = 0 };
@@ -34,11 +35,24 @@ typedef struct {
     size_t lengths[3];
 } message;
 
-/* Seconds of the processor that a process has taken: a verdict must not hang on what else the machine does. */
-static double taken(clockid_t clock)
+/* A claim's share of the processor, so that what else runs does not count; and of the clock, for one that only waits. */
+typedef struct {
+    clockid_t processor; /* of the worker */
+    double processor_end, clock_end;
+} bounds;
+
+/* 0: there is no such clock any more, its process has ended. */
+static double time_of(clockid_t clock)
 {
     struct timespec time;
     return clock_gettime(clock, &time) == 0 ? (double)time.tv_sec + 1e-9 * (double)time.tv_nsec : 0;
+}
+
+/* How long a worker may be waited for before it can be late. */
+static double left(const bounds *b)
+{
+    const double processor = b->processor_end - time_of(b->processor), clock = b->clock_end - time_of(CLOCK_MONOTONIC);
+    return processor < clock ? processor : clock;
 }
 
 static bool write_all(int descriptor, const void *data, size_t size)
@@ -89,20 +103,14 @@ static void work(ttc_proof_run *run, const bool *settled, int descriptor, int wo
 
 typedef enum { READ_DONE, READ_END, READ_LATE } read_result;
 
-/* Until the process whose clock this is has taken `most` seconds. */
-typedef struct {
-    clockid_t clock;
-    double most;
-} allowance;
-
-static read_result read_all(int descriptor, void *data, size_t size, allowance allowed)
+static read_result read_all(int descriptor, void *data, size_t size, const bounds *b)
 {
     char *at = data;
     while (size > 0) {
         struct pollfd poll_of = { .fd = descriptor, .events = POLLIN };
-        double left = allowed.most - taken(allowed.clock);
-        if (left <= 0) return READ_LATE;
-        int ready = poll(&poll_of, 1, (int)(1000 * left) + 1);
+        const double wait = left(b);
+        if (wait <= 0) return READ_LATE;
+        int ready = poll(&poll_of, 1, (int)(1000 * wait) + 1);
         if (ready < 0 && errno != EINTR) return READ_END;
         if (ready <= 0) continue;
         ssize_t got = read(descriptor, at, size);
@@ -114,16 +122,16 @@ static read_result read_all(int descriptor, void *data, size_t size, allowance a
     return READ_DONE;
 }
 
-static read_result receive_proof(int descriptor, ttc_proof_run *run, bool *settled, allowance allowed)
+static read_result receive_proof(int descriptor, ttc_proof_run *run, bool *settled, const bounds *b)
 {
     message m;
     char *texts[3] = { NULL, NULL, NULL };
-    read_result result = read_all(descriptor, &m, sizeof m, allowed);
+    read_result result = read_all(descriptor, &m, sizeof m, b);
     if (result == READ_DONE && m.index >= ttc_proof_run_count(run)) result = READ_END;
     for (int i = 0; i < 3 && result == READ_DONE; i++) {
         if (m.lengths[i] == SIZE_MAX) continue;
         texts[i] = calloc(m.lengths[i] + 1, 1);
-        result = texts[i] == NULL ? READ_END : read_all(descriptor, texts[i], m.lengths[i], allowed);
+        result = texts[i] == NULL ? READ_END : read_all(descriptor, texts[i], m.lengths[i], b);
     }
     if (result != READ_DONE) {
         for (int i = 0; i < 3; i++) free(texts[i]);
@@ -163,8 +171,8 @@ static void give_up(ttc_proof_run *run, bool *settled, ttc_proof_ending ending, 
     char text[WORDS_SIZE + 80];
     const size_t index = first_open(settled, ttc_proof_run_count(run));
     if (ending == TTC_ENDED_LATE)
-        snprintf(text, sizeof text, "its proof passes the limit of %d s a claim, or of %d s a table", SECONDS_A_CLAIM,
-                 SECONDS_A_TABLE);
+        snprintf(text, sizeof text, "its proof passes the limit of %d s of processor time a claim, or of %d s a table",
+                 SECONDS_A_CLAIM, SECONDS_A_TABLE);
     else if (ending == TTC_ENDED_OUT_OF_MEMORY)
         snprintf(text, sizeof text, "its proof passes the limit of %d MiB", MEMORY_MIB);
     else
@@ -197,13 +205,23 @@ static bool open_pipes(int verdicts[2], int words[2])
     return false;
 }
 
-/* One worker, until it is done, dead or late; the claim that it was at is then given up. *left: seconds that the table may still
- * take. False: no worker can be made. */
-static bool employ(ttc_proof_run *run, bool *settled, double *left)
+static double seconds_of(struct timeval time) { return (double)time.tv_sec + 1e-6 * (double)time.tv_usec; }
+
+/* Processor time of all workers that are no more. */
+static double spent(void)
+{
+    struct rusage used;
+    return getrusage(RUSAGE_CHILDREN, &used) == 0 ? seconds_of(used.ru_utime) + seconds_of(used.ru_stime) : 0;
+}
+
+/* One worker, until it is done, dead or late; the claim that it was at is then given up. In/out: seconds, that are left to the
+ * table. False: no worker can be made. */
+static bool employ(ttc_proof_run *run, bool *settled, double *seconds)
 {
     int verdicts[2], words[2], status = 0;
-    clockid_t clock = CLOCK_MONOTONIC;
     char said[WORDS_SIZE];
+    bounds b;
+    const double spent_before = spent();
     const size_t count = ttc_proof_run_count(run);
     read_result result = READ_DONE;
     if (!open_pipes(verdicts, words)) return false;
@@ -217,15 +235,16 @@ static bool employ(ttc_proof_run *run, bool *settled, double *left)
     }
     close(verdicts[1]);
     close(words[1]);
-    bool ok = worker > 0 && clock_getcpuclockid(worker, &clock) == 0;
+    const bool ok = worker > 0 && clock_getcpuclockid(worker, &b.processor) == 0;
     while (ok && result == READ_DONE && first_open(settled, count) < count) {
-        double most = taken(clock) + SECONDS_A_CLAIM;
-        result = receive_proof(verdicts[0], run, settled, (allowance){ clock, most < *left ? most : *left });
+        b.processor_end = fmin(time_of(b.processor) + SECONDS_A_CLAIM, *seconds);
+        b.clock_end = time_of(CLOCK_MONOTONIC) + PATIENCE * SECONDS_A_CLAIM;
+        result = receive_proof(verdicts[0], run, settled, &b);
     }
-    if (ok) *left -= taken(clock);
     if (worker > 0) {
         kill(worker, SIGKILL); /* one that is dead keeps its status */
         while (waitpid(worker, &status, 0) < 0 && errno == EINTR) continue;
+        *seconds -= spent() - spent_before;
         read_words(words[0], said);
         if (result != READ_DONE) give_up(run, settled, ending_of(result, status, said), status, said);
     }
@@ -240,10 +259,10 @@ ttc_proof_report *ttc_prove_guarded(const ttc_model *model, ttc_resolver resolve
     ttc_proof_report *report = NULL;
     size_t count = run == NULL ? 0 : ttc_proof_run_count(run);
     bool *settled = calloc(count + 1, sizeof *settled), ok = run != NULL && settled != NULL;
-    double left = SECONDS_A_TABLE;
+    double seconds = SECONDS_A_TABLE;
     while (ok && first_open(settled, count) < count) {
-        if (left <= 0) give_up(run, settled, TTC_ENDED_LATE, 0, "");
-        else ok = employ(run, settled, &left);
+        if (seconds <= 0) give_up(run, settled, TTC_ENDED_LATE, 0, "");
+        else ok = employ(run, settled, &seconds);
     }
     if (ok) report = ttc_proof_run_report(run, count);
     free(settled);

@@ -1,4 +1,5 @@
 #include "cli/motion.h"
+#include "report/csv.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -113,6 +114,22 @@ static void mark_followed(sink *self, const jlt_continuation_point *end)
     }
 }
 
+static void write_point(FILE *file, size_t branch, const jlt_continuation_point *point)
+{
+    const jlt_periodic *orbit = &point->orbit;
+    const double values[] = { orbit->points[0], orbit->points[1], orbit->T, orbit->trace, orbit->determinant, orbit->re[0],
+                              orbit->im[0], orbit->re[1], orbit->im[1] };
+    const bool ends = point->kind != JLT_BIFURCATION_NONE;
+
+    fprintf(file, "%zu,", branch);
+    jlt_csv_value(file, point->value);
+    fprintf(file, ",%.9g,%zu,", point->arc, orbit->period);
+    jlt_csv_values(file, values, sizeof values / sizeof *values);
+    fprintf(file, ",%s,%s,%.3g,%s,", orbit->symmetric ? "yes" : "no", jlt_periodic_type_name(orbit->type), orbit->residual,
+            jlt_continuation_bifurcation_name(point->kind));
+    jlt_csv_row(file, (const double[]){ ends ? point->low : NAN, ends ? point->high : NAN }, 2);
+}
+
 static jlt_status take(void *context, const jlt_continuation_point *point)
 {
     sink *self = context;
@@ -123,13 +140,7 @@ static jlt_status take(void *context, const jlt_continuation_point *point)
             self->joined = self->landmarks[i].branch;
             return JLT_ERR_EMPTY; /* ends the run */
         }
-    fprintf(self->file, "%zu,%.17g,%.9g,%zu,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%s,%s,%.3g,%s,",
-            self->branch, point->value, point->arc, orbit->period, orbit->points[0], orbit->points[1], orbit->T,
-            orbit->trace, orbit->determinant, orbit->re[0], orbit->im[0], orbit->re[1], orbit->im[1],
-            orbit->symmetric ? "yes" : "no", jlt_periodic_type_name(orbit->type), orbit->residual,
-            jlt_continuation_bifurcation_name(point->kind));
-    if (point->kind == JLT_BIFURCATION_NONE) fputs(",\n", self->file);
-    else fprintf(self->file, "%.17g,%.17g\n", point->low, point->high);
+    write_point(self->file, self->branch, point);
     if (self->points != NULL)
         fprintf(self->points, "%.9g %.9g %d %d\n", point->value, orbit->points[1], (int)point->kind,
                 (int)orbit->type);

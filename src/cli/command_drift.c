@@ -100,8 +100,10 @@ typedef struct {
 static void write_row(run_state *r, const jlt_method *method, const sample *row, sample *rows, size_t *count)
 {
     rows[(*count)++] = *row;
-    fprintf(r->stream->file, "%s,%.0f,%.17g,%zu,%.3g,%.3g\n", method->name, row->returns, row->t, row->evaluations, row->drift[0],
-            row->drift[1]);
+    fprintf(r->stream->file, "%s,%.0f,", method->name, row->returns);
+    jlt_csv_value(r->stream->file, row->t);
+    fprintf(r->stream->file, ",%zu,%.3g,%.3g
+", row->evaluations, row->drift[0], row->drift[1]);
     if (r->points != NULL) fprintf(r->points, "%.0f %.4g %.4g\n", row->returns, row->drift[0], row->drift[1]);
 }
 

@@ -2,7 +2,6 @@
 #include "cli/progress.h"
 #include "dynamics/fates.h"
 #include "report/csv.h"
-#include "report/decimal.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -83,7 +82,8 @@ static void write_row(FILE *file, const options *o, const jlt_system *system, co
     jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, end->x);
     const double values[] = { end->t, end->x[JLT_CHART_TOP_V_NU], end->x[JLT_CHART_TOP_OMEGA_TAU], omega3, end->contact };
     const bool tells_contact = strcmp(o->motion.contact, "report") == 0;
-    fprintf(file, "%.17g,%.17g,%s,", q[0], q[1], jlt_section_fate_name(end->fate));
+    jlt_csv_values(file, q, 2);
+    fprintf(file, ",%s,", jlt_section_fate_name(end->fate));
     jlt_csv_row(file, values, tells_contact ? 5 : 4);
 }
 
@@ -248,14 +248,13 @@ static jlt_exit draw_sweep(const options *o, const jlt_system *system, const cha
 /* A row of the sweep, and its point of the picture when there is one. */
 static void write_shares(FILE *file, FILE *points, double value, const shares *sum)
 {
-    char text[JLT_DECIMAL_SIZE];
     double turned, error, kept, kept_error;
 
     jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->high_pole, true);
     if (points != NULL) fprintf(points, "%.9g %.9g %.9g %.9g\n", value, turned, error, kept);
-    jlt_decimal_text(text, value);
-    fprintf(file, "%s,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,", text, sum->all.starts, sum->low.starts,
+    jlt_csv_value(file, value);
+    fprintf(file, ",%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,", sum->all.starts, sum->low.starts,
             sum->all.by_fate[JLT_FATE_POLE_PLUS], sum->all.by_fate[JLT_FATE_POLE_MINUS],
             sum->all.by_fate[JLT_FATE_LOST_CONTACT], sum->all.by_fate[JLT_FATE_EQUILIBRIUM], sum->all.by_fate[JLT_FATE_ALIVE],
             sum->all.by_fate[JLT_FATE_BUDGET], failures(sum));

@@ -61,7 +61,8 @@ typedef struct {
 
 static void write_state(FILE *file, const jlt_lyapunov_state *state, unsigned dim)
 {
-    fprintf(file, "%zu,%.17g", state->returns, state->t);
+    fprintf(file, "%zu,", state->returns);
+    jlt_csv_value(file, state->t);
     for (unsigned k = 0; k <= dim; k++) {
         fputc(',', file);
         jlt_csv_value(file, k < dim ? state->exponents[k] : state->sum_check);
@@ -174,7 +175,8 @@ static jlt_exit run_chart(jlt_stream *stream, char **points, jlt_map *map, optio
         jlt_status st;
         jlt_motion_grid_point(q, axes, system, i);
         st = jlt_lyapunov_finite(map, &exponent, &t, q, o->returns);
-        for (unsigned k = 0; k < chart->dim; k++) fprintf(stream->file, "%.17g,", q[k]);
+        jlt_csv_values(stream->file, q, chart->dim);
+        fputc(',', stream->file);
         jlt_csv_row(stream->file, (const double[]){ st == JLT_OK ? exponent : NAN, st == JLT_OK ? t : NAN }, 2);
         if (copy != NULL && chart->dim >= 2) fprintf(copy, "%.7g %.7g %.7g\n", q[0], q[1], st == JLT_OK ? exponent : NAN);
         jlt_progress_show(&progress, i + 1, all);

@@ -1,5 +1,6 @@
 #include "cli/motion.h"
 #include "dynamics/homoclinic.h"
+#include "report/csv.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -142,9 +143,11 @@ static void write_crossings(FILE *file, const portrait *p, const char *prefix)
         for (int s = 0; s < 2; s++)
             for (size_t i = 0; i < p->count[u][s]; i++) {
                 const jlt_homoclinic *h = &p->crossings[u][s][i];
-                fprintf(file, "%s%.17g,%.17g,%.10g,%.10g,%d,%d,%.17g,%.3g,%.3g,", prefix, h->q[0], h->q[1],
-                        h->sigma_unstable, h->sigma_stable, u == 0 ? 1 : -1, s == 0 ? 1 : -1, h->angle, h->angle_error,
-                        h->residual);
+                fputs(prefix, file);
+                jlt_csv_values(file, h->q, 2);
+                fprintf(file, ",%.10g,%.10g,%d,%d,", h->sigma_unstable, h->sigma_stable, u == 0 ? 1 : -1, s == 0 ? 1 : -1);
+                jlt_csv_value(file, h->angle);
+                fprintf(file, ",%.3g,%.3g,", h->angle_error, h->residual);
                 if (!isnan(h->lobe)) fprintf(file, "%.10g", h->lobe);
                 fputc('\n', file);
             }
@@ -169,9 +172,11 @@ static void write_all(FILE *file, const portrait *p, const jlt_periodic *saddle)
     write_crossings(file, p, "# ");
     fputs("branch,side,sigma,length,eta,gamma3\n", file);
     for (int k = 0; k < BRANCHES; k++)
-        for (size_t i = 0; i < p->curve[k].count; i++)
-            fprintf(file, "%s,%d,%.12g,%.12g,%.17g,%.17g\n", branch_name(k), k % 2 == 0 ? 1 : -1, p->curve[k].sigma[i],
-                    p->curve[k].length[i], p->curve[k].points[2 * i], p->curve[k].points[2 * i + 1]);
+        for (size_t i = 0; i < p->curve[k].count; i++) {
+            fprintf(file, "%s,%d,%.12g,%.12g,", branch_name(k), k % 2 == 0 ? 1 : -1, p->curve[k].sigma[i],
+                    p->curve[k].length[i]);
+            jlt_csv_row(file, p->curve[k].points + 2 * i, 2);
+        }
 }
 
 static jlt_exit draw(const options *o, const jlt_system *system, const portrait *p, const jlt_periodic *saddle)

@@ -1,6 +1,7 @@
 #include "cli/motion.h"
 #include "cli/progress.h"
 #include "dynamics/orbits.h"
+#include "report/csv.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -81,10 +82,14 @@ static void column_names(FILE *file, const jlt_chart *chart)
 
 static void write_orbit(FILE *file, const jlt_chart *chart, const jlt_periodic *orbit)
 {
-    fprintf(file, "%zu", orbit->period);
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",%.17g", orbit->points[k]);
-    fprintf(file, ",%.17g,%.17g,%.17g", orbit->T, orbit->trace, orbit->determinant);
-    for (unsigned k = 0; k < chart->dim; k++) fprintf(file, ",%.17g,%.17g", orbit->re[k], orbit->im[k]);
+    fprintf(file, "%zu,", orbit->period);
+    jlt_csv_values(file, orbit->points, chart->dim);
+    fputc(',', file);
+    jlt_csv_values(file, (const double[]){ orbit->T, orbit->trace, orbit->determinant }, 3);
+    for (unsigned k = 0; k < chart->dim; k++) {
+        fputc(',', file);
+        jlt_csv_values(file, (const double[]){ orbit->re[k], orbit->im[k] }, 2);
+    }
     fprintf(file, ",%s,%s,%.3g\n", orbit->symmetric ? "yes" : "no", jlt_periodic_type_name(orbit->type), orbit->residual);
 }
 

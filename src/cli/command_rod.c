@@ -138,14 +138,13 @@ static jlt_exit check_start(const request *r)
 static jlt_exit write_row(FILE *file, request *r)
 {
     double values[16];
-    char text[JLT_DECIMAL_SIZE];
     size_t count = 0;
     jlt_rod rod;
     jlt_status st = open_rod(&rod, r);
 
     for (size_t k = 0; k < r->axis_count; k++) {
-        jlt_decimal_text(text, *r->targets[k]);
-        fprintf(file, "%s,", text);
+        jlt_csv_value(file, *r->targets[k]);
+        fputc(',', file);
     }
     if (st == JLT_ERR_DOMAIN) { /* G = 0 or |gamma3| >= 1: a point of the grid without a value */
         while (count < 7 + (r->check ? 3u : 0u)) values[count++] = NAN;

@@ -177,7 +177,7 @@ void jlt_eigen_write_csv_header(FILE *stream, const jlt_eigen_request *request)
 
 static void field(FILE *stream, double value)
 {
-    if (!isnan(value)) fprintf(stream, "%.17g", value);
+    jlt_csv_value(stream, value);
     fputc(',', stream);
 }
 

@@ -50,7 +50,8 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
     const jlt_return *at = &which->at;
     double omega_n, omega3;
 
-    fprintf(stream, "%zu,%zu,%.17g", which->orbit, at->number, at->t);
+    fprintf(stream, "%zu,%zu", which->orbit, at->number);
+    write_field(stream, at->t);
     for (unsigned k = 0; k < system->flow.chart->dim; k++) {
         const bool is_gamma3 = system->is_top && k == 1; /* known off the section as well */
         write_field(stream, is_gamma3 ? fmax(-1, fmin(1, at->x[JLT_CHART_TOP_GAMMA3])) : at->q[k]);

@@ -1,5 +1,6 @@
 #include "report/csv.h"
 
+#include "core/digits.h"
 #include "report/decimal.h"
 
 #include <math.h>
@@ -18,7 +19,11 @@ void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *des
 
 void jlt_csv_value(FILE *stream, double value)
 {
-    if (isfinite(value)) fprintf(stream, "%.17g", value);
+    char text[JLT_DIGITS_SIZE];
+
+    if (!isfinite(value)) return;
+    jlt_digits_shortest(text, value);
+    fputs(text, stream);
 }
 
 void jlt_csv_values(FILE *stream, const double *values, size_t count)

@@ -11,7 +11,8 @@
  *  In: command, what was typed, or NULL; descriptor; params, shape (params,), NaN where one runs over the rows. */
 void jlt_csv_header(FILE *stream, const char *command, const jlt_descriptor *descriptor, const double *params);
 
-/* A number with 17 digits; nothing for one that is not finite, so that a field is a number or empty. */
+/* A number that reads back bit for bit, see jlt_digits_shortest; nothing for one that is not finite, so that a field is a number or
+ * empty. */
 void jlt_csv_value(FILE *stream, double value);
 
 /* Numbers as above with commas between them, and no newline. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/digits.h"
 #include "ext/number.h"
 #include "integrate/method.h"
 #include "kernel/descriptor.h"
@@ -86,18 +87,9 @@ static jlt_status append(const jlt_value_reader *r, const config_setting_t *at, 
     return JLT_OK;
 }
 
-/* A double in the fewest digits that give it back. */
-static void print_double(char *out, size_t size, double number)
-{
-    for (int digits = 15; digits <= 17; digits++) {
-        snprintf(out, size, "%.*g", digits, number);
-        if (strtod(out, NULL) == number) return;
-    }
-}
-
 static jlt_status append_number(const jlt_value_reader *r, const config_setting_t *at, jlt_value *v, const char *name)
 {
-    char text[64];
+    char text[JLT_DIGITS_SIZE];
     const char *string = text;
     double ignored;
 
@@ -107,7 +99,7 @@ static jlt_status append_number(const jlt_value_reader *r, const config_setting_
         snprintf(text, sizeof text, "%lld", config_setting_get_int64(at));
         break;
     case CONFIG_TYPE_FLOAT:
-        print_double(text, sizeof text, config_setting_get_float(at));
+        jlt_digits_shortest(text, config_setting_get_float(at));
         break;
     case CONFIG_TYPE_STRING:
         string = config_setting_get_string(at);

@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -43,6 +44,8 @@ static void hang(void)
 {
     for (;;) raise(0);
 }
+
+static void doze(void) { sleep(21); }
 
 static void expect(misfortune what, ttc_proof_ending ending, const char *reason)
 {
@@ -82,10 +85,17 @@ static void memory_is_bounded(void **unused)
     expect(outgrow, TTC_ENDED_OUT_OF_MEMORY, "passes the limit of 1536 MiB");
 }
 
+/* What else runs takes the clock's time, not the proof's. */
+static void a_claim_that_waits_is_not_late(void **unused)
+{
+    (void)unused;
+    expect(doze, TTC_ENDED_BY_VERDICT, "could not be read");
+}
+
 static void time_is_bounded(void **unused)
 {
     (void)unused;
-    expect(hang, TTC_ENDED_LATE, "passes the limit of 20 s a claim");
+    expect(hang, TTC_ENDED_LATE, "passes the limit of 20 s of processor time a claim");
 }
 
 int main(void)
@@ -94,6 +104,7 @@ int main(void)
         cmocka_unit_test(a_fault_is_no_bound),
         cmocka_unit_test(memory_is_bounded),
         cmocka_unit_test(time_is_bounded),
+        cmocka_unit_test(a_claim_that_waits_is_not_late),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,141 @@
+/* Numbers have points whatever locale the program that calls the library has set, and that locale stays. */
+#include "check.h"
+
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "core/digits.h"
+#include "core/random.h"
+#include "ext/number.h"
+#include "report/csv.h"
+#include "report/decimal.h"
+#include "report/json.h"
+#include "scene/scene.h"
+
+static void a_row_has_points_and_as_many_digits_as_it_needs(void **unused)
+{
+    const double values[] = { 0.1, -2.5e-7, 1.0 / 3, 8.41, 1e22, NAN, 5e-324, INFINITY };
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+
+    (void)unused;
+    jlt_csv_row(stream, values, sizeof values / sizeof *values);
+    fclose(stream);
+    assert_string_equal(text, "0.1,-2.5e-07,0.3333333333333333,8.41,1e+22,,4.94065645841247e-324,\n");
+    free(text);
+}
+
+static void a_header_has_points(void **unused)
+{
+    const jlt_quantity names[] = { { .name = "a" }, { .name = "b" } };
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+
+    (void)unused;
+    jlt_decimal_write_named(stream, names, (const double[]){ 0.51, 1.0 / 3 }, 2);
+    fclose(stream);
+    assert_string_equal(text, " a=0.51 b=0.3333333333333333");
+    free(text);
+}
+
+static void json_has_points(void **unused)
+{
+    char *text = NULL;
+
+    (void)unused;
+    assert_ok(jlt_json_text(&text, jlt_json_numbers((const double[]){ 0.5 }, 1)));
+    assert_non_null(strstr(text, "0.5"));
+    free(text);
+}
+
+static void numbers_with_points_are_read(void **unused)
+{
+    double value = 0;
+
+    (void)unused;
+    assert_ok(jlt_number_parse(&value, "-0.51", 5));
+    assert_near(value, -0.51, 0);
+    assert_int_equal(jlt_number_parse(&value, "0,51", 4), JLT_ERR_ARG);
+}
+
+static void scenes_are_read(void **unused)
+{
+    static const char text[] = "model = \"spherical_top\"; parameters = { a3 = 0.51; };\n"
+                               "compute = ( { what = \"simulate\"; start = { gamma3 = 0.1; }; times = ( 0, 2.5 ); } );\n";
+    char path[] = "/tmp/jellett_locale_XXXXXX", message[JLT_SCENE_MESSAGE_MAX] = "";
+    const int descriptor = mkstemp(path);
+    jlt_scene *scene = NULL;
+
+    (void)unused;
+    assert_true(descriptor >= 0);
+    assert_int_equal(write(descriptor, text, strlen(text)), (ssize_t)strlen(text));
+    close(descriptor);
+    const jlt_status st = jlt_scene_read(&scene, message, path);
+    unlink(path);
+    assert_string_equal(message, "");
+    assert_ok(st);
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "set"), "a3=0.51");
+    assert_string_equal(jlt_scene_value(&scene->jobs[0], "times"), "0,2.5");
+    jlt_scene_destroy(scene);
+}
+
+/* Oracle: fifteen, sixteen and seventeen digits tried one after another, in "C". */
+static void shortest_by_trial(char *text, double value)
+{
+    const locale_t before = uselocale(newlocale(LC_ALL_MASK, "C", (locale_t)0));
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(text, JLT_DIGITS_SIZE, "%.*g", digits, value);
+        if (strtod(text, NULL) == value) break;
+    }
+    freelocale(uselocale(before));
+}
+
+/* Of every magnitude, subnormals as well; what people type, k/10^n; and its neighbours, which look like it. */
+static void digits_are_as_few_as_read_back(void **unused)
+{
+    jlt_random random;
+    char text[JLT_DIGITS_SIZE], expected[JLT_DIGITS_SIZE];
+
+    (void)unused;
+    jlt_random_seed(&random, 1);
+    for (int i = 0; i < 300000; i++) {
+        const double typed = floor(jlt_random_between(&random, -1e6, 1e6)) / pow(10, i % 7);
+        const double any = ldexp(jlt_random_between(&random, -1, 1), i % 2090 - 1074);
+        const double whole = floor(jlt_random_magnitude(&random, 0, 19));
+        const double values[] = { typed, any, nextafter(typed, 9e9), whole };
+        for (size_t k = 0; k < sizeof values / sizeof *values; k++) {
+            jlt_digits_shortest(text, values[k]);
+            shortest_by_trial(expected, values[k]);
+            assert_string_equal(text, expected);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_row_has_points_and_as_many_digits_as_it_needs),
+        cmocka_unit_test(a_header_has_points),
+        cmocka_unit_test(json_has_points),
+        cmocka_unit_test(numbers_with_points_are_read),
+        cmocka_unit_test(scenes_are_read),
+        cmocka_unit_test(digits_are_as_few_as_read_back),
+    };
+    int failed = cmocka_run_group_tests_name("C", tests, NULL, NULL);
+
+    if (setlocale(LC_ALL, "de_DE.UTF-8") == NULL) {
+        fprintf(stderr, "the locale de_DE.UTF-8 is missing: numbers were tested in the locale C alone\n");
+        return failed != 0 ? failed : 77;
+    }
+    failed += cmocka_run_group_tests_name("de_DE.UTF-8", tests, NULL, NULL);
+    if (strcmp(localeconv()->decimal_point, ",") != 0 || strcmp(setlocale(LC_ALL, NULL), "de_DE.UTF-8") != 0) {
+        fprintf(stderr, "the caller's locale has changed\n");
+        failed++;
+    }
+    return failed;
+}
