@@ -102,8 +102,7 @@ static void write_row(run_state *r, const jlt_method *method, const sample *row,
     rows[(*count)++] = *row;
     fprintf(r->stream->file, "%s,%.0f,", method->name, row->returns);
     jlt_csv_value(r->stream->file, row->t);
-    fprintf(r->stream->file, ",%zu,%.3g,%.3g
-", row->evaluations, row->drift[0], row->drift[1]);
+    fprintf(r->stream->file, ",%zu,%.3g,%.3g\n", row->evaluations, row->drift[0], row->drift[1]);
     if (r->points != NULL) fprintf(r->points, "%.0f %.4g %.4g\n", row->returns, row->drift[0], row->drift[1]);
 }
 

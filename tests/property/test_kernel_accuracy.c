@@ -178,7 +178,7 @@ static void every_kernel_is_as_accurate_as_its_formula_allows(void **unused)
     double most = 0;
     printf("%-64s %-20s %12s %12s %8s\n", "field", "kernel", "ulp inside", "ulp at edges", "/bound");
     for (unsigned i = 0; i < jlt_registry_count; i++) {
-        sample s = { .descriptor = jlt_registry[i], .balls = balls_of(jlt_registry[i]) };
+        sample s = { .descriptor = jlt_registry[i], .balls = jlt_registry[i]->balls };
         worst w[KINDS] = { { 0 } };
         assert_non_null(s.balls);
         random_state = 1 + i;
@@ -208,7 +208,7 @@ static void the_root_keeps_its_digits_at_the_poles(void **unused)
     for (unsigned i = 0; i < jlt_registry_count && s.descriptor == NULL; i++)
         if (strcmp(jlt_registry[i]->model, "spherical_top") == 0) s.descriptor = jlt_registry[i];
     assert_non_null(s.descriptor);
-    s.balls = balls_of(s.descriptor);
+    s.balls = s.descriptor->balls;
     double *block = calloc(s.descriptor->block_count, sizeof *block), out[MOST_STATES];
     assert_non_null(block);
     for (unsigned i = 0; i < s.descriptor->param_count; i++) s.params[i] = s.descriptor->params[i].value;

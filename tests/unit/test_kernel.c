@@ -126,12 +126,12 @@ static void the_most_special_variant_is_chosen(void **unused)
         params[a3] = cases[i].a3;
         params[I1] = cases[i].I1;
         params[I3] = cases[i].I3;
-        const jlt_descriptor *chosen = jlt_descriptor_choose("spherical_top", "", "", params);
+        const jlt_descriptor *chosen = jlt_descriptor_choose(general, "", "", params);
         assert_non_null(chosen);
         assert_string_equal(chosen->variant, cases[i].variant);
     }
     assert_null(jlt_descriptor_find("spherical_topp", NULL, NULL, NULL));
-    assert_null(jlt_descriptor_choose("no_such_model", NULL, NULL, params));
+    assert_null(jlt_descriptor_choose(general, "no_such_time", NULL, params));
     assert_null(jlt_descriptor_at(jlt_descriptor_count()));
 }
 
