@@ -152,10 +152,14 @@ static size_t first_open(const bool *settled, size_t count)
     return i;
 }
 
-/* What the libraries say when an allocation fails or a number is too large to be stored; they abort then. */
+/* What is said when an allocation fails or a number is too large to be stored, before the process ends: by FLINT and GMP, by
+ * C++, by GMP, and by ttc where it is told of it (base/exhaustion.h). */
 static bool speak_of_memory(const char *words)
 {
-    return strstr(words, "allocate") != NULL || strstr(words, "bad_alloc") != NULL || strstr(words, "overflow in mpz") != NULL;
+    static const char *const signs[] = { "allocate", "bad_alloc", "overflow in mpz", "out of memory" };
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
+        if (strstr(words, signs[i]) != NULL) return true;
+    return false;
 }
 
 /* Why a worker that is no more, with that status, did not send all. A kill is the kernel's, for memory, or ours. */
@@ -183,12 +187,13 @@ static void give_up(ttc_proof_run *run, bool *settled, ttc_proof_ending ending, 
     settled[index] = true;
 }
 
-/* The first line of what a worker that is no more said, shape (WORDS_SIZE,). */
+/* What a worker that is no more said first, as one line, shape (WORDS_SIZE,): FLINT 3 gives the reason in its second. */
 static void read_words(int descriptor, char *words)
 {
     ssize_t length = read(descriptor, words, WORDS_SIZE - 1);
     words[length > 0 ? length : 0] = '\0';
-    words[strcspn(words, "\n")] = '\0';
+    for (char *c = words; *c != '\0'; c++)
+        if (*c == '\n') *c = ' ';
 }
 
 /* Two pipes: for verdicts, and for last words, where a worker never waits for a reader. False: none is open. */

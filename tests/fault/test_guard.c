@@ -1,5 +1,5 @@
-/* Proofs under guard: a claim whose proof is late, out of memory or at fault is not settled, says which of the three it was, and
- * takes no other claim with it. What goes wrong here goes wrong where a reduction's target is read, in the worker. */
+/* Proofs under guard: a claim whose proof is late, out of memory or at fault is not settled, says which of the three it was,
+ * and takes no other claim with it. What goes wrong here goes wrong where a reduction's target is read, in the worker. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
