@@ -27,7 +27,7 @@ static void make_positive(ttc_ring *ring, fmpz_mpoly_t a)
     fmpz_clear(leading);
 }
 
-/* a and b, with common factor c, become a/c, b/c, c; all have less in common than before. Depth: a factor is taken out a step. */
+/* a and b, with common factor c, become a/c, b/c, c; all have less in common than before. Depth: a step takes out a factor. */
 static void insert(ttc_coprime *base, const fmpz_mpoly_t element)
 {
     ttc_ring *ring = base->ring;
