@@ -181,18 +181,22 @@ static void add_resting(ttc_text *text, const ttc_plan *plan, const ttc_proof_re
 static void tell_consequence(const ttc_model *model, const ttc_proof *proof, const ttc_claim *claim, const ttc_text *resting,
                              bool refuse)
 {
-    const char *status = ttc_proof_status_name(proof->status), *cut = resting->length > 200 ? "..." : "";
+    const char *cut = resting->length > 200 ? "..." : "";
+    char status[160];
+    snprintf(status, sizeof status, "%s", ttc_proof_status_name(proof->status));
+    if (proof->status == TTC_UNSETTLED && proof->remainder != NULL)
+        snprintf(status, sizeof status, "not settled (%.120s)", proof->remainder);
     if (resting->length > 0 && refuse)
         ttc_command_complain(model, proof->place, NULL, "the %s claim '%s' is %s, and kernels rest on it (%.200s%s): correct it, "
                              "or write them marked as unproved with --unproved", proof->kind, proof->name, status,
                              ttc_text_string(resting), cut);
     else if (refuse) return;
     else if (resting->length > 0)
-        ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: kernels that rest on it are marked as unproved (%.200s%s)",
-                         proof->kind, proof->name, status, ttc_text_string(resting), cut);
+        ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: kernels that rest on it are marked as unproved "
+                         "(%.200s%s)", proof->kind, proof->name, status, ttc_text_string(resting), cut);
     else if (claim != NULL && claim->target != NULL)
-        ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: %s and this table no longer serve in place of each other",
-                         proof->kind, proof->name, status, claim->target);
+        ttc_command_warn(model, proof->place, "the %s claim '%s' is %s: %s and this table no longer serve in place of each "
+                         "other", proof->kind, proof->name, status, claim->target);
     else ttc_command_warn(model, proof->place, "the %s claim '%s' is %s", proof->kind, proof->name, status);
 }
 
@@ -234,7 +238,7 @@ static void generate_table(ttc_output *output, ttc_plan *plan, const ttc_model *
     ttc_text unproved = { 0 };
     ttc_kernels *failed = NULL;
     ttc_proof_report *report = NULL;
-    if (ttc_command_plan(plan, model, options, status, NULL)) report = ttc_command_prove_guarded(model, status);
+    if (ttc_command_plan(plan, model, options, status, NULL)) report = ttc_command_prove_guarded(model, options, status);
     if (report != NULL && mark_unproved(plan, report, options, status, &unproved)) {
         model_files f = { output, plan, report, unproved.length > 0 ? ttc_text_string(&unproved) : NULL };
         if (!generate_model(&f, &failed)) {

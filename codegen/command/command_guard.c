@@ -170,13 +170,13 @@ static ttc_proof_ending ending_of(read_result result, int status, const char *wo
     return speak_of_memory(words) ? TTC_ENDED_OUT_OF_MEMORY : TTC_ENDED_BY_FAULT;
 }
 
-static void give_up(ttc_proof_run *run, bool *settled, ttc_proof_ending ending, int status, const char *words)
+static void give_up(ttc_proof_run *run, bool *settled, int times, ttc_proof_ending ending, int status, const char *words)
 {
     char text[WORDS_SIZE + 80];
     const size_t index = first_open(settled, ttc_proof_run_count(run));
     if (ending == TTC_ENDED_LATE)
         snprintf(text, sizeof text, "its proof passes the limit of %d s of processor time a claim, or of %d s a table",
-                 SECONDS_A_CLAIM, SECONDS_A_TABLE);
+                 SECONDS_A_CLAIM * times, SECONDS_A_TABLE * times);
     else if (ending == TTC_ENDED_OUT_OF_MEMORY)
         snprintf(text, sizeof text, "its proof passes the limit of %d MiB", MEMORY_MIB);
     else
@@ -221,7 +221,7 @@ static double spent(void)
 
 /* One worker, until it is done, dead or late; the claim that it was at is then given up. In/out: seconds, that are left to the
  * table. False: no worker can be made. */
-static bool employ(ttc_proof_run *run, bool *settled, double *seconds)
+static bool employ(ttc_proof_run *run, bool *settled, int times, double *seconds)
 {
     int verdicts[2], words[2], status = 0;
     char said[WORDS_SIZE];
@@ -242,8 +242,8 @@ static bool employ(ttc_proof_run *run, bool *settled, double *seconds)
     close(words[1]);
     const bool ok = worker > 0 && clock_getcpuclockid(worker, &b.processor) == 0;
     while (ok && result == READ_DONE && first_open(settled, count) < count) {
-        b.processor_end = fmin(time_of(b.processor) + SECONDS_A_CLAIM, *seconds);
-        b.clock_end = time_of(CLOCK_MONOTONIC) + PATIENCE * SECONDS_A_CLAIM;
+        b.processor_end = fmin(time_of(b.processor) + SECONDS_A_CLAIM * times, *seconds);
+        b.clock_end = time_of(CLOCK_MONOTONIC) + (double)PATIENCE * SECONDS_A_CLAIM * times;
         result = receive_proof(verdicts[0], run, settled, &b);
     }
     if (worker > 0) {
@@ -251,23 +251,23 @@ static bool employ(ttc_proof_run *run, bool *settled, double *seconds)
         while (waitpid(worker, &status, 0) < 0 && errno == EINTR) continue;
         *seconds -= spent() - spent_before;
         read_words(words[0], said);
-        if (result != READ_DONE) give_up(run, settled, ending_of(result, status, said), status, said);
+        if (result != READ_DONE) give_up(run, settled, times, ending_of(result, status, said), status, said);
     }
     close(verdicts[0]);
     close(words[0]);
     return ok;
 }
 
-ttc_proof_report *ttc_prove_guarded(const ttc_model *model, ttc_resolver resolver, void *context)
+ttc_proof_report *ttc_prove_guarded(const ttc_model *model, int times, ttc_resolver resolver, void *context)
 {
     ttc_proof_run *run = ttc_proof_run_create(model, resolver, context);
     ttc_proof_report *report = NULL;
     size_t count = run == NULL ? 0 : ttc_proof_run_count(run);
     bool *settled = calloc(count + 1, sizeof *settled), ok = run != NULL && settled != NULL;
-    double seconds = SECONDS_A_TABLE;
+    double seconds = (double)SECONDS_A_TABLE * times;
     while (ok && first_open(settled, count) < count) {
-        if (seconds <= 0) give_up(run, settled, TTC_ENDED_LATE, 0, "");
-        else ok = employ(run, settled, &seconds);
+        if (seconds <= 0) give_up(run, settled, times, TTC_ENDED_LATE, 0, "");
+        else ok = employ(run, settled, times, &seconds);
     }
     if (ok) report = ttc_proof_run_report(run, count);
     free(settled);

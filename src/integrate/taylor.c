@@ -87,8 +87,10 @@ static bool expand(taylor *self, jlt_stepper *stepper, double h)
     double power = 1;
 
     for (unsigned k = 0; k <= self->order; k++) {
-        for (unsigned i = 0; i < columns; i++)
-            stepper->dense[k * (size_t)stride + i] = power * self->jet[k * (size_t)columns + i];
+        for (unsigned i = 0; i < columns; i++) {
+            const double coefficient = self->jet[k * (size_t)columns + i];
+            stepper->dense[k * (size_t)stride + i] = coefficient != 0 ? power * coefficient : 0; /* at rest h^k may be infinite */
+        }
         power *= h;
     }
     if (columns > dim) stepper->dense[dim] = stepper->x[dim];

@@ -52,7 +52,7 @@ static void expect(misfortune what, ttc_proof_ending ending, const char *reason)
     ttc_diagnostics *diagnostics = ttc_diagnostics_create();
     ttc_model *model = ttc_model_parse(table, strlen(table), "guarded.tt", diagnostics);
     assert_non_null(model);
-    ttc_proof_report *report = ttc_prove_guarded(model, resolve, &what);
+    ttc_proof_report *report = ttc_prove_guarded(model, 1, resolve, &what);
     assert_non_null(report);
     assert_string_equal(report->proofs[0].kind, "reduction");
     assert_int_equal(report->proofs[0].status, TTC_UNSETTLED);

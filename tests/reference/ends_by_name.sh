@@ -20,6 +20,14 @@ run() {
 last() { tail -1 "$scratch/out" | awk -F, "{ print \$$1 }"; }
 near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(a != "" && b != "" && d <= t) }'; }
 
+# What begins at an equilibrium (spin without weight) stays there to the last bit, by every method, however far it goes.
+for tier in five five_plain; do
+    for method in gauss dop853 taylor rk8pd rkf45 msadams; do
+        run 0 simulate --set g=0 --start gamma3=-0.25,v_nu=-0.125,omega_tau=0,omega_n=0,omega3=-0.75 --tier $tier --method $method --times 0,1,1e6
+        [ "$(tail -1 "$scratch/out" | cut -d, -f 1-4)" = "1000000,-0.25,-0.125,0" ] || fail "$tier, $method: an equilibrium moves: $(tail -1 "$scratch/out")"
+    done
+done
+
 # A balanced sphere spirals into an equilibrium (4.4). The row has the limit, which all methods agree on to the error of twenty
 # returns, a thousand tolerances at most.
 spiral=(--set a3=0 --level E=1,G=-0.3 --start eta=-0.5235987755982987,gamma3=-0.066 --returns 100)
