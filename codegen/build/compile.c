@@ -1,8 +1,6 @@
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "build/compile.h"
 
-#include "base/text.h"
-
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -18,10 +16,16 @@
 
 /* -O1: on straight-line code -O2 gains nothing that is worth twice the time. The bits are the same by every one of them. */
 static const char *const flags[] = { "-std=c11", "-O1", "-fPIC", "-ffp-contract=off", "-DJLT_WITHOUT_LANES" };
+/* Whoever loads the object may have kernels of the same names. */
+static const char *const link_flags[] = { "-shared", "-Wl,-Bsymbolic" };
 
-enum { FLAG_COUNT = sizeof flags / sizeof *flags };
+enum { FLAG_COUNT = sizeof flags / sizeof *flags, LINK_FLAG_COUNT = sizeof link_flags / sizeof *link_flags };
 
-const char *ttc_compiler_flags(void) { return "-std=c11 -O1 -fPIC -ffp-contract=off -DJLT_WITHOUT_LANES -shared"; }
+void ttc_compiler_add_flags(ttc_text *text)
+{
+    for (size_t i = 0; i < FLAG_COUNT; i++) ttc_text_format(text, "%s ", flags[i]);
+    for (size_t i = 0; i < LINK_FLAG_COUNT; i++) ttc_text_format(text, "%s ", link_flags[i]);
+}
 
 char *ttc_compiler_find(void)
 {
@@ -177,12 +181,11 @@ static bool compile_all(const char *compiler, const char *folder, bool balls, co
 
 static bool link_all(const char *compiler, const file_list *objects, const char *target)
 {
-    const char **arguments = calloc(objects->count + 7, sizeof *arguments);
+    const char **arguments = calloc(objects->count + LINK_FLAG_COUNT + 5, sizeof *arguments);
     size_t n = 0;
     if (arguments == NULL) return false;
     arguments[n++] = compiler;
-    arguments[n++] = "-shared";
-    arguments[n++] = "-Wl,-Bsymbolic"; /* who loads it may have kernels of the same names */
+    for (size_t i = 0; i < LINK_FLAG_COUNT; i++) arguments[n++] = link_flags[i];
     arguments[n++] = "-o";
     arguments[n++] = target;
     for (size_t i = 0; i < objects->count; i++) arguments[n++] = objects->names[i];

@@ -2,14 +2,13 @@
 #ifndef TTC_COMPILE_H
 #define TTC_COMPILE_H
 
-#include <stdbool.h>
-#include <stddef.h>
+#include "base/text.h"
 
 /** The compiler that $CC names, else cc, looked up in $PATH; for the caller to free. NULL: there is none, or memory is out. */
 char *ttc_compiler_find(void);
 
-/** The options that decide on what is compiled, in one text. */
-const char *ttc_compiler_flags(void);
+/** The options that decide on what is compiled, each followed by a blank. */
+void ttc_compiler_add_flags(ttc_text *text);
 
 /** Compile the .c files of `folder` and of its subfolders, as many at once as there are processors, and link them to the shared
  *  object `target`. The compiler's words go to stderr; no shell sees any name. False: it failed, and they say why. */

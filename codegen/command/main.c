@@ -13,7 +13,7 @@
 
 enum { OPTION_JSON = 'j', OPTION_OUT = 'o', OPTION_FORMAT = 'f', OPTION_MUTATE = 'm', OPTION_KERNELS = 'k',
        OPTION_CHALLENGE = 'c', OPTION_SEED = 's', OPTION_VERBOSE = 'v',
-       OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u', OPTION_KEEP = 'K', OPTION_ELIMINATED = 'E' };
+       OPTION_EFFORT = 'e', OPTION_UNPROVED = 'u', OPTION_KEEP = 'K' };
 
 #define JSON_OPTION { "json", OPTION_JSON, NULL, 0, "Write the result as JSON on standard output", 0 }
 #define EFFORT_OPTION { "effort", OPTION_EFFORT, "EFFORT", 0, "How long to look for short programs: quick (the default) or full", 0 }
@@ -44,10 +44,7 @@ static const struct argp_option generate_options[] = {
     { "unproved", OPTION_UNPROVED, NULL, 0, "Write also kernels that rest on claims which are not proved, marked as such", 0 },
     END_OF_OPTIONS
 };
-static const struct argp_option build_options[] = {
-    { "eliminated", OPTION_ELIMINATED, NULL, 0, "Fields with an eliminated state as well, which take as long again", 0 },
-    END_OF_OPTIONS
-};
+static const struct argp_option build_options[] = { END_OF_OPTIONS };
 static const struct argp_option cost_options[] = { JSON_OPTION, EFFORT_OPTION, END_OF_OPTIONS };
 
 typedef struct {
@@ -122,9 +119,6 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case OPTION_KEEP:
         options->keep = true;
-        return 0;
-    case OPTION_ELIMINATED:
-        options->extent = TTC_ALL_FIELDS;
         return 0;
     case OPTION_UNPROVED:
         options->unproved = true;
@@ -202,7 +196,7 @@ static int run_command(const command *chosen, int argc, char **argv)
 {
     char name[64];
     int status = TTC_EXIT_USAGE;
-    ttc_options options = { .format = "text", .extent = chosen->run == ttc_command_build ? TTC_WITHOUT_ELIMINATIONS : TTC_ALL_FIELDS };
+    ttc_options options = { .format = "text" };
     char *line = quote_command_line(argc, argv);
     char *help = malloc(strlen(chosen->help) + sizeof exit_text);
     options.files = calloc((size_t)argc, sizeof *options.files);
