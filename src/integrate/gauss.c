@@ -6,8 +6,9 @@
  *
  * Error. Let a_k be the coefficients of f on the step in Legendre polynomials, n_k their size relative to the states times h.
  * For analytic solutions n_k falls like r^k, and the quadrature at the end errs by the aliased part, ~ n_0 r^16. With
- * r = (n_7/n_0)^(1/7), where n_0 is the largest of the first three, the estimate is n_7 (n_7/n_0)^(9/7), proportional to
- * h^17. The polynomial inside the step errs by the part left out, n_8 ~ r n_7.
+ * r = (n_7/n_0)^(1/7), where n_0 is the largest of the first three, the estimate is n_7 r^9, proportional to h^17. Where the last
+ * two coefficients have fallen by less than r^2 from the two before, r is what they have fallen by. The polynomial inside the step
+ * errs by the part left out, n_8 ~ r n_7.
  *
  * Sweeps. They contract by a factor proportional to h. They end when what is left, change * rate/(1 - rate), is below a
  * twentieth of the tolerance or at the rounding level; a step that contracts slower than 0.7 is halved. */
@@ -24,6 +25,7 @@
 enum { N = JLT_GAUSS_NODES, SWEEPS_MAX = 24 };
 static const double rounding = 8e-16; /* half a unit in each of 48 values, root of the sum of squares */
 static const double slowest_rate = 0.7, growth_max = 2.5, safety = 0.65;
+static const double scatter = 0.1, digits = 44; /* binary: of 100 steps 2 fall short of r by more; coefficients above rounding */
 static const double farthest = 128; /* lengths of a step: its polynomial continued farther is rounding errors */
 
 typedef struct {
@@ -204,10 +206,17 @@ static double error_norm(gauss *self, const jlt_stepper *stepper, double h)
     const double *n = self->sizes, size = jlt_larger(jlt_larger(n[0], n[1]), n[2]);
     if (!(size < JLT_GAUSS_SIZE_MAX)) return NAN;
     /* A seventh coefficient may vanish by chance; the sixth then stands in, one factor r lower. */
-    const double last = jlt_larger(n[7], n[6] + (1.0 / 6) * (n[6] - size)), r = (1.0 / 7) * (last - size);
+    double last = jlt_larger(n[7], n[6] + (1.0 / 6) * (n[6] - size)), r = (1.0 / 7) * (last - size);
+    /* Of a large smooth part and a small rough one the last coefficients fall more slowly; rounding does not fall at all. */
+    const double tail = jlt_larger(n[6], n[7]), pairs = 0.5 * (tail - jlt_larger(n[4], n[5])) - 2 * scatter;
+    const double fall = jlt_larger(pairs, 0.25 * (n[6] + n[7] - n[4] - n[5]) - scatter);
+    if (fall > r && tail > size - digits) {
+        r = jlt_smaller(fall, 0);
+        last = jlt_larger(last, n[6] + r);
+    }
     const double length = jlt_rough_log2(fabs(h)), units = length - jlt_rough_log2(stepper->tolerance);
     self->dense_error = jlt_rough_exp2(length + last + r);
-    return units + (2 * last - size) + 2 * r;
+    return units + last + 9 * r;
 }
 
 static jlt_status step(jlt_stepper *stepper, double limit)
