@@ -32,6 +32,9 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
 {
     /* Where a lane is left to the method that can end at the pole: as far from it as that judges. */
     static const double root_floor = 1e-9;
+    /* Of one return. An orbit that creeps takes more, and explicit methods are at their limit of stability there, where their error
+     * is no power of the step. */
+    static const size_t steps_max = 400;
     jlt_section_batch *self = NULL;
     jlt_status st = JLT_OK;
 
@@ -47,7 +50,7 @@ jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flo
         .kernels = kernels, .p = flow->field->p, .dim = flow->chart->states, .clock = true, .column = flow->chart->column,
         .direction = (int)flow->direction, .root = flow->field->root, .root_floor = root_floor,
         .tolerance = flow->tolerance != 0 ? flow->tolerance : 1e-12,
-        .max_steps = flow->max_steps != 0 ? flow->max_steps : 100000, .threads = options->threads,
+        .max_steps = flow->max_steps != 0 && flow->max_steps < steps_max ? flow->max_steps : steps_max, .threads = options->threads,
         .project = options->project, .interrupt = flow->interrupt,
     };
     JLT_TRY(jlt_section_create(&self->section, flow));

@@ -160,6 +160,16 @@ static REAL NAME(length)(const NAME(series) *t, const REAL *scale)
     return isfinite(h) ? h : (REAL)(1 / (1e-3L + scale[ORACLE_OMEGA3]));
 }
 
+/* Where a chart divides by b or s, its steps are parts of them, and so are those between errors; at b = R/1000 it has ended. */
+static REAL NAME(chart)(const NAME(series) *t, oracle_noise noise, REAL h)
+{
+    const REAL b = NAME(size)(t->a3 + t->R * t->x[ORACLE_GAMMA3][0]), end = t->R / 1000, rest = b > end ? b : end;
+    const REAL b_moves = 4 * h * t->R * NAME(size)(t->x[ORACLE_GAMMA3][1]), s_moves = 4 * h * NAME(size)(t->x[ORACLE_S][1]);
+    if (noise == ORACLE_OMEGA_N_NOISE && b_moves > rest) return h * rest / b_moves;
+    if (noise == ORACLE_OMEGA3_NOISE && s_moves > t->x[ORACLE_S][0]) return h * t->x[ORACLE_S][0] / s_moves;
+    return h;
+}
+
 static void NAME(put)(oracle_orbit *out, const NAME(series) *t, REAL h, int number)
 {
     for (int i = 0; i < ORACLE_STATES; i++) out->rows[number][i] = (long double)NAME(value)(t->x[i], h);
@@ -273,7 +283,7 @@ static void NAME(follow)(oracle_orbit *out, const oracle_question *q, oracle_noi
         if (NAME(ends)(out, &t, q, scale)) break;
         const int before = out->count;
         const REAL pace = NAME(pace)(&t, scale);
-        const REAL h = q->time_direction * NAME(length)(&t, scale);
+        const REAL h = q->time_direction * NAME(chart)(&t, noise, NAME(length)(&t, scale));
         const bool done = q->times != NULL ? NAME(pass)(out, &t, q, h) : NAME(cross)(out, &t, q, h, scale);
         for (int k = before + 1; k <= out->count; k++) out->pace[k] = (long double)pace;
         if (done) {
