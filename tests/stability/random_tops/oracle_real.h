@@ -275,7 +275,7 @@ static void NAME(follow)(oracle_orbit *out, const oracle_question *q, oracle_noi
     const REAL W = (REAL)q->speed / q->top.R, scale[ORACLE_STATES] = { 1, q->speed, W, W, W, 1, 1 / W };
     REAL E, G, E0, G0, v_tau;
 
-    *out = (oracle_orbit){ .end = ORACLE_BUDGET, .least_s = 1 };
+    *out = (oracle_orbit){ .end = ORACLE_BUDGET, .least_s = 1, .least_pace = INFINITY };
     NAME(begin)(&t, q);
     NAME(levels)(&t, &E0, &G0, &v_tau);
     while (out->steps++ < STEPS_MAX) {
@@ -283,6 +283,7 @@ static void NAME(follow)(oracle_orbit *out, const oracle_question *q, oracle_noi
         if (NAME(ends)(out, &t, q, scale)) break;
         const int before = out->count;
         const REAL pace = NAME(pace)(&t, scale);
+        out->least_pace = fminl(out->least_pace, (long double)pace);
         const REAL h = q->time_direction * NAME(chart)(&t, noise, NAME(length)(&t, scale));
         const bool done = q->times != NULL ? NAME(pass)(out, &t, q, h) : NAME(cross)(out, &t, q, h, scale);
         for (int k = before + 1; k <= out->count; k++) out->pace[k] = (long double)pace;

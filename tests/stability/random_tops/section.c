@@ -20,7 +20,8 @@ static void row_of(double row[ROW_SIZE], const jlt_chart_top *chart, const doubl
     jlt_chart_top_rotation(chart, &row[ROW_OMEGA_N], &row[ROW_OMEGA3], x);
 }
 
-/* An orbit that jellett ends at rest: it is where the oracle comes to rest, if not before long. */
+/* An orbit that jellett ends at rest: it is where the oracle comes to rest, if not before long; or the oracle creeps on, slower than
+ * a thousand tolerances. */
 static void check_rest(trial *t, const family *f, const char *how, const double row[ROW_SIZE])
 {
     oracle_question q = f->question;
@@ -34,6 +35,7 @@ static void check_rest(trial *t, const family *f, const char *how, const double 
     memcpy(limit, row, sizeof limit);
     limit[ROW_T] = NAN; /* when an orbit is slow enough is for the method to say */
     if (end.truth.end == ORACLE_REST) family_check(&end, t, how, 1, limit);
+    else if (end.truth.least_pace < 1e3L * q.tolerance) sum.unsure++;
     else if (end.truth.end != ORACLE_BUDGET) trial_complain(t, "%s: at rest, and the oracle ends by %d", how, end.truth.end);
 }
 
