@@ -80,7 +80,7 @@ typedef struct {
     const char *isa; /* "baseline", "avx2" (with FMA) or "avx512": what the processor must have */
     unsigned lanes;
     jlt_kernel_lanes rhs, jacobian, rhs_jacobian, divergence, integral_values, integral_gradients, measure_values,
-        measure_divergences, time_factor, eliminated; /* NULL where the scalar kernel is */
+        measure_divergences, time_factor, eliminated, observe_values, valid_values; /* NULL where the scalar kernel is */
     jlt_kernel_stages stages, stages_clock;
     jlt_kernel_lanes_jet jet;
 } jlt_kernel_batch;
@@ -91,6 +91,10 @@ typedef struct {
     const char *name;
     const char *condition; /* the `when` clause, "" when it holds always */
 } jlt_named;
+
+typedef struct {
+    const char *name, *unit, *meaning; /* unit and meaning "" when not said */
+} jlt_validity;
 
 /** A family of equilibria: some states given in terms of the others, under conditions on parameters. All its kernels
  *  take unprepared parameters that already satisfy the condition (see `impose`). */
@@ -149,6 +153,12 @@ typedef struct jlt_descriptor {
     jlt_kernel measure_divergences; /* div(rho f), shape (measures,) */
     jlt_kernel time_factor;         /* dt/dtau, shape (1,); call NULL in the model's own time */
     jlt_kernel eliminated;          /* the eliminated state, shape (1,); call NULL when none is */
+    unsigned observe_count;         /* these four on the general field with all its states, in any of its times */
+    const jlt_quantity *observes;   /* what the table says to look at along orbits; bounds -INFINITY and INFINITY */
+    jlt_kernel observe_values;      /* shape (observes,) */
+    unsigned valid_count;
+    const jlt_validity *valids;     /* conditions under which the model holds */
+    jlt_kernel valid_values;        /* shape (valids,); the model holds where all are > 0 */
     jlt_kernel_jet jet;
     jlt_kernel_complex rhs_complex;
     const jlt_kernel_batch *batches[JLT_ISA_COUNT]; /* widest last; call only what the processor has. NULL where the file

@@ -83,6 +83,12 @@ static void add_output_name(survey *s, size_t index)
     case TTC_KERNEL_ELIMINATED:
         ttc_text_add(s->text, model->symbols[field->elimination->state].name);
         break;
+    case TTC_KERNEL_OBSERVE_VALUES:
+        ttc_text_add(s->text, model->symbols[model->observed[index]].name);
+        break;
+    case TTC_KERNEL_VALID_VALUES:
+        ttc_text_add(s->text, model->validities[index].name);
+        break;
     default:
         ttc_text_add(s->text, "the divergence");
         break;

@@ -216,6 +216,19 @@ static void add_names(ttc_text *text, const char *name, ttc_field *field, const 
     ttc_text_add(text, "};\n\n");
 }
 
+static void add_validities(ttc_text *text, const ttc_model *model)
+{
+    ttc_text_add(text, "static const jlt_validity valids[] = {\n");
+    for (size_t i = 0; i < model->validity_count; i++) {
+        ttc_text_format(text, "    { \"%s\", \"", model->validities[i].name);
+        ttc_text_add_escaped(text, or_empty(model->validities[i].unit));
+        ttc_text_add(text, "\", \"");
+        ttc_text_add_escaped(text, or_empty(model->validities[i].meaning));
+        ttc_text_add(text, "\" },\n");
+    }
+    ttc_text_add(text, "};\n\n");
+}
+
 static void add_count(ttc_text *text, ttc_count c)
 {
     ttc_text_format(text, "{ %u, %u, %u, %u, %u, %u, %u, %u }", c.add, c.multiply, c.fma, c.divide, c.root, c.elementary,
@@ -276,6 +289,10 @@ static void add_descriptor(ttc_text *text, ttc_kernels *k)
     if (field->variant != NULL) ttc_text_add(text, "    .impose = impose,\n");
     ttc_text_add(text, "    .prepare = prepare,\n");
     for (int kind = 0; kind < TTC_KERNEL_KINDS; kind++) add_kernel_member(text, k, (ttc_kernel_kind)kind);
+    if (k->kernels[TTC_KERNEL_OBSERVE_VALUES].count > 0)
+        ttc_text_format(text, "    .observe_count = %zu, .observes = observes,\n", model->observed_count);
+    if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0)
+        ttc_text_format(text, "    .valid_count = %zu, .valids = valids,\n", model->validity_count);
     ttc_text_format(text, "    .integral_count = %zu, .measure_count = %zu, .equilibria_count = %zu,\n", k->integral_count,
                     k->measure_count, k->family_count);
     if (k->integral_count > 0) ttc_text_add(text, "    .integrals = integrals,\n");
@@ -326,6 +343,9 @@ bool ttc_emit_descriptor(ttc_text *text, ttc_kernels *k)
     add_quantities(text, "params", field, field->params, field->param_count);
     add_names(text, "integrals", k->field, k->integrals, k->integral_count);
     add_names(text, "measures", k->field, k->measures, k->measure_count);
+    if (k->kernels[TTC_KERNEL_OBSERVE_VALUES].count > 0)
+        add_quantities(text, "observes", field, field->model->observed, field->model->observed_count);
+    if (k->kernels[TTC_KERNEL_VALID_VALUES].count > 0) add_validities(text, field->model);
     add_descriptor(text, k);
     return !text->failed;
 }

@@ -8,7 +8,7 @@ const char *ttc_kernel_name(ttc_kernel_kind kind)
 {
     static const char *const names[] = { "rhs", "jacobian", "rhs_jacobian", "divergence", "integral_values",
                                          "integral_gradients", "measure_values", "measure_divergences", "time_factor",
-                                         "eliminated" };
+                                         "eliminated", "observe_values", "valid_values" };
     return names[kind];
 }
 
@@ -151,6 +151,21 @@ static bool add_measure_kernels(ttc_kernels *k)
     return !k->field->failed;
 }
 
+/* Of the general field with all its states, from which these follow in every other. */
+static bool add_observed_kernels(ttc_kernels *k)
+{
+    ttc_field *field = k->field;
+    const ttc_model *model = field->model;
+    if (field->variant != NULL || field->elimination != NULL) return true;
+    if (!reserve(k, TTC_KERNEL_OBSERVE_VALUES, model->observed_count) || !reserve(k, TTC_KERNEL_VALID_VALUES, model->validity_count))
+        return false;
+    for (size_t i = 0; i < model->observed_count; i++)
+        append(k, TTC_KERNEL_OBSERVE_VALUES, ttc_field_specialise(field, model->symbols[model->observed[i]].node));
+    for (size_t i = 0; i < model->validity_count; i++)
+        append(k, TTC_KERNEL_VALID_VALUES, ttc_field_specialise(field, model->validities[i].expression));
+    return !field->failed;
+}
+
 ttc_purpose ttc_kernel_purpose(ttc_kernel_kind kind) { return kind <= TTC_KERNEL_DIVERGENCE ? TTC_FOR_STEPS : TTC_FOR_POINTS; }
 
 ttc_id *ttc_kernels_jet_outputs(const ttc_kernels *kernels)
@@ -201,7 +216,8 @@ ttc_kernels *ttc_kernels_create(ttc_field *field, ttc_effort effort)
     k->field = field;
     k->effort = effort;
     bool serves_families = field->time == NULL && field->elimination == NULL;
-    bool ok = add_field_kernels(k) && add_gathered(k) && add_integral_kernels(k) && add_measure_kernels(k);
+    bool ok = add_field_kernels(k) && add_gathered(k) && add_integral_kernels(k) && add_measure_kernels(k)
+              && add_observed_kernels(k);
     if (ok && serves_families) {
         k->families = claims_of_kind(k, TTC_CLAIM_EQUILIBRIA, &k->family_count);
         ok = k->families != NULL;

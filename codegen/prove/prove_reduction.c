@@ -84,6 +84,36 @@ static void chain_rule(ttc_task *task, const ttc_model *target, ttc_valuation *m
     ttc_ratio_clear(task->ring, &left);
 }
 
+static void require_alike(ttc_task *task, ttc_valuation *map, ttc_id own, ttc_id theirs, const char *what, const char *name)
+{
+    ttc_ratio left, right;
+    ttc_ratio_init(task->ring, &left);
+    ttc_ratio_init(task->ring, &right);
+    ttc_evaluate(task->field, &left, own);
+    ttc_evaluate(map, &right, theirs);
+    ttc_ratio_subtract(task->ring, &left, &left, &right);
+    if (ttc_task_open(task)) ttc_task_require_zero(task, &left, "%s %s here - there", what, name);
+    ttc_ratio_clear(task->ring, &right);
+    ttc_ratio_clear(task->ring, &left);
+}
+
+/* What both models observe, or hold valid, under one name is one quantity. */
+static void require_same_observations(ttc_task *task, const ttc_model *target, ttc_valuation *map)
+{
+    const ttc_model *model = task->model;
+    for (size_t i = 0; i < model->observed_count; i++)
+        for (size_t k = 0; k < target->observed_count && ttc_task_open(task); k++) {
+            const ttc_symbol_entry *own = model->symbols + model->observed[i], *theirs = target->symbols + target->observed[k];
+            if (strcmp(own->name, theirs->name) == 0) require_alike(task, map, own->node, theirs->node, "observe", own->name);
+        }
+    for (size_t i = 0; i < model->validity_count; i++)
+        for (size_t k = 0; k < target->validity_count && ttc_task_open(task); k++) {
+            const ttc_validity *own = model->validities + i, *theirs = target->validities + k;
+            if (strcmp(own->name, theirs->name) == 0)
+                require_alike(task, map, own->expression, theirs->expression, "valid", own->name);
+        }
+}
+
 /* The rows of a matrix of ratios that are linearly independent, by elimination in the field; the matrix is used up.
  * minor *= the minor that shows it, up to its sign. */
 static size_t rank_of(ttc_task *task, ttc_ratio *matrix, size_t rows, size_t columns, ttc_ratio *minor)
@@ -245,6 +275,7 @@ static void prove_onto(ttc_task *task, const ttc_model *target)
         if (entry->kind == TTC_PARAM) check_parameter(task, entry, expression);
     }
     chain_rule(task, target, map);
+    require_same_observations(task, target, map);
     if (ttc_task_open(task)) require_dimension(task, target);
     ttc_valuation_destroy(map);
 }

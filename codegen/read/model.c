@@ -44,6 +44,13 @@ void ttc_model_destroy(ttc_model *model)
     free(model->times);
     free(model->eliminations);
     for (size_t i = 0; i < model->region_count; i++) free(model->regions[i].name);
+    for (size_t i = 0; i < model->validity_count; i++) {
+        free(model->validities[i].name);
+        free(model->validities[i].unit);
+        free(model->validities[i].meaning);
+    }
+    free(model->validities);
+    free(model->observed);
     free(model->claims);
     free(model->regions);
     free(model->divisors);

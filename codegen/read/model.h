@@ -134,13 +134,21 @@ typedef struct {
     ttc_place place;
 } ttc_region;
 
+/* `valid NAME : expression > 0`: the model holds while it is. */
+typedef struct {
+    char *name, *unit, *meaning; /* unit and meaning may be NULL */
+    ttc_id expression;
+    ttc_place place;
+} ttc_validity;
+
 /* What a table divides by, as it is written, before anything is cancelled: it is not zero on the domain. */
 typedef enum {
     TTC_DIVIDES_FIELD,  /* in an equation, an interval or a domain record: wherever the model is looked at */
     TTC_DIVIDES_SYMBOL, /* in the definition of symbol `owner`: wherever that is used */
     TTC_DIVIDES_CLAIM,  /* in claim `owner` */
     TTC_DIVIDES_VARIANT,
-    TTC_DIVIDES_TIME
+    TTC_DIVIDES_TIME,
+    TTC_DIVIDES_VALID   /* in validity `owner`, which is looked at where it is defined, and nowhere else */
 } ttc_divisor_role;
 
 typedef struct {
@@ -178,6 +186,10 @@ typedef struct ttc_model {
     size_t claim_count;
     ttc_region *regions;
     size_t region_count;
+    uint32_t *observed; /* lets that `observe` defines or names */
+    size_t observed_count;
+    ttc_validity *validities;
+    size_t validity_count;
     ttc_divisor *divisors;
     size_t divisor_count;
     ttc_use *uses;
@@ -225,6 +237,10 @@ void ttc_model_close_uses(const ttc_model *model, unsigned char *used);
 /** Partial derivative with respect to a state (or parameter), through definitions by the chain rule; lets
  *  themselves stay as they are in the factors. */
 ttc_id ttc_model_partial(const ttc_model *model, ttc_id id, uint32_t symbol);
+
+/** Rate of an expression along the flow of the table's equations, which must be complete; each term of an equation is multiplied
+ *  by itself, so that factors cancel in it. TTC_NONE, with the graph's error set, when that fails. */
+ttc_id ttc_model_rate(const ttc_model *model, ttc_id id);
 
 /* The k-th equation's right-hand side: the sum of its terms. */
 ttc_id ttc_model_field(const ttc_model *model, size_t k);

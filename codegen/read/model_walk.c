@@ -62,6 +62,30 @@ ttc_id ttc_model_partial(const ttc_model *model, ttc_id id, uint32_t symbol)
     return ttc_derivative_through(model->graph, id, any_definition, slope, &f);
 }
 
+/* out + factor * term, over the parts of the factor where it is a sum. */
+static ttc_id add_products(ttc_graph *graph, ttc_id out, ttc_id factor, ttc_id term)
+{
+    if (ttc_kind_of(graph, factor) != TTC_SUM) return ttc_add(graph, out, ttc_multiply(graph, factor, term));
+    out = ttc_add(graph, out, ttc_scale(graph, term, ttc_coefficient(graph, factor)));
+    for (size_t i = 0; out != TTC_NONE && i < ttc_part_count(graph, factor); i++) {
+        const ttc_part part = ttc_part_at(graph, factor, i);
+        out = ttc_add(graph, out, ttc_scale(graph, ttc_multiply(graph, part.id, term), part.coefficient));
+    }
+    return out;
+}
+
+ttc_id ttc_model_rate(const ttc_model *model, ttc_id id)
+{
+    ttc_id rate = ttc_integer(model->graph, 0);
+    for (size_t i = 0; rate != TTC_NONE && i < model->state_count; i++) {
+        const ttc_id partial = ttc_model_partial(model, id, model->states[i]);
+        if (partial == TTC_NONE) return TTC_NONE;
+        for (size_t k = 0; rate != TTC_NONE && k < model->equations[i].term_count; k++)
+            rate = add_products(model->graph, rate, partial, model->equations[i].terms[k].expression);
+    }
+    return rate;
+}
+
 unsigned char *ttc_model_support(const ttc_model *model, const ttc_id *ids, size_t count)
 {
     ttc_id last = TTC_NONE;

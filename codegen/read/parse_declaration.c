@@ -28,23 +28,22 @@ bool ttc_parse_title(ttc_parser *parser, const ttc_token *keyword)
     return true;
 }
 
-/* [unit] "meaning", both optional */
-static bool parse_unit_and_meaning(ttc_parser *parser, uint32_t symbol)
+bool ttc_parse_unit_and_meaning(ttc_parser *parser, char **unit, char **meaning)
 {
     const ttc_token *token = ttc_parse_peek(parser);
     if (token->kind == TTC_TOKEN_UNIT) {
-        char *unit = ttc_parse_copy(parser, token->text, token->length);
-        if (unit == NULL) return false;
-        parser->model->symbols[symbol].unit = unit;
+        if ((*unit = ttc_parse_copy(parser, token->text, token->length)) == NULL) return false;
         token = parser->tokens + ++parser->at;
     }
-    if (token->kind == TTC_TOKEN_STRING) {
-        char *meaning = ttc_parse_copy(parser, token->text, token->length);
-        if (meaning == NULL) return false;
-        parser->model->symbols[symbol].meaning = meaning;
-        parser->at++;
-    }
-    return true;
+    if (token->kind != TTC_TOKEN_STRING) return true;
+    parser->at++;
+    return (*meaning = ttc_parse_copy(parser, token->text, token->length)) != NULL;
+}
+
+static bool parse_unit_and_meaning(ttc_parser *parser, uint32_t symbol)
+{
+    ttc_symbol_entry *entry = parser->model->symbols + symbol;
+    return ttc_parse_unit_and_meaning(parser, &entry->unit, &entry->meaning);
 }
 
 static bool append_index(ttc_parser *parser, uint32_t **list, size_t *count, uint32_t index)
@@ -353,6 +352,17 @@ bool ttc_parse_default(ttc_parser *parser)
     return true;
 }
 
+bool ttc_parse_positive(ttc_parser *parser, const char *rule)
+{
+    char expected[80];
+    if (!ttc_parse_expect_mark(parser, '>', "the expression")) return false;
+    const ttc_token *zero = ttc_parse_peek(parser);
+    snprintf(expected, sizeof expected, "0: %s", rule);
+    if (zero->kind != TTC_TOKEN_NUMBER || zero->length != 1 || *zero->text != '0') return ttc_parse_unexpected(parser, expected);
+    parser->at++;
+    return true;
+}
+
 /* NAME : expr > 0 */
 bool ttc_parse_region(ttc_parser *parser)
 {
@@ -366,11 +376,7 @@ bool ttc_parse_region(ttc_parser *parser)
     if (model->region_count >= TTC_REGION_LIMIT)
         return ttc_parse_error(parser, ttc_token_place(name), "too many domain records (expected at most %d)", TTC_REGION_LIMIT);
     ttc_id expression = ttc_parse_expression(parser);
-    if (expression == TTC_NONE || !ttc_parse_expect_mark(parser, '>', "the expression")) return false;
-    const ttc_token *zero = ttc_parse_peek(parser);
-    if (zero->kind != TTC_TOKEN_NUMBER || zero->length != 1 || *zero->text != '0')
-        return ttc_parse_unexpected(parser, "0: a domain is where an expression is > 0");
-    parser->at++;
+    if (expression == TTC_NONE || !ttc_parse_positive(parser, "a domain is where an expression is > 0")) return false;
     ttc_region *regions = ttc_parse_extend(model->regions, model->region_count, sizeof *regions);
     if (regions == NULL) return ttc_parse_no_memory(parser);
     model->regions = regions;

@@ -3,7 +3,7 @@
  *      expr   := [+|-] term { (+|-) term }
  *      term   := factor { (*|/) factor }
  *      factor := base [ ^ integer ]
- *      base   := number | name | ( expr )
+ *      base   := number | name | ( expr ) | rate ( expr )
  *
  * Recursion goes through parentheses alone, which are counted. Sums and products are built at once from all their parts. */
 #include "read/parser.h"
@@ -131,6 +131,7 @@ static ttc_id parse_base(ttc_parser *parser)
     }
     if (token->kind == TTC_TOKEN_NAME) {
         parser->at++;
+        if (ttc_parse_at_mark(parser, '(') && token->keyword == TTC_KEYWORD_RATE) return ttc_parse_rate(parser, token);
         if (ttc_parse_at_mark(parser, '(')) {
             ttc_parse_unexpected(parser, token->keyword == TTC_KEYWORD_EXP || token->keyword == TTC_KEYWORD_LOG
                                              ? "an operator: a function gets a name by its own record, such as 'exp e = exp(x)'"
@@ -139,12 +140,15 @@ static ttc_id parse_base(ttc_parser *parser)
         }
         return parse_symbol(parser, token);
     }
-    if (!ttc_parse_at_mark(parser, '(')) {
-        ttc_parse_unexpected(parser, "a number, a name or '('");
-        return TTC_NONE;
-    }
+    if (ttc_parse_at_mark(parser, '(')) return ttc_parse_parentheses(parser);
+    ttc_parse_unexpected(parser, "a number, a name or '('");
+    return TTC_NONE;
+}
+
+ttc_id ttc_parse_parentheses(ttc_parser *parser)
+{
     if (parser->nesting >= TTC_NESTING_LIMIT) {
-        ttc_parse_error(parser, ttc_token_place(token), "parentheses nest too deep (expected at most %d)", TTC_NESTING_LIMIT);
+        ttc_parse_error(parser, ttc_token_place(ttc_parse_peek(parser)), "parentheses nest too deep (expected at most %d)", TTC_NESTING_LIMIT);
         return TTC_NONE;
     }
     parser->at++;

@@ -173,6 +173,10 @@ static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
         return ttc_parse_kernel(parser, keyword);
     case TTC_KEYWORD_DOMAIN:
         return ttc_parse_region(parser);
+    case TTC_KEYWORD_OBSERVE:
+        return ttc_parse_observe(parser);
+    case TTC_KEYWORD_VALID:
+        return ttc_parse_valid(parser);
     case TTC_KEYWORD_NONE:
         return false; /* reported by the lexer */
     default:
@@ -181,18 +185,18 @@ static bool parse_record(ttc_parser *parser, const ttc_token *keyword)
 }
 
 typedef struct {
-    size_t symbols, claims, variants, times;
+    size_t symbols, claims, variants, times, validities;
 } record_counts;
 
 static record_counts counts_of(const ttc_model *model)
 {
-    return (record_counts){ model->symbol_count, model->claim_count, model->variant_count, model->time_count };
+    return (record_counts){ model->symbol_count, model->claim_count, model->variant_count, model->time_count, model->validity_count };
 }
 
 static bool defines_by_expression(ttc_keyword keyword)
 {
     return keyword == TTC_KEYWORD_LET || keyword == TTC_KEYWORD_ROOT || keyword == TTC_KEYWORD_ANGLE || keyword == TTC_KEYWORD_EXP
-           || keyword == TTC_KEYWORD_LOG;
+           || keyword == TTC_KEYWORD_LOG || keyword == TTC_KEYWORD_OBSERVE;
 }
 
 /* What the record divides by, and names, belongs to what the record has made. */
@@ -204,6 +208,7 @@ static void keep_divisors(ttc_parser *parser, ttc_keyword keyword, record_counts
     if (now.claims > before.claims) d = (ttc_divisor){ .role = TTC_DIVIDES_CLAIM, .owner = (uint32_t)before.claims };
     else if (now.variants > before.variants) d = (ttc_divisor){ .role = TTC_DIVIDES_VARIANT, .owner = (uint32_t)before.variants };
     else if (now.times > before.times) d = (ttc_divisor){ .role = TTC_DIVIDES_TIME, .owner = (uint32_t)before.times };
+    else if (now.validities > before.validities) d = (ttc_divisor){ .role = TTC_DIVIDES_VALID, .owner = (uint32_t)before.validities };
     else if (now.symbols > before.symbols && defines_by_expression(keyword))
         d = (ttc_divisor){ .role = TTC_DIVIDES_SYMBOL, .owner = (uint32_t)now.symbols - 1 };
     for (size_t i = 0; i < parser->divisor_count; i++) {

@@ -48,6 +48,7 @@ typedef struct {
     size_t operand_count, operand_capacity;
     unsigned nesting;
     bool in_charpoly; /* `lambda` is the indeterminate */
+    bool may_rate;    /* rate(expression) may stand here */
 
     ttc_id *divisors; /* of the record at hand, as written */
     size_t divisor_count;
@@ -83,6 +84,9 @@ bool ttc_parse_divides(ttc_parser *parser, ttc_id divisor); /* notes a divisor o
 ttc_id ttc_parse_expression(ttc_parser *parser);
 /* The terms of a sum, left on the operand stack from the returned index on; SIZE_MAX after a report. */
 size_t ttc_parse_terms(ttc_parser *parser);
+ttc_id ttc_parse_parentheses(ttc_parser *parser); /* '(' is at hand */
+/* What follows the name `rate`: the rate of (expression) along the flow. */
+ttc_id ttc_parse_rate(ttc_parser *parser, const ttc_token *name);
 ttc_id ttc_parse_number(ttc_parser *parser, const ttc_token *token);
 ttc_id ttc_parse_graph_error(ttc_parser *parser, ttc_place place); /* reports the graph's error; always TTC_NONE */
 bool ttc_parse_measure(ttc_parser *parser, ttc_id id, ttc_place place); /* expansion within its limit */
@@ -111,6 +115,10 @@ bool ttc_parse_default(ttc_parser *parser);
 bool ttc_parse_kernel(ttc_parser *parser, const ttc_token *keyword); /* variant, time, eliminate */
 bool ttc_parse_claim(ttc_parser *parser, const ttc_token *keyword);
 bool ttc_parse_region(ttc_parser *parser); /* domain */
+bool ttc_parse_observe(ttc_parser *parser);
+bool ttc_parse_valid(ttc_parser *parser);
+bool ttc_parse_unit_and_meaning(ttc_parser *parser, char **unit, char **meaning); /* [unit] "meaning", both optional */
+bool ttc_parse_positive(ttc_parser *parser, const char *rule); /* > 0 */
 
 /* When every record is read: references, eliminations, completeness, names never used. */
 void ttc_parse_resolve(ttc_parser *parser);

@@ -119,6 +119,10 @@ static bool from_model(proof *p, ttc_ratio *out, ttc_kernel_kind kind, size_t in
         ttc_ratio_set(ring, out, &factor);
     } else if (kind == TTC_KERNEL_ELIMINATED) {
         ttc_evaluate(v, out, model->symbols[field->elimination->state].node);
+    } else if (kind == TTC_KERNEL_OBSERVE_VALUES) {
+        ttc_evaluate(v, out, model->symbols[model->observed[index]].node);
+    } else if (kind == TTC_KERNEL_VALID_VALUES) {
+        ttc_evaluate(v, out, model->validities[index].expression);
     } else if (kind == TTC_KERNEL_INTEGRAL_VALUES) {
         ttc_evaluate(v, out, model->claims[p->kernels->integrals[index]].expression);
     } else if (kind == TTC_KERNEL_MEASURE_VALUES) {

@@ -63,6 +63,11 @@ bool ttc_show_text(FILE *stream, const ttc_model *model)
     if (!show_definitions(stream, model, TTC_NOTATION_TEXT)) return false;
     fputs("\n# equations\n", stream);
     if (!show_equations(stream, model, TTC_NOTATION_TEXT)) return false;
+    for (size_t i = 0; i < model->validity_count; i++) {
+        fprintf(stream, "%s%s: ", i == 0 ? "\n# the model holds where\n" : "", model->validities[i].name);
+        if (!ttc_print(stream, model, model->validities[i].expression, TTC_NOTATION_TEXT)) return false;
+        fputs(" > 0\n", stream);
+    }
     fputs("\n# Jacobian, entries that are not zero: J[i, k] = d(d i/dt)/d k\n", stream);
     return show_jacobian(stream, model, TTC_NOTATION_TEXT);
 }

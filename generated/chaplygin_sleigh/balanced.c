@@ -274,6 +274,8 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_balanced = {
         "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 3, .measure_count = 1, .equilibria_count = 1,
     .integrals = integrals,
     .measures = measures,

@@ -278,6 +278,8 @@ const jlt_descriptor jlt_kernels_chaplygin_sleigh_general = {
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

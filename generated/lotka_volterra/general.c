@@ -266,6 +266,8 @@ const jlt_descriptor jlt_kernels_lotka_volterra_general = {
         "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 1, .measure_count = 1, .equilibria_count = 1,
     .integrals = integrals,
     .measures = measures,

@@ -212,6 +212,8 @@ const jlt_descriptor jlt_kernels_nose_hoover_general = {
         "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 0, .measure_count = 1, .equilibria_count = 0,
     .measures = measures,
 #ifndef JLT_WITHOUT_BALLS

@@ -390,6 +390,8 @@ const jlt_descriptor jlt_kernels_restricted_three_body_general = {
         "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 1, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,

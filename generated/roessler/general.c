@@ -229,6 +229,8 @@ const jlt_descriptor jlt_kernels_roessler_general = {
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 0, .measure_count = 0, .equilibria_count = 1,
     .equilibria = equilibria,
 #ifndef JLT_WITHOUT_BALLS

@@ -644,6 +644,8 @@ const jlt_descriptor jlt_kernels_routh_sphere_balanced = {
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; divides by h: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in -K*(m*R^2*I1 - m*R^2*I3 - m*R^2*(I1 - I3))" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 3, .measure_count = 1, .equilibria_count = 1,
     .integrals = integrals,
     .measures = measures,

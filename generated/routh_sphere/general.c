@@ -979,6 +979,8 @@ const jlt_descriptor jlt_kernels_routh_sphere_general = {
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; divides by K: values and rounding errors grow without bound where it vanishes; divides by h: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; takes h = sqrt(Theta): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*(2*R*a3) + R^2 + a3^2, K = m*(gamma3*(2*R*a3) + R^2 + a3^2) + I1, b/R = gamma3 + a3/R, gamma3*(R*(I1 - I3)) - (a3*I3), ((1)/K*Theta)*Theta*(2*a3) - (gamma3*(R*(I1 - I3)) - (a3*I3))*1/Theta, d(Theta)/d(gamma3) = b/R*(2*m*R^2*I3) - gamma3*(2*m*R^2*I1), 1/Theta*K*d(Theta)/d(gamma3) + 4*m*R*a3, a part of div(rho f)" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 3, .measure_count = 1, .equilibria_count = 2,
     .integrals = integrals,
     .measures = measures,

@@ -784,6 +784,8 @@ const jlt_descriptor jlt_kernels_routh_sphere_general_in_regular = {
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I3 = I1
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
+ *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -242,62 +242,62 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t5 = JLT_FMA(p[8], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
     const double t6 = x[5]*x[4]; /* s*omega3 */
     const double t7 = t4*t5; /* omega_n*gamma3*V/R */
-    const double t8 = x[2]*p[6]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
-    const double t9 = JLT_FMS(t6, t8, t7); /* numerator of d(omega_n)/dt over Theta/(m*R^2*I1) = s*omega3*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) - omega_n*gamma3*V/R */
-    const double t10 = t3*t9; /* 1/(Theta/(m*R^2*I1))*numerator of d(omega_n)/dt over Theta/(m*R^2*I1) */
-    const double t11 = t3*t8; /* 1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
-    const double t12 = JLT_FMA(x[2], t4, t10); /* omega_tau*omega_n*gamma3 + t10 */
-    out[3] = t12;
-    const double t13 = x[5]*t11; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
-    out[28] = t13;
-    const double t14 = x[4]*t11; /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
-    const double t15 = x[5]*x[3]; /* s*omega_n */
-    const double t16 = p[1]*t15; /* R*s*omega_n */
-    out[16] = t16;
-    const double t17 = -t15; /* -s*omega_n */
-    out[22] = t17;
-    const double t18 = t3*t15; /* 1/(Theta/(m*R^2*I1))*s*omega_n */
-    const double t19 = p[9]*t18; /* (-1/R)*1/(Theta/(m*R^2*I1))*s*omega_n */
-    out[31] = t19;
-    const double t20 = -t18; /* -1/(Theta/(m*R^2*I1))*s*omega_n */
-    out[32] = t20;
-    const double t21 = t3*t5; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t22 = t5*t18; /* V/R*1/(Theta/(m*R^2*I1))*s*omega_n */
-    const double t23 = -t22; /* -V/R*1/(Theta/(m*R^2*I1))*s*omega_n */
-    out[4] = t23;
-    const double t24 = x[5]*x[2]; /* s*omega_tau */
-    const double t25 = x[5]*t24; /* s*s*omega_tau */
-    out[0] = t25;
-    const double t26 = 2.0*t24; /* 2*s*omega_tau */
-    out[11] = t26;
-    const double t27 = -t24; /* -s*omega_tau */
-    out[36] = t27;
-    const double t28 = x[0]*t24; /* gamma3*s*omega_tau */
-    const double t29 = -t28; /* -gamma3*s*omega_tau */
-    out[5] = t29;
-    const double t30 = t4 + t6; /* omega_n*gamma3 + s*omega3 */
-    const double t31 = x[3]*t30; /* omega_n*(omega_n*gamma3 + s*omega3) */
-    const double t32 = p[1]*t31; /* R*omega_n*(omega_n*gamma3 + s*omega3) */
-    out[1] = t32;
-    const double t33 = -t31; /* -omega_n*(omega_n*gamma3 + s*omega3) */
-    out[2] = t33;
-    const double t34 = x[2] - t21; /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
-    const double t35 = x[0]*t34; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    out[27] = t35;
-    const double t36 = x[3]*t34; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t37 = 2.0*t3; /* 2*1/(Theta/(m*R^2*I1)) */
-    const double t38 = t10*t37; /* t10*2*1/(Theta/(m*R^2*I1)) */
-    const double t39 = JLT_FNMA(x[0], t38, t36); /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) - gamma3*t10*2*1/(Theta/(m*R^2*I1)) */
-    out[24] = t39;
-    const double t40 = JLT_FNMA(x[5], t38, t14); /* t14 - s*t10*2*1/(Theta/(m*R^2*I1)) */
-    out[29] = t40;
-    const double t41 = x[5]*t21; /* s*1/(Theta/(m*R^2*I1))*V/R */
-    const double t42 = x[3]*t21; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    const double t43 = -t41; /* -s*1/(Theta/(m*R^2*I1))*V/R */
-    out[33] = t43;
-    const double t44 = 2.0*t41; /* 2*s*1/(Theta/(m*R^2*I1))*V/R */
-    const double t45 = JLT_FMS(t18, t44, t42); /* 1/(Theta/(m*R^2*I1))*s*omega_n*2*s*1/(Theta/(m*R^2*I1))*V/R - omega_n*1/(Theta/(m*R^2*I1))*V/R */
-    out[35] = t45;
+    const double t8 = t3*t5; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t9 = x[2]*p[6]; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t10 = JLT_FMS(t6, t9, t7); /* numerator of d(omega_n)/dt over Theta/(m*R^2*I1) = s*omega3*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) - omega_n*gamma3*V/R */
+    const double t11 = t3*t10; /* 1/(Theta/(m*R^2*I1))*numerator of d(omega_n)/dt over Theta/(m*R^2*I1) */
+    const double t12 = t3*t9; /* 1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t13 = JLT_FMA(x[2], t4, t11); /* omega_tau*omega_n*gamma3 + t11 */
+    out[3] = t13;
+    const double t14 = x[5]*t12; /* s*1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    out[28] = t14;
+    const double t15 = x[4]*t12; /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1) */
+    const double t16 = x[5]*x[2]; /* s*omega_tau */
+    const double t17 = x[5]*t16; /* s*s*omega_tau */
+    out[0] = t17;
+    const double t18 = 2.0*t16; /* 2*s*omega_tau */
+    out[11] = t18;
+    const double t19 = -t16; /* -s*omega_tau */
+    out[36] = t19;
+    const double t20 = x[0]*t16; /* gamma3*s*omega_tau */
+    const double t21 = -t20; /* -gamma3*s*omega_tau */
+    out[5] = t21;
+    const double t22 = t4 + t6; /* omega_n*gamma3 + s*omega3 */
+    const double t23 = x[3]*t22; /* omega_n*(omega_n*gamma3 + s*omega3) */
+    const double t24 = p[1]*t23; /* R*omega_n*(omega_n*gamma3 + s*omega3) */
+    out[1] = t24;
+    const double t25 = -t23; /* -omega_n*(omega_n*gamma3 + s*omega3) */
+    out[2] = t25;
+    const double t26 = x[5]*x[3]; /* s*omega_n */
+    const double t27 = p[1]*t26; /* R*s*omega_n */
+    out[16] = t27;
+    const double t28 = -t26; /* -s*omega_n */
+    out[22] = t28;
+    const double t29 = x[2] - t8; /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
+    const double t30 = x[0]*t29; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    out[27] = t30;
+    const double t31 = x[3]*t29; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t32 = 2.0*t3; /* 2*1/(Theta/(m*R^2*I1)) */
+    const double t33 = t11*t32; /* t11*2*1/(Theta/(m*R^2*I1)) */
+    const double t34 = JLT_FNMA(x[0], t33, t31); /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) - gamma3*t11*2*1/(Theta/(m*R^2*I1)) */
+    out[24] = t34;
+    const double t35 = JLT_FNMA(x[5], t33, t15); /* t15 - s*t11*2*1/(Theta/(m*R^2*I1)) */
+    out[29] = t35;
+    const double t36 = x[5]*t8; /* s*1/(Theta/(m*R^2*I1))*V/R */
+    const double t37 = -t36; /* -s*1/(Theta/(m*R^2*I1))*V/R */
+    out[33] = t37;
+    const double t38 = 2.0*t36; /* 2*s*1/(Theta/(m*R^2*I1))*V/R */
+    const double t39 = t8*t26; /* 1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
+    const double t40 = -t39; /* -1/(Theta/(m*R^2*I1))*V/R*s*omega_n */
+    out[4] = t40;
+    const double t41 = t3*t26; /* 1/(Theta/(m*R^2*I1))*s*omega_n */
+    const double t42 = x[3]*t8; /* omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    const double t43 = JLT_FMS(t38, t41, t42); /* 2*s*1/(Theta/(m*R^2*I1))*V/R*1/(Theta/(m*R^2*I1))*s*omega_n - omega_n*1/(Theta/(m*R^2*I1))*V/R */
+    out[35] = t43;
+    const double t44 = p[9]*t41; /* (-1/R)*1/(Theta/(m*R^2*I1))*s*omega_n */
+    out[31] = t44;
+    const double t45 = -t41; /* -1/(Theta/(m*R^2*I1))*s*omega_n */
+    out[32] = t45;
     const double t46 = x[3]*x[3]; /* omega_n*omega_n */
     const double t47 = p[1]*t46; /* R*omega_n*omega_n */
     out[12] = t47;
@@ -308,7 +308,7 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t51 = JLT_FMA(t3, t50, t4); /* 1/(Theta/(m*R^2*I1))*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau)/(m*R^2*I1) + omega_n*gamma3 */
     out[26] = t51;
     const double t52 = t3*t4; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t53 = t44*t52; /* 2*s*1/(Theta/(m*R^2*I1))*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t53 = t38*t52; /* 2*s*1/(Theta/(m*R^2*I1))*V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
     out[30] = t53;
     const double t54 = p[9]*t52; /* (-1/R)*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
     out[25] = t54;
@@ -557,7 +557,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
+    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 6, .param_count = 6, .block_count = 19,
@@ -582,6 +582,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular = {
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 4, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

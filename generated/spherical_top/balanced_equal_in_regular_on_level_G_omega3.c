@@ -4,13 +4,13 @@
  *  Variant:    balanced_equal: a3 = 0, I3 = I1
  *  Time:       regular: dt = (s) dtau; states of their own: s
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
+ *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 1   13    7    1    0    0      8    6   (63)
- *  jacobian            8   32   13    1    0    0     11   13   (278)
- *  rhs_jacobian        10   37   12    1    0    0     12   12   (319)
+ *  jacobian            6   31   13    1    0    0     13   12   (278)
+ *  rhs_jacobian        9   37   13    1    0    0     12   12   (319)
  *  divergence          2    8    3    1    0    0      8    5   (36)
  *  integral_values     0    7    7    1    0    0      7    4   (39)
  *  integral_gradients  2   15    8    1    0    0      7    8   (72)
@@ -21,11 +21,11 @@
  *    divides by gamma3: values and rounding errors grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n,
  *      1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n, V/R = (1/R)*v_nu + omega_tau,
- *      omega_tau - 1/(Theta/(m*R^2*I1))*V/R, d(d(omega_tau)/dtau)/d(omega_n),
- *      a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_tau),
+ *      omega_tau - 1/(Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dtau)/d(omega_tau),
+ *      a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s),
  *      s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3,
- *      1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n, d(omega_n)/dtau, d(d(omega_n)/dtau)/d(gamma3),
- *      d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)
+ *      1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n, d(d(omega_tau)/dtau)/d(omega_n), d(omega_n)/dtau,
+ *      d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -89,17 +89,17 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t15 = params[4]*t7; /* I1*I1*I1 */
     const double t16 = t4*t15; /* m*R*R*I1*I1*I1 */
     const double t17 = t14 + t16; /* I1*I1*m*m*R*R*R*R + m*R*R*I1*I1*I1 */
-    const double t18 = t17/t14; /* (I1*I1*m*m*R*R*R*R + m*R*R*I1*I1*I1)/(I1*I1*m*m*R*R*R*R) */
-    out[12] = t18;
-    const double t19 = params[1]*params[0]; /* R*m */
-    const double t20 = params[4]/params[1]; /* I1/R */
-    const double t21 = t19 + t20; /* R*m + I1/R */
-    const double t22 = t21/t19; /* (R*m + I1/R)/(R*m) */
-    out[13] = t22;
-    const double t23 = (-1.0)/params[1]; /* (-1)/R */
-    out[14] = t23;
-    const double t24 = t17*2.0; /* (I1*I1*m*m*R*R*R*R + m*R*R*I1*I1*I1)*2 */
-    const double t25 = t24/t14; /* (I1*I1*m*m*R*R*R*R + m*R*R*I1*I1*I1)*2/(I1*I1*m*m*R*R*R*R) */
+    const double t18 = 2.0*t17; /* 2*(I1*I1*m*m*R*R*R*R + m*R*R*I1*I1*I1) */
+    const double t19 = t18/t14; /* 2*(I1*I1*m*m*R*R*R*R + m*R*R*I1*I1*I1)/(I1*I1*m*m*R*R*R*R) */
+    out[12] = t19;
+    const double t20 = params[1]*params[0]; /* R*m */
+    const double t21 = params[4]/params[1]; /* I1/R */
+    const double t22 = t20 + t21; /* R*m + I1/R */
+    const double t23 = t22/t20; /* (R*m + I1/R)/(R*m) */
+    out[13] = t23;
+    const double t24 = (-1.0)/params[1]; /* (-1)/R */
+    out[14] = t24;
+    const double t25 = t17/t14; /* (I1*I1*m*m*R*R*R*R + m*R*R*I1*I1*I1)/(I1*I1*m*m*R*R*R*R) */
     out[15] = t25;
     const double t26 = params[4]/2.0; /* I1/2 */
     out[16] = t26;
@@ -167,68 +167,65 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t4 = 1.0/t3; /* 1/(gamma3*Theta/(m*R^2*I1)) */
     const double t5 = t2*t4; /* 1/gamma3 = Theta/(m*R^2*I1)*1/(gamma3*Theta/(m*R^2*I1)) */
     const double t6 = x[0]*t4; /* 1/(Theta/(m*R^2*I1)) = gamma3*1/(gamma3*Theta/(m*R^2*I1)) */
-    const double t7 = x[4]*x[2]; /* s*omega_tau */
-    const double t8 = 2.0*t7; /* 2*s*omega_tau */
-    out[4] = t8;
-    const double t9 = -t7; /* -s*omega_tau */
-    out[20] = t9;
-    const double t10 = JLT_FNMA(x[4], x[3], p[8]); /* G_level/(R*I1) - s*omega_n */
-    const double t11 = t5*t10; /* 1/gamma3*(G_level/(R*I1) - s*omega_n) */
-    const double t12 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t13 = x[4]*t5; /* s*1/gamma3 */
-    const double t14 = p[13]*t5; /* (m*R + I1/R)/(m*R)*1/gamma3 */
-    const double t15 = JLT_FMA(p[11], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t16 = t6*t12; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t17 = p[14]*t16; /* (-1/R)*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    out[16] = t17;
-    const double t18 = t6*t7; /* 1/(Theta/(m*R^2*I1))*s*omega_tau */
-    const double t19 = t11*t18; /* 1/gamma3*(G_level/(R*I1) - s*omega_n)*1/(Theta/(m*R^2*I1))*s*omega_tau */
-    const double t20 = JLT_FMS(x[3], t13, t11); /* omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - s*omega_n) */
-    const double t21 = JLT_FNMA(t6, t15, x[2]); /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
-    const double t22 = t15*t16; /* V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t23 = JLT_FMA(p[12], t19, t22); /* (m*R^2*I1^3 + m^2*R^4*I1^2)/(m^2*R^4*I1^2)*t19 + V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t24 = t12 - t16; /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t25 = p[10]*t6; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    const double t26 = 2.0*t6; /* 2*1/(Theta/(m*R^2*I1)) */
-    const double t27 = t23*t26; /* t23*2*1/(Theta/(m*R^2*I1)) */
-    const double t28 = t7*t25; /* s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    const double t29 = JLT_FMA(t11, t13, x[3]); /* 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n */
-    const double t30 = x[3]*t29; /* omega_n*(1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n) */
-    const double t31 = x[4]*t11; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n) */
-    const double t32 = JLT_FNMA(t25, t31, t24); /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 - (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*s*1/gamma3*(G_level/(R*I1) - s*omega_n) */
-    out[17] = t32;
-    const double t33 = x[2]*t25; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    const double t34 = t20*t33; /* (omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - s*omega_n))*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    const double t35 = JLT_FMA(x[4], t27, t34); /* s*t23*2*1/(Theta/(m*R^2*I1)) + t34 */
-    out[19] = t35;
-    const double t36 = p[1]*t30; /* R*t30 */
-    out[5] = t36;
-    const double t37 = -t30; /* -t30 */
-    out[10] = t37;
-    const double t38 = x[4]*t20; /* s*(omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - s*omega_n)) */
-    const double t39 = JLT_FMA(2.0, t12, t38); /* 2*omega_n*gamma3 + t38 */
-    const double t40 = x[3]*t20; /* omega_n*(omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - s*omega_n)) */
-    const double t41 = p[1]*t39; /* R*(2*omega_n*gamma3 + t38) */
-    out[8] = t41;
-    const double t42 = -t39; /* -(2*omega_n*gamma3 + t38) */
-    out[13] = t42;
-    const double t43 = p[1]*t40; /* R*t40 */
+    const double t7 = JLT_FNMA(x[4], x[3], p[8]); /* G_level/(R*I1) - s*omega_n */
+    const double t8 = x[4]*t5; /* s*1/gamma3 */
+    const double t9 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t10 = JLT_FMA(p[11], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t11 = t6*t10; /* 1/(Theta/(m*R^2*I1))*V/R */
+    const double t12 = t7*t8; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3 */
+    const double t13 = t5*t7; /* 1/gamma3*(G_level/(R*I1) - s*omega_n) */
+    const double t14 = JLT_FNMA(x[3], t8, t13); /* 1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3 */
+    const double t15 = x[4]*t8; /* s*s*1/gamma3 */
+    const double t16 = 2.0*t9; /* 2*omega_n*gamma3 */
+    const double t17 = x[2]*t6; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t18 = t11*t16; /* 1/(Theta/(m*R^2*I1))*V/R*2*omega_n*gamma3 */
+    const double t19 = x[2] - t11; /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
+    const double t20 = JLT_FMS(x[4], t14, t16); /* s*(1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3) - 2*omega_n*gamma3 */
+    out[13] = t20;
+    const double t21 = p[7]*t20; /* (-R)*t20 */
+    out[8] = t21;
+    const double t22 = t12*t17; /* (G_level/(R*I1) - s*omega_n)*s*1/gamma3*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t23 = JLT_FMA(p[12], t22, t18); /* 2*(m*R^2*I1^3 + m^2*R^4*I1^2)/(m^2*R^4*I1^2)*t22 + 1/(Theta/(m*R^2*I1))*V/R*2*omega_n*gamma3 */
+    const double t24 = t6*t23; /* 1/(Theta/(m*R^2*I1))*t23 */
+    const double t25 = p[10]*t17; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t26 = JLT_FMA(t5, t12, x[3]); /* 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n */
+    const double t27 = p[13]*t5; /* (m*R + I1/R)/(m*R)*1/gamma3 */
+    const double t28 = x[3]*t26; /* omega_n*(1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n) */
+    const double t29 = JLT_FMA(p[10], t12, t9); /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n*gamma3 */
+    const double t30 = JLT_FNMA(t6, t29, t9); /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*t29 */
+    out[17] = t30;
+    const double t31 = p[14]*t9; /* (-1/R)*omega_n*gamma3 */
+    const double t32 = t6*t31; /* 1/(Theta/(m*R^2*I1))*(-1/R)*omega_n*gamma3 */
+    out[16] = t32;
+    const double t33 = p[1]*t28; /* R*t28 */
+    out[5] = t33;
+    const double t34 = -t28; /* -t28 */
+    out[10] = t34;
+    const double t35 = x[3]*t19; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t36 = JLT_FMA(t22, t27, t35); /* t22*(m*R + I1/R)/(m*R)*1/gamma3 + omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t37 = JLT_FMA(x[0], t24, t36); /* gamma3*1/(Theta/(m*R^2*I1))*t23 + t36 */
+    out[15] = t37;
+    const double t38 = x[0]*t19; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t39 = JLT_FMA(t15, t25, t38); /* s*s*1/gamma3*(m*R^2*I1 + I1^2)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) + gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    out[18] = t39;
+    const double t40 = x[4]*t24; /* s*1/(Theta/(m*R^2*I1))*t23 */
+    const double t41 = JLT_FNMA(t14, t25, t40); /* s*1/(Theta/(m*R^2*I1))*t23 - (1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3)*(m*R^2*I1 + I1^2)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[19] = t41;
+    const double t42 = x[3]*t14; /* omega_n*(1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3) */
+    out[14] = t42;
+    const double t43 = p[7]*t42; /* (-R)*t42 */
     out[9] = t43;
-    const double t44 = -t40; /* -t40 */
-    out[14] = t44;
-    const double t45 = x[3]*t21; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t46 = JLT_FMA(t14, t19, t45); /* (m*R + I1/R)/(m*R)*1/gamma3*t19 + omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t47 = JLT_FMA(x[0], t27, t46); /* gamma3*t23*2*1/(Theta/(m*R^2*I1)) + t46 */
-    out[15] = t47;
-    const double t48 = x[0]*t21; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t49 = JLT_FMA(t13, t28, t48); /* s*1/gamma3*t28 + gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    out[18] = t49;
-    const double t50 = x[4]*x[0]; /* s*gamma3 */
-    const double t51 = -t50; /* -s*gamma3 */
-    out[22] = t51;
-    const double t52 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t53 = -t52; /* -omega_tau*gamma3 */
-    out[24] = t53;
+    const double t44 = x[4]*x[2]; /* s*omega_tau */
+    const double t45 = 2.0*t44; /* 2*s*omega_tau */
+    out[4] = t45;
+    const double t46 = -t44; /* -s*omega_tau */
+    out[20] = t46;
+    const double t47 = x[4]*x[0]; /* s*gamma3 */
+    const double t48 = -t47; /* -s*gamma3 */
+    out[22] = t48;
+    const double t49 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t50 = -t49; /* -omega_tau*gamma3 */
+    out[24] = t50;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -261,57 +258,57 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[25] = t13;
     const double t14 = x[3]*x[0]; /* omega_n*gamma3 */
     const double t15 = JLT_FMA(p[11], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t16 = t6*t15; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t17 = t9*t11; /* 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau */
-    const double t18 = x[4]*t9; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n) */
-    const double t19 = 2.0*t14; /* 2*omega_n*gamma3 */
-    const double t20 = x[2] - t16; /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
-    const double t21 = t16*t19; /* 1/(Theta/(m*R^2*I1))*V/R*2*omega_n*gamma3 */
-    const double t22 = JLT_FMS(x[4], t10, t19); /* s*(1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n) - 2*omega_n*gamma3 */
-    out[18] = t22;
-    const double t23 = p[7]*t22; /* (-R)*t22 */
-    out[13] = t23;
-    const double t24 = p[10]*t6; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    const double t25 = t6*t17; /* 1/(Theta/(m*R^2*I1))*1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau */
-    const double t26 = JLT_FMA(p[15], t25, t21); /* 2*(m*R^2*I1^3 + m^2*R^4*I1^2)/(m^2*R^4*I1^2)*t25 + 1/(Theta/(m*R^2*I1))*V/R*2*omega_n*gamma3 */
-    const double t27 = t6*t26; /* 1/(Theta/(m*R^2*I1))*t26 */
-    const double t28 = t6*t14; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t29 = p[14]*t28; /* (-1/R)*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    out[21] = t29;
-    const double t30 = t14 - t28; /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
-    const double t31 = JLT_FNMA(t18, t24, t30); /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 - s*1/gamma3*(G_level/(R*I1) - s*omega_n)*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    out[22] = t31;
-    const double t32 = x[4]*t11; /* s*s*omega_tau */
-    out[0] = t32;
-    const double t33 = x[0]*t11; /* gamma3*s*omega_tau */
-    const double t34 = -t33; /* -gamma3*s*omega_tau */
-    out[4] = t34;
-    const double t35 = t5*t32; /* 1/gamma3*s*s*omega_tau */
-    const double t36 = t18 - t14; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3 */
-    const double t37 = JLT_FMA(t5, t18, x[3]); /* 1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n */
-    const double t38 = p[13]*t5; /* (m*R + I1/R)/(m*R)*1/gamma3 */
-    const double t39 = x[3]*t36; /* omega_n*(s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3) */
-    out[2] = t39;
-    const double t40 = p[7]*t39; /* (-R)*t39 */
-    out[1] = t40;
-    const double t41 = t14*t20; /* omega_n*gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t42 = JLT_FNMA(t17, t24, t41); /* omega_n*gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) - 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    out[3] = t42;
-    const double t43 = x[3]*t37; /* omega_n*(1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n) */
-    const double t44 = p[1]*t43; /* R*t43 */
-    out[10] = t44;
-    const double t45 = -t43; /* -t43 */
-    out[15] = t45;
+    const double t16 = t9*t11; /* 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau */
+    const double t17 = x[4]*t9; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n) */
+    const double t18 = t6*t14; /* 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t19 = p[14]*t18; /* (-1/R)*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    out[21] = t19;
+    const double t20 = JLT_FNMA(t6, t15, x[2]); /* omega_tau - 1/(Theta/(m*R^2*I1))*V/R */
+    const double t21 = t15*t18; /* V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t22 = t14 - t18; /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t23 = p[10]*t6; /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t24 = JLT_FNMA(t17, t23, t22); /* omega_n*gamma3 - 1/(Theta/(m*R^2*I1))*omega_n*gamma3 - s*1/gamma3*(G_level/(R*I1) - s*omega_n)*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    out[22] = t24;
+    const double t25 = t6*t16; /* 1/(Theta/(m*R^2*I1))*1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau */
+    const double t26 = JLT_FMA(p[15], t25, t21); /* (m*R^2*I1^3 + m^2*R^4*I1^2)/(m^2*R^4*I1^2)*t25 + V/R*1/(Theta/(m*R^2*I1))*omega_n*gamma3 */
+    const double t27 = 2.0*t6; /* 2*1/(Theta/(m*R^2*I1)) */
+    const double t28 = t26*t27; /* t26*2*1/(Theta/(m*R^2*I1)) */
+    const double t29 = x[4]*t11; /* s*s*omega_tau */
+    out[0] = t29;
+    const double t30 = x[0]*t11; /* gamma3*s*omega_tau */
+    const double t31 = -t30; /* -gamma3*s*omega_tau */
+    out[4] = t31;
+    const double t32 = t5*t29; /* 1/gamma3*s*s*omega_tau */
+    const double t33 = t17 - t14; /* s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3 */
+    const double t34 = JLT_FMA(t5, t17, x[3]); /* 1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n */
+    const double t35 = p[13]*t5; /* (m*R + I1/R)/(m*R)*1/gamma3 */
+    const double t36 = x[3]*t33; /* omega_n*(s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3) */
+    out[2] = t36;
+    const double t37 = p[7]*t36; /* (-R)*t36 */
+    out[1] = t37;
+    const double t38 = x[3]*t34; /* omega_n*(1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n) */
+    const double t39 = p[1]*t38; /* R*t38 */
+    out[10] = t39;
+    const double t40 = -t38; /* -t38 */
+    out[15] = t40;
+    const double t41 = x[4]*t10; /* s*(1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n) */
+    const double t42 = JLT_FNMA(2.0, t14, t41); /* t41 - 2*omega_n*gamma3 */
+    out[18] = t42;
+    const double t43 = p[7]*t42; /* (-R)*(t41 - 2*omega_n*gamma3) */
+    out[13] = t43;
+    const double t44 = t14*t20; /* omega_n*gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t45 = JLT_FNMA(t16, t23, t44); /* omega_n*gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) - 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    out[3] = t45;
     const double t46 = x[3]*t20; /* omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t47 = JLT_FMA(t25, t38, t46); /* t25*(m*R + I1/R)/(m*R)*1/gamma3 + omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t48 = JLT_FMA(x[0], t27, t47); /* gamma3*1/(Theta/(m*R^2*I1))*t26 + t47 */
+    const double t47 = JLT_FMA(t25, t35, t46); /* t25*(m*R + I1/R)/(m*R)*1/gamma3 + omega_n*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t48 = JLT_FMA(x[0], t28, t47); /* gamma3*t26*2*1/(Theta/(m*R^2*I1)) + t47 */
     out[20] = t48;
     const double t49 = x[0]*t20; /* gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
-    const double t50 = JLT_FMA(t24, t35, t49); /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*1/gamma3*s*s*omega_tau + gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
+    const double t50 = JLT_FMA(t23, t32, t49); /* (m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*1/gamma3*s*s*omega_tau + gamma3*(omega_tau - 1/(Theta/(m*R^2*I1))*V/R) */
     out[23] = t50;
-    const double t51 = x[2]*t24; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
+    const double t51 = x[2]*t23; /* omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
     const double t52 = t10*t51; /* (1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n)*omega_tau*(m*R^2*I1 + I1^2)/(m*R^2*I1)*1/(Theta/(m*R^2*I1)) */
-    const double t53 = JLT_FMS(x[4], t27, t52); /* s*1/(Theta/(m*R^2*I1))*t26 - t52 */
+    const double t53 = JLT_FMS(x[4], t28, t52); /* s*t26*2*1/(Theta/(m*R^2*I1)) - t52 */
     out[24] = t53;
     const double t54 = x[3]*t10; /* omega_n*(1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n) */
     out[19] = t54;
@@ -433,9 +430,12 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double x2[JLT_JET_ORDER_MAX + 1];
     double x3[JLT_JET_ORDER_MAX + 1];
     double x4[JLT_JET_ORDER_MAX + 1];
+    double t2[JLT_JET_ORDER_MAX + 1];
+    double t3[JLT_JET_ORDER_MAX + 1];
+    double t7[JLT_JET_ORDER_MAX + 1];
+    double t10[JLT_JET_ORDER_MAX + 1];
     double t11[JLT_JET_ORDER_MAX + 1];
     double t12[JLT_JET_ORDER_MAX + 1];
-    double t13[JLT_JET_ORDER_MAX + 1];
     double t14[JLT_JET_ORDER_MAX + 1];
     double t15[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
@@ -443,13 +443,10 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t18[JLT_JET_ORDER_MAX + 1];
     double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
-    double t21[JLT_JET_ORDER_MAX + 1];
-    double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
     double t24[JLT_JET_ORDER_MAX + 1];
     double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
     double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
     double t30[JLT_JET_ORDER_MAX + 1];
@@ -462,34 +459,34 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[4] = x4[0] = x[4];
     coefficients[5] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t11[k] = jlt_jet_product(x4, x4, k) + (k == 0 ? p[9] : 0);
-        t12[k] = jlt_jet_product(x0, x0, k) + t11[k];
-        t13[k] = jlt_jet_product(x0, t12, k);
-        t14[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t13, t14, k);
-        t15[k] = (k == 0 ? p[8] : 0) - jlt_jet_product(x4, x3, k);
-        t16[k] = jlt_jet_product(t12, t15, k);
-        t17[k] = jlt_jet_product(t14, t16, k);
-        t18[k] = jlt_jet_product(x0, t14, k);
-        t19[k] = jlt_jet_product(x4, x2, k);
-        t20[k] = jlt_jet_product(x4, t19, k);
-        t21[k] = jlt_jet_product(x3, x0, k);
-        t22[k] = p[10]*t19[k];
-        t23[k] = jlt_jet_product(t17, t22, k);
-        t24[k] = jlt_jet_product(x4, t17, k) - t21[k];
-        t25[k] = jlt_jet_product(x3, t24, k);
-        t26[k] = p[7]*t25[k];
-        t27[k] = jlt_jet_product(x0, t19, k);
-        t28[k] = -t27[k];
-        t29[k] = p[11]*x1[k] + x2[k];
-        t30[k] = jlt_jet_product(t21, t29, k) + t23[k];
-        t31[k] = jlt_jet_product(x2, t21, k);
-        t32[k] = t31[k] - jlt_jet_product(t18, t30, k);
+        t2[k] = jlt_jet_product(x4, x2, k);
+        t3[k] = jlt_jet_product(x4, t2, k);
+        t7[k] = (k == 0 ? p[8] : 0) - jlt_jet_product(x4, x3, k);
+        t10[k] = jlt_jet_product(x4, x4, k) + (k == 0 ? p[9] : 0);
+        t11[k] = jlt_jet_product(x0, x0, k) + t10[k];
+        t12[k] = jlt_jet_product(x0, t11, k);
+        t14[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t12, t14, k);
+        t15[k] = jlt_jet_product(t7, t11, k);
+        t16[k] = jlt_jet_product(t14, t15, k);
+        t17[k] = jlt_jet_product(x3, x0, k);
+        t18[k] = jlt_jet_product(x4, t16, k) - t17[k];
+        t19[k] = jlt_jet_product(x3, t18, k);
+        t20[k] = p[7]*t19[k];
+        t23[k] = p[11]*x1[k] + x2[k];
+        t24[k] = jlt_jet_product(x0, t14, k);
+        t25[k] = x2[k] - jlt_jet_product(t23, t24, k);
+        t26[k] = jlt_jet_product(t17, t25, k);
+        t28[k] = t2[k]*p[10];
+        t29[k] = jlt_jet_product(t16, t28, k);
+        t30[k] = t26[k] - jlt_jet_product(t24, t29, k);
+        t31[k] = jlt_jet_product(t2, x0, k);
+        t32[k] = -t31[k];
         double *restrict next = coefficients + (k + 1)*6;
-        next[0] = x0[k + 1] = t20[k]/(k + 1);
-        next[1] = x1[k + 1] = t26[k]/(k + 1);
-        next[2] = x2[k + 1] = t25[k]/(k + 1);
-        next[3] = x3[k + 1] = t32[k]/(k + 1);
-        next[4] = x4[k + 1] = t28[k]/(k + 1);
+        next[0] = x0[k + 1] = t3[k]/(k + 1);
+        next[1] = x1[k + 1] = t20[k]/(k + 1);
+        next[2] = x2[k + 1] = t19[k]/(k + 1);
+        next[3] = x3[k + 1] = t30[k]/(k + 1);
+        next[4] = x4[k + 1] = t32[k]/(k + 1);
         next[5] = x4[k]/(k + 1);
     }
 }
@@ -560,7 +557,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
+    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 5, .param_count = 7, .block_count = 23,
@@ -570,10 +567,10 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
     .prepare = prepare,
     .rhs = { rhs, 5, { 1, 13, 7, 1, 0, 0, 8, 6 }, { 11, 48, 0, 4, 0, 0, 10, 7 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, a part of d(v_nu)/dtau and of d(omega_tau)/dtau, V/R = (1/R)*v_nu + omega_tau, a part of d(omega_n)/dtau, d(omega_n)/dtau" },
-    .jacobian = { jacobian, 25, { 8, 32, 13, 1, 0, 0, 11, 13 }, { 41, 210, 0, 27, 0, 0, 14, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, V/R = (1/R)*v_nu + omega_tau, omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - s*omega_n), omega_tau - 1/(Theta/(m*R^2*I1))*V/R, a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n, d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(s), a part of d(d(v_nu)/dtau)/d(omega_n) and of d(d(omega_tau)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 10, 37, 12, 1, 0, 0, 12, 12 }, { 48, 241, 0, 30, 0, 0, 14, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, 1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n, V/R = (1/R)*v_nu + omega_tau, omega_tau - 1/(Theta/(m*R^2*I1))*V/R, d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_tau), s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3, 1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n, d(omega_n)/dtau, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)" },
+    .jacobian = { jacobian, 25, { 6, 31, 13, 1, 0, 0, 13, 12 }, { 41, 210, 0, 27, 0, 0, 14, 8 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, V/R = (1/R)*v_nu + omega_tau, 1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*s*1/gamma3, omega_tau - 1/(Theta/(m*R^2*I1))*V/R, d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), 1/gamma3*(G_level/(R*I1) - s*omega_n)*s*1/gamma3 + omega_n, a part of d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 9, 37, 13, 1, 0, 0, 12, 12 }, { 48, 241, 0, 30, 0, 0, 14, 8 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - s*omega_n, 1/gamma3*(G_level/(R*I1) - s*omega_n) - 1/gamma3*s*omega_n, V/R = (1/R)*v_nu + omega_tau, omega_tau - 1/(Theta/(m*R^2*I1))*V/R, d(d(omega_n)/dtau)/d(omega_tau), a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), s*1/gamma3*(G_level/(R*I1) - s*omega_n) - omega_n*gamma3, 1/gamma3*s*1/gamma3*(G_level/(R*I1) - s*omega_n) + omega_n, d(d(omega_tau)/dtau)/d(omega_n), d(omega_n)/dtau, d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 2, 8, 3, 1, 0, 0, 8, 5 }, { 5, 28, 0, 3, 0, 0, 10, 5 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in V/R = (1/R)*v_nu + omega_tau, a part of the divergence" },
     .integral_values = { integral_values, 3, { 0, 7, 7, 1, 0, 0, 7, 4 }, { 8, 30, 0, 1, 0, 0, 14, 5 },
@@ -586,6 +583,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_in_regular_on_leve
         "" },
     .eliminated = { eliminated, 1, { 1, 0, 1, 1, 0, 0, 3, 2 }, { 1, 5, 0, 1, 0, 0, 5, 3 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -3,7 +3,7 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced_equal: a3 = 0, I3 = I1
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
+ *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
@@ -463,7 +463,7 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G = {
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
+    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
     .state_count = 4, .param_count = 7, .block_count = 19,
@@ -488,6 +488,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_equal_on_level_G = {
     .time_factor = { .loses_digits = "" },
     .eliminated = { eliminated, 1, { 2, 1, 1, 1, 1, 0, 4, 3 }, { 2, 6, 0, 1, 1, 0, 5, 3 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3 + G_level/(R*I1)" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 3, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

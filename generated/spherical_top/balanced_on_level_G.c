@@ -3,14 +3,14 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced: a3 = 0
  *  Eliminated: level_G: omega_n from G = G_level
- *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
+ *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 5   18    5    1    1    0     12    6   (56)
- *  jacobian            5   37   17    1    1    0     15   12   (205)
- *  rhs_jacobian        5   41   17    1    1    0     15   14   (236)
- *  divergence          3   11    4    1    1    0     11    5   (36)
+ *  jacobian            5   38   17    1    1    0     14   13   (205)
+ *  rhs_jacobian        7   39   17    1    1    0     17   13   (236)
+ *  divergence          3   10    4    1    1    0     10    6   (36)
  *  integral_values     3   14    9    1    1    0     10    6   (58)
  *  integral_gradients  4   23   10    1    1    0     11   10   (104)
  *  eliminated          2    3    1    1    1    0      4    3   (10)
@@ -20,11 +20,12 @@
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), (R*I3)*gamma3*omega3 + G_level,
+ *      a part of d(d(omega3)/dt)/d(omega_tau),
  *      a part of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3),
- *      d(d(omega3)/dt)/d(omega_tau), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3),
- *      V/R = (1/R)*v_nu + omega_tau, d(omega3)/dt, d(d(omega3)/dt)/d(gamma3), a part of d(v_nu)/dt,
- *      d(d(v_nu)/dt)/d(omega3), d(d(omega_tau)/dt)/d(omega3), d(d(omega3)/dt)/d(omega3), d(d(v_nu)/dt)/d(gamma3),
- *      d(d(omega_tau)/dt)/d(gamma3)
+ *      V/R = (1/R)*v_nu + omega_tau, a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3),
+ *      gamma3*((I1 - I3)/I1)*omega_tau*s - gamma3*1/s^2*s*(I3/I1)*V/R, a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      d(d(v_nu)/dt)/d(gamma3), a part of d(v_nu)/dt, d(d(v_nu)/dt)/d(omega3), d(d(omega_tau)/dt)/d(omega3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -65,14 +66,14 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     out[6] = params[6];
     const double t0 = params[1]*params[4]; /* R*I1 */
-    out[38] = t0;
+    out[37] = t0;
     const double t1 = 1.0/t0; /* 1/(R*I1) */
     out[7] = t1;
     const double t2 = params[1]*params[5]; /* R*I3 */
     out[8] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
     const double t4 = params[0]*t3; /* m*R*R */
-    out[39] = t4;
+    out[38] = t4;
     const double t5 = params[5]/t4; /* I3/(m*R*R) */
     out[9] = t5;
     const double t6 = params[5]/params[4]; /* I3/I1 */
@@ -82,83 +83,81 @@ static void prepare(const double *restrict params, double *restrict out)
     out[11] = t8;
     const double t9 = 1.0/params[1]; /* 1/R */
     out[12] = t9;
-    const double t10 = 1.0/params[4]; /* 1/I1 */
+    const double t10 = params[4]*params[5]; /* I1*I3 */
     out[13] = t10;
-    const double t11 = 2.0/t0; /* 2/(R*I1) */
+    const double t11 = params[4]*t4; /* I1*m*R*R */
     out[14] = t11;
-    const double t12 = t2/params[4]; /* R*I3/I1 */
+    const double t12 = params[5]*t4; /* I3*m*R*R */
     out[15] = t12;
-    const double t13 = params[1]*2.0; /* R*2 */
-    const double t14 = params[5]*t13; /* I3*R*2 */
-    const double t15 = t14/params[4]; /* I3*R*2/I1 */
-    out[16] = t15;
-    const double t16 = params[4]*params[4]; /* I1*I1 */
-    const double t17 = params[1]*t16; /* R*I1*I1 */
-    const double t18 = params[5]/t17; /* I3/(R*I1*I1) */
-    out[17] = t18;
-    const double t19 = -t6; /* -I3/I1 */
-    out[18] = t19;
-    const double t20 = params[5]*(-2.0); /* I3*(-2) */
-    const double t21 = t20/params[4]; /* I3*(-2)/I1 */
+    const double t13 = 1.0/params[4]; /* 1/I1 */
+    out[16] = t13;
+    const double t14 = t2/params[4]; /* R*I3/I1 */
+    out[17] = t14;
+    const double t15 = params[1]*2.0; /* R*2 */
+    const double t16 = params[5]*t15; /* I3*R*2 */
+    const double t17 = t16/params[4]; /* I3*R*2/I1 */
+    out[18] = t17;
+    const double t18 = params[4]*params[4]; /* I1*I1 */
+    const double t19 = params[1]*t18; /* R*I1*I1 */
+    const double t20 = params[5]/t19; /* I3/(R*I1*I1) */
+    const double t21 = -t20; /* -I3/(R*I1*I1) */
     out[19] = t21;
-    const double t22 = params[5]*params[5]; /* I3*I3 */
-    const double t23 = t22/t16; /* I3*I3/(I1*I1) */
-    const double t24 = -t23; /* -I3*I3/(I1*I1) */
-    out[20] = t24;
-    const double t25 = params[4]*t4; /* I1*m*R*R */
-    const double t26 = params[5]*t4; /* I3*m*R*R */
-    const double t27 = t25 - t26; /* I1*m*R*R - I3*m*R*R */
-    const double t28 = 2.0*t27; /* 2*(I1*m*R*R - I3*m*R*R) */
-    const double t29 = t28/t25; /* 2*(I1*m*R*R - I3*m*R*R)/(I1*m*R*R) */
-    out[21] = t29;
-    const double t30 = params[4]*t3; /* I1*R*R */
-    const double t31 = 1.0/t30; /* 1/(I1*R*R) */
-    out[22] = t31;
-    const double t32 = params[1]*params[0]; /* R*m */
-    const double t33 = t28/t32; /* 2*(I1*m*R*R - I3*m*R*R)/(R*m) */
-    out[23] = t33;
-    const double t34 = (-1.0)/params[1]; /* (-1)/R */
-    out[24] = t34;
-    const double t35 = params[5]/t0; /* I3/(R*I1) */
-    out[25] = t35;
-    const double t36 = (-1.0)/t0; /* (-1)/(R*I1) */
-    out[26] = t36;
-    const double t37 = 1.0/t17; /* 1/(R*I1*I1) */
+    const double t22 = params[5]*(-2.0); /* I3*(-2) */
+    const double t23 = t22/params[4]; /* I3*(-2)/I1 */
+    out[20] = t23;
+    const double t24 = params[5]*params[5]; /* I3*I3 */
+    const double t25 = t24/t18; /* I3*I3/(I1*I1) */
+    const double t26 = -t25; /* -I3*I3/(I1*I1) */
+    out[21] = t26;
+    const double t27 = t11*2.0; /* I1*m*R*R*2 */
+    const double t28 = t12*2.0; /* I3*m*R*R*2 */
+    const double t29 = t27 - t28; /* I1*m*R*R*2 - I3*m*R*R*2 */
+    out[22] = t29;
+    const double t30 = t4*t7; /* m*R*R*(I1 - I3) */
+    out[23] = t30;
+    const double t31 = params[1]*params[0]; /* R*m */
+    const double t32 = params[4]*t31; /* I1*R*m */
+    out[24] = t32;
+    const double t33 = -t32; /* -I1*R*m */
+    out[25] = t33;
+    const double t34 = params[5]*t31; /* I3*R*m */
+    out[26] = t34;
+    const double t35 = t11 - t12; /* I1*m*R*R - I3*m*R*R */
+    const double t36 = 2.0*t35; /* 2*(I1*m*R*R - I3*m*R*R) */
+    const double t37 = t36/t11; /* 2*(I1*m*R*R - I3*m*R*R)/(I1*m*R*R) */
     out[27] = t37;
-    const double t38 = params[4]*t13; /* I1*R*2 */
-    out[28] = t38;
-    const double t39 = t3*t16; /* R*R*I1*I1 */
-    const double t40 = (-1.0)/t39; /* (-1)/(R*R*I1*I1) */
+    const double t38 = params[4]*t3; /* I1*R*R */
+    const double t39 = (-1.0)/t38; /* (-1)/(I1*R*R) */
+    out[28] = t39;
+    const double t40 = params[5]/t0; /* I3/(R*I1) */
     out[29] = t40;
-    const double t41 = -t18; /* -I3/(R*I1*I1) */
+    const double t41 = params[0]/2.0; /* m/2 */
     out[30] = t41;
-    const double t42 = (-1.0)/t30; /* (-1)/(I1*R*R) */
+    const double t42 = params[4]/2.0; /* I1/2 */
     out[31] = t42;
-    const double t43 = params[0]/2.0; /* m/2 */
+    const double t43 = params[5]/2.0; /* I3/2 */
     out[32] = t43;
-    const double t44 = params[4]/2.0; /* I1/2 */
+    const double t44 = params[0]*t18; /* m*I1*I1 */
     out[33] = t44;
-    const double t45 = params[5]/2.0; /* I3/2 */
+    const double t45 = t7*t11; /* (I1 - I3)*I1*m*R*R */
     out[34] = t45;
-    const double t46 = params[0]*t16; /* m*I1*I1 */
+    const double t46 = 1.0/t38; /* 1/(I1*R*R) */
     out[35] = t46;
-    const double t47 = t7*t25; /* (I1 - I3)*I1*m*R*R */
+    const double t47 = t31/params[4]; /* R*m/I1 */
     out[36] = t47;
-    const double t48 = t32/params[4]; /* R*m/I1 */
-    out[37] = t48;
-    const double t49 = t7*(-2.0); /* (I1 - I3)*(-2) */
-    const double t50 = t27*t49; /* (I1*m*R*R - I3*m*R*R)*(I1 - I3)*(-2) */
-    out[40] = t50;
-    const double t51 = params[0]*2.0; /* m*2 */
-    const double t52 = t16*t51; /* I1*I1*m*2 */
-    out[41] = t52;
-    const double t53 = params[1]*t51; /* R*m*2 */
-    const double t54 = t16*t53; /* I1*I1*R*m*2 */
-    out[42] = t54;
-    const double t55 = t3*t51; /* R*R*m*2 */
-    const double t56 = params[4]*t55; /* I1*R*R*m*2 */
-    const double t57 = t7*t56; /* (I1 - I3)*I1*R*R*m*2 */
-    out[43] = t57;
+    const double t48 = t7*(-2.0); /* (I1 - I3)*(-2) */
+    const double t49 = t35*t48; /* (I1*m*R*R - I3*m*R*R)*(I1 - I3)*(-2) */
+    out[39] = t49;
+    const double t50 = params[0]*2.0; /* m*2 */
+    const double t51 = t18*t50; /* I1*I1*m*2 */
+    out[40] = t51;
+    const double t52 = params[1]*t50; /* R*m*2 */
+    const double t53 = t18*t52; /* I1*I1*R*m*2 */
+    out[41] = t53;
+    const double t54 = t3*t50; /* R*R*m*2 */
+    const double t55 = params[4]*t54; /* I1*R*R*m*2 */
+    const double t56 = t7*t55; /* (I1 - I3)*I1*R*R*m*2 */
+    out[42] = t56;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -206,16 +205,16 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     out[2] = t3;
-    const double t4 = x[0]*p[10]; /* gamma3*I3/I1 */
-    const double t5 = t2 + p[9]; /* s^2 + I3/(m*R^2) */
-    const double t6 = JLT_FMA(x[0], t4, t5); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s^2 + I3/(m*R^2) */
-    const double t7 = t2*t6; /* s^2*Theta/(m*R^2*I1) */
-    const double t8 = 1.0/t7; /* 1/(s^2*Theta/(m*R^2*I1)) */
-    const double t9 = t3*t6; /* s*Theta/(m*R^2*I1) */
-    const double t10 = t8*t9; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
-    const double t11 = x[0]*t10; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
-    const double t12 = x[2]*t11; /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
-    const double t13 = -t12; /* -omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) */
+    const double t4 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
+    const double t5 = JLT_FMA(x[0], t4, p[13]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t6 = JLT_FMA(t2, p[14], t5); /* Theta = s^2*m*R^2*I1 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t7 = t2*t6; /* s^2*Theta */
+    const double t8 = 1.0/t7; /* 1/(s^2*Theta) */
+    const double t9 = t3*t6; /* s*Theta */
+    const double t10 = t8*t9; /* 1/(s^2*Theta)*s*Theta */
+    const double t11 = x[0]*t10; /* gamma3*1/(s^2*Theta)*s*Theta */
+    const double t12 = x[2]*t11; /* omega_tau*gamma3*1/(s^2*Theta)*s*Theta */
+    const double t13 = -t12; /* -omega_tau*gamma3*1/(s^2*Theta)*s*Theta */
     out[0] = t13;
     out[1] = 0.0;
     out[3] = 0.0;
@@ -223,61 +222,62 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[6] = 0.0;
     out[9] = 0.0;
     out[10] = 0.0;
-    const double t14 = x[3]*p[8]; /* omega3*R*I3 */
-    const double t15 = JLT_FMA(x[0], t14, p[6]); /* gamma3*omega3*R*I3 + G_level */
-    const double t16 = t10*t15; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*(gamma3*omega3*R*I3 + G_level) */
-    const double t17 = JLT_FMA(t11, t16, t14); /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*t16 + omega3*R*I3 */
-    const double t18 = t10*t17; /* d(omega_n)/d(gamma3)/(1/(R*I1)) = 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*t17 */
-    const double t19 = x[3]*t18; /* omega3*d(omega_n)/d(gamma3)/(1/(R*I1)) */
-    const double t20 = p[13]*t19; /* 1/I1*omega3*d(omega_n)/d(gamma3)/(1/(R*I1)) */
-    const double t21 = t16*p[7]; /* omega_n = t16*1/(R*I1) */
-    const double t22 = t10*t21; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
-    const double t23 = t10*t22; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
-    const double t24 = t22*t23; /* 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n*t23 */
-    const double t25 = t11*t21; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
-    const double t26 = p[14]*t25; /* 2/(R*I1)*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
-    const double t27 = JLT_FMA(t18, t26, t24); /* d(omega_n)/d(gamma3)/(1/(R*I1))*t26 + 1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n*t23 */
-    const double t28 = JLT_FMA(p[1], t27, t20); /* R*t27 + 1/I1*omega3*d(omega_n)/d(gamma3)/(1/(R*I1)) */
+    const double t14 = x[0]*p[8]; /* gamma3*R*I3 */
+    const double t15 = JLT_FMA(x[3], t14, p[6]); /* omega3*gamma3*R*I3 + G_level */
+    const double t16 = t10*t15; /* 1/(s^2*Theta)*s*Theta*(omega3*gamma3*R*I3 + G_level) */
+    const double t17 = p[7]*t16; /* 1/(R*I1)*1/(s^2*Theta)*s*Theta*(omega3*gamma3*R*I3 + G_level) */
+    const double t18 = t10*t17; /* 1/(s^2*Theta)*s*Theta*t17 */
+    const double t19 = t10*t18; /* 1/(s^2*Theta)*s*Theta*1/(s^2*Theta)*s*Theta*t17 */
+    const double t20 = t18*t19; /* 1/(s^2*Theta)*s*Theta*t17*1/(s^2*Theta)*s*Theta*1/(s^2*Theta)*s*Theta*t17 */
+    const double t21 = t11*t17; /* gamma3*1/(s^2*Theta)*s*Theta*t17 */
+    const double t22 = JLT_FMA(x[3], p[10], t21); /* omega3*I3/I1 + gamma3*1/(s^2*Theta)*s*Theta*t17 */
+    const double t23 = t10*t22; /* d(omega_n)/d(gamma3) = 1/(s^2*Theta)*s*Theta*(omega3*I3/I1 + gamma3*1/(s^2*Theta)*s*Theta*t17) */
+    const double t24 = 2.0*t21; /* 2*gamma3*1/(s^2*Theta)*s*Theta*t17 */
+    const double t25 = JLT_FMA(t23, t24, t20); /* d(omega_n)/d(gamma3)*2*gamma3*1/(s^2*Theta)*s*Theta*t17 + t20 */
+    const double t26 = x[3]*t23; /* omega3*d(omega_n)/d(gamma3) */
+    const double t27 = t25 + t26; /* t25 + omega3*d(omega_n)/d(gamma3) */
+    const double t28 = p[1]*t27; /* R*(t25 + omega3*d(omega_n)/d(gamma3)) */
     out[4] = t28;
-    const double t29 = p[1]*t21; /* R*omega_n */
-    const double t30 = t11*x[3]; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega3 */
-    const double t31 = t11*t25; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega_n */
-    const double t32 = JLT_FMA(p[15], t30, t29); /* R*I3/I1*gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega3 + R*omega_n */
-    const double t33 = JLT_FMA(p[16], t31, t32); /* 2*R*I3/I1*t31 + t32 */
+    const double t29 = t16*p[16]; /* 1/(s^2*Theta)*s*Theta*(omega3*gamma3*R*I3 + G_level)*1/I1 */
+    const double t30 = t11*x[3]; /* gamma3*1/(s^2*Theta)*s*Theta*omega3 */
+    const double t31 = t11*t21; /* gamma3*1/(s^2*Theta)*s*Theta*gamma3*1/(s^2*Theta)*s*Theta*t17 */
+    const double t32 = JLT_FMA(p[17], t30, t29); /* R*I3/I1*gamma3*1/(s^2*Theta)*s*Theta*omega3 + 1/(s^2*Theta)*s*Theta*(omega3*gamma3*R*I3 + G_level)*1/I1 */
+    const double t33 = JLT_FMA(p[18], t31, t32); /* 2*R*I3/I1*t31 + t32 */
     out[7] = t33;
-    const double t34 = JLT_FMA(t19, p[17], t27); /* omega3*d(omega_n)/d(gamma3)/(1/(R*I1))*I3/(R*I1^2) + t27 */
-    const double t35 = -t34; /* -(omega3*d(omega_n)/d(gamma3)/(1/(R*I1))*I3/(R*I1^2) + t27) */
+    const double t34 = JLT_FMA(p[10], t26, t25); /* I3/I1*omega3*d(omega_n)/d(gamma3) + t25 */
+    const double t35 = -t34; /* -(I3/I1*omega3*d(omega_n)/d(gamma3) + t25) */
     out[8] = t35;
-    const double t36 = t21*p[18]; /* omega_n*(-I3/I1) */
-    const double t37 = JLT_FMA(t30, p[20], t36); /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*omega3*(-I3^2/I1^2) + omega_n*(-I3/I1) */
-    const double t38 = JLT_FMA(t31, p[19], t37); /* t31*(-2*I3/I1) + t37 */
+    const double t36 = t16*p[19]; /* 1/(s^2*Theta)*s*Theta*(omega3*gamma3*R*I3 + G_level)*(-I3/(R*I1^2)) */
+    const double t37 = JLT_FMA(t30, p[21], t36); /* gamma3*1/(s^2*Theta)*s*Theta*omega3*(-I3^2/I1^2) + t36 */
+    const double t38 = JLT_FMA(t31, p[20], t37); /* t31*(-2*I3/I1) + gamma3*1/(s^2*Theta)*s*Theta*omega3*(-I3^2/I1^2) + t36 */
     out[11] = t38;
-    const double t39 = t2*t8; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
-    const double t40 = x[0]*t3; /* gamma3*s */
-    const double t41 = t39*t40; /* 1/(Theta/(m*R^2*I1))*gamma3*s */
-    const double t42 = JLT_FNMA(p[21], t41, t11); /* gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1) - 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*gamma3*s */
-    const double t43 = JLT_FNMA(x[0], t42, t3); /* s - gamma3*t42 */
-    const double t44 = x[3]*p[11]; /* omega3*(I1 - I3)/I1 */
-    const double t45 = x[2]*t44; /* omega_tau*omega3*(I1 - I3)/I1 */
-    const double t46 = t43*t45; /* (s - gamma3*t42)*omega_tau*omega3*(I1 - I3)/I1 */
-    const double t47 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t48 = t21*t39; /* omega_n*1/(Theta/(m*R^2*I1)) */
-    const double t49 = x[0]*p[23]; /* gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R) */
-    const double t50 = JLT_FMA(t48, t49, t18); /* omega_n*1/(Theta/(m*R^2*I1))*gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R) + d(omega_n)/d(gamma3)/(1/(R*I1)) */
-    const double t51 = p[22]*t47; /* 1/(R^2*I1)*V */
-    const double t52 = JLT_FNMA(t50, t51, t46); /* (s - gamma3*t42)*omega_tau*omega3*(I1 - I3)/I1 - t50*1/(R^2*I1)*V */
-    const double t53 = t39*t52; /* 1/(Theta/(m*R^2*I1))*t52 */
-    out[12] = t53;
-    const double t54 = t48*p[24]; /* omega_n*1/(Theta/(m*R^2*I1))*(-1/R) */
-    out[13] = t54;
-    const double t55 = JLT_FMS(t41, t44, t48); /* 1/(Theta/(m*R^2*I1))*gamma3*s*omega3*(I1 - I3)/I1 - omega_n*1/(Theta/(m*R^2*I1)) */
-    out[14] = t55;
-    const double t56 = x[2]*p[11]; /* omega_tau*(I1 - I3)/I1 */
-    const double t57 = t41*t56; /* 1/(Theta/(m*R^2*I1))*gamma3*s*omega_tau*(I1 - I3)/I1 */
-    const double t58 = t47*p[25]; /* V*I3/(R*I1) */
-    const double t59 = t39*t58; /* 1/(Theta/(m*R^2*I1))*V*I3/(R*I1) */
-    const double t60 = JLT_FNMA(t11, t59, t57); /* 1/(Theta/(m*R^2*I1))*gamma3*s*omega_tau*(I1 - I3)/I1 - gamma3*1/(s^2*Theta/(m*R^2*I1))*s*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1))*V*I3/(R*I1) */
-    out[15] = t60;
+    const double t39 = x[0]*p[22]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t40 = t2*t8; /* 1/Theta = s^2*1/(s^2*Theta) */
+    const double t41 = x[0]*t3; /* gamma3*s */
+    const double t42 = t40*t41; /* 1/Theta*gamma3*s */
+    const double t43 = JLT_FNMA(x[0], t11, t3); /* s - gamma3*gamma3*1/(s^2*Theta)*s*Theta */
+    const double t44 = JLT_FMA(t39, t42, t43); /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*1/Theta*gamma3*s + s - gamma3*gamma3*1/(s^2*Theta)*s*Theta */
+    const double t45 = x[2]*p[23]; /* omega_tau*m*R^2*(I1 - I3) */
+    const double t46 = x[3]*t45; /* omega3*omega_tau*m*R^2*(I1 - I3) */
+    const double t47 = t40*t46; /* 1/Theta*omega3*omega_tau*m*R^2*(I1 - I3) */
+    const double t48 = t44*t47; /* t44*1/Theta*omega3*omega_tau*m*R^2*(I1 - I3) */
+    const double t49 = t17*t40; /* t17*1/Theta */
+    const double t50 = JLT_FMA(t39, t49, t23); /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3)*t17*1/Theta + d(omega_n)/d(gamma3) */
+    const double t51 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t52 = t40*t51; /* 1/Theta*V */
+    const double t53 = p[24]*t52; /* m*R*I1*1/Theta*V */
+    const double t54 = JLT_FNMA(t50, t53, t48); /* t44*1/Theta*omega3*omega_tau*m*R^2*(I1 - I3) - t50*m*R*I1*1/Theta*V */
+    out[12] = t54;
+    const double t55 = t49*p[25]; /* t17*1/Theta*(-m*R*I1) */
+    out[13] = t55;
+    const double t56 = x[3]*p[23]; /* omega3*m*R^2*(I1 - I3) */
+    const double t57 = t42*t56; /* 1/Theta*gamma3*s*omega3*m*R^2*(I1 - I3) */
+    const double t58 = JLT_FNMA(p[14], t49, t57); /* 1/Theta*gamma3*s*omega3*m*R^2*(I1 - I3) - m*R^2*I1*t17*1/Theta */
+    out[14] = t58;
+    const double t59 = t42*t45; /* 1/Theta*gamma3*s*omega_tau*m*R^2*(I1 - I3) */
+    const double t60 = t11*p[26]; /* gamma3*1/(s^2*Theta)*s*Theta*m*R*I3 */
+    const double t61 = JLT_FNMA(t52, t60, t59); /* 1/Theta*gamma3*s*omega_tau*m*R^2*(I1 - I3) - 1/Theta*V*gamma3*1/(s^2*Theta)*s*Theta*m*R*I3 */
+    out[15] = t61;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -296,77 +296,77 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
     const double t6 = t2*t5; /* s^2*Theta/(m*R^2*I1) */
     const double t7 = 1.0/t6; /* 1/(s^2*Theta/(m*R^2*I1)) */
-    const double t8 = sqrt(t2); /* s = sqrt(s^2) */
-    out[6] = t8;
-    const double t9 = t5*t8; /* Theta/(m*R^2*I1)*s */
-    const double t10 = t7*t9; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t11 = t2*t7; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
-    const double t12 = x[0]*x[3]; /* gamma3*omega3 */
-    const double t13 = JLT_FMA(p[8], t12, p[6]); /* R*I3*gamma3*omega3 + G_level */
-    const double t14 = t10*t13; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*(R*I3*gamma3*omega3 + G_level) */
-    const double t15 = x[0]*t10; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t16 = t14*t15; /* t14*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t17 = x[2]*t8; /* omega_tau*s */
-    out[0] = t17;
-    const double t18 = p[7]*t16; /* 1/(R*I1)*t14*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t19 = p[28]*t16; /* 2*R*I1*t14*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t20 = p[11]*t11; /* (I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t21 = t12*t20; /* gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t22 = t17*t20; /* omega_tau*s*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t23 = t17*t21; /* omega_tau*s*gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t24 = t10*t14; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t14 */
-    const double t25 = JLT_FMA(x[3], p[10], t18); /* omega3*I3/I1 + t18 */
-    const double t26 = t11*t14; /* 1/(Theta/(m*R^2*I1))*t14 */
-    const double t27 = p[31]*t26; /* (-1/(R^2*I1))*1/(Theta/(m*R^2*I1))*t14 */
-    out[17] = t27;
-    const double t28 = p[7]*t26; /* 1/(R*I1)*1/(Theta/(m*R^2*I1))*t14 */
-    const double t29 = JLT_FMS(t8, t21, t28); /* s*gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/(R*I1)*1/(Theta/(m*R^2*I1))*t14 */
-    out[18] = t29;
-    const double t30 = t10*t24; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t14 */
-    const double t31 = t24*t30; /* 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t14*t30 */
-    const double t32 = t10*t25; /* d(omega_n)/d(gamma3) = 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*(omega3*I3/I1 + t18) */
-    const double t33 = JLT_FMA(t19, t32, t31); /* t19*d(omega_n)/d(gamma3) + 1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t14*t30 */
-    const double t34 = JLT_FMA(p[12], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
-    const double t35 = JLT_FNMA(t28, t34, t23); /* omega_tau*s*gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/(R*I1)*1/(Theta/(m*R^2*I1))*t14*V/R */
-    out[3] = t35;
-    const double t36 = t11*t34; /* 1/(Theta/(m*R^2*I1))*V/R */
-    const double t37 = x[2]*t15; /* omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t38 = -t37; /* -omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    out[4] = t38;
-    const double t39 = x[3]*t22; /* omega3*omega_tau*s*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t40 = JLT_FNMA(t21, t37, t39); /* omega3*omega_tau*s*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - gamma3*omega3*(I1 - I3)/I1*1/(Theta/(m*R^2*I1))*omega_tau*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t41 = x[0]*t22; /* gamma3*omega_tau*s*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) */
-    const double t42 = x[0]*p[21]; /* gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
-    const double t43 = t11*t42; /* 1/(Theta/(m*R^2*I1))*gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
-    const double t44 = JLT_FMA(t35, t43, t40); /* t35*t43 + t40 */
-    const double t45 = JLT_FNMA(t32, t36, t44); /* t35*t43 + t40 - d(omega_n)/d(gamma3)*1/(Theta/(m*R^2*I1))*V/R */
-    out[16] = t45;
-    const double t46 = x[3]*t32; /* omega3*d(omega_n)/d(gamma3) */
-    const double t47 = p[13]*t14; /* 1/I1*t14 */
-    const double t48 = x[3]*t15; /* omega3*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t49 = p[30]*t14; /* (-I3/(R*I1^2))*t14 */
-    const double t50 = p[26]*t14; /* (-1/(R*I1))*t14 */
-    const double t51 = t25*t50; /* (omega3*I3/I1 + t18)*(-1/(R*I1))*t14 */
-    out[2] = t51;
-    const double t52 = JLT_FMA(p[20], t48, t49); /* (-I3^2/I1^2)*omega3*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + (-I3/(R*I1^2))*t14 */
-    const double t53 = JLT_FMA(p[15], t48, t47); /* R*I3/I1*omega3*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s + 1/I1*t14 */
-    const double t54 = x[3] + t18; /* omega3 + t18 */
-    const double t55 = t47*t54; /* 1/I1*t14*(omega3 + t18) */
-    out[1] = t55;
-    const double t56 = t15*t18; /* gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t18 */
-    const double t57 = JLT_FMA(p[16], t56, t53); /* 2*R*I3/I1*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t18 + t53 */
-    out[11] = t57;
-    const double t58 = JLT_FMA(p[19], t56, t52); /* (-2*I3/I1)*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s*t18 + t52 */
-    out[15] = t58;
-    const double t59 = p[10]*t15; /* I3/I1*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    const double t60 = JLT_FNMA(t36, t59, t41); /* gamma3*omega_tau*s*(I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*V/R*I3/I1*gamma3*1/(s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s */
-    out[19] = t60;
-    const double t61 = p[1]*t46; /* R*omega3*d(omega_n)/d(gamma3) */
-    const double t62 = JLT_FMA(p[27], t33, t61); /* 1/(R*I1^2)*t33 + R*omega3*d(omega_n)/d(gamma3) */
-    out[8] = t62;
-    const double t63 = p[29]*t33; /* (-1/(R^2*I1^2))*t33 */
-    const double t64 = JLT_FMA(p[18], t46, t63); /* (-I3/I1)*omega3*d(omega_n)/d(gamma3) + (-1/(R^2*I1^2))*t33 */
-    out[12] = t64;
+    const double t8 = t5*t7; /* 1/s^2 = Theta/(m*R^2*I1)*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t9 = t2*t7; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t10 = sqrt(t2); /* s = sqrt(s^2) */
+    out[6] = t10;
+    const double t11 = x[0]*x[3]; /* gamma3*omega3 */
+    const double t12 = t8*t10; /* 1/s^2*s */
+    const double t13 = t8*t12; /* 1/s^2*1/s^2*s */
+    const double t14 = JLT_FMA(p[8], t11, p[6]); /* R*I3*gamma3*omega3 + G_level */
+    const double t15 = t12*t14; /* 1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
+    const double t16 = p[11]*t11; /* (I1 - I3)/I1*gamma3*omega3 */
+    const double t17 = x[0]*t12; /* gamma3*1/s^2*s */
+    const double t18 = p[7]*t15; /* 1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
+    const double t19 = t13*t18; /* 1/s^2*1/s^2*s*1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
+    const double t20 = x[2]*t10; /* omega_tau*s */
+    out[0] = t20;
+    const double t21 = JLT_FMS(t10, t16, t18); /* s*(I1 - I3)/I1*gamma3*omega3 - 1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
+    const double t22 = t9*t21; /* 1/(Theta/(m*R^2*I1))*t21 */
+    out[18] = t22;
+    const double t23 = t17*t18; /* gamma3*1/s^2*s*1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
+    const double t24 = JLT_FMA(x[3], p[10], t23); /* omega3*I3/I1 + t23 */
+    const double t25 = t12*t24; /* d(omega_n)/d(gamma3) = 1/s^2*s*(omega3*I3/I1 + t23) */
+    const double t26 = t18*t24; /* 1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level)*(omega3*I3/I1 + t23) */
+    const double t27 = -t26; /* -t26 */
+    out[2] = t27;
+    const double t28 = t16*t20; /* (I1 - I3)/I1*gamma3*omega3*omega_tau*s */
+    const double t29 = p[11]*t20; /* (I1 - I3)/I1*omega_tau*s */
+    const double t30 = JLT_FMA(p[12], x[1], x[2]); /* V/R = 1/R*v_nu + omega_tau */
+    const double t31 = JLT_FNMA(t18, t30, t28); /* (I1 - I3)/I1*gamma3*omega3*omega_tau*s - 1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level)*V/R */
+    const double t32 = t9*t31; /* 1/(Theta/(m*R^2*I1))*t31 */
+    out[3] = t32;
+    const double t33 = x[2]*t17; /* omega_tau*gamma3*1/s^2*s */
+    const double t34 = t16*t33; /* (I1 - I3)/I1*gamma3*omega3*omega_tau*gamma3*1/s^2*s */
+    const double t35 = -t33; /* -omega_tau*gamma3*1/s^2*s */
+    out[4] = t35;
+    const double t36 = JLT_FMS(x[3], t29, t34); /* omega3*(I1 - I3)/I1*omega_tau*s - (I1 - I3)/I1*gamma3*omega3*omega_tau*gamma3*1/s^2*s */
+    const double t37 = x[0]*t29; /* gamma3*(I1 - I3)/I1*omega_tau*s */
+    const double t38 = 2.0*t17; /* 2*gamma3*1/s^2*s */
+    const double t39 = JLT_FMA(t25, t38, t19); /* d(omega_n)/d(gamma3)*2*gamma3*1/s^2*s + t19 */
+    const double t40 = t18*t39; /* 1/(R*I1)*1/s^2*s*(R*I3*gamma3*omega3 + G_level)*(d(omega_n)/d(gamma3)*2*gamma3*1/s^2*s + t19) */
+    const double t41 = x[0]*p[27]; /* gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) */
+    const double t42 = JLT_FMA(t32, t41, t36); /* 1/(Theta/(m*R^2*I1))*t31*gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1) + t36 */
+    const double t43 = JLT_FNMA(t25, t30, t42); /* t42 - d(omega_n)/d(gamma3)*V/R */
+    const double t44 = t9*t43; /* 1/(Theta/(m*R^2*I1))*(t42 - d(omega_n)/d(gamma3)*V/R) */
+    out[16] = t44;
+    const double t45 = x[3]*t25; /* omega3*d(omega_n)/d(gamma3) */
+    const double t46 = p[10]*t30; /* I3/I1*V/R */
+    const double t47 = JLT_FNMA(t17, t46, t37); /* gamma3*(I1 - I3)/I1*omega_tau*s - gamma3*1/s^2*s*I3/I1*V/R */
+    const double t48 = t9*t47; /* 1/(Theta/(m*R^2*I1))*(gamma3*(I1 - I3)/I1*omega_tau*s - gamma3*1/s^2*s*I3/I1*V/R) */
+    out[19] = t48;
+    const double t49 = JLT_FMA(p[10], t45, t40); /* I3/I1*omega3*d(omega_n)/d(gamma3) + t40 */
+    const double t50 = -t49; /* -(I3/I1*omega3*d(omega_n)/d(gamma3) + t40) */
+    out[12] = t50;
+    const double t51 = p[1]*t45; /* R*omega3*d(omega_n)/d(gamma3) */
+    const double t52 = p[28]*t9; /* (-1/(R^2*I1))*1/(Theta/(m*R^2*I1)) */
+    const double t53 = t15*t52; /* 1/s^2*s*(R*I3*gamma3*omega3 + G_level)*(-1/(R^2*I1))*1/(Theta/(m*R^2*I1)) */
+    out[17] = t53;
+    const double t54 = p[16]*t15; /* 1/I1*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
+    const double t55 = JLT_FMA(t39, t54, t51); /* (d(omega_n)/d(gamma3)*2*gamma3*1/s^2*s + t19)*1/I1*1/s^2*s*(R*I3*gamma3*omega3 + G_level) + R*omega3*d(omega_n)/d(gamma3) */
+    out[8] = t55;
+    const double t56 = p[19]*t15; /* (-I3/(R*I1^2))*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
+    const double t57 = x[3]*t17; /* omega3*gamma3*1/s^2*s */
+    const double t58 = t17*t23; /* gamma3*1/s^2*s*t23 */
+    const double t59 = x[3] + t23; /* omega3 + t23 */
+    const double t60 = t54*t59; /* 1/I1*1/s^2*s*(R*I3*gamma3*omega3 + G_level)*(omega3 + t23) */
+    out[1] = t60;
+    const double t61 = JLT_FMA(p[17], t57, t54); /* R*I3/I1*omega3*gamma3*1/s^2*s + 1/I1*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
+    const double t62 = JLT_FMA(p[21], t57, t56); /* (-I3^2/I1^2)*omega3*gamma3*1/s^2*s + (-I3/(R*I1^2))*1/s^2*s*(R*I3*gamma3*omega3 + G_level) */
+    const double t63 = JLT_FMA(p[18], t58, t61); /* 2*R*I3/I1*gamma3*1/s^2*s*t23 + t61 */
+    out[11] = t63;
+    const double t64 = JLT_FMA(p[20], t58, t62); /* (-2*I3/I1)*gamma3*1/s^2*s*t23 + t62 */
+    out[15] = t64;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -379,19 +379,18 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
     const double t6 = t2*t5; /* s^2*Theta/(m*R^2*I1) */
     const double t7 = 1.0/t6; /* 1/(s^2*Theta/(m*R^2*I1)) */
-    const double t8 = t5*t7; /* 1/s^2 = Theta/(m*R^2*I1)*1/(s^2*Theta/(m*R^2*I1)) */
+    const double t8 = t5*t7; /* Theta/(m*R^2*I1)*1/(s^2*Theta/(m*R^2*I1)) */
     const double t9 = t2*t7; /* 1/(Theta/(m*R^2*I1)) = s^2*1/(s^2*Theta/(m*R^2*I1)) */
     const double t10 = sqrt(t2); /* s = sqrt(s^2) */
-    const double t11 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t12 = p[25]*t11; /* I3/(R*I1)*V */
-    const double t13 = t10*t12; /* s*I3/(R*I1)*V */
-    const double t14 = x[2]*t10; /* omega_tau*s */
-    const double t15 = t9*t13; /* 1/(Theta/(m*R^2*I1))*s*I3/(R*I1)*V */
-    const double t16 = JLT_FMS(p[11], t9, t8); /* (I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/s^2 */
-    const double t17 = t14*t16; /* omega_tau*s*((I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/s^2) */
-    const double t18 = JLT_FNMA(t8, t15, t17); /* omega_tau*s*((I1 - I3)/I1*1/(Theta/(m*R^2*I1)) - 1/s^2) - 1/s^2*1/(Theta/(m*R^2*I1))*s*I3/(R*I1)*V */
-    const double t19 = x[0]*t18; /* gamma3*t18 */
-    out[0] = t19;
+    const double t11 = x[0]*t10; /* gamma3*s */
+    const double t12 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t13 = p[29]*t12; /* I3/(R*I1)*V */
+    const double t14 = JLT_FMA(t9, t13, x[2]); /* 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V + omega_tau */
+    const double t15 = p[11]*x[2]; /* (I1 - I3)/I1*omega_tau */
+    const double t16 = t9*t15; /* 1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega_tau */
+    const double t17 = JLT_FNMA(t8, t14, t16); /* 1/(Theta/(m*R^2*I1))*(I1 - I3)/I1*omega_tau - Theta/(m*R^2*I1)*1/(s^2*Theta/(m*R^2*I1))*(1/(Theta/(m*R^2*I1))*I3/(R*I1)*V + omega_tau) */
+    const double t18 = t11*t17; /* gamma3*s*t17 */
+    out[0] = t18;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -412,18 +411,18 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t13 = JLT_FMA(t12, t12, t0); /* v_tau*v_tau + v_nu*v_nu */
     const double t14 = t9*t9; /* omega_n*omega_n */
     const double t15 = JLT_FMA(x[2], x[2], t14); /* omega_tau*omega_tau + omega_n*omega_n */
-    const double t16 = p[33]*t15; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t16 = p[31]*t15; /* 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
     const double t17 = x[3]*x[3]; /* omega3*omega3 */
-    const double t18 = JLT_FMA(p[34], t17, t16); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
-    const double t19 = JLT_FMA(p[32], t13, t18); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t18 */
+    const double t18 = JLT_FMA(p[32], t17, t16); /* 1/2*I3*omega3*omega3 + 1/2*I1*(omega_tau*omega_tau + omega_n*omega_n) */
+    const double t19 = JLT_FMA(p[30], t13, t18); /* energy = 1/2*m*(v_tau*v_tau + v_nu*v_nu) + t18 */
     out[0] = t19;
     const double t20 = JLT_FMA(p[1], x[2], x[1]); /* R*omega_tau + v_nu */
-    const double t21 = p[35]*t20; /* m*I1^2*(R*omega_tau + v_nu) */
+    const double t21 = p[33]*t20; /* m*I1^2*(R*omega_tau + v_nu) */
     const double t22 = t20*t21; /* (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
     const double t23 = x[0]*p[10]; /* gamma3*I3/I1 */
     const double t24 = t3 + p[9]; /* s^2 + I3/(m*R^2) */
     const double t25 = JLT_FMA(x[0], t23, t24); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + s^2 + I3/(m*R^2) */
-    const double t26 = t17*p[36]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
+    const double t26 = t17*p[34]; /* omega3*omega3*m*R^2*I1*(I1 - I3) */
     const double t27 = JLT_FMA(t25, t26, t22); /* Theta/(m*R^2*I1)*omega3*omega3*m*R^2*I1*(I1 - I3) + (R*omega_tau + v_nu)*m*I1^2*(R*omega_tau + v_nu) */
     out[1] = t27;
 }
@@ -451,30 +450,30 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t16 = JLT_FMA(t8, t14, t5); /* d(v_tau)/d(omega3)/R = 1/s*gamma3*gamma3*I3/I1 + s */
     const double t17 = x[3]*t5; /* omega3*s */
     const double t18 = JLT_FMA(p[7], t11, t17); /* v_tau/R = 1/(R*I1)*gamma3*1/s*(R*I3*gamma3*omega3 + G_level) + omega3*s */
-    const double t19 = p[39]*t16; /* m*R^2*d(v_tau)/d(omega3)/R */
+    const double t19 = p[38]*t16; /* m*R^2*d(v_tau)/d(omega3)/R */
     const double t20 = JLT_FMA(p[8], x[3], t12); /* R*I3*omega3 + 1/s*gamma3*1/s*(R*I3*gamma3*omega3 + G_level) */
     const double t21 = t8*t20; /* d(omega_n)/d(gamma3)/(1/(R*I1)) = 1/s*(R*I3*omega3 + 1/s*gamma3*1/s*(R*I3*gamma3*omega3 + G_level)) */
-    const double t22 = p[38]*t7; /* R*I1*gamma3*omega3 */
+    const double t22 = p[37]*t7; /* R*I1*gamma3*omega3 */
     const double t23 = JLT_FNMA(t8, t22, t10); /* 1/s*(R*I3*gamma3*omega3 + G_level) - 1/s*R*I1*gamma3*omega3 */
-    const double t24 = p[22]*t10; /* 1/(R^2*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
+    const double t24 = p[35]*t10; /* 1/(R^2*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
     const double t25 = t21*t24; /* d(omega_n)/d(gamma3)/(1/(R*I1))*1/(R^2*I1)*1/s*(R*I3*gamma3*omega3 + G_level) */
     const double t26 = JLT_FMA(x[0], t21, t23); /* d(v_tau)/d(gamma3)/(1/I1) = gamma3*d(omega_n)/d(gamma3)/(1/(R*I1)) + 1/s*(R*I3*gamma3*omega3 + G_level) - 1/s*R*I1*gamma3*omega3 */
     const double t27 = x[3]*p[5]; /* omega3*I3 */
-    const double t28 = JLT_FMA(p[25], t12, t27); /* I3/(R*I1)*1/s*gamma3*1/s*(R*I3*gamma3*omega3 + G_level) + omega3*I3 */
+    const double t28 = JLT_FMA(p[29], t12, t27); /* I3/(R*I1)*1/s*gamma3*1/s*(R*I3*gamma3*omega3 + G_level) + omega3*I3 */
     const double t29 = JLT_FMA(t18, t19, t28); /* d(energy)/d(omega3) = v_tau/R*m*R^2*d(v_tau)/d(omega3)/R + t28 */
     out[3] = t29;
-    const double t30 = p[37]*t18; /* m*R/I1*v_tau/R */
+    const double t30 = p[36]*t18; /* m*R/I1*v_tau/R */
     const double t31 = JLT_FMA(t26, t30, t25); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/(1/I1)*m*R/I1*v_tau/R + t25 */
     out[0] = t31;
-    const double t32 = x[3]*p[40]; /* omega3*(-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)) */
+    const double t32 = x[3]*p[39]; /* omega3*(-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)) */
     const double t33 = t7*t32; /* gamma3*omega3*omega3*(-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3)) */
     out[4] = t33;
     const double t34 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t35 = p[41]*t34; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t35 = p[40]*t34; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[5] = t35;
-    const double t36 = p[42]*t34; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
+    const double t36 = p[41]*t34; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
     out[6] = t36;
-    const double t37 = x[3]*p[43]; /* omega3*2*m*R^2*I1*(I1 - I3) */
+    const double t37 = x[3]*p[42]; /* omega3*2*m*R^2*I1*(I1 - I3) */
     const double t38 = t15*t37; /* Theta/(m*R^2*I1)*omega3*2*m*R^2*I1*(I1 - I3) */
     out[7] = t38;
 }
@@ -632,22 +631,22 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G = {
     .elimination = "level_G",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
+    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 44,
+    .state_count = 4, .param_count = 7, .block_count = 43,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 4, { 5, 18, 5, 1, 1, 0, 12, 6 }, { 10, 39, 0, 6, 1, 0, 10, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in (R*I3)*gamma3*omega3 + G_level, a part of d(omega_tau)/dt, omega3 + omega_n*gamma3*((1)/s^2*Theta/(m*R^2*I1))*Theta/(m*R^2*I1)*s, V/R = (1/R)*v_nu + omega_tau, omega_tau*s*((I1 - I3)/I1)*gamma3*omega3 - omega_n*V/R" },
-    .jacobian = { jacobian, 16, { 5, 37, 17, 1, 1, 0, 15, 12 }, { 33, 145, 0, 26, 1, 0, 13, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in gamma3*omega3*(R*I3) + G_level, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(omega3), 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), V = omega_tau*R + v_nu, 2*(m*R^2*I1 - m*R^2*I3)/(m*R), a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega3)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 5, 41, 17, 1, 1, 0, 15, 14 }, { 38, 166, 0, 31, 1, 0, 13, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), (R*I3)*gamma3*omega3 + G_level, a part of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), V/R = (1/R)*v_nu + omega_tau, d(omega3)/dt, d(d(omega3)/dt)/d(gamma3), a part of d(v_nu)/dt, d(d(v_nu)/dt)/d(omega3), d(d(omega_tau)/dt)/d(omega3), d(d(omega3)/dt)/d(omega3), d(d(v_nu)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3)" },
-    .divergence = { divergence, 1, { 3, 11, 4, 1, 1, 0, 11, 5 }, { 7, 25, 0, 3, 1, 0, 10, 7 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, ((I1 - I3)/I1)*1/(Theta/(m*R^2*I1)) - 1/s^2, a part of the divergence" },
+    .jacobian = { jacobian, 16, { 5, 38, 17, 1, 1, 0, 14, 13 }, { 33, 145, 0, 26, 1, 0, 13, 10 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(omega3), 2*m*R^2*I1 - 2*m*R^2*I3, a part of d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), V = omega_tau*R + v_nu, d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(omega_tau), d(d(omega3)/dt)/d(omega3)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 7, 39, 17, 1, 1, 0, 17, 13 }, { 38, 166, 0, 31, 1, 0, 13, 10 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I1), (R*I3)*gamma3*omega3 + G_level, a part of d(d(omega3)/dt)/d(omega_tau), a part of d(omega_tau)/dt and of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega3)/dt)/d(gamma3), V/R = (1/R)*v_nu + omega_tau, a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(gamma3), gamma3*((I1 - I3)/I1)*omega_tau*s - gamma3*1/s^2*s*(I3/I1)*V/R, a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), a part of d(v_nu)/dt, d(d(v_nu)/dt)/d(omega3), d(d(omega_tau)/dt)/d(omega3)" },
+    .divergence = { divergence, 1, { 3, 10, 4, 1, 1, 0, 10, 6 }, { 7, 25, 0, 3, 1, 0, 10, 7 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, 1/(Theta/(m*R^2*I1))*(I3/(R*I1))*V + omega_tau, a part of the divergence" },
     .integral_values = { integral_values, 2, { 3, 14, 9, 1, 1, 0, 10, 6 }, { 12, 44, 0, 1, 1, 0, 12, 6 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level, s*omega3 + gamma3*omega_n, R*omega_tau + v_nu, F0" },
     .integral_gradients = { integral_gradients, 8, { 4, 23, 10, 1, 1, 0, 11, 10 }, { 18, 79, 0, 6, 1, 0, 12, 9 },
@@ -657,6 +656,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G = {
     .time_factor = { .loses_digits = "" },
     .eliminated = { eliminated, 1, { 2, 3, 1, 1, 1, 0, 4, 3 }, { 2, 6, 0, 1, 1, 0, 5, 3 },
         "divides by s: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in omega3*gamma3*(R*I3) + G_level" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Variant:    balanced: a3 = 0
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
+ *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   18    6    1    1    0     11    6   (64)
- *  jacobian            7   34   15    1    1    0     13   12   (216)
- *  rhs_jacobian        8   39   16    1    1    0     14   15   (255)
+ *  rhs                 4   18    6    1    1    0     11    7   (64)
+ *  jacobian            6   34   15    1    1    0     14   12   (216)
+ *  rhs_jacobian        7   38   18    1    1    0     15   13   (255)
  *  divergence          2   11    4    1    1    0      8    6   (38)
  *  integral_values     3   12    9    1    1    0     10    7   (58)
  *  integral_gradients  5   27   10    1    1    0     12   10   (112)
@@ -22,9 +22,12 @@
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
  *    digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, G_level/(R*I1) - omega_n*s,
  *      1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s, V = omega_tau*R + v_nu,
- *      omega_tau - 1/Theta*(m*R*I3)*V, d(omega3)/d(gamma3), a part of d(omega_tau)/dt, d(d(omega_tau)/dt)/d(omega_n),
- *      d(d(v_nu)/dt)/d(omega_n), a part of d(v_nu)/dt, d(omega_n)/dt, a part of d(d(omega_n)/dt)/d(gamma3),
- *      d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3),
+ *      d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n),
+ *      a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(omega_tau),
+ *      d(d(omega_n)/dt)/d(omega_tau), d(omega_n)/dt, d(numerator of d(omega_n)/dt over Theta)/d(gamma3),
+ *      d(numerator of d(omega_n)/dt over Theta)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3),
+ *      d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), a part of d(v_nu)/dt, a part of d(omega_tau)/dt,
  *      a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
@@ -72,75 +75,91 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
     const double t4 = params[0]*t3; /* m*R*R */
-    out[29] = t4;
+    out[34] = t4;
     const double t5 = params[5]/t4; /* I3/(m*R*R) */
     out[9] = t5;
     const double t6 = params[5]/params[4]; /* I3/I1 */
     out[10] = t6;
-    const double t7 = params[5]/t0; /* I3/(R*I1) */
-    out[11] = t7;
-    const double t8 = params[5]*t4; /* I3*m*R*R */
-    out[15] = t8;
-    const double t9 = params[5]*params[5]; /* I3*I3 */
-    const double t10 = t8 + t9; /* I3*m*R*R + I3*I3 */
-    out[19] = t10;
-    const double t11 = t10/t8; /* (I3*m*R*R + I3*I3)/(I3*m*R*R) */
+    const double t7 = params[5]*t4; /* I3*m*R*R */
+    out[22] = t7;
+    const double t8 = params[5]*params[5]; /* I3*I3 */
+    const double t9 = t7 + t8; /* I3*m*R*R + I3*I3 */
+    out[26] = t9;
+    const double t10 = t9/t7; /* (I3*m*R*R + I3*I3)/(I3*m*R*R) */
+    out[11] = t10;
+    const double t11 = params[5]/t0; /* I3/(R*I1) */
     out[12] = t11;
-    const double t12 = params[4]*params[5]; /* I1*I3 */
+    const double t12 = params[4]/params[5]; /* I1/I3 */
     out[13] = t12;
-    const double t13 = params[4]*t4; /* I1*m*R*R */
+    const double t13 = params[1]*2.0; /* R*2 */
     out[14] = t13;
-    const double t14 = params[4]/params[5]; /* I1/I3 */
-    out[16] = t14;
-    const double t15 = params[1]*2.0; /* R*2 */
-    out[17] = t15;
-    const double t16 = params[1]*params[0]; /* R*m */
-    const double t17 = params[5]*t16; /* I3*R*m */
-    out[18] = t17;
-    const double t18 = t13*2.0; /* I1*m*R*R*2 */
-    const double t19 = t8*2.0; /* I3*m*R*R*2 */
-    const double t20 = t18 - t19; /* I1*m*R*R*2 - I3*m*R*R*2 */
-    out[20] = t20;
-    const double t21 = params[4]*t10; /* I1*(I3*m*R*R + I3*I3) */
-    const double t22 = t21/params[5]; /* I1*(I3*m*R*R + I3*I3)/I3 */
-    out[21] = t22;
-    const double t23 = -t17; /* -I3*R*m */
-    out[22] = t23;
-    const double t24 = t12 + t13; /* I1*I3 + I1*m*R*R */
-    out[23] = t24;
-    const double t25 = params[4]/2.0; /* I1/2 */
-    out[24] = t25;
-    const double t26 = params[0]/params[4]; /* m/I1 */
-    out[25] = t26;
-    const double t27 = t4/params[4]; /* m*R*R/I1 */
-    out[26] = t27;
-    const double t28 = params[4]*params[4]; /* I1*I1 */
-    const double t29 = params[0]*t28; /* m*I1*I1 */
-    out[27] = t29;
-    const double t30 = params[4] - params[5]; /* I1 - I3 */
-    const double t31 = t13*t30; /* I1*m*R*R*(I1 - I3) */
-    out[28] = t31;
-    const double t32 = t30*(-2.0); /* (I1 - I3)*(-2) */
-    const double t33 = t13 - t8; /* I1*m*R*R - I3*m*R*R */
-    const double t34 = t32*t33; /* (I1 - I3)*(-2)*(I1*m*R*R - I3*m*R*R) */
-    out[30] = t34;
-    const double t35 = params[0]*(-2.0); /* m*(-2) */
-    const double t36 = t3*t35; /* R*R*m*(-2) */
-    const double t37 = params[4]*t36; /* I1*R*R*m*(-2) */
-    const double t38 = t30*t37; /* (I1 - I3)*I1*R*R*m*(-2) */
-    out[31] = t38;
-    const double t39 = params[0]*2.0; /* m*2 */
-    const double t40 = t28*t39; /* I1*I1*m*2 */
-    out[32] = t40;
-    const double t41 = params[1]*t39; /* R*m*2 */
-    const double t42 = t28*t41; /* I1*I1*R*m*2 */
-    out[33] = t42;
-    const double t43 = t28*t36; /* I1*I1*R*R*m*(-2) */
-    const double t44 = t30*t43; /* (I1 - I3)*I1*I1*R*R*m*(-2) */
-    const double t45 = t44/params[5]; /* (I1 - I3)*I1*I1*R*R*m*(-2)/I3 */
-    out[34] = t45;
-    const double t46 = -t14; /* -I1/I3 */
-    out[35] = t46;
+    const double t14 = params[4]*t4; /* I1*m*R*R */
+    out[21] = t14;
+    const double t15 = t9/t14; /* (I3*m*R*R + I3*I3)/(I1*m*R*R) */
+    out[15] = t15;
+    const double t16 = t14 - t7; /* I1*m*R*R - I3*m*R*R */
+    const double t17 = 2.0*t16; /* 2*(I1*m*R*R - I3*m*R*R) */
+    const double t18 = t17/t7; /* 2*(I1*m*R*R - I3*m*R*R)/(I3*m*R*R) */
+    out[16] = t18;
+    const double t19 = params[1]*t3; /* R*R*R */
+    const double t20 = params[0]*t19; /* m*R*R*R */
+    const double t21 = params[4]*params[4]; /* I1*I1 */
+    const double t22 = t20*t21; /* m*R*R*R*I1*I1 */
+    const double t23 = params[5]*2.0; /* I3*2 */
+    const double t24 = t16*t23; /* (I1*m*R*R - I3*m*R*R)*I3*2 */
+    const double t25 = t24/t22; /* (I1*m*R*R - I3*m*R*R)*I3*2/(m*R*R*R*I1*I1) */
+    out[17] = t25;
+    const double t26 = -t11; /* -I3/(R*I1) */
+    out[18] = t26;
+    const double t27 = params[4]*params[5]; /* I1*I3 */
+    out[20] = t27;
+    const double t28 = t14 + t27; /* I1*m*R*R + I1*I3 */
+    out[28] = t28;
+    const double t29 = t28/t14; /* (I1*m*R*R + I1*I3)/(I1*m*R*R) */
+    out[19] = t29;
+    const double t30 = params[4]*t9; /* I1*(I3*m*R*R + I3*I3) */
+    const double t31 = t30/params[5]; /* I1*(I3*m*R*R + I3*I3)/I3 */
+    out[23] = t31;
+    const double t32 = params[1]*params[0]; /* R*m */
+    const double t33 = params[5]*t32; /* I3*R*m */
+    out[24] = t33;
+    const double t34 = 2.0*t14; /* 2*I1*m*R*R */
+    const double t35 = t7*2.0; /* I3*m*R*R*2 */
+    const double t36 = t34 - t35; /* 2*I1*m*R*R - I3*m*R*R*2 */
+    out[25] = t36;
+    const double t37 = -t33; /* -I3*R*m */
+    out[27] = t37;
+    const double t38 = params[4]/2.0; /* I1/2 */
+    out[29] = t38;
+    const double t39 = params[0]/params[4]; /* m/I1 */
+    out[30] = t39;
+    const double t40 = t4/params[4]; /* m*R*R/I1 */
+    out[31] = t40;
+    const double t41 = params[0]*t21; /* m*I1*I1 */
+    out[32] = t41;
+    const double t42 = params[4] - params[5]; /* I1 - I3 */
+    const double t43 = t14*t42; /* I1*m*R*R*(I1 - I3) */
+    out[33] = t43;
+    const double t44 = t42*(-2.0); /* (I1 - I3)*(-2) */
+    const double t45 = t16*t44; /* (I1*m*R*R - I3*m*R*R)*(I1 - I3)*(-2) */
+    out[35] = t45;
+    const double t46 = params[0]*(-2.0); /* m*(-2) */
+    const double t47 = t3*t46; /* R*R*m*(-2) */
+    const double t48 = params[4]*t47; /* I1*R*R*m*(-2) */
+    const double t49 = t42*t48; /* (I1 - I3)*I1*R*R*m*(-2) */
+    out[36] = t49;
+    const double t50 = params[0]*2.0; /* m*2 */
+    const double t51 = t21*t50; /* I1*I1*m*2 */
+    out[37] = t51;
+    const double t52 = params[1]*t50; /* R*m*2 */
+    const double t53 = t21*t52; /* I1*I1*R*m*2 */
+    out[38] = t53;
+    const double t54 = t21*t47; /* I1*I1*R*R*m*(-2) */
+    const double t55 = t42*t54; /* (I1 - I3)*I1*I1*R*R*m*(-2) */
+    const double t56 = t55/params[5]; /* (I1 - I3)*I1*I1*R*R*m*(-2)/I3 */
+    out[39] = t56;
+    const double t57 = -t12; /* -I1/I3 */
+    out[40] = t57;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -159,25 +178,25 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t10 = t7*t9; /* Theta/(m*R^2*I1)*gamma3*s */
     const double t11 = 1.0/t10; /* 1/(Theta/(m*R^2*I1)*gamma3*s) */
     const double t12 = t7*t11; /* 1/(gamma3*s) = Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*gamma3*s) */
-    const double t13 = t9*t11; /* 1/(Theta/(m*R^2*I1)) = gamma3*s*1/(Theta/(m*R^2*I1)*gamma3*s) */
+    const double t13 = t9*t11; /* gamma3*s*1/(Theta/(m*R^2*I1)*gamma3*s) */
     const double t14 = t8*t12; /* omega_n*gamma3*gamma3*1/(gamma3*s) */
     const double t15 = JLT_FNMA(x[3], t3, p[8]); /* G_level/(R*I1) - omega_n*s */
     const double t16 = t3*t15; /* s*(G_level/(R*I1) - omega_n*s) */
     const double t17 = t12*t16; /* 1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
-    const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t19 = p[11]*t18; /* I3/(R*I1)*V */
-    const double t20 = JLT_FNMA(t13, t19, x[2]); /* omega_tau - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V */
-    const double t21 = t14*t20; /* omega_n*gamma3*gamma3*1/(gamma3*s)*(omega_tau - 1/(Theta/(m*R^2*I1))*I3/(R*I1)*V) */
-    const double t22 = x[3]*t14; /* omega_n*omega_n*gamma3*gamma3*1/(gamma3*s) */
-    const double t23 = x[3]*t17; /* omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
-    const double t24 = t23 - t22; /* omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) - omega_n*omega_n*gamma3*gamma3*1/(gamma3*s) */
-    out[2] = t24;
-    const double t25 = p[7]*t23; /* R*I1/I3*omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
-    const double t26 = JLT_FMS(p[1], t22, t25); /* R*omega_n*omega_n*gamma3*gamma3*1/(gamma3*s) - R*I1/I3*omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
+    const double t18 = x[2]*p[11]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
+    const double t19 = t17*t18; /* 1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s)*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
+    const double t20 = x[3]*t17; /* omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
+    const double t21 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t22 = p[12]*t21; /* I3/(R*I1)*V */
+    const double t23 = JLT_FMA(t14, t22, t19); /* omega_n*gamma3*gamma3*1/(gamma3*s)*I3/(R*I1)*V + t19 */
+    const double t24 = p[7]*t20; /* R*I1/I3*omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
+    const double t25 = x[3]*t14; /* omega_n*omega_n*gamma3*gamma3*1/(gamma3*s) */
+    const double t26 = JLT_FMS(p[1], t25, t24); /* R*omega_n*omega_n*gamma3*gamma3*1/(gamma3*s) - R*I1/I3*omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) */
     out[1] = t26;
-    const double t27 = x[2]*p[12]; /* omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
-    const double t28 = t13*t27; /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
-    const double t29 = JLT_FNMA(t17, t28, t21); /* t21 - 1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*omega_tau*(I3^2 + m*R^2*I3)/(m*R^2*I3) */
+    const double t27 = t20 - t25; /* omega_n*1/(gamma3*s)*s*(G_level/(R*I1) - omega_n*s) - omega_n*omega_n*gamma3*gamma3*1/(gamma3*s) */
+    out[2] = t27;
+    const double t28 = x[2]*t14; /* omega_tau*omega_n*gamma3*gamma3*1/(gamma3*s) */
+    const double t29 = JLT_FNMA(t13, t23, t28); /* omega_tau*omega_n*gamma3*gamma3*1/(gamma3*s) - gamma3*s*1/(Theta/(m*R^2*I1)*gamma3*s)*(omega_n*gamma3*gamma3*1/(gamma3*s)*I3/(R*I1)*V + t19) */
     out[3] = t29;
 }
 
@@ -192,71 +211,70 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
-    const double t4 = JLT_FMA(x[0], t3, p[13]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*s^2 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t3 = x[0]*p[10]; /* gamma3*I3/I1 */
+    const double t4 = p[9] + t2; /* I3/(m*R^2) + s^2 */
+    const double t5 = JLT_FMA(x[0], t3, t4); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
     const double t6 = x[0]*t2; /* gamma3*s^2 */
-    const double t7 = t5*t6; /* Theta*gamma3*s^2 */
-    const double t8 = 1.0/t7; /* 1/(Theta*gamma3*s^2) */
-    const double t9 = t5*t8; /* Theta*1/(Theta*gamma3*s^2) */
-    const double t10 = t6*t8; /* 1/Theta = gamma3*s^2*1/(Theta*gamma3*s^2) */
+    const double t7 = t5*t6; /* Theta/(m*R^2*I1)*gamma3*s^2 */
+    const double t8 = 1.0/t7; /* 1/(Theta/(m*R^2*I1)*gamma3*s^2) */
+    const double t9 = t5*t8; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*gamma3*s^2) */
+    const double t10 = t6*t8; /* 1/(Theta/(m*R^2*I1)) = gamma3*s^2*1/(Theta/(m*R^2*I1)*gamma3*s^2) */
     const double t11 = sqrt(t2); /* s = sqrt(s^2) */
     out[2] = t11;
-    const double t12 = t2*t9; /* 1/gamma3 = s^2*Theta*1/(Theta*gamma3*s^2) */
+    const double t12 = t2*t9; /* 1/gamma3 = s^2*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*gamma3*s^2) */
     const double t13 = x[0]*t11; /* gamma3*s */
-    const double t14 = t9*t13; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t14 = t9*t13; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*gamma3*s^2)*gamma3*s */
     const double t15 = JLT_FNMA(x[3], t11, p[8]); /* G_level/(R*I1) - omega_n*s */
     const double t16 = t12*t15; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
     const double t17 = t11*t12; /* s*1/gamma3 */
     const double t18 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t19 = p[18]*t18; /* m*R*I3*V */
-    const double t20 = t10*t19; /* 1/Theta*m*R*I3*V */
-    const double t21 = x[3]*t14; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t22 = JLT_FMS(t12, t16, t21); /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) - omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t23 = p[16]*t22; /* d(omega3)/d(gamma3) = I1/I3*t22 */
-    const double t24 = x[2]*t14; /* omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t25 = x[0]*t21; /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t26 = t14*t21; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t27 = JLT_FMS(t14, t20, t24); /* Theta*1/(Theta*gamma3*s^2)*gamma3*s*1/Theta*m*R*I3*V - omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t28 = t21*t26; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t26 */
-    const double t29 = t26*t27; /* t26*t27 */
-    const double t30 = x[0]*t24; /* gamma3*omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t31 = -t30; /* -gamma3*omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    out[0] = t31;
-    const double t32 = x[0]*t27; /* gamma3*t27 */
-    const double t33 = x[2]*t10; /* omega_tau*1/Theta */
-    const double t34 = t10*t25; /* 1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t35 = p[21]*t10; /* I1*(I3^2 + m*R^2*I3)/I3*1/Theta */
-    const double t36 = t20*t34; /* 1/Theta*m*R*I3*V*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t37 = t16*t35; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1*(I3^2 + m*R^2*I3)/I3*1/Theta */
-    const double t38 = JLT_FMS(x[3], t17, t16); /* omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t39 = JLT_FMA(t33, t37, t36); /* omega_tau*1/Theta*t37 + t36 */
-    const double t40 = t25 - t37; /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - t37 */
-    const double t41 = JLT_FNMA(p[15], t34, t40); /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - t37 - m*R^2*I3*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    out[14] = t41;
-    const double t42 = p[22]*t34; /* (-m*R*I3)*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    out[13] = t42;
-    const double t43 = x[3]*t23; /* omega_n*d(omega3)/d(gamma3) */
-    const double t44 = p[19]*t33; /* (I3^2 + m*R^2*I3)*omega_tau*1/Theta */
-    const double t45 = JLT_FMS(t23, t44, t29); /* d(omega3)/d(gamma3)*(I3^2 + m*R^2*I3)*omega_tau*1/Theta - t26*t27 */
-    const double t46 = p[23]*t33; /* (I1*I3 + m*R^2*I1)*omega_tau*1/Theta */
-    const double t47 = JLT_FMS(t17, t46, t32); /* s*1/gamma3*(I1*I3 + m*R^2*I1)*omega_tau*1/Theta - gamma3*t27 */
-    out[15] = t47;
-    const double t48 = t28 + t43; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t26 + omega_n*d(omega3)/d(gamma3) */
-    const double t49 = JLT_FMA(p[10], t43, t28); /* I3/I1*omega_n*d(omega3)/d(gamma3) + omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t26 */
-    const double t50 = p[1]*t48; /* R*t48 */
-    out[4] = t50;
-    const double t51 = -t49; /* -t49 */
-    out[8] = t51;
-    const double t52 = p[7]*t38; /* R*I1/I3*(omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s)) */
-    const double t53 = JLT_FMA(p[17], t25, t52); /* 2*R*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s + t52 */
-    out[7] = t53;
-    const double t54 = JLT_FMA(2.0, t25, t38); /* 2*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s + omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t55 = -t54; /* -t54 */
-    out[11] = t55;
-    const double t56 = x[0]*p[20]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t57 = JLT_FNMA(t39, t56, t45); /* t45 - (omega_tau*1/Theta*t37 + t36)*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    out[12] = t57;
+    const double t19 = t10*t18; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t20 = x[3]*t14; /* omega_n*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*gamma3*s^2)*gamma3*s */
+    const double t21 = JLT_FMS(t12, t16, t20); /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) - t20 */
+    const double t22 = p[13]*t21; /* d(omega3)/d(gamma3) = I1/I3*(1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) - t20) */
+    const double t23 = x[2]*t14; /* omega_tau*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*gamma3*s^2)*gamma3*s */
+    const double t24 = p[12]*t19; /* I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
+    const double t25 = JLT_FNMA(t14, t24, t23); /* t23 - Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*gamma3*s^2)*gamma3*s*I3/(R*I1)*1/(Theta/(m*R^2*I1))*V */
+    const double t26 = t14*t20; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*gamma3*s^2)*gamma3*s*t20 */
+    const double t27 = x[0]*t23; /* gamma3*t23 */
+    const double t28 = -t27; /* -gamma3*t23 */
+    out[0] = t28;
+    const double t29 = x[0]*t20; /* gamma3*t20 */
+    const double t30 = t20*t26; /* t20*t26 */
+    const double t31 = t25*t26; /* t25*t26 */
+    const double t32 = x[0]*t25; /* gamma3*t25 */
+    const double t33 = x[0]*p[17]; /* gamma3*2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^3*I1^2) */
+    const double t34 = t19*t33; /* 1/(Theta/(m*R^2*I1))*V*gamma3*2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^3*I1^2) */
+    const double t35 = x[3]*t22; /* omega_n*d(omega3)/d(gamma3) */
+    const double t36 = JLT_FNMA(x[3], t17, t16); /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - omega_n*s*1/gamma3 */
+    const double t37 = t10*t16; /* 1/(Theta/(m*R^2*I1))*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t38 = JLT_FNMA(2.0, t29, t36); /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - omega_n*s*1/gamma3 - 2*gamma3*t20 */
+    out[11] = t38;
+    const double t39 = p[7]*t36; /* R*I1/I3*(1/gamma3*(G_level/(R*I1) - omega_n*s) - omega_n*s*1/gamma3) */
+    const double t40 = JLT_FMS(p[14], t29, t39); /* 2*R*gamma3*t20 - t39 */
+    out[7] = t40;
+    const double t41 = x[0]*p[16]; /* gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I3) */
+    const double t42 = JLT_FMS(t37, t41, t22); /* 1/(Theta/(m*R^2*I1))*1/gamma3*(G_level/(R*I1) - omega_n*s)*gamma3*2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I3) - d(omega3)/d(gamma3) */
+    const double t43 = JLT_FNMA(p[11], t37, t29); /* gamma3*t20 - (I3^2 + m*R^2*I3)/(m*R^2*I3)*1/(Theta/(m*R^2*I1))*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t44 = t10*t29; /* 1/(Theta/(m*R^2*I1))*gamma3*t20 */
+    const double t45 = JLT_FNMA(t34, t44, t31); /* t25*t26 - t34*1/(Theta/(m*R^2*I1))*gamma3*t20 */
+    const double t46 = JLT_FNMA(p[10], t44, t43); /* t43 - I3/I1*1/(Theta/(m*R^2*I1))*gamma3*t20 */
+    out[14] = t46;
+    const double t47 = p[18]*t44; /* (-I3/(R*I1))*1/(Theta/(m*R^2*I1))*gamma3*t20 */
+    out[13] = t47;
+    const double t48 = x[2]*t10; /* omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t49 = t30 + t35; /* t20*t26 + omega_n*d(omega3)/d(gamma3) */
+    const double t50 = JLT_FMA(p[10], t35, t30); /* I3/I1*omega_n*d(omega3)/d(gamma3) + t20*t26 */
+    const double t51 = p[1]*t49; /* R*(t20*t26 + omega_n*d(omega3)/d(gamma3)) */
+    out[4] = t51;
+    const double t52 = -t50; /* -(I3/I1*omega_n*d(omega3)/d(gamma3) + t20*t26) */
+    out[8] = t52;
+    const double t53 = p[15]*t48; /* (I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t54 = JLT_FNMA(t42, t53, t45); /* t25*t26 - t34*1/(Theta/(m*R^2*I1))*gamma3*t20 - t42*(I3^2 + m*R^2*I3)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    out[12] = t54;
+    const double t55 = p[19]*t48; /* (I1*I3 + m*R^2*I1)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) */
+    const double t56 = JLT_FMA(t17, t55, t32); /* s*1/gamma3*(I1*I3 + m*R^2*I1)/(m*R^2*I1)*omega_tau*1/(Theta/(m*R^2*I1)) + gamma3*t25 */
+    out[15] = t56;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -270,9 +288,9 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
-    const double t3 = x[0]*p[15]; /* gamma3*m*R^2*I3 */
-    const double t4 = JLT_FMA(x[0], t3, p[13]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
-    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*s^2 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t3 = x[0]*p[22]; /* gamma3*m*R^2*I3 */
+    const double t4 = JLT_FMA(x[0], t3, p[20]); /* gamma3*gamma3*m*R^2*I3 + I1*I3 */
+    const double t5 = JLT_FMA(p[21], t2, t4); /* Theta = m*R^2*I1*s^2 + gamma3*gamma3*m*R^2*I3 + I1*I3 */
     const double t6 = x[0]*t2; /* gamma3*s^2 */
     const double t7 = t5*t6; /* Theta*gamma3*s^2 */
     const double t8 = 1.0/t7; /* 1/(Theta*gamma3*s^2) */
@@ -281,67 +299,67 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t11 = sqrt(t2); /* s = sqrt(s^2) */
     out[6] = t11;
     const double t12 = t2*t9; /* 1/gamma3 = s^2*Theta*1/(Theta*gamma3*s^2) */
-    const double t13 = x[3]*t11; /* omega_n*s */
-    const double t14 = p[8] - t13; /* G_level/(R*I1) - omega_n*s */
-    const double t15 = t12*t14; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t16 = JLT_FNMA(t12, t13, t15); /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s */
-    const double t17 = x[0]*t11; /* gamma3*s */
-    const double t18 = t9*t17; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t19 = x[2]*t11; /* omega_tau*s */
-    out[0] = t19;
-    const double t20 = p[23]*t19; /* (I1*I3 + m*R^2*I1)*omega_tau*s */
-    const double t21 = t10*t20; /* 1/Theta*(I1*I3 + m*R^2*I1)*omega_tau*s */
-    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t23 = p[18]*t22; /* m*R*I3*V */
-    const double t24 = p[16]*t15; /* I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t25 = x[3]*t18; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t26 = JLT_FNMA(t10, t23, x[2]); /* omega_tau - 1/Theta*m*R*I3*V */
-    const double t27 = p[19]*t10; /* (I3^2 + m*R^2*I3)*1/Theta */
-    const double t28 = t12*t24; /* 1/gamma3*I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t29 = JLT_FNMA(p[16], t25, t28); /* d(omega3)/d(gamma3) = 1/gamma3*I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s) - I1/I3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t30 = x[0]*t25; /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t31 = t15 - t30; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t32 = x[3]*t31; /* omega_n*t31 */
-    out[2] = t32;
-    const double t33 = JLT_FNMA(2.0, t30, t16); /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s - 2*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    out[15] = t33;
-    const double t34 = p[7]*t16; /* R*I1/I3*(1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s) */
-    const double t35 = JLT_FMS(p[17], t30, t34); /* 2*R*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - t34 */
-    out[11] = t35;
-    const double t36 = x[2]*t27; /* omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t37 = JLT_FNMA(t24, t27, t30); /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s)*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t38 = t18*t25; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t39 = t25*t38; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t38 */
-    const double t40 = t18*t26; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s*(omega_tau - 1/Theta*m*R*I3*V) */
-    const double t41 = t38*t40; /* t38*t40 */
-    const double t42 = x[0]*t18; /* gamma3*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t43 = JLT_FMA(t29, t36, t41); /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta + t38*t40 */
-    const double t44 = t24*t36; /* I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s)*omega_tau*(I3^2 + m*R^2*I3)*1/Theta */
-    const double t45 = x[3]*t29; /* omega_n*d(omega3)/d(gamma3) */
-    const double t46 = t30 - t24; /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
-    const double t47 = JLT_FMS(t26, t30, t44); /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - t44 */
-    out[3] = t47;
-    const double t48 = t10*t30; /* 1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t49 = JLT_FMA(t23, t48, t44); /* m*R*I3*V*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s + t44 */
-    const double t50 = JLT_FNMA(p[15], t48, t37); /* t37 - m*R^2*I3*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    out[18] = t50;
-    const double t51 = p[22]*t48; /* (-m*R*I3)*1/Theta*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    out[17] = t51;
-    const double t52 = t26*t42; /* (omega_tau - 1/Theta*m*R*I3*V)*gamma3*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t53 = JLT_FMA(t12, t21, t52); /* 1/gamma3*1/Theta*(I1*I3 + m*R^2*I1)*omega_tau*s + t52 */
-    out[19] = t53;
-    const double t54 = x[2]*t42; /* omega_tau*gamma3*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    const double t55 = -t54; /* -omega_tau*gamma3*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
-    out[4] = t55;
-    const double t56 = x[0]*p[20]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t57 = t10*t56; /* 1/Theta*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    const double t58 = JLT_FNMA(t49, t57, t43); /* t43 - t49*1/Theta*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
-    out[16] = t58;
+    const double t13 = x[0]*t11; /* gamma3*s */
+    const double t14 = t9*t13; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t15 = x[3]*t11; /* omega_n*s */
+    const double t16 = x[2]*t11; /* omega_tau*s */
+    out[0] = t16;
+    const double t17 = p[28]*t16; /* (I1*I3 + m*R^2*I1)*omega_tau*s */
+    const double t18 = p[8] - t15; /* G_level/(R*I1) - omega_n*s */
+    const double t19 = t12*t18; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t20 = JLT_FNMA(t12, t15, t19); /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s */
+    const double t21 = x[3]*t14; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t22 = p[23]*t19; /* I1*(I3^2 + m*R^2*I3)/I3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t23 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t24 = p[24]*t23; /* m*R*I3*V */
+    const double t25 = JLT_FMS(t12, t19, t21); /* 1/gamma3*1/gamma3*(G_level/(R*I1) - omega_n*s) - omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t26 = p[13]*t25; /* d(omega3)/d(gamma3) = I1/I3*t25 */
+    const double t27 = x[0]*t21; /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t28 = JLT_FNMA(2.0, t27, t20); /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s - 2*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    out[15] = t28;
+    const double t29 = p[7]*t20; /* R*I1/I3*(1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s) */
+    const double t30 = JLT_FMS(p[14], t27, t29); /* 2*R*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - t29 */
+    out[11] = t30;
+    const double t31 = x[2]*t22; /* omega_tau*t22 */
+    const double t32 = JLT_FMA(t24, t27, t31); /* m*R*I3*V*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s + omega_tau*t22 */
+    const double t33 = t14*t24; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s*m*R*I3*V */
+    const double t34 = t10*t32; /* 1/Theta*t32 */
+    const double t35 = JLT_FMA(p[22], t27, t22); /* m*R^2*I3*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s + t22 */
+    const double t36 = JLT_FNMA(t10, t35, t27); /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - 1/Theta*t35 */
+    out[18] = t36;
+    const double t37 = JLT_FMS(x[2], t27, t34); /* omega_tau*gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - 1/Theta*t32 */
+    out[3] = t37;
+    const double t38 = x[2]*p[26]; /* omega_tau*(I3^2 + m*R^2*I3) */
+    const double t39 = t26*t38; /* d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3) */
+    const double t40 = x[3]*t26; /* omega_n*d(omega3)/d(gamma3) */
+    const double t41 = t14*t21; /* Theta*1/(Theta*gamma3*s^2)*gamma3*s*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t42 = JLT_FNMA(t33, t41, t39); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = d(omega3)/d(gamma3)*omega_tau*(I3^2 + m*R^2*I3) - Theta*1/(Theta*gamma3*s^2)*gamma3*s*m*R*I3*V*t41 */
+    const double t43 = x[2]*t14; /* omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t44 = t21*t41; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t41 */
+    const double t45 = x[0]*t33; /* gamma3*Theta*1/(Theta*gamma3*s^2)*gamma3*s*m*R*I3*V */
+    const double t46 = JLT_FMS(t12, t17, t45); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/gamma3*(I1*I3 + m*R^2*I1)*omega_tau*s - gamma3*Theta*1/(Theta*gamma3*s^2)*gamma3*s*m*R*I3*V */
+    const double t47 = x[0]*p[25]; /* gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) */
+    const double t48 = JLT_FMS(t34, t47, t42); /* 1/Theta*t32*gamma3*(2*m*R^2*I1 - 2*m*R^2*I3) - d(numerator of d(omega_n)/dt over Theta)/d(gamma3) */
+    const double t49 = t10*t48; /* 1/Theta*t48 */
+    const double t50 = JLT_FMS(t41, t43, t49); /* t41*omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s - 1/Theta*t48 */
+    out[16] = t50;
+    const double t51 = x[0]*t43; /* gamma3*omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t52 = JLT_FMA(t10, t46, t51); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + gamma3*omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    out[19] = t52;
+    const double t53 = -t51; /* -gamma3*omega_tau*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    out[4] = t53;
+    const double t54 = p[27]*t10; /* (-m*R*I3)*1/Theta */
+    const double t55 = t27*t54; /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*(-m*R*I3)*1/Theta */
+    out[17] = t55;
+    const double t56 = JLT_FNMA(p[13], t19, t27); /* gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s - I1/I3*1/gamma3*(G_level/(R*I1) - omega_n*s) */
+    const double t57 = t19 - t27; /* 1/gamma3*(G_level/(R*I1) - omega_n*s) - gamma3*omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s */
+    const double t58 = x[3]*t57; /* omega_n*t57 */
+    out[2] = t58;
     const double t59 = p[1]*x[3]; /* R*omega_n */
-    const double t60 = t46*t59; /* t46*R*omega_n */
+    const double t60 = t56*t59; /* t56*R*omega_n */
     out[1] = t60;
-    const double t61 = t39 + t45; /* omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t38 + omega_n*d(omega3)/d(gamma3) */
-    const double t62 = JLT_FMA(p[10], t45, t39); /* I3/I1*omega_n*d(omega3)/d(gamma3) + omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t38 */
+    const double t61 = t40 + t44; /* omega_n*d(omega3)/d(gamma3) + omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t41 */
+    const double t62 = JLT_FMA(p[10], t40, t44); /* I3/I1*omega_n*d(omega3)/d(gamma3) + omega_n*Theta*1/(Theta*gamma3*s^2)*gamma3*s*t41 */
     const double t63 = p[1]*t61; /* R*t61 */
     out[8] = t63;
     const double t64 = -t62; /* -t62 */
@@ -354,12 +372,12 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = x[0]*x[0]; /* gamma3*gamma3 */
-    const double t4 = JLT_FMA(p[15], t3, p[13]); /* m*R^2*I3*gamma3*gamma3 + I1*I3 */
-    const double t5 = JLT_FMA(p[14], t2, t4); /* Theta = m*R^2*I1*s^2 + m*R^2*I3*gamma3*gamma3 + I1*I3 */
-    const double t6 = p[18]*t3; /* m*R*I3*gamma3*gamma3 */
+    const double t4 = JLT_FMA(p[22], t3, p[20]); /* m*R^2*I3*gamma3*gamma3 + I1*I3 */
+    const double t5 = JLT_FMA(p[21], t2, t4); /* Theta = m*R^2*I1*s^2 + m*R^2*I3*gamma3*gamma3 + I1*I3 */
+    const double t6 = p[24]*t3; /* m*R*I3*gamma3*gamma3 */
     const double t7 = x[0]*t2; /* gamma3*s^2 */
     const double t8 = t5*t7; /* Theta*gamma3*s^2 */
-    const double t9 = p[23]*x[2]; /* (I1*I3 + m*R^2*I1)*omega_tau */
+    const double t9 = p[28]*x[2]; /* (I1*I3 + m*R^2*I1)*omega_tau */
     const double t10 = t2*t9; /* s^2*(I1*I3 + m*R^2*I1)*omega_tau */
     const double t11 = sqrt(t2); /* s = sqrt(s^2) */
     const double t12 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
@@ -374,32 +392,32 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[25]*x[1]; /* m/I1*v_nu */
+    const double t0 = p[30]*x[1]; /* m/I1*v_nu */
     const double t1 = x[3]*x[3]; /* omega_n*omega_n */
     const double t2 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t3 = x[0] + 1.0; /* gamma3 + 1 */
     const double t4 = t2*t3; /* (1 - gamma3)*(gamma3 + 1) */
     const double t5 = sqrt(t4); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t6 = JLT_FNMA(x[3], t5, p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t7 = p[16]/x[0]; /* I1/I3/gamma3 */
+    const double t7 = p[13]/x[0]; /* I1/I3/gamma3 */
     const double t8 = t6*t7; /* (G_level/(R*I1) - omega_n*s)*I1/I3/gamma3 */
     const double t9 = t8*t8; /* (G_level/(R*I1) - omega_n*s)*I1/I3/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3/gamma3 */
     const double t10 = t5*t8; /* s*(G_level/(R*I1) - omega_n*s)*I1/I3/gamma3 */
     const double t11 = JLT_FMS(x[3], x[0], t10); /* v_tau/R = omega_n*gamma3 - s*(G_level/(R*I1) - omega_n*s)*I1/I3/gamma3 */
-    const double t12 = p[26]*t11; /* m*R^2/I1*v_tau/R */
+    const double t12 = p[31]*t11; /* m*R^2/I1*v_tau/R */
     const double t13 = JLT_FMA(x[2], x[2], t1); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t14 = JLT_FMA(x[1], t0, t13); /* v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t15 = JLT_FMA(p[10], t9, t14); /* I3/I1*t9 + v_nu*m/I1*v_nu + omega_tau*omega_tau + omega_n*omega_n */
     const double t16 = JLT_FMA(t11, t12, t15); /* energy/(1/2*I1) = v_tau/R*m*R^2/I1*v_tau/R + t15 */
-    const double t17 = p[24]*t16; /* 1/2*I1*energy/(1/2*I1) */
+    const double t17 = p[29]*t16; /* 1/2*I1*energy/(1/2*I1) */
     out[0] = t17;
     const double t18 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t19 = p[27]*t18; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t19 = p[32]*t18; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t20 = t18*t19; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t21 = p[10]*x[0]; /* I3/I1*gamma3 */
     const double t22 = t4 + p[9]; /* (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
     const double t23 = JLT_FMA(x[0], t21, t22); /* Theta/(m*R^2*I1) = gamma3*I3/I1*gamma3 + (1 - gamma3)*(gamma3 + 1) + I3/(m*R^2) */
-    const double t24 = p[28]*t23; /* m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) */
+    const double t24 = p[33]*t23; /* m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) */
     const double t25 = JLT_FMA(t9, t24, t20); /* t9*m*R^2*I1*(I1 - I3)*Theta/(m*R^2*I1) + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[1] = t25;
 }
@@ -420,13 +438,13 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t9 = t4*t6; /* 1/gamma3 = s^2*1/(gamma3*s^2) */
     const double t10 = x[0]*t6; /* 1/s^2 = gamma3*1/(gamma3*s^2) */
     const double t11 = p[8] - t8; /* G_level/(R*I1) - omega_n*s */
-    const double t12 = p[16]*t9; /* I1/I3*1/gamma3 */
+    const double t12 = p[13]*t9; /* I1/I3*1/gamma3 */
     const double t13 = t11*t12; /* (G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
     const double t14 = JLT_FMA(t4, t12, x[0]); /* d(v_tau)/d(omega_n)/R = s^2*I1/I3*1/gamma3 + gamma3 */
     const double t15 = p[9] + t4; /* I3/(m*R^2) + s^2 */
-    const double t16 = p[26]*t14; /* m*R^2/I1*d(v_tau)/d(omega_n)/R */
+    const double t16 = p[31]*t14; /* m*R^2/I1*d(v_tau)/d(omega_n)/R */
     const double t17 = t9*t13; /* 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
-    const double t18 = p[16]*t10; /* I1/I3*1/s^2 */
+    const double t18 = p[13]*t10; /* I1/I3*1/s^2 */
     const double t19 = JLT_FNMA(t8, t18, t17); /* d(omega3)/d(gamma3) = 1/gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 - omega_n*s*I1/I3*1/s^2 */
     const double t20 = t7*t13; /* s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
     const double t21 = t9*t20; /* 1/gamma3*s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
@@ -435,7 +453,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t24 = JLT_FMA(t10, t23, t19); /* 1/s^2*gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 + d(omega3)/d(gamma3) */
     const double t25 = JLT_FMA(t7, t24, x[3]); /* d(v_tau)/d(gamma3)/R = s*t24 + omega_n */
     const double t26 = t13*t19; /* (G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*d(omega3)/d(gamma3) */
-    const double t27 = p[30]*t13; /* (-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3))*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
+    const double t27 = p[35]*t13; /* (-2*(I1 - I3)*(m*R^2*I1 - m*R^2*I3))*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3 */
     const double t28 = t23*t27; /* gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*t27 */
     const double t29 = x[0]*p[10]; /* gamma3*I3/I1 */
     const double t30 = JLT_FMA(x[0], t29, t15); /* Theta/(m*R^2*I1) = gamma3*gamma3*I3/I1 + I3/(m*R^2) + s^2 */
@@ -443,20 +461,20 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t32 = JLT_FMA(t16, t22, t31); /* d(energy)/d(omega_n)/I1 = m*R^2/I1*d(v_tau)/d(omega_n)/R*v_tau/R + t31 */
     const double t33 = p[4]*t32; /* I1*d(energy)/d(omega_n)/I1 */
     out[3] = t33;
-    const double t34 = p[29]*t22; /* m*R^2*v_tau/R */
+    const double t34 = p[34]*t22; /* m*R^2*v_tau/R */
     const double t35 = p[5]*t26; /* I3*t26 */
     const double t36 = JLT_FMS(t25, t34, t35); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R^2*v_tau/R - I3*t26 */
     out[0] = t36;
-    const double t37 = p[31]*t30; /* (-2*m*R^2*I1*(I1 - I3))*Theta/(m*R^2*I1) */
+    const double t37 = p[36]*t30; /* (-2*m*R^2*I1*(I1 - I3))*Theta/(m*R^2*I1) */
     const double t38 = JLT_FMA(t26, t37, t28); /* t26*(-2*m*R^2*I1*(I1 - I3))*Theta/(m*R^2*I1) + gamma3*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*t27 */
     out[4] = t38;
-    const double t39 = p[34]*t30; /* (-2*m*R^2*I1^2*(I1 - I3)/I3)*Theta/(m*R^2*I1) */
+    const double t39 = p[39]*t30; /* (-2*m*R^2*I1^2*(I1 - I3)/I3)*Theta/(m*R^2*I1) */
     const double t40 = t21*t39; /* 1/gamma3*s*(G_level/(R*I1) - omega_n*s)*I1/I3*1/gamma3*(-2*m*R^2*I1^2*(I1 - I3)/I3)*Theta/(m*R^2*I1) */
     out[7] = t40;
     const double t41 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t42 = p[32]*t41; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t42 = p[37]*t41; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[5] = t42;
-    const double t43 = p[33]*t41; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
+    const double t43 = p[38]*t41; /* 2*m*R*I1^2*(omega_tau*R + v_nu) */
     out[6] = t43;
 }
 
@@ -467,7 +485,7 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = JLT_FNMA(x[3], t3, p[8]); /* G_level/(R*I1) - omega_n*s */
-    const double t5 = p[35]/x[0]; /* (-I1/I3)/gamma3 */
+    const double t5 = p[40]/x[0]; /* (-I1/I3)/gamma3 */
     const double t6 = t4*t5; /* (G_level/(R*I1) - omega_n*s)*(-I1/I3)/gamma3 */
     out[0] = t6;
 }
@@ -532,22 +550,22 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t27[k] = (k == 0 ? p[8] : 0) - jlt_jet_product(x3, t15, k);
         t28[k] = jlt_jet_product(t15, t27, k);
         t29[k] = jlt_jet_product(t24, t28, k);
-        t30[k] = x2[k]*p[1] + x1[k];
-        t31[k] = p[11]*t30[k];
-        t32[k] = x2[k] - jlt_jet_product(t25, t31, k);
-        t33[k] = jlt_jet_product(t26, t32, k);
-        t34[k] = jlt_jet_product(x3, t26, k);
-        t35[k] = jlt_jet_product(x3, t29, k);
-        t36[k] = t35[k] - t34[k];
-        t37[k] = p[7]*t35[k];
-        t38[k] = p[1]*t34[k] - t37[k];
-        t39[k] = x2[k]*p[12];
-        t40[k] = jlt_jet_product(t25, t39, k);
-        t41[k] = t33[k] - jlt_jet_product(t29, t40, k);
+        t30[k] = x2[k]*p[11];
+        t31[k] = jlt_jet_product(t29, t30, k);
+        t32[k] = jlt_jet_product(x3, t29, k);
+        t33[k] = x2[k]*p[1] + x1[k];
+        t34[k] = p[12]*t33[k];
+        t35[k] = jlt_jet_product(t26, t34, k) + t31[k];
+        t36[k] = p[7]*t32[k];
+        t37[k] = jlt_jet_product(x3, t26, k);
+        t38[k] = p[1]*t37[k] - t36[k];
+        t39[k] = t32[k] - t37[k];
+        t40[k] = jlt_jet_product(x2, t26, k);
+        t41[k] = t40[k] - jlt_jet_product(t25, t35, k);
         double *restrict next = coefficients + (k + 1)*4;
         next[0] = x0[k + 1] = t17[k]/(k + 1);
         next[1] = x1[k + 1] = t38[k]/(k + 1);
-        next[2] = x2[k + 1] = t36[k]/(k + 1);
+        next[2] = x2[k + 1] = t39[k]/(k + 1);
         next[3] = x3[k + 1] = t41[k]/(k + 1);
     }
 }
@@ -615,20 +633,20 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3 = {
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
+    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 36,
+    .state_count = 4, .param_count = 7, .block_count = 41,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 4, 18, 6, 1, 1, 0, 11, 6 }, { 11, 44, 0, 8, 1, 0, 11, 8 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, V = omega_tau*R + v_nu, omega_tau - 1/(Theta/(m*R^2*I1))*(I3/(R*I1))*V, d(omega_tau)/dt, d(v_nu)/dt, d(omega_n)/dt" },
-    .jacobian = { jacobian, 16, { 7, 34, 15, 1, 1, 0, 13, 12 }, { 34, 149, 0, 32, 1, 0, 16, 11 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, G_level/(R*I1) - omega_n*s, V = omega_tau*R + v_nu, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(omega_n), omega_n*s*1/gamma3 - 1/gamma3*(G_level/(R*I1) - omega_n*s), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 8, 39, 16, 1, 1, 0, 14, 15 }, { 40, 175, 0, 39, 1, 0, 16, 11 },
-        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, G_level/(R*I1) - omega_n*s, 1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s, V = omega_tau*R + v_nu, omega_tau - 1/Theta*(m*R*I3)*V, d(omega3)/d(gamma3), a part of d(omega_tau)/dt, d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n), a part of d(v_nu)/dt, d(omega_n)/dt, a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)" },
+    .rhs = { rhs, 4, { 4, 18, 6, 1, 1, 0, 11, 7 }, { 11, 44, 0, 8, 1, 0, 11, 8 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, V = omega_tau*R + v_nu, a part of d(omega_n)/dt, d(v_nu)/dt, d(omega_tau)/dt, d(omega_n)/dt" },
+    .jacobian = { jacobian, 16, { 6, 34, 15, 1, 1, 0, 14, 12 }, { 34, 149, 0, 32, 1, 0, 16, 11 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*(m*R^2*I1 - m*R^2*I3)/(m*R^2*I3), 2*I3*(m*R^2*I1 - m*R^2*I3)/(m*R^3*I1^2), G_level/(R*I1) - omega_n*s, V = omega_tau*R + v_nu, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(omega_n), 1/gamma3*(G_level/(R*I1) - omega_n*s) - omega_n*s*1/gamma3, d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 7, 38, 18, 1, 1, 0, 15, 13 }, { 40, 175, 0, 39, 1, 0, 16, 11 },
+        "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in 2*m*R^2*I1 - 2*m*R^2*I3, G_level/(R*I1) - omega_n*s, 1/gamma3*(G_level/(R*I1) - omega_n*s) - 1/gamma3*omega_n*s, V = omega_tau*R + v_nu, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n), a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_tau), d(omega_n)/dt, d(numerator of d(omega_n)/dt over Theta)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), a part of d(v_nu)/dt, a part of d(omega_tau)/dt, a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)" },
     .divergence = { divergence, 1, { 2, 11, 4, 1, 1, 0, 8, 6 }, { 6, 28, 0, 3, 1, 0, 11, 6 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*R^2*I3*gamma3^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in V = omega_tau*R + v_nu, s^2*(I1*I3 + m*R^2*I1)*omega_tau - (m*R*I3)*gamma3*gamma3*V" },
     .integral_values = { integral_values, 2, { 3, 12, 9, 1, 1, 0, 10, 7 }, { 12, 44, 0, 1, 1, 0, 14, 6 },
@@ -640,6 +658,8 @@ const jlt_descriptor jlt_kernels_spherical_top_balanced_on_level_G_omega3 = {
     .time_factor = { .loses_digits = "" },
     .eliminated = { eliminated, 1, { 2, 2, 1, 1, 1, 0, 5, 3 }, { 2, 6, 0, 1, 1, 0, 6, 4 },
         "divides by gamma3: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -1,35 +1,34 @@
 /* Spherical top rolling on a plane with one nonholonomic constraint, reduced system
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
- *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
+ *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   26   13    1    1    0     12   10   (99)
- *  jacobian            8   52   30    1    1    0     16   21   (373)
- *  rhs_jacobian        11   65   33    1    1    0     18   25   (447)
- *  divergence          2   14    9    1    1    0     11    9   (54)
+ *  rhs                 5   26   13    1    1    0     12   10   (99)
+ *  jacobian            8   56   31    1    1    0     17   19   (373)
+ *  rhs_jacobian        9   64   34    1    1    0     15   23   (447)
+ *  divergence          3   14    8    1    1    0     12    7   (54)
  *  integral_values     2   12    9    0    1    0      7    6   (43)
  *  integral_gradients  2   16    9    1    1    0      6    7   (53)
+ *  observe_values      2    5    5    1    1    0      6    5   (39)
+ *  valid_values        2    5    5    1    1    0      6    5   (39)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, d(d(v_nu)/dt)/d(omega_n),
- *      V = omega_tau*e + v_nu, (m*R)*e + I3, b*omega_n*1/s^2*s - R*omega3, b*omega_n*1/s^2*s + R*omega3,
- *      I1*gamma3*omega_n*1/s^2*s + omega3*I3, numerator of d(omega_tau)/dt over D,
- *      (2*I1)*gamma3*omega_n*1/s^2*s + omega3*I3,
- *      numerator of d(omega_n)/dt over Theta = omega_tau*omega3*I3*((m*R)*e + I3) - V*(m*I3)*b*omega_n*1/s^2*s,
- *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*((m*R)*e + I3) - e*(m*I3)*b*omega_n*1/s^2*s,
- *      d(d(omega_n)/dt)/d(omega_tau), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)),
- *      a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), gamma3*1/s^2*s*omega_tau*gamma3 - omega_tau*s,
- *      gamma3*(m*g*a3/I1) - omega_n*1/s^2*s*omega_n*1/s^2*s, d(numerator of d(omega_tau)/dt over D)/d(gamma3),
- *      omega_tau*1/s^2 - (m*R*I3)*1/Theta*V, d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1),
- *      a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3),
- *      d(numerator of d(omega3)/dt over Theta)/d(gamma3),
- *      s*omega3*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))) + e*omega_n*(m*R*I1), a part of d(d(omega3)/dt)/d(gamma3),
- *      d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)
+ *    digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R,
+ *      d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), (m*R*I3)*e + I3^2,
+ *      a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(omega_tau), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      (I3/I1)*omega3*1/D + omega_n*Theta*((1)/Theta*s^2*D)*D*s*gamma3*1/D,
+ *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(omega_n),
+ *      a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)),
+ *      V = omega_tau*e + v_nu, d(omega_n)/dt, a part of d(d(omega3)/dt)/d(omega_tau),
+ *      a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n),
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3),
+ *      a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), d(v_nu)/dt,
+ *      d(d(v_nu)/dt)/d(omega_n)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -58,7 +57,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[5] = params[5];
     const double t0 = params[3]*params[3]; /* a3*a3 */
     const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[30] = t1;
+    out[16] = t1;
     const double t2 = t1/params[4]; /* m*a3*a3/I1 */
     out[6] = t2;
     const double t3 = params[1]*params[1]; /* R*R */
@@ -69,87 +68,90 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t7 = params[5]/t6; /* I3/(I1*R*R) */
     out[8] = t7;
     const double t8 = params[0]*params[2]; /* m*g */
+    out[46] = t8;
     const double t9 = params[3]*t8; /* a3*m*g */
-    out[31] = t9;
+    out[23] = t9;
     const double t10 = t9/params[4]; /* a3*m*g/I1 */
     out[9] = t10;
     const double t11 = params[5]/params[4]; /* I3/I1 */
     out[10] = t11;
     const double t12 = params[4]*params[1]; /* I1*R */
-    out[43] = t12;
+    out[42] = t12;
     const double t13 = params[5]/t12; /* I3/(I1*R) */
     out[11] = t13;
     const double t14 = params[0]*params[1]; /* m*R */
-    out[32] = t14;
+    out[43] = t14;
     const double t15 = params[5]/t14; /* I3/(m*R) */
     out[12] = t15;
     const double t16 = 1.0/params[1]; /* 1/R */
     out[13] = t16;
-    const double t17 = params[4] - params[5]; /* I1 - I3 */
-    const double t18 = t17/params[4]; /* (I1 - I3)/I1 */
+    const double t17 = params[3]*params[5]; /* a3*I3 */
+    const double t18 = t17/t12; /* a3*I3/(I1*R) */
     out[14] = t18;
-    const double t19 = params[3]*params[5]; /* a3*I3 */
-    const double t20 = t19/t12; /* a3*I3/(I1*R) */
+    const double t19 = params[4] - params[5]; /* I1 - I3 */
+    const double t20 = t19/params[4]; /* (I1 - I3)/I1 */
     out[15] = t20;
     const double t21 = params[4]*params[5]; /* I1*I3 */
-    out[16] = t21;
+    out[17] = t21;
     const double t22 = params[4]*t4; /* I1*m*R*R */
-    out[17] = t22;
+    out[18] = t22;
     const double t23 = params[0]*params[5]; /* m*I3 */
-    out[18] = t23;
+    out[19] = t23;
     const double t24 = params[0]*2.0; /* m*2 */
     const double t25 = t0*t24; /* a3*a3*m*2 */
-    out[33] = t25;
-    const double t26 = t25/params[4]; /* a3*a3*m*2/I1 */
-    out[19] = t26;
+    out[20] = t25;
+    const double t26 = params[5]*2.0; /* I3*2 */
+    out[21] = t26;
     const double t27 = params[4]*2.0; /* I1*2 */
-    out[34] = t27;
-    const double t28 = params[5]/t27; /* I3/(I1*2) */
-    out[20] = t28;
-    const double t29 = -params[5]; /* -I3 */
-    out[35] = t29;
-    const double t30 = -t11; /* -I3/I1 */
-    out[21] = t30;
-    const double t31 = params[5]*t14; /* I3*m*R */
-    out[22] = t31;
-    const double t32 = t3*t24; /* R*R*m*2 */
-    const double t33 = params[4]*t32; /* I1*R*R*m*2 */
-    out[23] = t33;
-    const double t34 = params[1]*t24; /* R*m*2 */
-    const double t35 = params[5]*t34; /* I3*R*m*2 */
-    out[24] = t35;
-    const double t36 = params[3]*t14; /* a3*m*R */
-    const double t37 = params[5]*t36; /* I3*a3*m*R */
-    out[25] = t37;
-    const double t38 = params[5]*params[5]; /* I3*I3 */
-    out[26] = t38;
-    const double t39 = params[4]*t14; /* I1*m*R */
-    out[27] = t39;
-    const double t40 = t4*t17; /* m*R*R*(I1 - I3) */
-    out[28] = t40;
-    const double t41 = -t39; /* -I1*m*R */
-    out[29] = t41;
+    out[22] = t27;
+    const double t28 = -params[5]; /* -I3 */
+    out[24] = t28;
+    const double t29 = t3*t24; /* R*R*m*2 */
+    const double t30 = params[4]*t29; /* I1*R*R*m*2 */
+    out[25] = t30;
+    const double t31 = params[1]*t24; /* R*m*2 */
+    const double t32 = params[5]*t31; /* I3*R*m*2 */
+    out[26] = t32;
+    const double t33 = params[5]*t14; /* I3*m*R */
+    out[27] = t33;
+    const double t34 = params[3]*t14; /* a3*m*R */
+    const double t35 = params[5]*t34; /* I3*a3*m*R */
+    out[28] = t35;
+    const double t36 = params[5]*params[5]; /* I3*I3 */
+    out[29] = t36;
+    const double t37 = params[4]*t14; /* I1*m*R */
+    out[30] = t37;
+    const double t38 = t4*t19; /* m*R*R*(I1 - I3) */
+    out[31] = t38;
+    const double t39 = -t37; /* -I1*m*R */
+    out[32] = t39;
+    const double t40 = -params[4]; /* -I1 */
+    out[33] = t40;
+    const double t41 = params[4]*(-2.0); /* I1*(-2) */
+    out[34] = t41;
     const double t42 = params[0]*params[3]; /* m*a3 */
     const double t43 = params[5]*t42; /* I3*m*a3 */
-    out[36] = t43;
-    const double t44 = params[4]*t36; /* I1*a3*m*R */
-    out[37] = t44;
+    out[35] = t43;
+    const double t44 = params[4]*t34; /* I1*a3*m*R */
+    out[36] = t44;
     const double t45 = params[0]/2.0; /* m/2 */
-    out[38] = t45;
+    out[37] = t45;
     const double t46 = params[2]*2.0; /* g*2 */
     const double t47 = params[3]*t46; /* a3*g*2 */
-    out[39] = t47;
+    out[38] = t47;
     const double t48 = 1.0/params[0]; /* 1/m */
-    out[40] = t48;
+    out[39] = t48;
     const double t49 = params[4]/params[0]; /* I1/m */
-    out[41] = t49;
+    out[40] = t49;
     const double t50 = params[5]/params[0]; /* I3/m */
-    out[42] = t50;
+    out[41] = t50;
     const double t51 = -t12; /* -I1*R */
     out[44] = t51;
     const double t52 = params[1]*params[5]; /* R*I3 */
     const double t53 = -t52; /* -R*I3 */
     out[45] = t53;
+    const double t54 = params[4]*t42; /* I1*m*a3 */
+    out[47] = t54;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -176,34 +178,35 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t19 = JLT_FMA(p[1], x[4], t18); /* R*omega3 + b*t16 */
     const double t20 = x[3]*t19; /* omega_n*(R*omega3 + b*t16) */
     out[1] = t20;
-    const double t21 = x[2]*t14; /* omega_tau*s */
-    out[0] = t21;
+    const double t21 = x[2]*x[0]; /* omega_tau*gamma3 */
     const double t22 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t23 = x[0]*t21; /* gamma3*omega_tau*s */
-    const double t24 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t25 = t23*t24; /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t26 = JLT_FNMA(p[9], t14, t25); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s */
-    const double t27 = p[14]*t23; /* (I1 - I3)/I1*gamma3*omega_tau*s */
-    const double t28 = JLT_FNMA(p[15], t21, t27); /* (I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s */
-    const double t29 = p[12] + t22; /* I3/(m*R) + e */
-    const double t30 = p[11]*t29; /* I3/(R*I1)*(I3/(m*R) + e) */
-    const double t31 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
-    const double t32 = t13*t31; /* 1/(Theta/(m*R^2*I1))*V */
-    const double t33 = x[4]*t13; /* omega3*1/(Theta/(m*R^2*I1)) */
-    const double t34 = t5*t32; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t35 = x[0]*t16; /* gamma3*t16 */
-    const double t36 = JLT_FMA(t30, t33, t35); /* I3/(R*I1)*(I3/(m*R) + e)*omega3*1/(Theta/(m*R^2*I1)) + gamma3*t16 */
-    const double t37 = JLT_FMA(x[4], p[10], t35); /* omega3*I3/I1 + gamma3*t16 */
-    const double t38 = JLT_FNMA(x[3], t37, t26); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*t16) */
-    const double t39 = t17*t38; /* s^2*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D/I1)*t38 */
-    out[2] = t39;
-    const double t40 = x[2]*t36; /* omega_tau*t36 */
-    const double t41 = JLT_FNMA(t16, t34, t40); /* omega_tau*t36 - t16*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    out[3] = t41;
-    const double t42 = x[3]*p[13]; /* omega_n*1/R */
-    const double t43 = t32*t42; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    const double t44 = JLT_FMS(t28, t33, t43); /* ((I1 - I3)/I1*gamma3*omega_tau*s - a3*I3/(R*I1)*omega_tau*s)*omega3*1/(Theta/(m*R^2*I1)) - 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
-    out[4] = t44;
+    const double t23 = x[2]*t14; /* omega_tau*s */
+    out[0] = t23;
+    const double t24 = p[6]*t21; /* m*a3^2/I1*omega_tau*gamma3 */
+    const double t25 = t23*t24; /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 */
+    const double t26 = JLT_FNMA(p[9], t14, t25); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s */
+    const double t27 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
+    const double t28 = t13*t27; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t29 = JLT_FMS(t5, t28, t21); /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V - omega_tau*gamma3 */
+    const double t30 = p[12] + t22; /* I3/(m*R) + e */
+    const double t31 = x[4]*t13; /* omega3*1/(Theta/(m*R^2*I1)) */
+    const double t32 = t16*t29; /* t16*(I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V - omega_tau*gamma3) */
+    const double t33 = x[0]*t16; /* gamma3*t16 */
+    const double t34 = JLT_FMA(x[4], p[10], t33); /* omega3*I3/I1 + gamma3*t16 */
+    const double t35 = JLT_FNMA(x[3], t34, t26); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s - omega_n*(omega3*I3/I1 + gamma3*t16) */
+    const double t36 = t17*t35; /* s^2*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D/I1)*t35 */
+    out[2] = t36;
+    const double t37 = x[3]*p[13]; /* omega_n*1/R */
+    const double t38 = t28*t37; /* 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    const double t39 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t40 = t23*t39; /* omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t41 = JLT_FMA(t31, t40, t38); /* omega3*1/(Theta/(m*R^2*I1))*omega_tau*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + 1/(Theta/(m*R^2*I1))*V*omega_n*1/R */
+    const double t42 = -t41; /* -t41 */
+    out[4] = t42;
+    const double t43 = x[2]*p[11]; /* omega_tau*I3/(R*I1) */
+    const double t44 = t30*t43; /* (I3/(m*R) + e)*omega_tau*I3/(R*I1) */
+    const double t45 = JLT_FMS(t31, t44, t32); /* omega3*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e)*omega_tau*I3/(R*I1) - t32 */
+    out[3] = t45;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -213,16 +216,16 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     out[2] = t3;
-    const double t4 = JLT_FMA(t2, p[6], 1.0); /* D/I1 = s^2*m*a3^2/I1 + 1 */
+    const double t4 = JLT_FMA(t2, p[16], p[4]); /* D = s^2*m*a3^2 + I1 */
     const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t6 = t5*p[18]; /* b*m*I3 */
-    const double t7 = JLT_FMA(t2, p[17], p[16]); /* s^2*m*R^2*I1 + I1*I3 */
+    const double t6 = t5*p[19]; /* b*m*I3 */
+    const double t7 = JLT_FMA(t2, p[18], p[17]); /* s^2*m*R^2*I1 + I1*I3 */
     const double t8 = JLT_FMA(t5, t6, t7); /* Theta = b*b*m*I3 + s^2*m*R^2*I1 + I1*I3 */
-    const double t9 = t2*t4; /* s^2*D/I1 */
-    const double t10 = t8*t9; /* Theta*s^2*D/I1 */
-    const double t11 = 1.0/t10; /* 1/(Theta*s^2*D/I1) */
-    const double t12 = t8*t11; /* Theta*1/(Theta*s^2*D/I1) */
-    const double t13 = t4*t12; /* 1/s^2 = D/I1*Theta*1/(Theta*s^2*D/I1) */
+    const double t9 = t2*t4; /* s^2*D */
+    const double t10 = t8*t9; /* Theta*s^2*D */
+    const double t11 = 1.0/t10; /* 1/(Theta*s^2*D) */
+    const double t12 = t8*t11; /* Theta*1/(Theta*s^2*D) */
+    const double t13 = t4*t12; /* 1/s^2 = D*Theta*1/(Theta*s^2*D) */
     const double t14 = t3*t13; /* s*1/s^2 */
     const double t15 = x[0]*t14; /* gamma3*s*1/s^2 */
     const double t16 = x[2]*t15; /* omega_tau*gamma3*s*1/s^2 */
@@ -244,87 +247,92 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t23 = p[1]*x[4]; /* R*omega3 */
     const double t24 = JLT_FMA(t19, 2.0, t23); /* b*s*1/s^2*omega_n*2 + R*omega3 */
     out[8] = t24;
-    const double t25 = t2*t12; /* 1/(D/I1) = s^2*Theta*1/(Theta*s^2*D/I1) */
-    const double t26 = x[0]*p[19]; /* gamma3*2*m*a3^2/I1 */
-    const double t27 = t25*t26; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t28 = t3*t27; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t29 = t28 - t15; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2 */
-    const double t30 = p[9]*t29; /* m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2) */
-    const double t31 = JLT_FMA(x[0], t29, t3); /* gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2) + s */
-    const double t32 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
-    const double t33 = x[2]*t32; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t34 = t14*t18; /* s*1/s^2*s*1/s^2*omega_n */
-    const double t35 = x[0]*t18; /* gamma3*s*1/s^2*omega_n */
-    const double t36 = JLT_FMA(x[4], p[10], t35); /* omega3*I3/I1 + gamma3*s*1/s^2*omega_n */
-    const double t37 = x[3]*t27; /* omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t38 = JLT_FMS(t31, t33, t30); /* (gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2) + s)*omega_tau*omega_tau*m*a3^2/I1 - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - gamma3*s*1/s^2) */
-    const double t39 = JLT_FNMA(t18, t34, t38); /* t38 - s*1/s^2*omega_n*s*1/s^2*s*1/s^2*omega_n */
-    const double t40 = JLT_FNMA(t36, t37, t39); /* t38 - s*1/s^2*omega_n*s*1/s^2*s*1/s^2*omega_n - (omega3*I3/I1 + gamma3*s*1/s^2*omega_n)*omega_n*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    const double t41 = t25*t40; /* 1/(D/I1)*t40 */
-    out[10] = t41;
-    const double t42 = x[2]*t28; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
-    out[12] = t42;
-    const double t43 = JLT_FMA(x[4], p[20], t35); /* omega3*1/2*I3/I1 + gamma3*s*1/s^2*omega_n */
-    const double t44 = t25*(-2.0); /* 1/(D/I1)*(-2) */
-    const double t45 = t43*t44; /* (omega3*1/2*I3/I1 + gamma3*s*1/s^2*omega_n)*1/(D/I1)*(-2) */
-    out[13] = t45;
-    const double t46 = x[3]*p[21]; /* omega_n*(-I3/I1) */
-    const double t47 = t25*t46; /* 1/(D/I1)*omega_n*(-I3/I1) */
-    out[14] = t47;
-    const double t48 = x[2]*t13; /* omega_tau*1/s^2 */
-    const double t49 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t50 = JLT_FMA(x[2], t49, x[1]); /* V = omega_tau*e + v_nu */
-    const double t51 = t9*t11; /* 1/Theta = s^2*D/I1*1/(Theta*s^2*D/I1) */
-    const double t52 = t50*t51; /* V*1/Theta */
-    const double t53 = JLT_FNMA(p[22], t52, t48); /* omega_tau*1/s^2 - m*R*I3*V*1/Theta */
-    const double t54 = t18*t53; /* s*1/s^2*omega_n*(omega_tau*1/s^2 - m*R*I3*V*1/Theta) */
-    const double t55 = t14*t52; /* s*1/s^2*V*1/Theta */
-    const double t56 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
-    const double t57 = JLT_FMS(t5, p[24], t56); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
-    const double t58 = t51*t57; /* 1/Theta*d(Theta)/d(gamma3) */
-    const double t59 = t52*t58; /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) */
-    const double t60 = x[2]*t51; /* omega_tau*1/Theta */
-    const double t61 = JLT_FNMA(p[3], t60, t59); /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta */
-    const double t62 = JLT_FMS(t15, t55, t61); /* gamma3*s*1/s^2*s*1/s^2*V*1/Theta - (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta) */
-    const double t63 = p[18]*t19; /* m*I3*b*s*1/s^2*omega_n */
-    const double t64 = x[4]*t60; /* omega3*omega_tau*1/Theta */
-    const double t65 = JLT_FMA(p[22], t49, p[26]); /* m*R*I3*e + I3^2 */
-    const double t66 = JLT_FNMA(t58, t65, p[25]); /* m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2) */
-    const double t67 = JLT_FMA(t64, t66, t54); /* omega3*omega_tau*1/Theta*(m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2)) + s*1/s^2*omega_n*(omega_tau*1/s^2 - m*R*I3*V*1/Theta) */
-    const double t68 = JLT_FNMA(t62, t63, t67); /* t67 - t62*m*I3*b*s*1/s^2*omega_n */
-    out[15] = t68;
-    const double t69 = t51*t63; /* 1/Theta*m*I3*b*s*1/s^2*omega_n */
-    const double t70 = -t69; /* -1/Theta*m*I3*b*s*1/s^2*omega_n */
-    out[16] = t70;
-    const double t71 = x[4]*t51; /* omega3*1/Theta */
-    const double t72 = JLT_FMA(t65, t71, t35); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*s*1/s^2*omega_n */
-    const double t73 = JLT_FNMA(t49, t69, t72); /* (m*R*I3*e + I3^2)*omega3*1/Theta + gamma3*s*1/s^2*omega_n - e*1/Theta*m*I3*b*s*1/s^2*omega_n */
-    out[17] = t73;
-    const double t74 = JLT_FNMA(t6, t55, t16); /* omega_tau*gamma3*s*1/s^2 - b*m*I3*s*1/s^2*V*1/Theta */
-    out[18] = t74;
-    const double t75 = t60*t65; /* omega_tau*1/Theta*(m*R*I3*e + I3^2) */
-    out[19] = t75;
-    const double t76 = x[3]*p[27]; /* omega_n*m*R*I1 */
-    const double t77 = t61*t76; /* (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta)*omega_n*m*R*I1 */
-    const double t78 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t79 = t3*p[28]; /* s*m*R^2*(I1 - I3) */
-    const double t80 = t3*t78; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t81 = JLT_FMA(t58, t80, t79); /* 1/Theta*d(Theta)/d(gamma3)*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + s*m*R^2*(I1 - I3) */
-    const double t82 = JLT_FMA(t15, t78, t81); /* gamma3*s*1/s^2*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t81 */
-    const double t83 = JLT_FMA(t64, t82, t77); /* omega3*omega_tau*1/Theta*(gamma3*s*1/s^2*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t81) + t77 */
-    out[20] = t83;
-    const double t84 = t51*t76; /* 1/Theta*omega_n*m*R*I1 */
-    const double t85 = -t84; /* -1/Theta*omega_n*m*R*I1 */
-    out[21] = t85;
-    const double t86 = t71*t80; /* omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t87 = JLT_FMA(t49, t84, t86); /* e*1/Theta*omega_n*m*R*I1 + omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t88 = -t87; /* -t87 */
-    out[22] = t88;
-    const double t89 = t52*p[29]; /* V*1/Theta*(-m*R*I1) */
-    out[23] = t89;
-    const double t90 = t60*t80; /* omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t91 = -t90; /* -omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[24] = t91;
+    const double t25 = t2*t12; /* 1/D = s^2*Theta*1/(Theta*s^2*D) */
+    const double t26 = t3*t25; /* s*1/D */
+    const double t27 = JLT_FMS(p[20], t26, t14); /* 2*m*a3^2*s*1/D - s*1/s^2 */
+    const double t28 = x[0]*t25; /* gamma3*1/D */
+    const double t29 = t27*t28; /* (2*m*a3^2*s*1/D - s*1/s^2)*gamma3*1/D */
+    const double t30 = JLT_FMA(x[0], t29, t26); /* gamma3*(2*m*a3^2*s*1/D - s*1/s^2)*gamma3*1/D + s*1/D */
+    const double t31 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t32 = t30*t31; /* (gamma3*(2*m*a3^2*s*1/D - s*1/s^2)*gamma3*1/D + s*1/D)*omega_tau*omega_tau */
+    const double t33 = x[4]*t25; /* omega3*1/D */
+    const double t34 = t28*p[22]; /* gamma3*1/D*2*I1 */
+    const double t35 = t18*t34; /* s*1/s^2*omega_n*gamma3*1/D*2*I1 */
+    const double t36 = JLT_FMA(p[21], t33, t35); /* 2*I3*omega3*1/D + s*1/s^2*omega_n*gamma3*1/D*2*I1 */
+    const double t37 = x[3]*t28; /* omega_n*gamma3*1/D */
+    const double t38 = JLT_FNMA(t36, t37, t32); /* t32 - (2*I3*omega3*1/D + s*1/s^2*omega_n*gamma3*1/D*2*I1)*omega_n*gamma3*1/D */
+    const double t39 = p[16]*t38; /* m*a3^2*t38 */
+    const double t40 = p[4]*t25; /* I1*1/D */
+    const double t41 = t14*t40; /* s*1/s^2*I1*1/D */
+    const double t42 = t18*t41; /* s*1/s^2*omega_n*s*1/s^2*I1*1/D */
+    const double t43 = JLT_FNMA(t18, t42, t39); /* m*a3^2*t38 - s*1/s^2*omega_n*s*1/s^2*omega_n*s*1/s^2*I1*1/D */
+    const double t44 = JLT_FNMA(t29, p[23], t43); /* m*a3^2*t38 - s*1/s^2*omega_n*s*1/s^2*omega_n*s*1/s^2*I1*1/D - (2*m*a3^2*s*1/D - s*1/s^2)*gamma3*1/D*m*g*a3 */
+    out[10] = t44;
+    const double t45 = x[2]*p[20]; /* omega_tau*2*m*a3^2 */
+    const double t46 = t3*t45; /* s*omega_tau*2*m*a3^2 */
+    const double t47 = t28*t46; /* gamma3*1/D*s*omega_tau*2*m*a3^2 */
+    out[12] = t47;
+    const double t48 = JLT_FMA(t33, p[5], t35); /* omega3*1/D*I3 + s*1/s^2*omega_n*gamma3*1/D*2*I1 */
+    const double t49 = -t48; /* -(omega3*1/D*I3 + s*1/s^2*omega_n*gamma3*1/D*2*I1) */
+    out[13] = t49;
+    const double t50 = x[3]*p[24]; /* omega_n*(-I3) */
+    const double t51 = t25*t50; /* 1/D*omega_n*(-I3) */
+    out[14] = t51;
+    const double t52 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t53 = JLT_FMA(x[2], t52, x[1]); /* V = omega_tau*e + v_nu */
+    const double t54 = t9*t11; /* 1/Theta = s^2*D*1/(Theta*s^2*D) */
+    const double t55 = t53*t54; /* V*1/Theta */
+    const double t56 = t14*t55; /* s*1/s^2*V*1/Theta */
+    const double t57 = x[0]*p[25]; /* gamma3*2*m*R^2*I1 */
+    const double t58 = JLT_FMS(t5, p[26], t57); /* d(Theta)/d(gamma3) = b*2*m*R*I3 - gamma3*2*m*R^2*I1 */
+    const double t59 = t54*t58; /* 1/Theta*d(Theta)/d(gamma3) */
+    const double t60 = t55*t59; /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) */
+    const double t61 = x[2]*t54; /* omega_tau*1/Theta */
+    const double t62 = JLT_FNMA(p[3], t61, t60); /* V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta */
+    const double t63 = JLT_FMS(t15, t56, t62); /* gamma3*s*1/s^2*s*1/s^2*V*1/Theta - (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta) */
+    const double t64 = x[2]*t13; /* omega_tau*1/s^2 */
+    const double t65 = JLT_FMS(t55, p[27], t64); /* V*1/Theta*m*R*I3 - omega_tau*1/s^2 */
+    const double t66 = JLT_FMA(t6, t63, t65); /* b*m*I3*t63 + V*1/Theta*m*R*I3 - omega_tau*1/s^2 */
+    const double t67 = t18*t66; /* s*1/s^2*omega_n*(b*m*I3*t63 + V*1/Theta*m*R*I3 - omega_tau*1/s^2) */
+    const double t68 = x[4]*t61; /* omega3*omega_tau*1/Theta */
+    const double t69 = JLT_FMA(t52, p[27], p[29]); /* e*m*R*I3 + I3^2 */
+    const double t70 = JLT_FNMA(t59, t69, p[28]); /* m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(e*m*R*I3 + I3^2) */
+    const double t71 = JLT_FMS(t68, t70, t67); /* omega3*omega_tau*1/Theta*(m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(e*m*R*I3 + I3^2)) - t67 */
+    out[15] = t71;
+    const double t72 = t6*t54; /* b*m*I3*1/Theta */
+    const double t73 = t18*t72; /* s*1/s^2*omega_n*b*m*I3*1/Theta */
+    const double t74 = -t73; /* -s*1/s^2*omega_n*b*m*I3*1/Theta */
+    out[16] = t74;
+    const double t75 = x[0]*t18; /* gamma3*s*1/s^2*omega_n */
+    const double t76 = x[4]*t54; /* omega3*1/Theta */
+    const double t77 = JLT_FMA(t69, t76, t75); /* (e*m*R*I3 + I3^2)*omega3*1/Theta + gamma3*s*1/s^2*omega_n */
+    const double t78 = JLT_FNMA(t52, t73, t77); /* (e*m*R*I3 + I3^2)*omega3*1/Theta + gamma3*s*1/s^2*omega_n - e*s*1/s^2*omega_n*b*m*I3*1/Theta */
+    out[17] = t78;
+    const double t79 = JLT_FNMA(t6, t56, t16); /* omega_tau*gamma3*s*1/s^2 - b*m*I3*s*1/s^2*V*1/Theta */
+    out[18] = t79;
+    const double t80 = t61*t69; /* omega_tau*1/Theta*(e*m*R*I3 + I3^2) */
+    out[19] = t80;
+    const double t81 = x[3]*p[30]; /* omega_n*m*R*I1 */
+    const double t82 = t62*t81; /* (V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta)*omega_n*m*R*I1 */
+    const double t83 = t3*p[31]; /* s*m*R^2*(I1 - I3) */
+    const double t84 = JLT_FNMA(x[0], p[31], p[28]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t85 = JLT_FMA(t3, t59, t15); /* s*1/Theta*d(Theta)/d(gamma3) + gamma3*s*1/s^2 */
+    const double t86 = JLT_FMA(t84, t85, t83); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*(s*1/Theta*d(Theta)/d(gamma3) + gamma3*s*1/s^2) + s*m*R^2*(I1 - I3) */
+    const double t87 = JLT_FMA(t68, t86, t82); /* omega3*omega_tau*1/Theta*t86 + t82 */
+    out[20] = t87;
+    const double t88 = t54*t81; /* 1/Theta*omega_n*m*R*I1 */
+    const double t89 = -t88; /* -1/Theta*omega_n*m*R*I1 */
+    out[21] = t89;
+    const double t90 = t3*t84; /* s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t91 = t76*t90; /* omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t92 = JLT_FMA(t52, t88, t91); /* e*1/Theta*omega_n*m*R*I1 + omega3*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t93 = -t92; /* -t92 */
+    out[22] = t93;
+    const double t94 = t55*p[32]; /* V*1/Theta*(-m*R*I1) */
+    out[23] = t94;
+    const double t95 = t61*t90; /* omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t96 = -t95; /* -omega_tau*1/Theta*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[24] = t96;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -339,137 +347,135 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = p[18]*t3; /* m*I3*b */
-    const double t5 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*s^2 + I1*I3 */
-    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
-    const double t7 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
-    const double t8 = t6*t7; /* Theta*D */
-    const double t9 = t2*t8; /* s^2*Theta*D */
-    const double t10 = 1.0/t9; /* 1/(s^2*Theta*D) */
-    const double t11 = t8*t10; /* 1/s^2 = Theta*D*1/(s^2*Theta*D) */
-    const double t12 = t2*t10; /* 1/(D*Theta) = s^2*1/(s^2*Theta*D) */
+    const double t4 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t5 = p[19]*t3; /* m*I3*b */
+    const double t6 = JLT_FMA(p[18], t2, p[17]); /* m*R^2*I1*s^2 + I1*I3 */
+    const double t7 = JLT_FMA(t3, t5, t6); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
+    const double t8 = t2*t4; /* s^2*D */
+    const double t9 = t7*t8; /* Theta*s^2*D */
+    const double t10 = 1.0/t9; /* 1/(Theta*s^2*D) */
+    const double t11 = t7*t10; /* Theta*1/(Theta*s^2*D) */
+    const double t12 = t8*t10; /* 1/Theta = s^2*D*1/(Theta*s^2*D) */
     const double t13 = sqrt(t2); /* s = sqrt(s^2) */
     out[7] = t13;
-    const double t14 = t7*t12; /* 1/Theta = D*1/(D*Theta) */
-    const double t15 = t6*t12; /* 1/D = Theta*1/(D*Theta) */
-    const double t16 = t11*t13; /* 1/s^2*s */
-    const double t17 = t4*t16; /* m*I3*b*1/s^2*s */
-    const double t18 = x[3]*t16; /* omega_n*1/s^2*s */
-    const double t19 = t3*t18; /* b*omega_n*1/s^2*s */
-    const double t20 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t21 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t22 = x[2]*t13; /* omega_tau*s */
-    out[0] = t22;
-    const double t23 = p[1]*x[4]; /* R*omega3 */
-    const double t24 = JLT_FMA(2.0, t19, t23); /* 2*b*omega_n*1/s^2*s + R*omega3 */
-    out[13] = t24;
-    const double t25 = p[30]*t20; /* m*a3^2*omega_tau*gamma3 */
-    const double t26 = t22*t25; /* omega_tau*s*m*a3^2*omega_tau*gamma3 */
-    const double t27 = t16*t20; /* 1/s^2*s*omega_tau*gamma3 */
-    const double t28 = JLT_FNMA(p[31], t13, t26); /* omega_tau*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s */
-    const double t29 = -t27; /* -1/s^2*s*omega_tau*gamma3 */
-    out[5] = t29;
-    const double t30 = x[4]*p[5]; /* omega3*I3 */
-    const double t31 = JLT_FMA(x[2], t21, x[1]); /* V = omega_tau*e + v_nu */
-    const double t32 = p[18]*t19; /* m*I3*b*omega_n*1/s^2*s */
-    const double t33 = JLT_FMA(p[32], t21, p[5]); /* m*R*e + I3 */
-    const double t34 = x[0]*t18; /* gamma3*omega_n*1/s^2*s */
-    const double t35 = t31*t32; /* V*m*I3*b*omega_n*1/s^2*s */
-    const double t36 = t30*t33; /* omega3*I3*(m*R*e + I3) */
-    const double t37 = x[3]*p[27]; /* omega_n*m*R*I1 */
-    const double t38 = t19 - t23; /* b*omega_n*1/s^2*s - R*omega3 */
-    const double t39 = t19 + t23; /* b*omega_n*1/s^2*s + R*omega3 */
-    const double t40 = x[3]*t39; /* omega_n*(b*omega_n*1/s^2*s + R*omega3) */
-    out[1] = t40;
-    const double t41 = x[2]*p[36]; /* omega_tau*m*a3*I3 */
-    const double t42 = t38*t41; /* (b*omega_n*1/s^2*s - R*omega3)*omega_tau*m*a3*I3 */
-    const double t43 = x[2]*p[37]; /* omega_tau*m*R*a3*I1 */
-    const double t44 = x[3]*t43; /* omega_n*omega_tau*m*R*a3*I1 */
-    const double t45 = JLT_FMA(p[4], t34, t30); /* I1*gamma3*omega_n*1/s^2*s + omega3*I3 */
-    const double t46 = JLT_FNMA(x[3], t45, t28); /* numerator of d(omega_tau)/dt over D = omega_tau*s*m*a3^2*omega_tau*gamma3 - m*g*a3*s - omega_n*(I1*gamma3*omega_n*1/s^2*s + omega3*I3) */
-    const double t47 = t15*t46; /* 1/D*numerator of d(omega_tau)/dt over D */
-    out[2] = t47;
-    const double t48 = JLT_FMA(p[34], t34, t30); /* 2*I1*gamma3*omega_n*1/s^2*s + omega3*I3 */
-    const double t49 = t15*t48; /* 1/D*(2*I1*gamma3*omega_n*1/s^2*s + omega3*I3) */
-    const double t50 = -t49; /* -1/D*(2*I1*gamma3*omega_n*1/s^2*s + omega3*I3) */
-    out[18] = t50;
-    const double t51 = JLT_FMS(x[2], t36, t35); /* numerator of d(omega_n)/dt over Theta = omega_tau*omega3*I3*(m*R*e + I3) - V*m*I3*b*omega_n*1/s^2*s */
-    const double t52 = t14*t51; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t53 = JLT_FNMA(t21, t32, t36); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*(m*R*e + I3) - e*m*I3*b*omega_n*1/s^2*s */
-    const double t54 = JLT_FMA(t14, t53, t34); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + gamma3*omega_n*1/s^2*s */
-    out[22] = t54;
-    const double t55 = t21*t37; /* e*omega_n*m*R*I1 */
-    const double t56 = t14*t32; /* 1/Theta*m*I3*b*omega_n*1/s^2*s */
-    const double t57 = -t56; /* -1/Theta*m*I3*b*omega_n*1/s^2*s */
-    out[21] = t57;
-    const double t58 = JLT_FMA(x[2], t34, t52); /* omega_tau*gamma3*omega_n*1/s^2*s + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t58;
-    const double t59 = t16*t34; /* 1/s^2*s*gamma3*omega_n*1/s^2*s */
-    const double t60 = p[4]*t16; /* I1*1/s^2*s */
-    const double t61 = t31*t37; /* V*omega_n*m*R*I1 */
-    const double t62 = t14*t31; /* 1/Theta*V */
-    const double t63 = JLT_FNMA(t17, t62, t27); /* 1/s^2*s*omega_tau*gamma3 - m*I3*b*1/s^2*s*1/Theta*V */
-    out[23] = t63;
-    const double t64 = t14*t37; /* 1/Theta*omega_n*m*R*I1 */
-    const double t65 = -t64; /* -1/Theta*omega_n*m*R*I1 */
-    out[26] = t65;
-    const double t66 = p[29]*t62; /* (-m*R*I1)*1/Theta*V */
-    out[28] = t66;
-    const double t67 = JLT_FNMA(x[0], p[28], p[25]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t68 = x[4]*t22; /* omega3*omega_tau*s */
-    const double t69 = JLT_FMA(t67, t68, t61); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega3*omega_tau*s + V*omega_n*m*R*I1 */
-    const double t70 = JLT_FMS(p[28], t68, t44); /* m*R^2*(I1 - I3)*omega3*omega_tau*s - omega_n*omega_tau*m*R*a3*I1 */
-    const double t71 = t14*t69; /* 1/Theta*t69 */
-    const double t72 = -t71; /* -1/Theta*t69 */
-    out[4] = t72;
-    const double t73 = JLT_FMS(x[0], t27, t22); /* gamma3*1/s^2*s*omega_tau*gamma3 - omega_tau*s */
-    const double t74 = x[2]*p[30]; /* omega_tau*m*a3^2 */
-    const double t75 = t73*t74; /* (gamma3*1/s^2*s*omega_tau*gamma3 - omega_tau*s)*omega_tau*m*a3^2 */
-    const double t76 = x[0]*p[9]; /* gamma3*m*g*a3/I1 */
-    const double t77 = JLT_FNMA(t18, t18, t76); /* gamma3*m*g*a3/I1 - omega_n*1/s^2*s*omega_n*1/s^2*s */
-    const double t78 = JLT_FMS(t60, t77, t75); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = I1*1/s^2*s*(gamma3*m*g*a3/I1 - omega_n*1/s^2*s*omega_n*1/s^2*s) - t75 */
-    const double t79 = x[0]*t11; /* gamma3*1/s^2 */
-    const double t80 = JLT_FMA(t35, t79, t42); /* V*m*I3*b*omega_n*1/s^2*s*gamma3*1/s^2 + (b*omega_n*1/s^2*s - R*omega3)*omega_tau*m*a3*I3 */
-    const double t81 = x[2]*t11; /* omega_tau*1/s^2 */
-    const double t82 = JLT_FNMA(p[22], t62, t81); /* omega_tau*1/s^2 - m*R*I3*1/Theta*V */
-    const double t83 = x[0]*p[23]; /* gamma3*2*m*R^2*I1 */
-    const double t84 = JLT_FMS(p[24], t3, t83); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
-    const double t85 = JLT_FMA(t52, t84, t80); /* 1/Theta*numerator of d(omega_n)/dt over Theta*d(Theta)/d(gamma3) + t80 */
-    const double t86 = t14*t85; /* 1/Theta*t85 */
-    const double t87 = JLT_FMS(t18, t82, t86); /* omega_n*1/s^2*s*(omega_tau*1/s^2 - m*R*I3*1/Theta*V) - 1/Theta*t85 */
-    out[20] = t87;
-    const double t88 = x[4]*t67; /* omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t89 = JLT_FMA(t27, t88, t70); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = 1/s^2*s*omega_tau*gamma3*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + t70 */
-    const double t90 = JLT_FMA(t13, t88, t55); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1 */
-    const double t91 = JLT_FMA(t71, t84, t89); /* 1/Theta*t69*d(Theta)/d(gamma3) + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
-    const double t92 = t14*t91; /* 1/Theta*t91 */
-    out[25] = t92;
-    const double t93 = t22*t67; /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t94 = t14*t90; /* 1/Theta*t90 */
-    const double t95 = -t94; /* -1/Theta*t90 */
-    out[27] = t95;
-    const double t96 = t14*t93; /* 1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    const double t97 = -t96; /* -1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
-    out[29] = t97;
-    const double t98 = x[3]*p[1]; /* omega_n*R */
-    out[14] = t98;
-    const double t99 = t18*t98; /* omega_n*1/s^2*s*omega_n*R */
-    const double t100 = JLT_FMA(t19, t59, t99); /* b*omega_n*1/s^2*s*1/s^2*s*gamma3*omega_n*1/s^2*s + omega_n*1/s^2*s*omega_n*R */
-    out[10] = t100;
-    const double t101 = x[0]*p[33]; /* gamma3*2*m*a3^2 */
-    const double t102 = JLT_FMA(t47, t101, t78); /* 1/D*numerator of d(omega_tau)/dt over D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
-    const double t103 = t22*t101; /* omega_tau*s*gamma3*2*m*a3^2 */
-    const double t104 = t15*t102; /* 1/D*t102 */
-    out[15] = t104;
-    const double t105 = t15*t103; /* 1/D*omega_tau*s*gamma3*2*m*a3^2 */
-    out[17] = t105;
-    const double t106 = x[2]*p[5]; /* omega_tau*I3 */
-    const double t107 = t33*t106; /* (m*R*e + I3)*omega_tau*I3 */
-    const double t108 = t14*t107; /* 1/Theta*(m*R*e + I3)*omega_tau*I3 */
-    out[24] = t108;
-    const double t109 = x[3]*p[35]; /* omega_n*(-I3) */
-    const double t110 = t15*t109; /* 1/D*omega_n*(-I3) */
-    out[19] = t110;
+    const double t14 = t4*t13; /* D*s */
+    const double t15 = t11*t14; /* Theta*1/(Theta*s^2*D)*D*s */
+    const double t16 = t2*t11; /* 1/D = s^2*Theta*1/(Theta*s^2*D) */
+    const double t17 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t18 = x[0]*p[25]; /* gamma3*2*m*R^2*I1 */
+    const double t19 = JLT_FMS(p[26], t3, t18); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
+    const double t20 = t12*t19; /* 1/Theta*d(Theta)/d(gamma3) */
+    const double t21 = x[2]*t13; /* omega_tau*s */
+    out[0] = t21;
+    const double t22 = x[2]*p[6]; /* omega_tau*m*a3^2/I1 */
+    const double t23 = t21*t22; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t24 = JLT_FMA(p[27], t17, p[29]); /* m*R*I3*e + I3^2 */
+    const double t25 = x[4]*t12; /* omega3*1/Theta */
+    const double t26 = x[3]*t15; /* omega_n*Theta*1/(Theta*s^2*D)*D*s */
+    const double t27 = x[0]*t16; /* gamma3*1/D */
+    const double t28 = t24*t25; /* (m*R*I3*e + I3^2)*omega3*1/Theta */
+    const double t29 = p[28]*t25; /* m*R*a3*I3*omega3*1/Theta */
+    const double t30 = JLT_FMS(t20, t28, t29); /* 1/Theta*d(Theta)/d(gamma3)*(m*R*I3*e + I3^2)*omega3*1/Theta - m*R*a3*I3*omega3*1/Theta */
+    const double t31 = JLT_FMA(x[0], t26, t28); /* gamma3*omega_n*Theta*1/(Theta*s^2*D)*D*s + (m*R*I3*e + I3^2)*omega3*1/Theta */
+    const double t32 = t3*t26; /* b*omega_n*Theta*1/(Theta*s^2*D)*D*s */
+    const double t33 = t3*t15; /* b*Theta*1/(Theta*s^2*D)*D*s */
+    const double t34 = t26*t27; /* omega_n*Theta*1/(Theta*s^2*D)*D*s*gamma3*1/D */
+    const double t35 = x[4]*t16; /* omega3*1/D */
+    const double t36 = t23*t27; /* omega_tau*s*omega_tau*m*a3^2/I1*gamma3*1/D */
+    const double t37 = p[9]*t13; /* m*g*a3/I1*s */
+    const double t38 = JLT_FMS(t16, t37, t36); /* 1/D*m*g*a3/I1*s - omega_tau*s*omega_tau*m*a3^2/I1*gamma3*1/D */
+    const double t39 = t15*t26; /* Theta*1/(Theta*s^2*D)*D*s*omega_n*Theta*1/(Theta*s^2*D)*D*s */
+    const double t40 = JLT_FNMA(t15, t39, t30); /* t30 - Theta*1/(Theta*s^2*D)*D*s*Theta*1/(Theta*s^2*D)*D*s*omega_n*Theta*1/(Theta*s^2*D)*D*s */
+    const double t41 = JLT_FMS(t26, t39, t23); /* omega_n*Theta*1/(Theta*s^2*D)*D*s*Theta*1/(Theta*s^2*D)*D*s*omega_n*Theta*1/(Theta*s^2*D)*D*s - omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t42 = JLT_FMA(p[10], t35, t34); /* I3/I1*omega3*1/D + omega_n*Theta*1/(Theta*s^2*D)*D*s*gamma3*1/D */
+    const double t43 = JLT_FMA(x[3], t42, t38); /* omega_n*t42 + 1/D*m*g*a3/I1*s - omega_tau*s*omega_tau*m*a3^2/I1*gamma3*1/D */
+    const double t44 = p[24]*t35; /* (-I3)*omega3*1/D */
+    const double t45 = JLT_FMA(p[34], t34, t44); /* (-2*I1)*omega_n*Theta*1/(Theta*s^2*D)*D*s*gamma3*1/D + (-I3)*omega3*1/D */
+    out[18] = t45;
+    const double t46 = p[33]*t43; /* (-I1)*t43 */
+    out[2] = t46;
+    const double t47 = p[22]*t43; /* 2*I1*t43 */
+    const double t48 = t12*t32; /* 1/Theta*b*omega_n*Theta*1/(Theta*s^2*D)*D*s */
+    const double t49 = JLT_FMA(p[35], t48, t40); /* m*a3*I3*1/Theta*b*omega_n*Theta*1/(Theta*s^2*D)*D*s + t40 */
+    const double t50 = p[19]*t48; /* m*I3*1/Theta*b*omega_n*Theta*1/(Theta*s^2*D)*D*s */
+    const double t51 = x[2]*t49; /* omega_tau*(m*a3*I3*1/Theta*b*omega_n*Theta*1/(Theta*s^2*D)*D*s + t40) */
+    const double t52 = -t50; /* -m*I3*1/Theta*b*omega_n*Theta*1/(Theta*s^2*D)*D*s */
+    out[21] = t52;
+    const double t53 = JLT_FNMA(t17, t50, t31); /* t31 - e*m*I3*1/Theta*b*omega_n*Theta*1/(Theta*s^2*D)*D*s */
+    out[22] = t53;
+    const double t54 = x[3]*p[30]; /* omega_n*m*R*I1 */
+    const double t55 = t12*t54; /* 1/Theta*omega_n*m*R*I1 */
+    const double t56 = -t55; /* -1/Theta*omega_n*m*R*I1 */
+    out[26] = t56;
+    const double t57 = JLT_FNMA(x[0], p[31], p[28]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t58 = x[0]*t15; /* gamma3*Theta*1/(Theta*s^2*D)*D*s */
+    const double t59 = x[2]*t12; /* omega_tau*1/Theta */
+    const double t60 = t24*t59; /* (m*R*I3*e + I3^2)*omega_tau*1/Theta */
+    out[24] = t60;
+    const double t61 = x[3]*p[36]; /* omega_n*m*R*a3*I1 */
+    const double t62 = t59*t61; /* omega_tau*1/Theta*omega_n*m*R*a3*I1 */
+    const double t63 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
+    const double t64 = t50*t63; /* m*I3*1/Theta*b*omega_n*Theta*1/(Theta*s^2*D)*D*s*V */
+    const double t65 = JLT_FMS(x[2], t31, t64); /* omega_tau*t31 - m*I3*1/Theta*b*omega_n*Theta*1/(Theta*s^2*D)*D*s*V */
+    out[3] = t65;
+    const double t66 = JLT_FMS(t20, t64, t51); /* 1/Theta*d(Theta)/d(gamma3)*m*I3*1/Theta*b*omega_n*Theta*1/(Theta*s^2*D)*D*s*V - t51 */
+    const double t67 = t25*t57; /* omega3*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t68 = t13*t67; /* s*omega3*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t69 = JLT_FMA(t17, t55, t68); /* e*1/Theta*omega_n*m*R*I1 + s*omega3*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t70 = -t69; /* -t69 */
+    out[27] = t70;
+    const double t71 = t55*t63; /* 1/Theta*omega_n*m*R*I1*V */
+    const double t72 = t12*t63; /* 1/Theta*V */
+    const double t73 = t21*t57; /* omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t74 = t12*t73; /* 1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t75 = -t74; /* -1/Theta*omega_tau*s*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[29] = t75;
+    const double t76 = JLT_FMA(t21, t67, t71); /* omega_tau*s*omega3*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + 1/Theta*omega_n*m*R*I1*V */
+    const double t77 = -t76; /* -t76 */
+    out[4] = t77;
+    const double t78 = p[32]*t72; /* (-m*R*I1)*1/Theta*V */
+    out[28] = t78;
+    const double t79 = p[19]*t72; /* m*I3*1/Theta*V */
+    const double t80 = t32*t58; /* b*omega_n*Theta*1/(Theta*s^2*D)*D*s*gamma3*Theta*1/(Theta*s^2*D)*D*s */
+    const double t81 = x[2]*t58; /* omega_tau*gamma3*Theta*1/(Theta*s^2*D)*D*s */
+    const double t82 = JLT_FNMA(t33, t79, t81); /* omega_tau*gamma3*Theta*1/(Theta*s^2*D)*D*s - b*Theta*1/(Theta*s^2*D)*D*s*m*I3*1/Theta*V */
+    out[23] = t82;
+    const double t83 = JLT_FMA(x[2], t81, t47); /* omega_tau*omega_tau*gamma3*Theta*1/(Theta*s^2*D)*D*s + 2*I1*t43 */
+    const double t84 = -t81; /* -omega_tau*gamma3*Theta*1/(Theta*s^2*D)*D*s */
+    out[5] = t84;
+    const double t85 = p[4]*t16; /* I1*1/D */
+    const double t86 = t41*t85; /* t41*I1*1/D */
+    const double t87 = p[31]*t21; /* m*R^2*(I1 - I3)*omega_tau*s */
+    const double t88 = JLT_FMS(t25, t87, t62); /* omega3*1/Theta*m*R^2*(I1 - I3)*omega_tau*s - omega_tau*1/Theta*omega_n*m*R*a3*I1 */
+    const double t89 = JLT_FMA(t67, t81, t88); /* omega3*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*omega_tau*gamma3*Theta*1/(Theta*s^2*D)*D*s + t88 */
+    const double t90 = JLT_FMA(t20, t76, t89); /* 1/Theta*d(Theta)/d(gamma3)*t76 + t89 */
+    out[25] = t90;
+    const double t91 = p[20]*t21; /* 2*m*a3^2*omega_tau*s */
+    const double t92 = t27*t91; /* gamma3*1/D*2*m*a3^2*omega_tau*s */
+    out[17] = t92;
+    const double t93 = x[3]*p[1]; /* omega_n*R */
+    out[14] = t93;
+    const double t94 = p[23]*t15; /* m*g*a3*Theta*1/(Theta*s^2*D)*D*s */
+    const double t95 = JLT_FMS(t27, t94, t86); /* gamma3*1/D*m*g*a3*Theta*1/(Theta*s^2*D)*D*s - t41*I1*1/D */
+    const double t96 = t15*t80; /* Theta*1/(Theta*s^2*D)*D*s*t80 */
+    const double t97 = t80 + t93; /* t80 + omega_n*R */
+    const double t98 = t26*t97; /* omega_n*Theta*1/(Theta*s^2*D)*D*s*(t80 + omega_n*R) */
+    out[10] = t98;
+    const double t99 = JLT_FMA(p[1], t26, t96); /* R*omega_n*Theta*1/(Theta*s^2*D)*D*s + Theta*1/(Theta*s^2*D)*D*s*t80 */
+    const double t100 = JLT_FNMA(t79, t99, t66); /* t66 - m*I3*1/Theta*V*t99 */
+    out[20] = t100;
+    const double t101 = p[16]*t27; /* m*a3^2*gamma3*1/D */
+    const double t102 = JLT_FNMA(t83, t101, t95); /* gamma3*1/D*m*g*a3*Theta*1/(Theta*s^2*D)*D*s - t41*I1*1/D - t83*m*a3^2*gamma3*1/D */
+    out[15] = t102;
+    const double t103 = x[3]*t32; /* omega_n*b*omega_n*Theta*1/(Theta*s^2*D)*D*s */
+    const double t104 = JLT_FMA(x[4], t93, t103); /* omega3*omega_n*R + omega_n*b*omega_n*Theta*1/(Theta*s^2*D)*D*s */
+    out[1] = t104;
+    const double t105 = p[1]*x[4]; /* R*omega3 */
+    const double t106 = JLT_FMA(2.0, t32, t105); /* 2*b*omega_n*Theta*1/(Theta*s^2*D)*D*s + R*omega3 */
+    out[13] = t106;
+    const double t107 = x[3]*p[24]; /* omega_n*(-I3) */
+    const double t108 = t16*t107; /* 1/D*omega_n*(-I3) */
+    out[19] = t108;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -478,29 +484,29 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = p[18]*t3; /* m*I3*b */
-    const double t5 = JLT_FMA(p[17], t2, p[16]); /* m*R^2*I1*s^2 + I1*I3 */
-    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
-    const double t7 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
-    const double t8 = t6*t7; /* Theta*D */
-    const double t9 = p[33]*t6; /* 2*m*a3^2*Theta */
-    const double t10 = t2*t8; /* s^2*Theta*D */
-    const double t11 = 1.0/t10; /* 1/(s^2*Theta*D) */
-    const double t12 = sqrt(t2); /* s = sqrt(s^2) */
-    const double t13 = t2*t11; /* s^2*1/(s^2*Theta*D) */
-    const double t14 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t15 = JLT_FMA(x[2], t14, x[1]); /* V = omega_tau*e + v_nu */
-    const double t16 = t4*t15; /* m*I3*b*V */
-    const double t17 = t8*t16; /* Theta*D*m*I3*b*V */
-    const double t18 = t12*t17; /* s*Theta*D*m*I3*b*V */
-    const double t19 = x[2]*t12; /* omega_tau*s */
-    const double t20 = x[0]*t19; /* gamma3*omega_tau*s */
-    const double t21 = p[28]*t20; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s */
-    const double t22 = JLT_FNMA(p[25], t19, t21); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s */
-    const double t23 = JLT_FNMA(t11, t18, t22); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s - m*R*a3*I3*omega_tau*s - 1/(s^2*Theta*D)*s*Theta*D*m*I3*b*V */
-    const double t24 = t7*t23; /* D*t23 */
-    const double t25 = JLT_FMA(t9, t20, t24); /* 2*m*a3^2*Theta*gamma3*omega_tau*s + D*t23 */
-    const double t26 = t13*t25; /* s^2*1/(s^2*Theta*D)*(2*m*a3^2*Theta*gamma3*omega_tau*s + D*t23) */
+    const double t4 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t5 = p[7] + t2; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t7 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t8 = t4*t7; /* I3/(R^2*I1)*b*D */
+    const double t9 = t2*t7; /* s^2*D */
+    const double t10 = t6*t9; /* Theta/(m*R^2*I1)*s^2*D */
+    const double t11 = 1.0/t10; /* 1/(Theta/(m*R^2*I1)*s^2*D) */
+    const double t12 = t6*t11; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D) */
+    const double t13 = t9*t11; /* 1/(Theta/(m*R^2*I1)) = s^2*D*1/(Theta/(m*R^2*I1)*s^2*D) */
+    const double t14 = x[0]*p[20]; /* gamma3*2*m*a3^2 */
+    const double t15 = t2*t14; /* s^2*gamma3*2*m*a3^2 */
+    const double t16 = t12*t15; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D)*s^2*gamma3*2*m*a3^2 */
+    const double t17 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t18 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t19 = JLT_FMA(x[2], t18, x[1]); /* V = omega_tau*e + v_nu */
+    const double t20 = t8*t19; /* I3/(R^2*I1)*b*D*V */
+    const double t21 = t12*t20; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*D)*I3/(R^2*I1)*b*D*V */
+    const double t22 = JLT_FNMA(x[0], p[15], p[14]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t23 = JLT_FNMA(t13, t22, t16); /* t16 - 1/(Theta/(m*R^2*I1))*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
+    const double t24 = x[2]*t23; /* omega_tau*t23 */
+    const double t25 = JLT_FNMA(t13, t21, t24); /* omega_tau*t23 - 1/(Theta/(m*R^2*I1))*t21 */
+    const double t26 = t17*t25; /* s*(omega_tau*t23 - 1/(Theta/(m*R^2*I1))*t21) */
     out[0] = t26;
 }
 
@@ -509,25 +515,25 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = p[39]*x[0]; /* 2*g*a3*gamma3 */
+    const double t3 = p[38]*x[0]; /* 2*g*a3*gamma3 */
     const double t4 = JLT_FMA(x[1], x[1], t3); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t5 = p[41]*x[3]; /* I1/m*omega_n */
+    const double t5 = p[40]*x[3]; /* I1/m*omega_n */
     const double t6 = JLT_FMA(x[3], t5, t4); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t7 = p[40]*x[2]; /* 1/m*omega_tau */
+    const double t7 = p[39]*x[2]; /* 1/m*omega_tau */
     const double t8 = x[2]*t7; /* omega_tau*1/m*omega_tau */
-    const double t9 = p[42]*x[4]; /* I3/m*omega3 */
+    const double t9 = p[41]*x[4]; /* I3/m*omega3 */
     const double t10 = JLT_FMA(x[4], t9, t6); /* omega3*I3/m*omega3 + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t12 = JLT_FMA(p[30], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t12 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t13 = JLT_FMA(t8, t12, t10); /* omega_tau*1/m*omega_tau*D + t10 */
     const double t14 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t15 = x[3]*t11; /* omega_n*b */
     const double t16 = x[4]*p[1]; /* omega3*R */
     const double t17 = JLT_FMA(t14, t16, t15); /* v_tau = s*omega3*R + omega_n*b */
     const double t18 = JLT_FMA(t17, t17, t13); /* energy/(1/2*m) = v_tau*v_tau + omega_tau*1/m*omega_tau*D + t10 */
-    const double t19 = p[38]*t18; /* 1/2*m*energy/(1/2*m) */
+    const double t19 = p[37]*t18; /* 1/2*m*energy/(1/2*m) */
     out[0] = t19;
-    const double t20 = x[3]*p[43]; /* omega_n*R*I1 */
+    const double t20 = x[3]*p[42]; /* omega_n*R*I1 */
     const double t21 = t14*t20; /* s*omega_n*R*I1 */
     const double t22 = x[4]*p[5]; /* omega3*I3 */
     const double t23 = JLT_FNMA(t11, t22, t21); /* s*omega_n*R*I1 - b*omega3*I3 */
@@ -544,29 +550,29 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
     const double t3 = t1*t2; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t4 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t5 = p[35]*t4; /* (-I3)*b */
+    const double t5 = p[24]*t4; /* (-I3)*b */
     out[9] = t5;
     const double t6 = sqrt(t3); /* s = sqrt(s^2) */
-    const double t7 = p[43]*t6; /* R*I1*s */
+    const double t7 = p[42]*t6; /* R*I1*s */
     out[8] = t7;
     const double t8 = x[0]/t3; /* gamma3/s^2 */
     const double t9 = t6*t8; /* s*gamma3/s^2 */
-    const double t10 = JLT_FMA(p[30], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t10 = JLT_FMA(p[16], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
     const double t11 = x[2]*t10; /* omega_tau*D */
     out[2] = t11;
     const double t12 = x[3]*t4; /* omega_n*b */
     const double t13 = p[0]*t4; /* m*b */
     const double t14 = x[4]*p[1]; /* omega3*R */
     const double t15 = JLT_FMA(t6, t14, t12); /* v_tau = s*omega3*R + omega_n*b */
-    const double t16 = p[30]*x[0]; /* m*a3^2*gamma3 */
+    const double t16 = p[16]*x[0]; /* m*a3^2*gamma3 */
     const double t17 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t18 = JLT_FNMA(t16, t17, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t18 = JLT_FNMA(t16, t17, p[23]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t19 = x[3]*p[44]; /* omega_n*(-R*I1) */
     const double t20 = t9*t19; /* s*gamma3/s^2*omega_n*(-R*I1) */
     const double t21 = JLT_FMA(x[4], p[45], t20); /* omega3*(-R*I3) + s*gamma3/s^2*omega_n*(-R*I1) */
     out[5] = t21;
     const double t22 = JLT_FNMA(x[4], t9, x[3]); /* d(v_tau)/d(gamma3)/R = omega_n - omega3*s*gamma3/s^2 */
-    const double t23 = p[32]*t15; /* m*R*v_tau */
+    const double t23 = p[43]*t15; /* m*R*v_tau */
     const double t24 = JLT_FMA(t22, t23, t18); /* d(energy)/d(gamma3) = d(v_tau)/d(gamma3)/R*m*R*v_tau + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     out[0] = t24;
     const double t25 = x[3]*p[4]; /* omega_n*I1 */
@@ -575,6 +581,44 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t27 = x[4]*p[5]; /* omega3*I3 */
     const double t28 = JLT_FMA(t6, t23, t27); /* d(energy)/d(omega3) = s*m*R*v_tau + omega3*I3 */
     out[4] = t28;
+}
+
+static void observe_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t4 = p[47]/t3; /* m*a3*I1/D */
+    const double t5 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t6 = JLT_FMA(x[3], x[3], t5); /* omega_n*omega_n + omega_tau*omega_tau */
+    const double t7 = p[9]*t2; /* m*g*a3/I1*(1 - gamma3)*(1 + gamma3) */
+    const double t8 = JLT_FMA(x[0], t6, t7); /* gamma3*(omega_n*omega_n + omega_tau*omega_tau) + m*g*a3/I1*(1 - gamma3)*(1 + gamma3) */
+    const double t9 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t10 = x[3]*p[10]; /* omega_n*I3/I1 */
+    const double t11 = x[4]*t10; /* omega3*omega_n*I3/I1 */
+    const double t12 = JLT_FMA(t9, t11, t8); /* s*omega3*omega_n*I3/I1 + t8 */
+    const double t13 = JLT_FNMA(t4, t12, p[46]); /* contact_force = m*g - m*a3*I1/D*(s*omega3*omega_n*I3/I1 + t8) */
+    out[0] = t13;
+}
+
+static void valid_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = JLT_FMA(p[16], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(1 + gamma3) + I1 */
+    const double t4 = p[47]/t3; /* m*a3*I1/D */
+    const double t5 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t6 = JLT_FMA(x[3], x[3], t5); /* omega_n*omega_n + omega_tau*omega_tau */
+    const double t7 = p[9]*t2; /* m*g*a3/I1*(1 - gamma3)*(1 + gamma3) */
+    const double t8 = JLT_FMA(x[0], t6, t7); /* gamma3*(omega_n*omega_n + omega_tau*omega_tau) + m*g*a3/I1*(1 - gamma3)*(1 + gamma3) */
+    const double t9 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t10 = x[3]*p[10]; /* omega_n*I3/I1 */
+    const double t11 = x[4]*t10; /* omega3*omega_n*I3/I1 */
+    const double t12 = JLT_FMA(t9, t11, t8); /* s*omega3*omega_n*I3/I1 + t8 */
+    const double t13 = JLT_FNMA(t4, t12, p[46]); /* contact_force = m*g - m*a3*I1/D*(s*omega3*omega_n*I3/I1 + t8) */
+    out[0] = t13;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -629,6 +673,7 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t59[JLT_JET_ORDER_MAX + 1];
     double t60[JLT_JET_ORDER_MAX + 1];
     double t61[JLT_JET_ORDER_MAX + 1];
+    double t62[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -655,36 +700,37 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t35[k] = p[1]*x4[k] + t34[k];
         t36[k] = jlt_jet_product(x3, t35, k);
         t37[k] = jlt_jet_product(t22, t31, k);
-        t38[k] = jlt_jet_product(x2, t22, k);
+        t38[k] = jlt_jet_product(x2, x0, k);
         t39[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t40[k] = jlt_jet_product(x0, t38, k);
-        t41[k] = x2[k]*p[6];
+        t40[k] = jlt_jet_product(x2, t22, k);
+        t41[k] = p[6]*t38[k];
         t42[k] = jlt_jet_product(t40, t41, k);
         t43[k] = t42[k] - p[9]*t22[k];
-        t44[k] = p[14]*t40[k];
-        t45[k] = t44[k] - p[15]*t38[k];
-        t46[k] = (k == 0 ? p[12] : 0) + t39[k];
-        t47[k] = p[11]*t46[k];
-        t48[k] = jlt_jet_product(x2, t39, k) + x1[k];
-        t49[k] = jlt_jet_product(t32, t48, k);
-        t50[k] = jlt_jet_product(x4, t32, k);
-        t51[k] = jlt_jet_product(t25, t49, k);
-        t52[k] = jlt_jet_product(x0, t33, k);
-        t53[k] = jlt_jet_product(t47, t50, k) + t52[k];
-        t54[k] = x4[k]*p[10] + t52[k];
-        t55[k] = t43[k] - jlt_jet_product(x3, t54, k);
-        t56[k] = jlt_jet_product(t37, t55, k);
-        t57[k] = jlt_jet_product(x2, t53, k);
-        t58[k] = t57[k] - jlt_jet_product(t33, t51, k);
-        t59[k] = x3[k]*p[13];
-        t60[k] = jlt_jet_product(t49, t59, k);
-        t61[k] = jlt_jet_product(t45, t50, k) - t60[k];
+        t44[k] = jlt_jet_product(x2, t39, k) + x1[k];
+        t45[k] = jlt_jet_product(t32, t44, k);
+        t46[k] = jlt_jet_product(t25, t45, k) - t38[k];
+        t47[k] = (k == 0 ? p[12] : 0) + t39[k];
+        t48[k] = jlt_jet_product(x4, t32, k);
+        t49[k] = jlt_jet_product(t33, t46, k);
+        t50[k] = jlt_jet_product(x0, t33, k);
+        t51[k] = x4[k]*p[10] + t50[k];
+        t52[k] = t43[k] - jlt_jet_product(x3, t51, k);
+        t53[k] = jlt_jet_product(t37, t52, k);
+        t54[k] = x3[k]*p[13];
+        t55[k] = jlt_jet_product(t45, t54, k);
+        t56[k] = (k == 0 ? p[14] : 0) - x0[k]*p[15];
+        t57[k] = jlt_jet_product(t40, t56, k);
+        t58[k] = jlt_jet_product(t48, t57, k) + t55[k];
+        t59[k] = -t58[k];
+        t60[k] = x2[k]*p[11];
+        t61[k] = jlt_jet_product(t47, t60, k);
+        t62[k] = jlt_jet_product(t48, t61, k) - t49[k];
         double *restrict next = coefficients + (k + 1)*5;
-        next[0] = x0[k + 1] = t38[k]/(k + 1);
+        next[0] = x0[k + 1] = t40[k]/(k + 1);
         next[1] = x1[k + 1] = t36[k]/(k + 1);
-        next[2] = x2[k + 1] = t56[k]/(k + 1);
-        next[3] = x3[k + 1] = t58[k]/(k + 1);
-        next[4] = x4[k + 1] = t61[k]/(k + 1);
+        next[2] = x2[k + 1] = t53[k]/(k + 1);
+        next[3] = x3[k + 1] = t62[k]/(k + 1);
+        next[4] = x4[k + 1] = t59[k]/(k + 1);
     }
 }
 
@@ -1362,6 +1408,14 @@ static const jlt_named integrals[] = {
     { "G", "" },
 };
 
+static const jlt_quantity observes[] = {
+    { "contact_force", "kg*m/s^2", "force of the plane on the sphere, upwards", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+};
+
+static const jlt_validity valids[] = {
+    { "contact", "kg*m/s^2", "the plane only pushes" },
+};
+
 const jlt_descriptor jlt_kernels_spherical_top_general = {
     .model = "spherical_top",
     .variant = "",
@@ -1369,21 +1423,21 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
+    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 5, .param_count = 6, .block_count = 46,
+    .state_count = 5, .param_count = 6, .block_count = 48,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 5, { 4, 26, 13, 1, 1, 0, 12, 10 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, a part of d(v_nu)/dt, e = gamma3*a3 + R, ((I1 - I3)/I1)*gamma3*omega_tau*s - (a3*I3/(R*I1))*omega_tau*s, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt, a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, d(omega_n)/dt, d(omega3)/dt" },
-    .jacobian = { jacobian, 25, { 8, 52, 30, 1, 1, 0, 16, 21 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, gamma3*s*1/s^2*b*s*1/s^2*omega_n + R*omega_n, d(d(v_nu)/dt)/d(omega_n), s*1/(D/I1)*gamma3*(2*m*a3^2/I1) - gamma3*s*1/s^2, gamma3*(s*1/(D/I1)*gamma3*(2*m*a3^2/I1) - gamma3*s*1/s^2) + s, omega3*(I3/I1) + gamma3*s*1/s^2*omega_n, a part of d(d(omega_tau)/dt)/d(gamma3), omega3*(1/2*I3/I1) + gamma3*s*1/s^2*omega_n, e = gamma3*a3 + R, V = omega_tau*e + v_nu, omega_tau*1/s^2 - (m*R*I3)*V*1/Theta, d(Theta)/d(gamma3) = b*(2*m*R*I3) - gamma3*(2*m*R^2*I1), V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta, a part of d(d(omega_n)/dt)/d(gamma3), (m*R*I3)*e + I3^2, m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*((m*R*I3)*e + I3^2), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(omega_tau)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 11, 65, 33, 1, 1, 0, 18, 25 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, d(d(v_nu)/dt)/d(omega_n), V = omega_tau*e + v_nu, (m*R)*e + I3, b*omega_n*1/s^2*s - R*omega3, b*omega_n*1/s^2*s + R*omega3, I1*gamma3*omega_n*1/s^2*s + omega3*I3, numerator of d(omega_tau)/dt over D, (2*I1)*gamma3*omega_n*1/s^2*s + omega3*I3, numerator of d(omega_n)/dt over Theta = omega_tau*omega3*I3*((m*R)*e + I3) - V*(m*I3)*b*omega_n*1/s^2*s, d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = omega3*I3*((m*R)*e + I3) - e*(m*I3)*b*omega_n*1/s^2*s, d(d(omega_n)/dt)/d(omega_tau), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), gamma3*1/s^2*s*omega_tau*gamma3 - omega_tau*s, gamma3*(m*g*a3/I1) - omega_n*1/s^2*s*omega_n*1/s^2*s, d(numerator of d(omega_tau)/dt over D)/d(gamma3), omega_tau*1/s^2 - (m*R*I3)*1/Theta*V, d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(numerator of d(omega3)/dt over Theta)/d(gamma3), s*omega3*(m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3))) + e*omega_n*(m*R*I1), a part of d(d(omega3)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3)" },
-    .divergence = { divergence, 1, { 2, 14, 9, 1, 1, 0, 11, 9 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of the divergence, a part of the divergence" },
+    .rhs = { rhs, 5, { 5, 26, 13, 1, 1, 0, 12, 10 }, { 17, 69, 0, 12, 1, 0, 12, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, a part of d(v_nu)/dt, e = gamma3*a3 + R, V = omega_tau*e + v_nu, (I3/(R^2*I1))*b*1/(Theta/(m*R^2*I1))*V - omega_tau*gamma3, I3/(m*R) + e, a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), a part of d(omega3)/dt, d(omega_n)/dt" },
+    .jacobian = { jacobian, 25, { 8, 56, 31, 1, 1, 0, 17, 19 }, { 52, 271, 0, 49, 1, 0, 16, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, gamma3*s*1/s^2*b*s*1/s^2*omega_n + R*omega_n, d(d(v_nu)/dt)/d(omega_n), (2*m*a3^2)*s*1/D - s*1/s^2, gamma3*((2*m*a3^2)*s*1/D - s*1/s^2)*gamma3*1/D + s*1/D, (2*I3)*omega3*1/D + s*1/s^2*omega_n*gamma3*1/D*(2*I1), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), omega3*1/D*I3 + s*1/s^2*omega_n*gamma3*1/D*(2*I1), e = gamma3*a3 + R, V = omega_tau*e + v_nu, d(Theta)/d(gamma3) = b*(2*m*R*I3) - gamma3*(2*m*R^2*I1), V*1/Theta*1/Theta*d(Theta)/d(gamma3) - a3*omega_tau*1/Theta, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), e*(m*R*I3) + I3^2, m*R*a3*I3 - 1/Theta*d(Theta)/d(gamma3)*(e*(m*R*I3) + I3^2), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_n), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), s*1/Theta*d(Theta)/d(gamma3) + gamma3*s*1/s^2, a part of d(d(omega3)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), a part of d(d(omega3)/dt)/d(omega_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 9, 64, 34, 1, 1, 0, 15, 23 }, { 62, 323, 0, 61, 1, 0, 16, 11 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), (m*R*I3)*e + I3^2, a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(omega_tau), a part of d(d(omega_tau)/dt)/d(gamma3), (I3/I1)*omega3*1/D + omega_n*Theta*((1)/Theta*s^2*D)*D*s*gamma3*1/D, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), V = omega_tau*e + v_nu, d(omega_n)/dt, a part of d(d(omega3)/dt)/d(omega_tau), a part of d(omega3)/dt and of d(d(omega3)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega3)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), d(v_nu)/dt, d(d(v_nu)/dt)/d(omega_n)" },
+    .divergence = { divergence, 1, { 3, 14, 8, 1, 1, 0, 12, 7 }, { 11, 38, 0, 4, 1, 0, 12, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), a part of the divergence, a part of the divergence" },
     .integral_values = { integral_values, 2, { 2, 12, 9, 0, 1, 0, 7, 6 }, { 10, 32, 0, 0, 1, 0, 12, 6 },
         "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = s*omega3*R + omega_n*b, energy/(1/2*m), G" },
     .integral_gradients = { integral_gradients, 10, { 2, 16, 9, 1, 1, 0, 6, 7 }, { 12, 38, 0, 2, 1, 0, 8, 8 },
@@ -1392,6 +1446,12 @@ const jlt_descriptor jlt_kernels_spherical_top_general = {
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { observe_values, 1, { 2, 5, 5, 1, 1, 0, 6, 5 }, { 7, 27, 0, 4, 1, 0, 13, 8 },
+        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of contact_force, contact_force" },
+    .valid_values = { valid_values, 1, { 2, 5, 5, 1, 1, 0, 6, 5 }, { 7, 27, 0, 4, 1, 0, 13, 8 },
+        "takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in a part of contact, contact" },
+    .observe_count = 1, .observes = observes,
+    .valid_count = 1, .valids = valids,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 3,
     .integrals = integrals,
     .equilibria = equilibria,

@@ -2,35 +2,36 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
+ *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 2   23   14    1    0    0      7   10   (105)
- *  jacobian            10   66   30    1    0    0     12   20   (480)
- *  rhs_jacobian        12   70   34    1    0    0     11   26   (563)
- *  divergence          0    8    9    1    0    0      9    7   (53)
+ *  jacobian            10   67   30    1    0    0     12   20   (480)
+ *  rhs_jacobian        15   69   33    1    0    0     12   23   (563)
+ *  divergence          2    9    7    1    0    0      6    7   (53)
  *  integral_values     0   12    9    0    0    0      7    5   (40)
  *  integral_gradients  0   15    7    0    0    0      5    5   (46)
  *  time_factor         0    0    0    0    0    0      0    0   (0)
+ *  observe_values      1    6    4    1    0    0      7    5   (36)
+ *  valid_values        1    6    4    1    0    0      7    5   (36)
  *
  *  Accuracy
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu,
- *      (m*R*I3)*e + I3^2,
+ *      omega_n*omega_n*I1 - s*omega_tau*(m*a3^2)*s*omega_tau,
+ *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), (m*R*I3)*e + I3^2,
  *      numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b,
- *      s*omega_tau*(m*a3^2)*s*omega_tau - omega_n*omega_n*I1,
- *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s),
- *      d(omega_n)/dtau, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)),
- *      a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s),
  *      d(numerator of d(omega_n)/dt over Theta)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3),
- *      d(d(omega_n)/dtau)/d(gamma3),
+ *      d(d(omega_n)/dtau)/d(gamma3), d(omega_n)/dtau, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)),
+ *      a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s),
+ *      d(d(omega_n)/dtau)/d(omega_n), d(numerator of d(omega_tau)/dt over D)/d(s),
+ *      d(numerator of d(omega3)/dt over Theta)/d(gamma3) = (m*R^2*(I1 - I3))*s*omega_tau*s*omega3 - s*omega_tau*omega_n*(m*R*a3*I1),
+ *      a part of d(d(omega3)/dtau)/d(gamma3),
  *      d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b,
  *      d(d(omega_n)/dtau)/d(omega_tau), I3*s*omega3 + (2*I1)*omega_n*gamma3, a part of d(d(omega3)/dtau)/d(omega_tau),
- *      d(numerator of d(omega3)/dt over Theta)/d(gamma3) = (m*R^2*(I1 - I3))*s*omega_tau*s*omega3 - s*omega_tau*omega_n*(m*R*a3*I1),
- *      d(numerator of d(omega3)/dt over Theta)/d(s), a part of d(d(omega3)/dtau)/d(s),
- *      a part of d(d(omega3)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(s), d(v_nu)/dtau,
- *      d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_n)
+ *      d(d(v_nu)/dtau)/d(omega_n), omega_n*b + R*s*omega3, d(d(omega_tau)/dtau)/d(s),
+ *      d(numerator of d(omega3)/dt over Theta)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -67,24 +68,25 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t4;
     const double t5 = params[3]*params[3]; /* a3*a3 */
     const double t6 = params[0]*t5; /* m*a3*a3 */
-    out[38] = t6;
+    out[39] = t6;
     const double t7 = t6/params[4]; /* m*a3*a3/I1 */
     out[9] = t7;
-    const double t8 = params[5]/params[4]; /* I3/I1 */
-    out[10] = t8;
-    const double t9 = params[0]*params[2]; /* m*g */
-    const double t10 = params[3]*t9; /* a3*m*g */
-    out[39] = t10;
-    const double t11 = t10/params[4]; /* a3*m*g/I1 */
+    const double t8 = params[0]*params[2]; /* m*g */
+    out[63] = t8;
+    const double t9 = params[3]*t8; /* a3*m*g */
+    out[40] = t9;
+    const double t10 = t9/params[4]; /* a3*m*g/I1 */
+    out[10] = t10;
+    const double t11 = params[5]/params[4]; /* I3/I1 */
     out[11] = t11;
     const double t12 = params[0]*params[1]; /* m*R */
-    out[59] = t12;
+    out[60] = t12;
     const double t13 = params[5]*t12; /* I3*m*R */
     out[12] = t13;
     const double t14 = params[5]/t12; /* I3/(m*R) */
     out[13] = t14;
     const double t15 = params[4]*t12; /* I1*m*R */
-    out[41] = t15;
+    out[42] = t15;
     const double t16 = -t15; /* -I1*m*R */
     out[14] = t16;
     const double t17 = params[5]*params[3]; /* I3*a3 */
@@ -102,16 +104,16 @@ static void prepare(const double *restrict params, double *restrict out)
     out[19] = t24;
     const double t25 = params[0]*2.0; /* m*2 */
     const double t26 = t5*t25; /* a3*a3*m*2 */
-    out[44] = t26;
+    out[45] = t26;
     const double t27 = t26/params[4]; /* a3*a3*m*2/I1 */
     out[20] = t27;
     const double t28 = -params[5]; /* -I3 */
-    out[61] = t28;
-    const double t29 = -t8; /* -I3/I1 */
+    out[62] = t28;
+    const double t29 = -t11; /* -I3/I1 */
     out[21] = t29;
     const double t30 = params[2]*t25; /* g*m*2 */
     const double t31 = params[3]*t30; /* a3*g*m*2 */
-    out[46] = t31;
+    out[47] = t31;
     const double t32 = t31/params[4]; /* a3*g*m*2/I1 */
     out[22] = t32;
     const double t33 = params[4]*params[4]; /* I1*I1 */
@@ -119,14 +121,14 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t35 = t34/t33; /* I3*a3*a3*m*2/(I1*I1) */
     out[23] = t35;
     const double t36 = params[4]*params[1]; /* I1*R */
-    out[58] = t36;
+    out[59] = t36;
     const double t37 = t17/t36; /* I3*a3/(I1*R) */
     out[24] = t37;
     const double t38 = params[5]/t36; /* I3/(I1*R) */
     out[25] = t38;
     const double t39 = params[1]*t33; /* R*I1*I1 */
     const double t40 = params[5]*params[5]; /* I3*I3 */
-    out[40] = t40;
+    out[41] = t40;
     const double t41 = 2.0*t40; /* 2*I3*I3 */
     const double t42 = t41/t39; /* 2*I3*I3/(R*I1*I1) */
     out[26] = t42;
@@ -144,14 +146,14 @@ static void prepare(const double *restrict params, double *restrict out)
     out[30] = t50;
     const double t51 = t41/t3; /* 2*I3*I3/(I1*m*R*R) */
     out[31] = t51;
-    const double t52 = params[3]*2.0; /* a3*2 */
-    const double t53 = t40*t52; /* I3*I3*a3*2 */
-    const double t54 = t53/t39; /* I3*I3*a3*2/(R*I1*I1) */
-    out[32] = t54;
-    const double t55 = t19*t49; /* (I1 - I3)*I3*2 */
-    const double t56 = t55/t33; /* (I1 - I3)*I3*2/(I1*I1) */
-    out[33] = t56;
-    const double t57 = t19/params[4]; /* (I1 - I3)/I1 */
+    const double t52 = t19/params[4]; /* (I1 - I3)/I1 */
+    out[32] = t52;
+    const double t53 = params[3]*2.0; /* a3*2 */
+    const double t54 = t40*t53; /* I3*I3*a3*2 */
+    const double t55 = t54/t39; /* I3*I3*a3*2/(R*I1*I1) */
+    out[33] = t55;
+    const double t56 = t19*t49; /* (I1 - I3)*I3*2 */
+    const double t57 = t56/t33; /* (I1 - I3)*I3*2/(I1*I1) */
     out[34] = t57;
     const double t58 = 1.0/params[1]; /* 1/R */
     out[35] = t58;
@@ -159,49 +161,56 @@ static void prepare(const double *restrict params, double *restrict out)
     out[36] = t59;
     const double t60 = params[4]/t2; /* I1/(m*R*R) */
     out[37] = t60;
-    const double t61 = params[3]*t12; /* a3*m*R */
-    const double t62 = params[5]*t61; /* I3*a3*m*R */
-    out[42] = t62;
-    const double t63 = t2*t19; /* m*R*R*(I1 - I3) */
+    const double t61 = 2.0/params[1]; /* 2/R */
+    out[38] = t61;
+    const double t62 = params[3]*t12; /* a3*m*R */
+    const double t63 = params[5]*t62; /* I3*a3*m*R */
     out[43] = t63;
-    const double t64 = params[4]*2.0; /* I1*2 */
-    out[45] = t64;
-    const double t65 = params[0]*params[3]; /* m*a3 */
-    const double t66 = params[5]*t65; /* I3*m*a3 */
-    out[47] = t66;
-    const double t67 = params[1]*t25; /* R*m*2 */
-    const double t68 = params[5]*t67; /* I3*R*m*2 */
-    out[48] = t68;
-    const double t69 = t1*t25; /* R*R*m*2 */
-    const double t70 = params[4]*t69; /* I1*R*R*m*2 */
-    out[49] = t70;
-    const double t71 = params[4]*t61; /* I1*a3*m*R */
+    const double t64 = t2*t19; /* m*R*R*(I1 - I3) */
+    out[44] = t64;
+    const double t65 = params[4]*2.0; /* I1*2 */
+    out[46] = t65;
+    const double t66 = params[0]*params[3]; /* m*a3 */
+    const double t67 = params[5]*t66; /* I3*m*a3 */
+    out[48] = t67;
+    const double t68 = params[1]*t25; /* R*m*2 */
+    const double t69 = params[5]*t68; /* I3*R*m*2 */
+    out[49] = t69;
+    const double t70 = t1*t25; /* R*R*m*2 */
+    const double t71 = params[4]*t70; /* I1*R*R*m*2 */
     out[50] = t71;
-    const double t72 = t19*t69; /* (I1 - I3)*R*R*m*2 */
+    const double t72 = params[4]*t62; /* I1*a3*m*R */
     out[51] = t72;
-    const double t73 = params[3]*t67; /* a3*R*m*2 */
-    const double t74 = params[5]*t73; /* I3*a3*R*m*2 */
-    out[52] = t74;
-    const double t75 = params[0]/2.0; /* m/2 */
+    const double t73 = t19*t70; /* (I1 - I3)*R*R*m*2 */
+    out[52] = t73;
+    const double t74 = params[3]*t68; /* a3*R*m*2 */
+    const double t75 = params[5]*t74; /* I3*a3*R*m*2 */
     out[53] = t75;
-    const double t76 = params[2]*2.0; /* g*2 */
-    const double t77 = params[3]*t76; /* a3*g*2 */
-    out[54] = t77;
-    const double t78 = 1.0/params[0]; /* 1/m */
+    const double t76 = params[0]/2.0; /* m/2 */
+    out[54] = t76;
+    const double t77 = params[2]*2.0; /* g*2 */
+    const double t78 = params[3]*t77; /* a3*g*2 */
     out[55] = t78;
-    const double t79 = params[4]/params[0]; /* I1/m */
+    const double t79 = 1.0/params[0]; /* 1/m */
     out[56] = t79;
-    const double t80 = params[5]/params[0]; /* I3/m */
+    const double t80 = params[4]/params[0]; /* I1/m */
     out[57] = t80;
-    const double t81 = params[5]*params[1]; /* I3*R */
-    const double t82 = -t81; /* -I3*R */
-    out[60] = t82;
+    const double t81 = params[5]/params[0]; /* I3/m */
+    out[58] = t81;
+    const double t82 = params[5]*params[1]; /* I3*R */
+    const double t83 = -t82; /* -I3*R */
+    out[61] = t83;
+    const double t84 = params[4]*t66; /* I1*m*a3 */
+    out[64] = t84;
+    const double t85 = params[4]*t1; /* I1*R*R */
+    const double t86 = params[5]/t85; /* I3/(I1*R*R) */
+    out[65] = t86;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = x[5]*x[2]; /* s*omega_tau */
-    const double t1 = x[5]*t0; /* s*s*omega_tau */
+    const double t0 = x[5]*x[5]; /* s*s */
+    const double t1 = x[2]*t0; /* omega_tau*s*s */
     out[0] = t1;
     const double t2 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
     const double t3 = x[3]*t2; /* omega_n*b */
@@ -209,42 +218,42 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t5 = JLT_FMA(p[1], t4, t3); /* R*s*omega3 + omega_n*b */
     const double t6 = x[3]*t5; /* omega_n*(R*s*omega3 + omega_n*b) */
     out[1] = t6;
-    const double t7 = x[5]*x[5]; /* s*s */
-    const double t8 = t2*p[8]; /* b*m*I3 */
-    const double t9 = JLT_FMA(p[7], t7, p[6]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t10 = JLT_FMA(t2, t8, t9); /* Theta = b*b*m*I3 + m*R^2*I1*s*s + I1*I3 */
-    const double t11 = t0*x[0]; /* s*omega_tau*gamma3 */
-    const double t12 = t0*p[9]; /* s*omega_tau*m*a3^2/I1 */
-    const double t13 = t11*t12; /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 */
+    const double t7 = t2*p[8]; /* b*m*I3 */
+    const double t8 = JLT_FMA(t0, p[7], p[6]); /* s*s*m*R^2*I1 + I1*I3 */
+    const double t9 = JLT_FMA(t2, t7, t8); /* Theta = b*b*m*I3 + s*s*m*R^2*I1 + I1*I3 */
+    const double t10 = x[2]*x[5]; /* omega_tau*s */
+    const double t11 = x[0]*t10; /* gamma3*omega_tau*s */
+    const double t12 = p[9]*t10; /* m*a3^2/I1*omega_tau*s */
+    const double t13 = t11*t12; /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s */
     const double t14 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t15 = JLT_FMA(t4, p[10], t14); /* s*omega3*I3/I1 + omega_n*gamma3 */
-    const double t16 = JLT_FNMA(t7, p[11], t13); /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 - s*s*m*g*a3/I1 */
-    const double t17 = JLT_FNMA(x[3], t15, t16); /* s*omega_tau*gamma3*s*omega_tau*m*a3^2/I1 - s*s*m*g*a3/I1 - omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
-    const double t18 = JLT_FMA(t7, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
-    const double t19 = t10*t18; /* Theta*D/I1 */
+    const double t15 = JLT_FMA(t4, p[11], t14); /* s*omega3*I3/I1 + omega_n*gamma3 */
+    const double t16 = JLT_FNMA(t0, p[10], t13); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - s*s*m*g*a3/I1 */
+    const double t17 = JLT_FNMA(x[3], t15, t16); /* gamma3*omega_tau*s*m*a3^2/I1*omega_tau*s - s*s*m*g*a3/I1 - omega_n*(s*omega3*I3/I1 + omega_n*gamma3) */
+    const double t18 = JLT_FMA(t0, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
+    const double t19 = t9*t18; /* Theta*D/I1 */
     const double t20 = 1.0/t19; /* 1/(Theta*D/I1) */
-    const double t21 = t10*t17; /* Theta*t17 */
+    const double t21 = t9*t17; /* Theta*t17 */
     const double t22 = t20*t21; /* 1/(Theta*D/I1)*Theta*t17 */
     out[2] = t22;
     const double t23 = x[2]*t14; /* omega_tau*omega_n*gamma3 */
     const double t24 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t25 = p[13] + t24; /* I3/(m*R) + e */
-    const double t26 = t0*x[4]; /* s*omega_tau*omega3 */
-    const double t27 = p[12]*t26; /* m*R*I3*s*omega_tau*omega3 */
-    const double t28 = t25*t27; /* (I3/(m*R) + e)*m*R*I3*s*omega_tau*omega3 */
-    const double t29 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
-    const double t30 = x[3]*t29; /* omega_n*V */
-    const double t31 = JLT_FNMA(t8, t30, t28); /* (I3/(m*R) + e)*m*R*I3*s*omega_tau*omega3 - b*m*I3*omega_n*V */
+    const double t25 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t26 = x[3]*t25; /* omega_n*V */
+    const double t27 = t7*t26; /* b*m*I3*omega_n*V */
+    const double t28 = t24 + p[13]; /* e + I3/(m*R) */
+    const double t29 = x[4]*t10; /* omega3*omega_tau*s */
+    const double t30 = p[12]*t29; /* m*R*I3*omega3*omega_tau*s */
+    const double t31 = JLT_FNMA(t28, t30, t27); /* b*m*I3*omega_n*V - (e + I3/(m*R))*m*R*I3*omega3*omega_tau*s */
     const double t32 = t18*t20; /* 1/Theta = D/I1*1/(Theta*D/I1) */
-    const double t33 = JLT_FMA(t31, t32, t23); /* ((I3/(m*R) + e)*m*R*I3*s*omega_tau*omega3 - b*m*I3*omega_n*V)*1/Theta + omega_tau*omega_n*gamma3 */
+    const double t33 = JLT_FNMA(t31, t32, t23); /* omega_tau*omega_n*gamma3 - (b*m*I3*omega_n*V - (e + I3/(m*R))*m*R*I3*omega3*omega_tau*s)*1/Theta */
     out[3] = t33;
     const double t34 = JLT_FNMA(x[0], p[16], p[15]); /* a3*I3/I1 - gamma3*R*(I1 - I3)/I1 */
-    const double t35 = JLT_FMA(t26, t34, t30); /* s*omega_tau*omega3*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) + omega_n*V */
+    const double t35 = JLT_FMA(t29, t34, t26); /* omega3*omega_tau*s*(a3*I3/I1 - gamma3*R*(I1 - I3)/I1) + omega_n*V */
     const double t36 = x[5]*p[14]; /* s*(-m*R*I1) */
     const double t37 = t35*t36; /* t35*s*(-m*R*I1) */
     const double t38 = t32*t37; /* 1/Theta*t35*s*(-m*R*I1) */
     out[4] = t38;
-    const double t39 = -t11; /* -s*omega_tau*gamma3 */
+    const double t39 = -t11; /* -gamma3*omega_tau*s */
     out[5] = t39;
 }
 
@@ -281,7 +290,7 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[11] = t12;
     const double t13 = t5*t5; /* b/R*b/R */
     const double t14 = t0 + p[19]; /* s*s + I3/(m*R^2) */
-    const double t15 = JLT_FMA(p[10], t13, t14); /* Theta/(m*R^2*I1) = I3/I1*b/R*b/R + s*s + I3/(m*R^2) */
+    const double t15 = JLT_FMA(p[11], t13, t14); /* Theta/(m*R^2*I1) = I3/I1*b/R*b/R + s*s + I3/(m*R^2) */
     const double t16 = JLT_FMA(t0, p[9], 1.0); /* D/I1 = s*s*m*a3^2/I1 + 1 */
     const double t17 = t15*t16; /* Theta/(m*R^2*I1)*D/I1 */
     const double t18 = 1.0/t17; /* 1/(Theta/(m*R^2*I1)*D/I1) */
@@ -307,10 +316,10 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t34 = JLT_FMA(x[2], x[2], t3); /* omega_tau*omega_tau + omega_n*omega_n */
     const double t35 = JLT_FNMA(t25, t34, p[22]); /* 2*m*g*a3/I1 - gamma3*2*m*a3^2/I1*(omega_tau*omega_tau + omega_n*omega_n) */
     const double t36 = t20*t35; /* s*1/(D/I1)*t35 */
-    const double t37 = JLT_FMA(t11, p[10], t36); /* omega_n*omega3*I3/I1 + s*1/(D/I1)*t35 */
+    const double t37 = JLT_FMA(t11, p[11], t36); /* omega_n*omega3*I3/I1 + s*1/(D/I1)*t35 */
     const double t38 = t19*t37; /* 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
-    const double t39 = t30*p[23]; /* omega3*s*1/(D/I1)*2*m*a3^2*I3/I1^2 */
-    const double t40 = JLT_FMS(t32, t39, t38); /* omega_n*s*1/(D/I1)*omega3*s*1/(D/I1)*2*m*a3^2*I3/I1^2 - 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
+    const double t39 = t32*p[23]; /* omega_n*s*1/(D/I1)*2*m*a3^2*I3/I1^2 */
+    const double t40 = JLT_FMS(t30, t39, t38); /* omega3*s*1/(D/I1)*omega_n*s*1/(D/I1)*2*m*a3^2*I3/I1^2 - 1/(D/I1)*(omega_n*omega3*I3/I1 + s*1/(D/I1)*t35) */
     out[17] = t40;
     const double t41 = t16*t18; /* 1/(Theta/(m*R^2*I1)) = D/I1*1/(Theta/(m*R^2*I1)*D/I1) */
     const double t42 = t5*t41; /* b/R*1/(Theta/(m*R^2*I1)) */
@@ -352,20 +361,20 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t73 = JLT_FNMA(t46, t72, t70); /* t70 - omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*s*1/(Theta/(m*R^2*I1))*2*I3^2/(m*R^2*I1) */
     const double t74 = JLT_FNMA(t54, t71, t73); /* t73 - t54*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) */
     out[23] = t74;
-    const double t75 = JLT_FNMA(x[0], p[33], p[32]); /* 2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2 */
-    const double t76 = t5*t75; /* b/R*(2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2) */
-    const double t77 = t44*t76; /* s*1/(Theta/(m*R^2*I1))*b/R*(2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2) */
-    const double t78 = JLT_FMA(x[5], p[34], t77); /* s*(I1 - I3)/I1 + t77 */
-    const double t79 = t46*t78; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*(s*(I1 - I3)/I1 + t77) */
+    const double t75 = x[5]*p[32]; /* s*(I1 - I3)/I1 */
+    const double t76 = JLT_FNMA(x[0], p[34], p[33]); /* 2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2 */
+    const double t77 = t5*t76; /* b/R*(2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2) */
+    const double t78 = JLT_FMA(t44, t77, t75); /* s*1/(Theta/(m*R^2*I1))*b/R*(2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2) + s*(I1 - I3)/I1 */
+    const double t79 = t46*t78; /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t78 */
     const double t80 = x[3]*p[18]; /* omega_n*a3/R */
-    const double t81 = JLT_FNMA(t45, t80, t79); /* t79 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
-    const double t82 = JLT_FMA(t53, t71, t81); /* omega_n*b/R*1/(Theta/(m*R^2*I1))*V*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) + t79 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
+    const double t81 = JLT_FNMA(t45, t80, t79); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t78 - omega_tau*s*1/(Theta/(m*R^2*I1))*omega_n*a3/R */
+    const double t82 = JLT_FMA(t53, t71, t81); /* omega_n*b/R*1/(Theta/(m*R^2*I1))*V*s*1/(Theta/(m*R^2*I1))*2*I3/(R*I1) + t81 */
     out[24] = t82;
     const double t83 = x[3]*p[35]; /* omega_n*1/R */
     const double t84 = t44*t83; /* s*1/(Theta/(m*R^2*I1))*omega_n*1/R */
     const double t85 = -t84; /* -s*1/(Theta/(m*R^2*I1))*omega_n*1/R */
     out[25] = t85;
-    const double t86 = JLT_FNMA(x[0], p[34], p[24]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t86 = JLT_FNMA(x[0], p[32], p[24]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
     const double t87 = x[5]*t86; /* s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
     const double t88 = x[4]*t87; /* omega3*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
     const double t89 = t44*t88; /* s*1/(Theta/(m*R^2*I1))*omega3*s*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) */
@@ -380,19 +389,20 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[28] = t95;
     const double t96 = t49*t83; /* V*omega_n*1/R */
     const double t97 = t13 + p[37]; /* b/R*b/R + I1/(m*R^2) */
-    const double t98 = t75*t97; /* (2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2)*(b/R*b/R + I1/(m*R^2)) */
+    const double t98 = t76*t97; /* (2*a3*I3^2/(R*I1^2) - gamma3*2*I3*(I1 - I3)/I1^2)*(b/R*b/R + I1/(m*R^2)) */
     const double t99 = JLT_FMA(t46, t98, t96); /* omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t98 + V*omega_n*1/R */
     const double t100 = t41*t99; /* 1/(Theta/(m*R^2*I1))*(omega3*omega_tau*s*1/(Theta/(m*R^2*I1))*t98 + V*omega_n*1/R) */
-    const double t101 = 2.0*t92; /* 2*s*1/(Theta/(m*R^2*I1))*V */
-    const double t102 = JLT_FMS(t84, t101, t100); /* s*1/(Theta/(m*R^2*I1))*omega_n*1/R*2*s*1/(Theta/(m*R^2*I1))*V - t100 */
-    out[29] = t102;
-    const double t103 = -t1; /* -s*omega_tau */
-    out[30] = t103;
-    const double t104 = x[5]*x[0]; /* s*gamma3 */
-    const double t105 = -t104; /* -s*gamma3 */
-    out[32] = t105;
-    const double t106 = -t66; /* -omega_tau*gamma3 */
-    out[35] = t106;
+    const double t101 = x[3]*p[38]; /* omega_n*2/R */
+    const double t102 = t44*t101; /* s*1/(Theta/(m*R^2*I1))*omega_n*2/R */
+    const double t103 = JLT_FMS(t92, t102, t100); /* s*1/(Theta/(m*R^2*I1))*V*s*1/(Theta/(m*R^2*I1))*omega_n*2/R - t100 */
+    out[29] = t103;
+    const double t104 = -t1; /* -s*omega_tau */
+    out[30] = t104;
+    const double t105 = x[5]*x[0]; /* s*gamma3 */
+    const double t106 = -t105; /* -s*gamma3 */
+    out[32] = t106;
+    const double t107 = -t66; /* -omega_tau*gamma3 */
+    out[35] = t107;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -413,185 +423,187 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t2 = p[8]*t0; /* m*I3*b */
     const double t3 = JLT_FMA(p[7], t1, p[6]); /* m*R^2*I1*s*s + I1*I3 */
     const double t4 = JLT_FMA(t0, t2, t3); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
-    const double t5 = JLT_FMA(p[38], t1, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t6 = p[39]*t1; /* m*g*a3*s*s */
+    const double t5 = JLT_FMA(p[39], t1, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t6 = p[40]*t1; /* m*g*a3*s*s */
     const double t7 = t4*t5; /* Theta*D */
     const double t8 = 1.0/t7; /* 1/(Theta*D) */
     const double t9 = t5*t8; /* 1/Theta = D*1/(Theta*D) */
     const double t10 = t4*t8; /* 1/D = Theta*1/(Theta*D) */
-    const double t11 = x[5]*x[2]; /* s*omega_tau */
-    const double t12 = x[5]*t11; /* s*s*omega_tau */
-    out[0] = t12;
-    const double t13 = 2.0*t11; /* 2*s*omega_tau */
-    out[11] = t13;
-    const double t14 = -t11; /* -s*omega_tau */
-    out[36] = t14;
-    const double t15 = x[3]*t0; /* omega_n*b */
-    const double t16 = p[48]*t0; /* 2*m*R*I3*b */
-    const double t17 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t18 = JLT_FMA(x[2], t17, x[1]); /* V = omega_tau*e + v_nu */
+    const double t11 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
+    const double t12 = x[5]*x[2]; /* s*omega_tau */
+    const double t13 = x[5]*t12; /* s*s*omega_tau */
+    out[0] = t13;
+    const double t14 = 2.0*t12; /* 2*s*omega_tau */
+    out[11] = t14;
+    const double t15 = -t12; /* -s*omega_tau */
+    out[36] = t15;
+    const double t16 = x[3]*t0; /* omega_n*b */
+    const double t17 = p[49]*t0; /* 2*m*R*I3*b */
+    const double t18 = JLT_FMA(x[2], t11, x[1]); /* V = omega_tau*e + v_nu */
     const double t19 = t2*t18; /* m*I3*b*V */
-    const double t20 = p[8]*t15; /* m*I3*omega_n*b */
-    const double t21 = x[4]*t11; /* omega3*s*omega_tau */
-    const double t22 = x[3]*p[41]; /* omega_n*m*R*I1 */
-    const double t23 = x[5]*x[4]; /* s*omega3 */
-    const double t24 = p[38]*t11; /* m*a3^2*s*omega_tau */
-    const double t25 = t11*t24; /* s*omega_tau*m*a3^2*s*omega_tau */
-    const double t26 = t18*t20; /* V*m*I3*omega_n*b */
-    const double t27 = JLT_FMA(p[12], t17, p[40]); /* m*R*I3*e + I3^2 */
-    const double t28 = JLT_FMS(t21, t27, t26); /* numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*(m*R*I3*e + I3^2) - V*m*I3*omega_n*b */
-    const double t29 = t9*t28; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t30 = t18*t22; /* V*omega_n*m*R*I1 */
-    const double t31 = x[0]*t11; /* gamma3*s*omega_tau */
-    const double t32 = -t31; /* -gamma3*s*omega_tau */
-    out[5] = t32;
-    const double t33 = x[2]*p[44]; /* omega_tau*2*m*a3^2 */
-    const double t34 = t31*t33; /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 */
-    const double t35 = JLT_FNMA(x[5], p[46], t34); /* gamma3*s*omega_tau*omega_tau*2*m*a3^2 - s*2*m*g*a3 */
-    const double t36 = p[42]*t21; /* m*R*a3*I3*omega3*s*omega_tau */
-    const double t37 = x[2]*p[47]; /* omega_tau*m*a3*I3 */
-    const double t38 = JLT_FNMA(t15, t37, t36); /* m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 */
-    const double t39 = x[3]*p[4]; /* omega_n*I1 */
-    const double t40 = JLT_FNMA(x[3], t39, t25); /* s*omega_tau*m*a3^2*s*omega_tau - omega_n*omega_n*I1 */
-    const double t41 = t10*t40; /* 1/D*(s*omega_tau*m*a3^2*s*omega_tau - omega_n*omega_n*I1) */
-    out[18] = t41;
-    const double t42 = x[3]*p[5]; /* omega_n*I3 */
-    const double t43 = JLT_FMA(t23, t42, t6); /* s*omega3*omega_n*I3 + m*g*a3*s*s */
-    const double t44 = JLT_FNMA(x[0], t40, t43); /* s*omega3*omega_n*I3 + m*g*a3*s*s - gamma3*(s*omega_tau*m*a3^2*s*omega_tau - omega_n*omega_n*I1) */
-    const double t45 = JLT_FNMA(x[4], t42, t35); /* d(numerator of d(omega_tau)/dt over D)/d(s) = gamma3*s*omega_tau*omega_tau*2*m*a3^2 - s*2*m*g*a3 - omega3*omega_n*I3 */
-    const double t46 = x[3]*x[0]; /* omega_n*gamma3 */
-    const double t47 = JLT_FMA(x[2], t46, t29); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
-    out[3] = t47;
-    const double t48 = x[5]*t30; /* s*V*omega_n*m*R*I1 */
-    const double t49 = JLT_FNMA(x[0], p[43], p[42]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
-    const double t50 = t11*t23; /* s*omega_tau*s*omega3 */
-    const double t51 = JLT_FMA(t49, t50, t48); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*omega_tau*s*omega3 + s*V*omega_n*m*R*I1 */
-    const double t52 = x[3]*p[12]; /* omega_n*m*R*I3 */
-    const double t53 = JLT_FNMA(t18, t52, t38); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 - V*omega_n*m*R*I3 */
-    const double t54 = JLT_FNMA(t16, t29, t53); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) - 2*m*R*I3*b*1/Theta*numerator of d(omega_n)/dt over Theta */
-    const double t55 = t9*t54; /* 1/Theta*t54 */
-    const double t56 = JLT_FMA(x[2], x[3], t55); /* omega_tau*omega_n + 1/Theta*t54 */
-    out[24] = t56;
-    const double t57 = p[14]*t18; /* (-m*R*I1)*V */
-    const double t58 = x[5]*t9; /* s*1/Theta */
-    const double t59 = t57*t58; /* (-m*R*I1)*V*s*1/Theta */
-    out[33] = t59;
-    const double t60 = t22*t58; /* omega_n*m*R*I1*s*1/Theta */
-    const double t61 = t49*t58; /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta */
-    const double t62 = p[49]*t58; /* 2*m*R^2*I1*s*1/Theta */
-    const double t63 = -t60; /* -omega_n*m*R*I1*s*1/Theta */
-    out[31] = t63;
-    const double t64 = t17*t60; /* e*omega_n*m*R*I1*s*1/Theta */
-    const double t65 = t17*t20; /* e*m*I3*omega_n*b */
-    const double t66 = t9*t20; /* 1/Theta*m*I3*omega_n*b */
-    const double t67 = -t66; /* -1/Theta*m*I3*omega_n*b */
-    out[25] = t67;
-    const double t68 = JLT_FMS(t23, t27, t65); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*m*I3*omega_n*b */
-    const double t69 = JLT_FMA(t9, t68, t46); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
-    out[26] = t69;
-    const double t70 = p[45]*t46; /* 2*I1*omega_n*gamma3 */
-    const double t71 = JLT_FMA(p[5], t23, t70); /* I3*s*omega3 + 2*I1*omega_n*gamma3 */
-    const double t72 = t9*t27; /* 1/Theta*(m*R*I3*e + I3^2) */
-    const double t73 = t10*t71; /* 1/D*(I3*s*omega3 + 2*I1*omega_n*gamma3) */
-    const double t74 = -t73; /* -1/D*(I3*s*omega3 + 2*I1*omega_n*gamma3) */
-    out[21] = t74;
-    const double t75 = JLT_FMA(t23, t61, t64); /* s*omega3*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta + e*omega_n*m*R*I1*s*1/Theta */
-    const double t76 = -t75; /* -t75 */
-    out[32] = t76;
-    const double t77 = t11*t61; /* s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta */
-    const double t78 = -t77; /* -s*omega_tau*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*1/Theta */
-    out[34] = t78;
-    const double t79 = t11*t72; /* s*omega_tau*1/Theta*(m*R*I3*e + I3^2) */
-    out[28] = t79;
-    const double t80 = x[3]*p[50]; /* omega_n*m*R*a3*I1 */
-    const double t81 = t11*t80; /* s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t82 = JLT_FMS(p[43], t50, t81); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = m*R^2*(I1 - I3)*s*omega_tau*s*omega3 - s*omega_tau*omega_n*m*R*a3*I1 */
-    const double t83 = x[0]*p[51]; /* gamma3*2*m*R^2*(I1 - I3) */
-    const double t84 = JLT_FMS(t21, t83, t30); /* omega3*s*omega_tau*gamma3*2*m*R^2*(I1 - I3) - V*omega_n*m*R*I1 */
-    const double t85 = JLT_FNMA(p[52], t21, t84); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t84 - 2*m*R*a3*I3*omega3*s*omega_tau */
-    const double t86 = JLT_FMA(t51, t62, t85); /* t51*2*m*R^2*I1*s*1/Theta + d(numerator of d(omega3)/dt over Theta)/d(s) */
-    const double t87 = t9*t86; /* 1/Theta*t86 */
-    out[35] = t87;
-    const double t88 = t9*t51; /* 1/Theta*t51 */
-    const double t89 = JLT_FMA(t16, t88, t82); /* 2*m*R*I3*b*1/Theta*t51 + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
-    const double t90 = -t88; /* -1/Theta*t51 */
-    out[4] = t90;
-    const double t91 = t9*t89; /* 1/Theta*t89 */
-    out[30] = t91;
-    const double t92 = x[5]*t10; /* s*1/D */
-    const double t93 = t42*t92; /* omega_n*I3*s*1/D */
-    const double t94 = -t93; /* -omega_n*I3*s*1/D */
-    out[22] = t94;
-    const double t95 = p[44]*t92; /* 2*m*a3^2*s*1/D */
-    const double t96 = t31*t95; /* gamma3*s*omega_tau*2*m*a3^2*s*1/D */
-    out[20] = t96;
-    const double t97 = JLT_FMA(t44, t95, t45); /* t44*2*m*a3^2*s*1/D + d(numerator of d(omega_tau)/dt over D)/d(s) */
-    const double t98 = t10*t97; /* 1/D*t97 */
-    out[23] = t98;
-    const double t99 = t10*t44; /* 1/D*t44 */
-    const double t100 = -t99; /* -1/D*t44 */
-    out[2] = t100;
-    const double t101 = p[1]*x[3]; /* R*omega_n */
-    const double t102 = x[3]*t101; /* omega_n*R*omega_n */
-    out[12] = t102;
-    const double t103 = x[5]*t101; /* s*R*omega_n */
-    out[16] = t103;
-    const double t104 = x[4]*t101; /* omega3*R*omega_n */
-    out[17] = t104;
-    const double t105 = t23*t101; /* s*omega3*R*omega_n */
-    const double t106 = JLT_FMA(x[3], t15, t105); /* omega_n*omega_n*b + s*omega3*R*omega_n */
-    out[1] = t106;
-    const double t107 = 2.0*t15; /* 2*omega_n*b */
-    const double t108 = JLT_FMA(p[1], t23, t107); /* R*s*omega3 + 2*omega_n*b */
-    out[15] = t108;
+    const double t20 = x[3]*p[4]; /* omega_n*I1 */
+    const double t21 = x[3]*t20; /* omega_n*omega_n*I1 */
+    const double t22 = p[8]*t16; /* m*I3*omega_n*b */
+    const double t23 = x[4]*t12; /* omega3*s*omega_tau */
+    const double t24 = x[3]*t18; /* omega_n*V */
+    const double t25 = x[5]*x[4]; /* s*omega3 */
+    const double t26 = p[39]*t12; /* m*a3^2*s*omega_tau */
+    const double t27 = JLT_FNMA(t12, t26, t21); /* omega_n*omega_n*I1 - s*omega_tau*m*a3^2*s*omega_tau */
+    const double t28 = x[3]*p[5]; /* omega_n*I3 */
+    const double t29 = JLT_FMA(t25, t28, t6); /* s*omega3*omega_n*I3 + m*g*a3*s*s */
+    const double t30 = JLT_FMA(x[0], t27, t29); /* gamma3*(omega_n*omega_n*I1 - s*omega_tau*m*a3^2*s*omega_tau) + s*omega3*omega_n*I3 + m*g*a3*s*s */
+    const double t31 = t10*t30; /* 1/D*t30 */
+    const double t32 = t10*t27; /* 1/D*(omega_n*omega_n*I1 - s*omega_tau*m*a3^2*s*omega_tau) */
+    const double t33 = -t32; /* -1/D*(omega_n*omega_n*I1 - s*omega_tau*m*a3^2*s*omega_tau) */
+    out[18] = t33;
+    const double t34 = -t31; /* -1/D*t30 */
+    out[2] = t34;
+    const double t35 = t18*t22; /* V*m*I3*omega_n*b */
+    const double t36 = JLT_FMA(p[12], t11, p[41]); /* m*R*I3*e + I3^2 */
+    const double t37 = JLT_FMS(t23, t36, t35); /* numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*(m*R*I3*e + I3^2) - V*m*I3*omega_n*b */
+    const double t38 = t9*t37; /* 1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t39 = p[42]*t24; /* m*R*I1*omega_n*V */
+    const double t40 = p[43]*t23; /* m*R*a3*I3*omega3*s*omega_tau */
+    const double t41 = x[2]*p[48]; /* omega_tau*m*a3*I3 */
+    const double t42 = JLT_FNMA(t16, t41, t40); /* m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 */
+    const double t43 = JLT_FNMA(p[12], t24, t42); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) = m*R*a3*I3*omega3*s*omega_tau - omega_n*b*omega_tau*m*a3*I3 - m*R*I3*omega_n*V */
+    const double t44 = JLT_FNMA(t17, t38, t43); /* d(numerator of d(omega_n)/dt over Theta)/d(gamma3) - 2*m*R*I3*b*1/Theta*numerator of d(omega_n)/dt over Theta */
+    const double t45 = t9*t44; /* 1/Theta*t44 */
+    const double t46 = JLT_FMA(x[2], x[3], t45); /* omega_tau*omega_n + 1/Theta*t44 */
+    out[24] = t46;
+    const double t47 = x[5]*t9; /* s*1/Theta */
+    const double t48 = x[3]*x[0]; /* omega_n*gamma3 */
+    const double t49 = JLT_FMA(x[2], t48, t38); /* omega_tau*omega_n*gamma3 + 1/Theta*numerator of d(omega_n)/dt over Theta */
+    out[3] = t49;
+    const double t50 = x[5]*t39; /* s*m*R*I1*omega_n*V */
+    const double t51 = JLT_FNMA(x[0], p[44], p[43]); /* m*R*a3*I3 - gamma3*m*R^2*(I1 - I3) */
+    const double t52 = t12*t25; /* s*omega_tau*s*omega3 */
+    const double t53 = JLT_FMA(t51, t52, t50); /* (m*R*a3*I3 - gamma3*m*R^2*(I1 - I3))*s*omega_tau*s*omega3 + s*m*R*I1*omega_n*V */
+    const double t54 = t9*t53; /* 1/Theta*t53 */
+    const double t55 = t47*t51; /* s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t56 = -t54; /* -1/Theta*t53 */
+    out[4] = t56;
+    const double t57 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t58 = JLT_FNMA(t9, t19, t57); /* omega_tau*gamma3 - 1/Theta*m*I3*b*V */
+    out[27] = t58;
+    const double t59 = -t57; /* -omega_tau*gamma3 */
+    out[41] = t59;
+    const double t60 = p[45]*t12; /* 2*m*a3^2*s*omega_tau */
+    const double t61 = t57*t60; /* omega_tau*gamma3*2*m*a3^2*s*omega_tau */
+    const double t62 = JLT_FNMA(x[5], p[47], t61); /* omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 */
+    const double t63 = JLT_FNMA(x[4], t28, t62); /* d(numerator of d(omega_tau)/dt over D)/d(s) = omega_tau*gamma3*2*m*a3^2*s*omega_tau - s*2*m*g*a3 - omega3*omega_n*I3 */
+    const double t64 = x[3]*p[51]; /* omega_n*m*R*a3*I1 */
+    const double t65 = t12*t64; /* s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t66 = JLT_FMS(p[44], t52, t65); /* d(numerator of d(omega3)/dt over Theta)/d(gamma3) = m*R^2*(I1 - I3)*s*omega_tau*s*omega3 - s*omega_tau*omega_n*m*R*a3*I1 */
+    const double t67 = JLT_FMA(t17, t54, t66); /* 2*m*R*I3*b*1/Theta*t53 + d(numerator of d(omega3)/dt over Theta)/d(gamma3) */
+    const double t68 = t9*t67; /* 1/Theta*t67 */
+    out[30] = t68;
+    const double t69 = p[42]*t47; /* m*R*I1*s*1/Theta */
+    const double t70 = p[50]*t47; /* 2*m*R^2*I1*s*1/Theta */
+    const double t71 = t18*t69; /* V*m*R*I1*s*1/Theta */
+    const double t72 = -t71; /* -V*m*R*I1*s*1/Theta */
+    out[33] = t72;
+    const double t73 = x[3]*t69; /* omega_n*m*R*I1*s*1/Theta */
+    const double t74 = t54*t70; /* 1/Theta*t53*2*m*R^2*I1*s*1/Theta */
+    const double t75 = -t73; /* -omega_n*m*R*I1*s*1/Theta */
+    out[31] = t75;
+    const double t76 = t11*t73; /* e*omega_n*m*R*I1*s*1/Theta */
+    const double t77 = t11*t22; /* e*m*I3*omega_n*b */
+    const double t78 = t9*t22; /* 1/Theta*m*I3*omega_n*b */
+    const double t79 = -t78; /* -1/Theta*m*I3*omega_n*b */
+    out[25] = t79;
+    const double t80 = JLT_FMS(t25, t36, t77); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*(m*R*I3*e + I3^2) - e*m*I3*omega_n*b */
+    const double t81 = JLT_FMA(t9, t80, t48); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) + omega_n*gamma3 */
+    out[26] = t81;
+    const double t82 = p[46]*t48; /* 2*I1*omega_n*gamma3 */
+    const double t83 = JLT_FMA(p[5], t25, t82); /* I3*s*omega3 + 2*I1*omega_n*gamma3 */
+    const double t84 = t9*t36; /* 1/Theta*(m*R*I3*e + I3^2) */
+    const double t85 = t10*t83; /* 1/D*(I3*s*omega3 + 2*I1*omega_n*gamma3) */
+    const double t86 = -t85; /* -1/D*(I3*s*omega3 + 2*I1*omega_n*gamma3) */
+    out[21] = t86;
+    const double t87 = JLT_FMA(t25, t55, t76); /* s*omega3*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) + e*omega_n*m*R*I1*s*1/Theta */
+    const double t88 = -t87; /* -t87 */
+    out[32] = t88;
+    const double t89 = p[1]*t25; /* R*s*omega3 */
+    const double t90 = t12*t55; /* s*omega_tau*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    const double t91 = -t90; /* -s*omega_tau*s*1/Theta*(m*R*a3*I3 - gamma3*m*R^2*(I1 - I3)) */
+    out[34] = t91;
+    const double t92 = JLT_FMA(2.0, t16, t89); /* 2*omega_n*b + R*s*omega3 */
+    out[15] = t92;
+    const double t93 = t16 + t89; /* omega_n*b + R*s*omega3 */
+    const double t94 = x[3]*t93; /* omega_n*(omega_n*b + R*s*omega3) */
+    out[1] = t94;
+    const double t95 = t12*t84; /* s*omega_tau*1/Theta*(m*R*I3*e + I3^2) */
+    out[28] = t95;
+    const double t96 = x[0]*t12; /* gamma3*s*omega_tau */
+    const double t97 = -t96; /* -gamma3*s*omega_tau */
+    out[5] = t97;
+    const double t98 = x[5]*t10; /* s*1/D */
+    const double t99 = t28*t98; /* omega_n*I3*s*1/D */
+    const double t100 = -t99; /* -omega_n*I3*s*1/D */
+    out[22] = t100;
+    const double t101 = p[45]*t98; /* 2*m*a3^2*s*1/D */
+    const double t102 = t96*t101; /* gamma3*s*omega_tau*2*m*a3^2*s*1/D */
+    out[20] = t102;
+    const double t103 = t31*t101; /* 1/D*t30*2*m*a3^2*s*1/D */
+    const double t104 = JLT_FMA(t10, t63, t103); /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(s) + 1/D*t30*2*m*a3^2*s*1/D */
+    out[23] = t104;
+    const double t105 = x[0]*p[52]; /* gamma3*2*m*R^2*(I1 - I3) */
+    const double t106 = JLT_FMS(t23, t105, t39); /* omega3*s*omega_tau*gamma3*2*m*R^2*(I1 - I3) - m*R*I1*omega_n*V */
+    const double t107 = JLT_FNMA(p[53], t23, t106); /* d(numerator of d(omega3)/dt over Theta)/d(s) = t106 - 2*m*R*a3*I3*omega3*s*omega_tau */
+    const double t108 = JLT_FMA(t9, t107, t74); /* 1/Theta*d(numerator of d(omega3)/dt over Theta)/d(s) + 1/Theta*t53*2*m*R^2*I1*s*1/Theta */
+    out[35] = t108;
     const double t109 = x[2]*x[4]; /* omega_tau*omega3 */
-    const double t110 = t72*t109; /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 */
-    const double t111 = JLT_FNMA(t29, t62, t110); /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
+    const double t110 = t84*t109; /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 */
+    const double t111 = JLT_FNMA(t38, t70, t110); /* 1/Theta*(m*R*I3*e + I3^2)*omega_tau*omega3 - 1/Theta*numerator of d(omega_n)/dt over Theta*2*m*R^2*I1*s*1/Theta */
     out[29] = t111;
-    const double t112 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t113 = JLT_FNMA(t9, t19, t112); /* omega_tau*gamma3 - 1/Theta*m*I3*b*V */
-    out[27] = t113;
-    const double t114 = -t112; /* -omega_tau*gamma3 */
-    out[41] = t114;
-    const double t115 = x[5]*x[0]; /* s*gamma3 */
-    const double t116 = -t115; /* -s*gamma3 */
-    out[38] = t116;
+    const double t112 = x[3]*p[1]; /* omega_n*R */
+    const double t113 = x[3]*t112; /* omega_n*omega_n*R */
+    out[12] = t113;
+    const double t114 = x[5]*t112; /* s*omega_n*R */
+    out[16] = t114;
+    const double t115 = x[4]*t112; /* omega3*omega_n*R */
+    out[17] = t115;
+    const double t116 = x[5]*x[0]; /* s*gamma3 */
+    const double t117 = -t116; /* -s*gamma3 */
+    out[38] = t117;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
 {
     const double t0 = x[5]*x[5]; /* s*s */
-    const double t1 = x[2]*t0; /* omega_tau*s*s */
-    const double t2 = x[0]*t1; /* gamma3*omega_tau*s*s */
-    const double t3 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t4 = p[43]*t2; /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s */
-    const double t5 = JLT_FNMA(p[42], t1, t4); /* m*R^2*(I1 - I3)*gamma3*omega_tau*s*s - m*R*a3*I3*omega_tau*s*s */
-    const double t6 = p[44]*t2; /* 2*m*a3^2*gamma3*omega_tau*s*s */
-    const double t7 = JLT_FMA(p[3], x[0], p[1]); /* e = a3*gamma3 + R */
-    const double t8 = JLT_FMA(x[2], t7, x[1]); /* V = omega_tau*e + v_nu */
-    const double t9 = p[8]*t3; /* m*I3*b */
-    const double t10 = JLT_FNMA(t8, t9, t5); /* t5 - V*m*I3*b */
-    const double t11 = JLT_FMA(p[38], t0, p[4]); /* D = m*a3^2*s*s + I1 */
-    const double t12 = JLT_FMA(p[7], t0, p[6]); /* m*R^2*I1*s*s + I1*I3 */
-    const double t13 = JLT_FMA(t3, t9, t12); /* Theta = b*m*I3*b + m*R^2*I1*s*s + I1*I3 */
-    const double t14 = t10*t11; /* (t5 - V*m*I3*b)*D */
-    const double t15 = JLT_FMA(t6, t13, t14); /* 2*m*a3^2*gamma3*omega_tau*s*s*Theta + (t5 - V*m*I3*b)*D */
-    const double t16 = t11*t13; /* D*Theta */
-    const double t17 = t15/t16; /* (2*m*a3^2*gamma3*omega_tau*s*s*Theta + (t5 - V*m*I3*b)*D)/(D*Theta) */
-    out[0] = t17;
+    const double t1 = JLT_FMA(p[39], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t2 = p[18] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t3 = p[11]*t2; /* I3/I1*b/R */
+    const double t4 = t0 + p[19]; /* s*s + I3/(m*R^2) */
+    const double t5 = JLT_FMA(t2, t3, t4); /* Theta/(m*R^2*I1) = b/R*I3/I1*b/R + s*s + I3/(m*R^2) */
+    const double t6 = t1*t5; /* D*Theta/(m*R^2*I1) */
+    const double t7 = t0*x[2]; /* s*s*omega_tau */
+    const double t8 = x[0]*p[45]; /* gamma3*2*m*a3^2 */
+    const double t9 = t7*t8; /* s*s*omega_tau*gamma3*2*m*a3^2 */
+    const double t10 = t5*t9; /* Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 */
+    const double t11 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t12 = JLT_FMA(x[2], t11, x[1]); /* V = omega_tau*e + v_nu */
+    const double t13 = t2*p[25]; /* b/R*I3/(R*I1) */
+    const double t14 = t12*t13; /* V*b/R*I3/(R*I1) */
+    const double t15 = JLT_FNMA(x[0], p[32], p[24]); /* a3*I3/(R*I1) - gamma3*(I1 - I3)/I1 */
+    const double t16 = JLT_FMA(t7, t15, t14); /* s*s*omega_tau*(a3*I3/(R*I1) - gamma3*(I1 - I3)/I1) + V*b/R*I3/(R*I1) */
+    const double t17 = JLT_FNMA(t1, t16, t10); /* Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 - D*t16 */
+    const double t18 = t17/t6; /* (Theta/(m*R^2*I1)*s*s*omega_tau*gamma3*2*m*a3^2 - D*t16)/(D*Theta/(m*R^2*I1)) */
+    out[0] = t18;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
 {
-    const double t0 = p[54]*x[0]; /* 2*g*a3*gamma3 */
+    const double t0 = p[55]*x[0]; /* 2*g*a3*gamma3 */
     const double t1 = JLT_FMA(x[1], x[1], t0); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t2 = p[56]*x[3]; /* I1/m*omega_n */
+    const double t2 = p[57]*x[3]; /* I1/m*omega_n */
     const double t3 = JLT_FMA(x[3], t2, t1); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t4 = p[38]*x[5]; /* m*a3^2*s */
+    const double t4 = p[39]*x[5]; /* m*a3^2*s */
     const double t5 = JLT_FMA(x[5], t4, p[4]); /* D = s*m*a3^2*s + I1 */
-    const double t6 = p[55]*x[2]; /* 1/m*omega_tau */
+    const double t6 = p[56]*x[2]; /* 1/m*omega_tau */
     const double t7 = x[2]*t6; /* omega_tau*1/m*omega_tau */
-    const double t8 = p[57]*x[4]; /* I3/m*omega3 */
+    const double t8 = p[58]*x[4]; /* I3/m*omega3 */
     const double t9 = JLT_FMA(x[4], t8, t3); /* omega3*I3/m*omega3 + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t10 = JLT_FMA(t5, t7, t9); /* D*omega_tau*1/m*omega_tau + t9 */
     const double t11 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
@@ -599,9 +611,9 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t13 = x[5]*p[1]; /* s*R */
     const double t14 = JLT_FMA(x[4], t13, t12); /* v_tau = omega3*s*R + omega_n*b */
     const double t15 = JLT_FMA(t14, t14, t10); /* energy/(1/2*m) = v_tau*v_tau + D*omega_tau*1/m*omega_tau + t9 */
-    const double t16 = p[53]*t15; /* 1/2*m*energy/(1/2*m) */
+    const double t16 = p[54]*t15; /* 1/2*m*energy/(1/2*m) */
     out[0] = t16;
-    const double t17 = x[5]*p[58]; /* s*R*I1 */
+    const double t17 = x[5]*p[59]; /* s*R*I1 */
     const double t18 = x[3]*t17; /* omega_n*s*R*I1 */
     const double t19 = x[4]*p[5]; /* omega3*I3 */
     const double t20 = JLT_FNMA(t11, t19, t18); /* omega_n*s*R*I1 - b*omega3*I3 */
@@ -614,29 +626,29 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     out[8] = 0.0;
     const double t0 = p[0]*x[1]; /* m*v_nu */
     out[1] = t0;
-    const double t1 = x[4]*p[60]; /* omega3*(-R*I3) */
+    const double t1 = x[4]*p[61]; /* omega3*(-R*I3) */
     out[6] = t1;
-    const double t2 = x[5]*p[58]; /* s*R*I1 */
+    const double t2 = x[5]*p[59]; /* s*R*I1 */
     out[9] = t2;
-    const double t3 = x[3]*p[58]; /* omega_n*R*I1 */
+    const double t3 = x[3]*p[59]; /* omega_n*R*I1 */
     out[11] = t3;
     const double t4 = JLT_FMA(p[1], x[0], p[3]); /* b = R*gamma3 + a3 */
-    const double t5 = p[61]*t4; /* (-I3)*b */
+    const double t5 = p[62]*t4; /* (-I3)*b */
     out[10] = t5;
     const double t6 = x[3]*t4; /* omega_n*b */
     const double t7 = p[0]*t4; /* m*b */
     const double t8 = p[1]*x[4]; /* R*omega3 */
     const double t9 = JLT_FMA(x[5], t8, t6); /* v_tau = s*R*omega3 + omega_n*b */
-    const double t10 = x[5]*p[38]; /* s*m*a3^2 */
+    const double t10 = x[5]*p[39]; /* s*m*a3^2 */
     const double t11 = x[2]*x[2]; /* omega_tau*omega_tau */
     const double t12 = t10*t11; /* s*m*a3^2*omega_tau*omega_tau */
     const double t13 = JLT_FMA(x[5], t10, p[4]); /* D = s*s*m*a3^2 + I1 */
     const double t14 = x[2]*t13; /* omega_tau*D */
     out[2] = t14;
-    const double t15 = p[59]*t9; /* m*R*v_tau */
+    const double t15 = p[60]*t9; /* m*R*v_tau */
     const double t16 = JLT_FMA(x[4], t15, t12); /* d(energy)/d(s) = omega3*m*R*v_tau + s*m*a3^2*omega_tau*omega_tau */
     out[5] = t16;
-    const double t17 = JLT_FMA(x[3], t15, p[39]); /* d(energy)/d(gamma3) = omega_n*m*R*v_tau + m*g*a3 */
+    const double t17 = JLT_FMA(x[3], t15, p[40]); /* d(energy)/d(gamma3) = omega_n*m*R*v_tau + m*g*a3 */
     out[0] = t17;
     const double t18 = x[3]*p[4]; /* omega_n*I1 */
     const double t19 = JLT_FMA(t7, t9, t18); /* d(energy)/d(omega_n) = m*b*v_tau + omega_n*I1 */
@@ -650,6 +662,40 @@ static void time_factor(const double *restrict x, const double *restrict p, doub
 {
     (void)p;
     out[0] = x[5];
+}
+
+static void observe_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = x[5]*x[5]; /* s*s */
+    const double t1 = p[10]*t0; /* m*g*a3/I1*s*s */
+    const double t2 = JLT_FMA(p[39], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t3 = x[5]*p[11]; /* s*I3/I1 */
+    const double t4 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t5 = JLT_FMA(t3, t4, t1); /* s*I3/I1*omega_n*omega3 + m*g*a3/I1*s*s */
+    const double t6 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t7 = JLT_FMA(x[3], x[3], t6); /* omega_n*omega_n + omega_tau*omega_tau */
+    const double t8 = JLT_FMA(x[0], t7, t5); /* gamma3*(omega_n*omega_n + omega_tau*omega_tau) + s*I3/I1*omega_n*omega3 + m*g*a3/I1*s*s */
+    const double t9 = p[64]*t8; /* m*a3*I1*t8 */
+    const double t10 = t9/t2; /* m*a3*I1*t8/D */
+    const double t11 = p[63] - t10; /* contact_force = m*g - m*a3*I1*t8/D */
+    out[0] = t11;
+}
+
+static void valid_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = x[5]*x[5]; /* s*s */
+    const double t1 = p[10]*t0; /* m*g*a3/I1*s*s */
+    const double t2 = JLT_FMA(p[39], t0, p[4]); /* D = m*a3^2*s*s + I1 */
+    const double t3 = x[5]*p[11]; /* s*I3/I1 */
+    const double t4 = x[3]*x[4]; /* omega_n*omega3 */
+    const double t5 = JLT_FMA(t3, t4, t1); /* s*I3/I1*omega_n*omega3 + m*g*a3/I1*s*s */
+    const double t6 = x[2]*x[2]; /* omega_tau*omega_tau */
+    const double t7 = JLT_FMA(x[3], x[3], t6); /* omega_n*omega_n + omega_tau*omega_tau */
+    const double t8 = JLT_FMA(x[0], t7, t5); /* gamma3*(omega_n*omega_n + omega_tau*omega_tau) + s*I3/I1*omega_n*omega3 + m*g*a3/I1*s*s */
+    const double t9 = p[64]*t8; /* m*a3*I1*t8 */
+    const double t10 = t9/t2; /* m*a3*I1*t8/D */
+    const double t11 = p[63] - t10; /* contact_force = m*g - m*a3*I1*t8/D */
+    out[0] = t11;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -669,38 +715,38 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     double t12[JLT_JET_ORDER_MAX + 1];
     double t13[JLT_JET_ORDER_MAX + 1];
     double t16[JLT_JET_ORDER_MAX + 1];
+    double t17[JLT_JET_ORDER_MAX + 1];
     double t18[JLT_JET_ORDER_MAX + 1];
-    double t19[JLT_JET_ORDER_MAX + 1];
     double t20[JLT_JET_ORDER_MAX + 1];
+    double t21[JLT_JET_ORDER_MAX + 1];
     double t22[JLT_JET_ORDER_MAX + 1];
     double t23[JLT_JET_ORDER_MAX + 1];
-    double t24[JLT_JET_ORDER_MAX + 1];
+    double t25[JLT_JET_ORDER_MAX + 1];
     double t26[JLT_JET_ORDER_MAX + 1];
-    double t27[JLT_JET_ORDER_MAX + 1];
+    double t28[JLT_JET_ORDER_MAX + 1];
     double t29[JLT_JET_ORDER_MAX + 1];
-    double t30[JLT_JET_ORDER_MAX + 1];
+    double t31[JLT_JET_ORDER_MAX + 1];
     double t32[JLT_JET_ORDER_MAX + 1];
     double t33[JLT_JET_ORDER_MAX + 1];
     double t34[JLT_JET_ORDER_MAX + 1];
     double t35[JLT_JET_ORDER_MAX + 1];
     double t36[JLT_JET_ORDER_MAX + 1];
-    double t37[JLT_JET_ORDER_MAX + 1];
+    double t39[JLT_JET_ORDER_MAX + 1];
     double t40[JLT_JET_ORDER_MAX + 1];
     double t41[JLT_JET_ORDER_MAX + 1];
     double t42[JLT_JET_ORDER_MAX + 1];
     double t43[JLT_JET_ORDER_MAX + 1];
-    double t44[JLT_JET_ORDER_MAX + 1];
+    double t45[JLT_JET_ORDER_MAX + 1];
     double t46[JLT_JET_ORDER_MAX + 1];
     double t47[JLT_JET_ORDER_MAX + 1];
     double t48[JLT_JET_ORDER_MAX + 1];
     double t49[JLT_JET_ORDER_MAX + 1];
-    double t50[JLT_JET_ORDER_MAX + 1];
+    double t53[JLT_JET_ORDER_MAX + 1];
     double t54[JLT_JET_ORDER_MAX + 1];
     double t55[JLT_JET_ORDER_MAX + 1];
     double t56[JLT_JET_ORDER_MAX + 1];
     double t57[JLT_JET_ORDER_MAX + 1];
     double t58[JLT_JET_ORDER_MAX + 1];
-    double t59[JLT_JET_ORDER_MAX + 1];
     coefficients[0] = x0[0] = x[0];
     coefficients[1] = x1[0] = x[1];
     coefficients[2] = x2[0] = x[2];
@@ -709,53 +755,53 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
     coefficients[5] = x5[0] = x[5];
     coefficients[6] = 0;
     for (unsigned k = 0; k < order; k++) {
-        t2[k] = jlt_jet_product(x5, x2, k);
-        t3[k] = jlt_jet_product(x5, t2, k);
+        t2[k] = jlt_jet_product(x5, x5, k);
+        t3[k] = jlt_jet_product(x2, t2, k);
         t8[k] = p[1]*x0[k] + (k == 0 ? p[3] : 0);
         t9[k] = jlt_jet_product(x3, t8, k);
         t11[k] = jlt_jet_product(x5, x4, k);
         t12[k] = p[1]*t11[k] + t9[k];
         t13[k] = jlt_jet_product(x3, t12, k);
-        t16[k] = jlt_jet_product(x5, x5, k);
-        t18[k] = t8[k]*p[8];
-        t19[k] = p[7]*t16[k] + (k == 0 ? p[6] : 0);
-        t20[k] = jlt_jet_product(t8, t18, k) + t19[k];
-        t22[k] = jlt_jet_product(t2, x0, k);
-        t23[k] = t2[k]*p[9];
-        t24[k] = jlt_jet_product(t22, t23, k);
-        t26[k] = jlt_jet_product(x3, x0, k);
-        t27[k] = t11[k]*p[10] + t26[k];
-        t29[k] = t24[k] - t16[k]*p[11];
-        t30[k] = t29[k] - jlt_jet_product(x3, t27, k);
-        t32[k] = t16[k]*p[9] + (k == 0 ? 1.0 : 0);
-        t33[k] = jlt_jet_product(t20, t32, k);
-        t34[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t33, t34, k);
-        t35[k] = jlt_jet_product(t20, t30, k);
-        t36[k] = jlt_jet_product(t34, t35, k);
-        t37[k] = jlt_jet_product(x2, t26, k);
-        t40[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
-        t41[k] = (k == 0 ? p[13] : 0) + t40[k];
-        t42[k] = jlt_jet_product(t2, x4, k);
-        t43[k] = p[12]*t42[k];
-        t44[k] = jlt_jet_product(t41, t43, k);
-        t46[k] = jlt_jet_product(x2, t40, k) + x1[k];
-        t47[k] = jlt_jet_product(x3, t46, k);
-        t48[k] = t44[k] - jlt_jet_product(t18, t47, k);
-        t49[k] = jlt_jet_product(t32, t34, k);
-        t50[k] = jlt_jet_product(t48, t49, k) + t37[k];
-        t54[k] = (k == 0 ? p[15] : 0) - x0[k]*p[16];
-        t55[k] = jlt_jet_product(t42, t54, k) + t47[k];
-        t56[k] = x5[k]*p[14];
-        t57[k] = jlt_jet_product(t55, t56, k);
-        t58[k] = jlt_jet_product(t49, t57, k);
-        t59[k] = -t22[k];
+        t16[k] = t8[k]*p[65];
+        t17[k] = t2[k] + (k == 0 ? p[19] : 0);
+        t18[k] = jlt_jet_product(t8, t16, k) + t17[k];
+        t20[k] = jlt_jet_product(x2, x5, k);
+        t21[k] = jlt_jet_product(x0, t20, k);
+        t22[k] = p[9]*t20[k];
+        t23[k] = jlt_jet_product(t21, t22, k);
+        t25[k] = jlt_jet_product(x3, x0, k);
+        t26[k] = t11[k]*p[11] + t25[k];
+        t28[k] = t23[k] - t2[k]*p[10];
+        t29[k] = t28[k] - jlt_jet_product(x3, t26, k);
+        t31[k] = t2[k]*p[9] + (k == 0 ? 1.0 : 0);
+        t32[k] = jlt_jet_product(t18, t31, k);
+        t33[k] = jlt_jet_quotient((k == 0 ? 1.0 : 0), t32, t33, k);
+        t34[k] = jlt_jet_product(t18, t29, k);
+        t35[k] = jlt_jet_product(t33, t34, k);
+        t36[k] = jlt_jet_product(x2, t25, k);
+        t39[k] = p[3]*x0[k] + (k == 0 ? p[1] : 0);
+        t40[k] = (k == 0 ? p[13] : 0) + t39[k];
+        t41[k] = jlt_jet_product(x4, t20, k);
+        t42[k] = p[25]*t41[k];
+        t43[k] = jlt_jet_product(t40, t42, k);
+        t45[k] = jlt_jet_product(x2, t39, k) + x1[k];
+        t46[k] = jlt_jet_product(x3, t45, k);
+        t47[k] = t43[k] - jlt_jet_product(t16, t46, k);
+        t48[k] = jlt_jet_product(t31, t33, k);
+        t49[k] = jlt_jet_product(t47, t48, k) + t36[k];
+        t53[k] = (k == 0 ? p[15] : 0) - x0[k]*p[16];
+        t54[k] = jlt_jet_product(t41, t53, k) + t46[k];
+        t55[k] = x5[k]*p[36];
+        t56[k] = jlt_jet_product(t54, t55, k);
+        t57[k] = jlt_jet_product(t48, t56, k);
+        t58[k] = -t21[k];
         double *restrict next = coefficients + (k + 1)*7;
         next[0] = x0[k + 1] = t3[k]/(k + 1);
         next[1] = x1[k + 1] = t13[k]/(k + 1);
-        next[2] = x2[k + 1] = t36[k]/(k + 1);
-        next[3] = x3[k + 1] = t50[k]/(k + 1);
-        next[4] = x4[k + 1] = t58[k]/(k + 1);
-        next[5] = x5[k + 1] = t59[k]/(k + 1);
+        next[2] = x2[k + 1] = t35[k]/(k + 1);
+        next[3] = x3[k + 1] = t49[k]/(k + 1);
+        next[4] = x4[k + 1] = t57[k]/(k + 1);
+        next[5] = x5[k + 1] = t58[k]/(k + 1);
         next[6] = x5[k]/(k + 1);
     }
 }
@@ -820,6 +866,14 @@ static const jlt_named integrals[] = {
     { "G", "" },
 };
 
+static const jlt_quantity observes[] = {
+    { "contact_force", "kg*m/s^2", "force of the plane on the sphere, upwards", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+};
+
+static const jlt_validity valids[] = {
+    { "contact", "kg*m/s^2", "the plane only pushes" },
+};
+
 const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .model = "spherical_top",
     .variant = "",
@@ -827,21 +881,21 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .elimination = "",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
+    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 6, .param_count = 6, .block_count = 62,
+    .state_count = 6, .param_count = 6, .block_count = 66,
     .states = states,
     .params = params,
     .prepare = prepare,
     .rhs = { rhs, 6, { 2, 23, 14, 1, 0, 0, 7, 10 }, { 17, 78, 0, 10, 0, 0, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, R*s*omega3 + omega_n*b, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, (I3/(m*R) + e)*(m*R*I3)*s*omega_tau*omega3 - b*(m*I3)*omega_n*V, d(omega_n)/dtau, a3*I3/I1 - gamma3*(R*(I1 - I3)/I1), s*omega_tau*omega3*(a3*I3/I1 - gamma3*(R*(I1 - I3)/I1)) + omega_n*V" },
-    .jacobian = { jacobian, 36, { 10, 66, 30, 1, 0, 0, 12, 20 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, R*s*omega3 + omega_n*b, s*omega3*(I3/I1) + omega_n*gamma3, a part of d(omega_tau)/dtau, e = a3*gamma3 + R, V = omega_tau*e + v_nu, e + I3/(m*R), b*(m*I3)*omega_n*V - (e + I3/(m*R))*(m*R*I3)*omega3*omega_tau*s, d(omega_n)/dtau, a3*I3/I1 - gamma3*(R*(I1 - I3)/I1), omega3*omega_tau*s*(a3*I3/I1 - gamma3*(R*(I1 - I3)/I1)) + omega_n*V" },
+    .jacobian = { jacobian, 36, { 10, 67, 30, 1, 0, 0, 12, 20 }, { 56, 375, 0, 49, 0, 0, 14, 9 },
         "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_tau)/dtau)/d(gamma3), d(d(omega_tau)/dtau)/d(omega_n), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_n)/dtau)/d(gamma3), e = gamma3*a3 + R, V = omega_tau*e + v_nu, omega_tau - 1/(Theta/(m*R^2*I1))*(I3/(R*I1))*V, a part of d(d(omega_n)/dtau)/d(gamma3) and of d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(gamma3), (I3/(R*I1))*e + I3^2/(m*R^2*I1), d(d(omega_n)/dtau)/d(omega_tau), d(d(omega_n)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), 2*a3*I3^2/(R*I1^2) - gamma3*(2*I3*(I1 - I3)/I1^2), a part of d(d(omega3)/dtau)/d(gamma3), d(d(omega3)/dtau)/d(gamma3), a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), a part of d(d(omega3)/dtau)/d(omega_tau), a part of d(d(omega3)/dtau)/d(s), d(d(omega3)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 42, { 12, 70, 34, 1, 0, 0, 11, 26 }, { 67, 437, 0, 59, 0, 0, 14, 9 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, (m*R*I3)*e + I3^2, numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b, s*omega_tau*(m*a3^2)*s*omega_tau - omega_n*omega_n*I1, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), d(numerator of d(omega_tau)/dt over D)/d(s), d(omega_n)/dtau, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), d(numerator of d(omega_n)/dt over Theta)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b, d(d(omega_n)/dtau)/d(omega_tau), I3*s*omega3 + (2*I1)*omega_n*gamma3, a part of d(d(omega3)/dtau)/d(omega_tau), d(numerator of d(omega3)/dt over Theta)/d(gamma3) = (m*R^2*(I1 - I3))*s*omega_tau*s*omega3 - s*omega_tau*omega_n*(m*R*a3*I1), d(numerator of d(omega3)/dt over Theta)/d(s), a part of d(d(omega3)/dtau)/d(s), a part of d(d(omega3)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(s), d(v_nu)/dtau, d(d(v_nu)/dtau)/d(omega_n), d(d(omega_n)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_n)" },
-    .divergence = { divergence, 1, { 0, 8, 9, 1, 0, 0, 9, 7 }, { 10, 39, 0, 4, 0, 0, 10, 7 },
-        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, a part of the divergence, a part of the divergence" },
+    .rhs_jacobian = { rhs_jacobian, 42, { 15, 69, 33, 1, 0, 0, 12, 23 }, { 67, 437, 0, 59, 0, 0, 14, 9 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b = R*gamma3 + a3, e = a3*gamma3 + R, V = omega_tau*e + v_nu, omega_n*omega_n*I1 - s*omega_tau*(m*a3^2)*s*omega_tau, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), (m*R*I3)*e + I3^2, numerator of d(omega_n)/dt over Theta = omega3*s*omega_tau*((m*R*I3)*e + I3^2) - V*(m*I3)*omega_n*b, d(numerator of d(omega_n)/dt over Theta)/d(gamma3), a part of d(d(omega_n)/dtau)/d(gamma3), d(d(omega_n)/dtau)/d(gamma3), d(omega_n)/dtau, m*R*a3*I3 - gamma3*(m*R^2*(I1 - I3)), a part of d(omega3)/dtau and of d(d(omega3)/dtau)/d(gamma3) and of d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(omega_n), d(numerator of d(omega_tau)/dt over D)/d(s), d(numerator of d(omega3)/dt over Theta)/d(gamma3) = (m*R^2*(I1 - I3))*s*omega_tau*s*omega3 - s*omega_tau*omega_n*(m*R*a3*I1), a part of d(d(omega3)/dtau)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_tau) = s*omega3*((m*R*I3)*e + I3^2) - e*(m*I3)*omega_n*b, d(d(omega_n)/dtau)/d(omega_tau), I3*s*omega3 + (2*I1)*omega_n*gamma3, a part of d(d(omega3)/dtau)/d(omega_tau), d(d(v_nu)/dtau)/d(omega_n), omega_n*b + R*s*omega3, d(d(omega_tau)/dtau)/d(s), d(numerator of d(omega3)/dt over Theta)/d(s), d(d(omega3)/dtau)/d(s), d(d(omega_n)/dtau)/d(s)" },
+    .divergence = { divergence, 1, { 2, 9, 7, 1, 0, 0, 6, 7 }, { 10, 39, 0, 4, 0, 0, 10, 7 },
+        "divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; digits are lost where terms nearly cancel in b/R = a3/R + gamma3, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a3*I3/(R*I1) - gamma3*((I1 - I3)/I1), s*s*omega_tau*(a3*I3/(R*I1) - gamma3*((I1 - I3)/I1)) + V*b/R*(I3/(R*I1)), a part of the divergence" },
     .integral_values = { integral_values, 2, { 0, 12, 9, 0, 0, 0, 7, 5 }, { 9, 31, 0, 0, 0, 0, 10, 5 },
         "digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau = omega3*s*R + omega_n*b, energy/(1/2*m), G" },
     .integral_gradients = { integral_gradients, 12, { 0, 15, 7, 0, 0, 0, 5, 5 }, { 9, 37, 0, 0, 0, 0, 6, 6 },
@@ -851,6 +905,12 @@ const jlt_descriptor jlt_kernels_spherical_top_general_in_regular = {
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { observe_values, 1, { 1, 6, 4, 1, 0, 0, 7, 5 }, { 6, 26, 0, 4, 0, 0, 12, 7 },
+        "digits are lost where terms nearly cancel in a part of contact_force, contact_force" },
+    .valid_values = { valid_values, 1, { 1, 6, 4, 1, 0, 0, 7, 5 }, { 6, 26, 0, 4, 0, 0, 12, 7 },
+        "digits are lost where terms nearly cancel in a part of contact, contact" },
+    .observe_count = 1, .observes = observes,
+    .valid_count = 1, .valids = valids,
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -2,13 +2,13 @@
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)
  *  Eliminated: level_G_omega3: omega3 from G = G_level
- *  Table:      spherical_top, SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918
+ *  Table:      spherical_top, SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb
  *  Command:    ttc generate --effort full --out DIR spherical_top.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 5   26   11    1    1    0     13   10   (82)
- *  jacobian            8   52   29    1    1    0     16   22   (318)
- *  rhs_jacobian        9   55   32    1    1    0     19   27   (369)
+ *  rhs                 5   26   11    1    1    0     13   11   (82)
+ *  jacobian            9   54   28    1    1    0     18   21   (318)
+ *  rhs_jacobian        7   57   34    1    1    0     19   26   (369)
  *  divergence          4   17    7    1    1    0     12   10   (54)
  *  integral_values     2    9    9    1    1    0      9    7   (43)
  *  integral_gradients  2   22   13    1    1    0     13   11   (75)
@@ -19,17 +19,18 @@
  *    divides by b: values and rounding errors grow without bound where it vanishes
  *    divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s,
- *      1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s), d(Theta)/d(gamma3)/(2*m*R^2*I1) = (I3/(R*I1))*b - gamma3,
- *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt, e = gamma3*a3 + R, I3/(m*R) + e,
- *      V = omega_tau*e + v_nu, a part of d(d(omega_n)/dt)/d(gamma3),
+ *    digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, G_level - (R*I1)*omega_n*s,
+ *      I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3),
+ *      a part of d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_tau), d(omega_n)/dt,
  *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3),
- *      a part of d(v_nu)/dt, a part of d(d(omega_n)/dt)/d(gamma3),
- *      a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt,
- *      d(d(omega_n)/dt)/d(omega_tau), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n),
- *      a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3),
- *      d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n),
- *      a part of d(d(omega_tau)/dt)/d(gamma3)
+ *      a part of d(d(omega_tau)/dt)/d(gamma3), d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1),
+ *      gamma3*gamma3*omega_tau*((1)/s^2*Theta*b*D)*Theta*b*D*s - omega_tau*s, a part of d(d(omega_n)/dt)/d(gamma3),
+ *      d(numerator of d(omega_tau)/dt over D)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3),
+ *      a part of d(d(omega_n)/dt)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_n),
+ *      d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3),
+ *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), numerator of d(omega_tau)/dt over D,
+ *      d(numerator of d(omega_tau)/dt over D)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      d(d(v_nu)/dt)/d(gamma3), a part of d(v_nu)/dt, d(d(v_nu)/dt)/d(omega_n)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -66,76 +67,91 @@ static void prepare(const double *restrict params, double *restrict out)
     out[8] = t4;
     const double t5 = params[3]*params[3]; /* a3*a3 */
     const double t6 = params[0]*t5; /* m*a3*a3 */
-    out[25] = t6;
+    out[27] = t6;
     const double t7 = t6/params[4]; /* m*a3*a3/I1 */
     out[9] = t7;
     const double t8 = t3/params[5]; /* R*R*I1/I3 */
     out[10] = t8;
     const double t9 = params[1]*params[4]; /* R*I1 */
-    out[33] = t9;
+    out[29] = t9;
     const double t10 = params[6]/t9; /* G_level/(R*I1) */
     out[11] = t10;
     const double t11 = params[0]*params[2]; /* m*g */
     const double t12 = params[3]*t11; /* a3*m*g */
-    out[31] = t12;
+    out[30] = t12;
     const double t13 = t12/params[4]; /* a3*m*g/I1 */
     out[12] = t13;
     const double t14 = params[0]*params[1]; /* m*R */
+    out[31] = t14;
     const double t15 = params[5]/t14; /* I3/(m*R) */
     out[13] = t15;
     const double t16 = t9/params[5]; /* R*I1/I3 */
     out[14] = t16;
     const double t17 = params[0]*2.0; /* m*2 */
     const double t18 = t5*t17; /* a3*a3*m*2 */
-    out[24] = t18;
+    out[32] = t18;
     const double t19 = t18/params[4]; /* a3*a3*m*2/I1 */
     out[15] = t19;
-    const double t20 = params[1]*t17; /* R*m*2 */
-    const double t21 = t5*t20; /* a3*a3*R*m*2 */
-    const double t22 = t21/params[4]; /* a3*a3*R*m*2/I1 */
-    out[16] = t22;
-    const double t23 = params[5]/params[4]; /* I3/I1 */
-    out[17] = t23;
-    const double t24 = -params[1]; /* -R */
-    out[18] = t24;
-    const double t25 = 2.0/params[1]; /* 2/R */
-    out[19] = t25;
-    const double t26 = params[5]/t9; /* I3/(R*I1) */
-    out[20] = t26;
-    const double t27 = params[0]*params[0]; /* m*m */
-    const double t28 = 2.0*t27; /* 2*m*m */
-    const double t29 = params[2]*t28; /* g*2*m*m */
-    const double t30 = params[3]*t5; /* a3*a3*a3 */
-    const double t31 = t29*t30; /* g*2*m*m*a3*a3*a3 */
-    const double t32 = params[4]*params[4]; /* I1*I1 */
-    const double t33 = t31/t32; /* g*2*m*m*a3*a3*a3/(I1*I1) */
-    out[21] = t33;
-    const double t34 = params[3]/2.0; /* a3/2 */
-    out[22] = t34;
-    const double t35 = params[1]*2.0; /* R*2 */
-    const double t36 = params[4]*t35; /* I1*R*2 */
-    const double t37 = params[5]/t36; /* I3/(I1*R*2) */
-    out[23] = t37;
-    const double t38 = params[0]/2.0; /* m/2 */
-    out[26] = t38;
-    const double t39 = params[2]*2.0; /* g*2 */
-    const double t40 = params[3]*t39; /* a3*g*2 */
-    out[27] = t40;
-    const double t41 = 1.0/params[0]; /* 1/m */
-    out[28] = t41;
-    const double t42 = params[4]/params[0]; /* I1/m */
-    out[29] = t42;
-    const double t43 = t0*t32; /* R*R*I1*I1 */
-    const double t44 = params[0]*params[5]; /* m*I3 */
-    const double t45 = t43/t44; /* R*R*I1*I1/(m*I3) */
-    out[30] = t45;
-    const double t46 = params[1]/params[5]; /* R/I3 */
-    out[32] = t46;
-    const double t47 = params[4]/params[5]; /* I1/I3 */
-    const double t48 = -t47; /* -I1/I3 */
-    out[34] = t48;
-    const double t49 = params[3]/params[1]; /* a3/R */
-    out[35] = t49;
+    const double t20 = params[5]/params[4]; /* I3/I1 */
+    out[16] = t20;
+    const double t21 = 2.0/params[1]; /* 2/R */
+    out[17] = t21;
+    const double t22 = params[5]/t9; /* I3/(R*I1) */
+    out[18] = t22;
+    const double t23 = params[5]*2.0; /* I3*2 */
+    const double t24 = t23/t9; /* I3*2/(R*I1) */
+    out[19] = t24;
+    const double t25 = 1.0/params[1]; /* 1/R */
+    out[20] = t25;
+    const double t26 = params[5]*params[3]; /* I3*a3 */
+    const double t27 = t26/t9; /* I3*a3/(R*I1) */
+    out[21] = t27;
+    const double t28 = -t4; /* -I3/(R*R*I1) */
+    out[22] = t28;
+    const double t29 = t1*params[4]; /* m*R*R*I1 */
+    out[25] = t29;
+    const double t30 = params[5]*params[5]; /* I3*I3 */
+    const double t31 = t30/t29; /* I3*I3/(m*R*R*I1) */
+    out[23] = t31;
+    const double t32 = params[5]*params[4]; /* I3*I1 */
+    out[24] = t32;
+    const double t33 = params[0]*params[5]; /* m*I3 */
+    out[26] = t33;
+    const double t34 = params[1]/params[5]; /* R/I3 */
+    out[28] = t34;
+    const double t35 = params[4]*2.0; /* I1*2 */
+    out[33] = t35;
+    const double t36 = t0*t17; /* R*R*m*2 */
+    const double t37 = params[4]*t36; /* I1*R*R*m*2 */
+    out[34] = t37;
+    const double t38 = params[1]*t17; /* R*m*2 */
+    const double t39 = params[5]*t38; /* I3*R*m*2 */
+    out[35] = t39;
+    const double t40 = params[3]*t14; /* a3*m*R */
+    out[36] = t40;
+    const double t41 = params[0]*params[3]; /* m*a3 */
+    const double t42 = params[5]*t41; /* I3*m*a3 */
+    out[37] = t42;
+    const double t43 = params[5]*t14; /* I3*m*R */
+    out[38] = t43;
+    const double t44 = params[0]/2.0; /* m/2 */
+    out[39] = t44;
+    const double t45 = params[2]*2.0; /* g*2 */
+    const double t46 = params[3]*t45; /* a3*g*2 */
+    out[40] = t46;
+    const double t47 = 1.0/params[0]; /* 1/m */
+    out[41] = t47;
+    const double t48 = params[4]/params[0]; /* I1/m */
+    out[42] = t48;
+    const double t49 = params[4]*params[4]; /* I1*I1 */
+    const double t50 = t0*t49; /* R*R*I1*I1 */
+    const double t51 = t50/t33; /* R*R*I1*I1/(m*I3) */
+    out[43] = t51;
+    const double t52 = params[4]/params[5]; /* I1/I3 */
+    const double t53 = -t52; /* -I1/I3 */
+    out[44] = t53;
+    const double t54 = params[3]/params[1]; /* a3/R */
+    out[45] = t54;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -163,31 +179,31 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t20 = t7*t19; /* D/I1*(G_level/(R*I1) - omega_n*s) */
     const double t21 = t14*t20; /* 1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s) */
     const double t22 = t3*t14; /* b*1/(b*(D/I1)) */
-    const double t23 = t3*t18; /* b*t18 */
-    const double t24 = x[0]*t18; /* gamma3*t18 */
-    const double t25 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
-    const double t26 = x[0]*t25; /* gamma3*omega_tau*m*a3^2/I1 */
-    const double t27 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t28 = x[2]*t12; /* omega_tau*s */
-    out[0] = t28;
-    const double t29 = t26*t28; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t30 = JLT_FNMA(p[12], t12, t29); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
-    const double t31 = p[13] + t27; /* I3/(m*R) + e */
-    const double t32 = x[2]*t31; /* omega_tau*(I3/(m*R) + e) */
-    const double t33 = JLT_FMA(x[2], t27, x[1]); /* V = omega_tau*e + v_nu */
-    const double t34 = t21*t32; /* 1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s)*omega_tau*(I3/(m*R) + e) */
-    const double t35 = p[8]*t33; /* I3/(R^2*I1)*V */
-    const double t36 = JLT_FMA(t23, t35, t34); /* b*t18*I3/(R^2*I1)*V + t34 */
-    const double t37 = JLT_FNMA(p[10], t21, t23); /* b*t18 - R^2*I1/I3*1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s) */
-    const double t38 = x[3]*t37; /* omega_n*t37 */
-    out[1] = t38;
-    const double t39 = JLT_FNMA(p[1], t21, t24); /* gamma3*t18 - R*1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s) */
-    const double t40 = JLT_FNMA(x[3], t39, t30); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - omega_n*t39 */
-    const double t41 = t22*t40; /* b*1/(b*(D/I1))*t40 */
-    out[2] = t41;
-    const double t42 = x[2]*t24; /* omega_tau*gamma3*t18 */
-    const double t43 = JLT_FNMA(t15, t36, t42); /* omega_tau*gamma3*t18 - b*D/I1*1/(b*(D/I1)*(Theta/(m*R^2*I1)))*(b*t18*I3/(R^2*I1)*V + t34) */
-    out[3] = t43;
+    const double t23 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t24 = x[2]*t12; /* omega_tau*s */
+    out[0] = t24;
+    const double t25 = p[9]*t23; /* m*a3^2/I1*omega_tau*gamma3 */
+    const double t26 = t24*t25; /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 */
+    const double t27 = JLT_FNMA(p[12], t12, t26); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s */
+    const double t28 = t18*t23; /* t18*omega_tau*gamma3 */
+    const double t29 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t30 = p[13] + t29; /* I3/(m*R) + e */
+    const double t31 = x[2]*t30; /* omega_tau*(I3/(m*R) + e) */
+    const double t32 = JLT_FMA(x[2], t29, x[1]); /* V = omega_tau*e + v_nu */
+    const double t33 = t4*t32; /* I3/(R^2*I1)*b*V */
+    const double t34 = t21*t31; /* 1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s)*omega_tau*(I3/(m*R) + e) */
+    const double t35 = JLT_FMA(t18, t33, t34); /* t18*I3/(R^2*I1)*b*V + t34 */
+    const double t36 = JLT_FNMA(t15, t35, t28); /* t18*omega_tau*gamma3 - b*D/I1*1/(b*(D/I1)*(Theta/(m*R^2*I1)))*(t18*I3/(R^2*I1)*b*V + t34) */
+    out[3] = t36;
+    const double t37 = x[3]*t18; /* omega_n*t18 */
+    const double t38 = x[3]*t21; /* omega_n*1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s) */
+    const double t39 = JLT_FNMA(x[0], t37, t27); /* omega_tau*s*m*a3^2/I1*omega_tau*gamma3 - m*g*a3/I1*s - gamma3*omega_n*t18 */
+    const double t40 = t3*t37; /* b*omega_n*t18 */
+    const double t41 = JLT_FNMA(p[10], t38, t40); /* b*omega_n*t18 - R^2*I1/I3*omega_n*1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s) */
+    out[1] = t41;
+    const double t42 = JLT_FMA(p[1], t38, t39); /* R*omega_n*1/(b*(D/I1))*D/I1*(G_level/(R*I1) - omega_n*s) + t39 */
+    const double t43 = t22*t42; /* b*1/(b*(D/I1))*t42 */
+    out[2] = t43;
 }
 
 static void jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -201,104 +217,106 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
-    const double t5 = p[8]*t3; /* I3/(R^2*I1)*b */
-    const double t6 = p[7] + t2; /* I3/(m*R^2) + s^2 */
-    const double t7 = JLT_FMA(t3, t5, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t4 = p[8]*t3; /* I3/(R^2*I1)*b */
+    const double t5 = p[7] + t2; /* I3/(m*R^2) + s^2 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
+    const double t7 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
     const double t8 = t2*t3; /* s^2*b */
-    const double t9 = t4*t8; /* D/I1*s^2*b */
-    const double t10 = t7*t9; /* Theta/(m*R^2*I1)*D/I1*s^2*b */
-    const double t11 = 1.0/t10; /* 1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
-    const double t12 = t7*t11; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
-    const double t13 = t9*t11; /* 1/(Theta/(m*R^2*I1)) = D/I1*s^2*b*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
-    const double t14 = t4*t12; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
-    const double t15 = t8*t12; /* 1/(D/I1) = s^2*b*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t9 = t6*t7; /* Theta/(m*R^2*I1)*D/I1 */
+    const double t10 = t8*t9; /* s^2*b*Theta/(m*R^2*I1)*D/I1 */
+    const double t11 = 1.0/t10; /* 1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
+    const double t12 = t9*t11; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
+    const double t13 = t8*t11; /* s^2*b*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
+    const double t14 = t6*t13; /* 1/(D/I1) = Theta/(m*R^2*I1)*s^2*b*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
+    const double t15 = t7*t13; /* 1/(Theta/(m*R^2*I1)) = D/I1*s^2*b*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
     const double t16 = sqrt(t2); /* s = sqrt(s^2) */
     out[2] = t16;
-    const double t17 = t2*t14; /* 1/b = s^2*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b) */
+    const double t17 = t2*t12; /* 1/b = s^2*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1) */
     const double t18 = t3*t16; /* b*s */
-    const double t19 = t14*t18; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s */
+    const double t19 = t12*t18; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
     const double t20 = JLT_FNMA(x[3], t16, p[11]); /* G_level/(R*I1) - omega_n*s */
     const double t21 = t17*t20; /* 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t22 = x[0]*t15; /* gamma3*1/(D/I1) */
-    const double t23 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t24 = p[10]*t17; /* R^2*I1/I3*1/b */
-    const double t25 = t21*t24; /* 1/b*(G_level/(R*I1) - omega_n*s)*R^2*I1/I3*1/b */
-    const double t26 = x[3]*t19; /* omega_n*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s */
-    const double t27 = p[15]*t22; /* 2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t28 = p[16]*t22; /* 2*m*R*a3^2/I1*gamma3*1/(D/I1) */
-    const double t29 = p[13] + t23; /* I3/(m*R) + e */
-    const double t30 = t5*t13; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    const double t31 = JLT_FMA(t5, t26, t21); /* I3/(R^2*I1)*b*t26 + 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t32 = x[0]*t26; /* gamma3*t26 */
-    const double t33 = p[14]*t17; /* R*I1/I3*1/b */
-    const double t34 = JLT_FNMA(t32, t33, t25); /* d(omega3)/d(gamma3) = 1/b*(G_level/(R*I1) - omega_n*s)*R^2*I1/I3*1/b - gamma3*t26*R*I1/I3*1/b */
-    const double t35 = t16*t17; /* s*1/b */
-    const double t36 = t16*t27; /* s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t37 = t27*t32; /* 2*m*a3^2/I1*gamma3*1/(D/I1)*gamma3*t26 */
-    const double t38 = JLT_FNMA(t21, t28, t37); /* 2*m*a3^2/I1*gamma3*1/(D/I1)*gamma3*t26 - 1/b*(G_level/(R*I1) - omega_n*s)*2*m*R*a3^2/I1*gamma3*1/(D/I1) */
-    const double t39 = JLT_FMA(p[17], t34, t38); /* I3/I1*d(omega3)/d(gamma3) + t38 */
-    const double t40 = x[2]*t36; /* omega_tau*s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    out[10] = t40;
-    const double t41 = JLT_FMS(x[0], t19, t36); /* gamma3*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s - s*2*m*a3^2/I1*gamma3*1/(D/I1) */
-    const double t42 = JLT_FMS(x[0], t41, t16); /* gamma3*t41 - s */
-    const double t43 = t19*t26; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s*t26 */
-    const double t44 = JLT_FMA(x[2], t23, x[1]); /* V = omega_tau*e + v_nu */
-    const double t45 = t26*t30; /* t26*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    const double t46 = t30*t44; /* I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t47 = t19*t46; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1))*V */
-    const double t48 = -t45; /* -t26*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    out[13] = t48;
-    const double t49 = t13*t29; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t50 = p[20]*t29; /* I3/(R*I1)*(I3/(m*R) + e) */
-    const double t51 = t34*t50; /* d(omega3)/d(gamma3)*I3/(R*I1)*(I3/(m*R) + e) */
-    const double t52 = JLT_FNMA(p[3], t31, t51); /* d(omega3)/d(gamma3)*I3/(R*I1)*(I3/(m*R) + e) - a3*(I3/(R^2*I1)*b*t26 + 1/b*(G_level/(R*I1) - omega_n*s)) */
-    const double t53 = t26 + t34; /* t26 + d(omega3)/d(gamma3) */
-    const double t54 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
-    const double t55 = x[2]*t54; /* omega_tau*omega_tau*m*a3^2/I1 */
-    const double t56 = t26*t43; /* t26*t43 */
-    const double t57 = JLT_FMS(p[12], t41, t56); /* m*g*a3/I1*t41 - t26*t43 */
-    const double t58 = JLT_FNMA(t42, t55, t57); /* m*g*a3/I1*t41 - t26*t43 - (gamma3*t41 - s)*omega_tau*omega_tau*m*a3^2/I1 */
-    const double t59 = JLT_FNMA(x[3], t39, t58); /* t58 - omega_n*(I3/I1*d(omega3)/d(gamma3) + t38) */
-    const double t60 = t15*t59; /* 1/(D/I1)*(t58 - omega_n*(I3/I1*d(omega3)/d(gamma3) + t38)) */
-    out[8] = t60;
-    const double t61 = p[18]*t15; /* (-R)*1/(D/I1) */
-    const double t62 = p[20]*t44; /* I3/(R*I1)*V */
-    const double t63 = t44*t45; /* V*t26*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    const double t64 = t26*t62; /* t26*I3/(R*I1)*V */
-    const double t65 = t3*t26; /* b*t26 */
-    const double t66 = JLT_FMS(p[20], t3, x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = I3/(R*I1)*b - gamma3 */
-    const double t67 = 2.0*t66; /* 2*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
-    const double t68 = x[2]*t49; /* omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t69 = JLT_FMA(t21, t68, t63); /* 1/b*(G_level/(R*I1) - omega_n*s)*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + V*t26*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    const double t70 = JLT_FMS(t67, t69, t64); /* 2*d(Theta)/d(gamma3)/(2*m*R^2*I1)*t69 - t26*I3/(R*I1)*V */
-    const double t71 = JLT_FMA(x[2], t52, t70); /* omega_tau*t52 + 2*d(Theta)/d(gamma3)/(2*m*R^2*I1)*t69 - t26*I3/(R*I1)*V */
-    const double t72 = JLT_FNMA(t21, t49, t32); /* gamma3*t26 - 1/b*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t73 = JLT_FNMA(t23, t45, t72); /* t72 - e*t26*I3/(R^2*I1)*b*1/(Theta/(m*R^2*I1)) */
-    out[14] = t73;
-    const double t74 = JLT_FMS(x[3], t35, t21); /* omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t75 = x[2]*t19; /* omega_tau*D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s */
-    const double t76 = t19*t32; /* D/I1*Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*D/I1*s^2*b)*b*s*gamma3*t26 */
-    const double t77 = t43*t75; /* t43*t75 */
-    const double t78 = x[0]*t75; /* gamma3*t75 */
-    const double t79 = JLT_FMA(p[19], t32, t74); /* 2/R*gamma3*t26 + omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t80 = t61*t79; /* (-R)*1/(D/I1)*t79 */
-    out[11] = t80;
-    const double t81 = p[10]*t74; /* R^2*I1/I3*(omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s)) */
-    const double t82 = JLT_FMA(2.0, t65, t81); /* 2*b*t26 + R^2*I1/I3*(omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s)) */
-    out[7] = t82;
-    const double t83 = JLT_FNMA(t47, t76, t77); /* t43*t75 - t47*t76 */
-    const double t84 = JLT_FMA(t13, t71, t83); /* 1/(Theta/(m*R^2*I1))*t71 + t43*t75 - t47*t76 */
+    const double t22 = x[0]*p[15]; /* gamma3*2*m*a3^2/I1 */
+    const double t23 = t14*t22; /* 1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t24 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t25 = x[3]*t19; /* omega_n*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
+    const double t26 = p[13] + t24; /* I3/(m*R) + e */
+    const double t27 = x[2]*t26; /* omega_tau*(I3/(m*R) + e) */
+    const double t28 = t15*t27; /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e) */
+    const double t29 = x[0]*t19; /* gamma3*Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s */
+    const double t30 = t3*t25; /* b*t25 */
+    const double t31 = JLT_FMS(p[18], t3, x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = I3/(R*I1)*b - gamma3 */
+    const double t32 = p[19]*t31; /* 2*I3/(R*I1)*d(Theta)/d(gamma3)/(2*m*R^2*I1) */
+    const double t33 = p[14]*t21; /* R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t34 = p[10]*t21; /* R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t35 = t16*t23; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    const double t36 = x[2]*t35; /* omega_tau*s*1/(D/I1)*gamma3*2*m*a3^2/I1 */
+    out[10] = t36;
+    const double t37 = t35 - t29; /* s*1/(D/I1)*gamma3*2*m*a3^2/I1 - t29 */
+    const double t38 = x[0]*t25; /* gamma3*t25 */
+    const double t39 = JLT_FNMA(p[14], t38, t34); /* R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) - R*I1/I3*gamma3*t25 */
+    const double t40 = t17*t39; /* d(omega3)/d(gamma3) = 1/b*t39 */
+    const double t41 = t16*t17; /* s*1/b */
+    const double t42 = JLT_FMA(x[0], t37, t16); /* gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - t29) + s */
+    const double t43 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
+    const double t44 = x[2]*t43; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t45 = t42*t44; /* (gamma3*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - t29) + s)*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t46 = JLT_FMA(x[2], t24, x[1]); /* V = omega_tau*e + v_nu */
+    const double t47 = t15*t46; /* 1/(Theta/(m*R^2*I1))*V */
+    const double t48 = p[18]*t24; /* I3/(R*I1)*e */
+    const double t49 = t15*t33; /* 1/(Theta/(m*R^2*I1))*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t50 = t15*t30; /* 1/(Theta/(m*R^2*I1))*b*t25 */
+    const double t51 = p[22]*t50; /* (-I3/(R^2*I1))*1/(Theta/(m*R^2*I1))*b*t25 */
+    out[13] = t51;
+    const double t52 = p[20]*t50; /* 1/R*1/(Theta/(m*R^2*I1))*b*t25 */
+    const double t53 = t28*t49; /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e)*t49 */
+    const double t54 = JLT_FMA(t47, t52, t53); /* 1/(Theta/(m*R^2*I1))*V*1/R*1/(Theta/(m*R^2*I1))*b*t25 + 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e)*t49 */
+    const double t55 = t32*t54; /* 2*I3/(R*I1)*d(Theta)/d(gamma3)/(2*m*R^2*I1)*t54 */
+    const double t56 = t49 + t52; /* t49 + 1/R*1/(Theta/(m*R^2*I1))*b*t25 */
+    const double t57 = JLT_FNMA(p[23], t49, t38); /* gamma3*t25 - I3^2/(m*R^2*I1)*t49 */
+    const double t58 = JLT_FNMA(t48, t56, t57); /* gamma3*t25 - I3^2/(m*R^2*I1)*t49 - I3/(R*I1)*e*(t49 + 1/R*1/(Theta/(m*R^2*I1))*b*t25) */
+    out[14] = t58;
+    const double t59 = p[16]*t33; /* I3/I1*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t60 = p[1]*t33; /* R*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t61 = JLT_FMS(2.0, t30, t60); /* 2*b*t25 - R*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    const double t62 = t29*t30; /* t29*b*t25 */
+    const double t63 = x[2]*t29; /* omega_tau*t29 */
+    const double t64 = -t63; /* -omega_tau*t29 */
+    out[0] = t64;
+    const double t65 = JLT_FMA(t28, t41, t63); /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e)*s*1/b + omega_tau*t29 */
+    const double t66 = x[3]*t41; /* omega_n*s*1/b */
+    const double t67 = JLT_FMA(p[10], t66, t61); /* R^2*I1/I3*omega_n*s*1/b + 2*b*t25 - R*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
+    out[7] = t67;
+    const double t68 = t28*t40; /* 1/(Theta/(m*R^2*I1))*omega_tau*(I3/(m*R) + e)*d(omega3)/d(gamma3) */
+    const double t69 = JLT_FMA(p[17], t38, t66); /* 2/R*gamma3*t25 + omega_n*s*1/b */
+    const double t70 = t59 - t38; /* I3/I1*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) - gamma3*t25 */
+    const double t71 = JLT_FNMA(p[1], t69, t59); /* I3/I1*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) - R*(2/R*gamma3*t25 + omega_n*s*1/b) */
+    const double t72 = t14*t71; /* 1/(D/I1)*t71 */
+    out[11] = t72;
+    const double t73 = JLT_FNMA(t25, t47, t68); /* t68 - t25*1/(Theta/(m*R^2*I1))*V */
+    const double t74 = t19*t47; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s*1/(Theta/(m*R^2*I1))*V */
+    const double t75 = JLT_FNMA(t4, t74, t65); /* t65 - I3/(R^2*I1)*b*t74 */
+    out[15] = t75;
+    const double t76 = p[8]*t74; /* I3/(R^2*I1)*t74 */
+    const double t77 = JLT_FNMA(t62, t76, t55); /* 2*I3/(R*I1)*d(Theta)/d(gamma3)/(2*m*R^2*I1)*t54 - t29*b*t25*I3/(R^2*I1)*t74 */
+    const double t78 = JLT_FMA(p[18], t73, t77); /* I3/(R*I1)*(t68 - t25*1/(Theta/(m*R^2*I1))*V) + t77 */
+    const double t79 = t19*t25; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s*t25 */
+    const double t80 = JLT_FNMA(t25, t79, t45); /* t45 - t25*t79 */
+    const double t81 = JLT_FNMA(p[12], t37, t80); /* t45 - t25*t79 - m*g*a3/I1*(s*1/(D/I1)*gamma3*2*m*a3^2/I1 - t29) */
+    const double t82 = t19*t79; /* Theta/(m*R^2*I1)*D/I1*1/(s^2*b*Theta/(m*R^2*I1)*D/I1)*b*s*t79 */
+    const double t83 = JLT_FNMA(p[21], t56, t82); /* t82 - a3*I3/(R*I1)*(t49 + 1/R*1/(Theta/(m*R^2*I1))*b*t25) */
+    const double t84 = JLT_FMA(x[2], t83, t78); /* omega_tau*(t82 - a3*I3/(R*I1)*(t49 + 1/R*1/(Theta/(m*R^2*I1))*b*t25)) + I3/(R*I1)*(t68 - t25*1/(Theta/(m*R^2*I1))*V) + t77 */
     out[12] = t84;
-    const double t85 = t78 - t47; /* gamma3*t75 - t47 */
-    const double t86 = JLT_FMA(t35, t68, t85); /* s*1/b*omega_tau*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + gamma3*t75 - t47 */
-    out[15] = t86;
-    const double t87 = -t78; /* -gamma3*t75 */
-    out[0] = t87;
-    const double t88 = p[1]*x[3]; /* R*omega_n */
-    const double t89 = t53*t88; /* (t26 + d(omega3)/d(gamma3))*R*omega_n */
-    const double t90 = JLT_FMA(t65, t76, t89); /* b*t26*t76 + (t26 + d(omega3)/d(gamma3))*R*omega_n */
-    out[4] = t90;
+    const double t85 = p[16]*t40; /* I3/I1*d(omega3)/d(gamma3) */
+    const double t86 = JLT_FNMA(t23, t70, t85); /* I3/I1*d(omega3)/d(gamma3) - 1/(D/I1)*gamma3*2*m*a3^2/I1*(I3/I1*R*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) - gamma3*t25) */
+    const double t87 = JLT_FNMA(x[3], t86, t81); /* t81 - omega_n*t86 */
+    const double t88 = t14*t87; /* 1/(D/I1)*(t81 - omega_n*t86) */
+    out[8] = t88;
+    const double t89 = t25 + t40; /* t25 + d(omega3)/d(gamma3) */
+    const double t90 = p[1]*x[3]; /* R*omega_n */
+    const double t91 = t89*t90; /* (t25 + d(omega3)/d(gamma3))*R*omega_n */
+    const double t92 = JLT_FMA(t25, t62, t91); /* t25*t29*b*t25 + (t25 + d(omega3)/d(gamma3))*R*omega_n */
+    out[4] = t92;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -312,115 +330,117 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = p[8]*t3; /* I3/(R^2*I1)*b */
-    const double t5 = p[7] + t2; /* I3/(m*R^2) + s^2 */
-    const double t6 = JLT_FMA(t3, t4, t5); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
-    const double t7 = JLT_FMA(p[9], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
-    const double t8 = t3*t7; /* b*D/I1 */
-    const double t9 = t6*t8; /* Theta/(m*R^2*I1)*b*D/I1 */
-    const double t10 = t2*t9; /* s^2*Theta/(m*R^2*I1)*b*D/I1 */
-    const double t11 = 1.0/t10; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1) */
+    const double t4 = p[26]*t3; /* m*I3*b */
+    const double t5 = JLT_FMA(p[25], t2, p[24]); /* m*R^2*I1*s^2 + I1*I3 */
+    const double t6 = JLT_FMA(t3, t4, t5); /* Theta = b*m*I3*b + m*R^2*I1*s^2 + I1*I3 */
+    const double t7 = JLT_FMA(p[27], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t8 = t3*t7; /* b*D */
+    const double t9 = t6*t8; /* Theta*b*D */
+    const double t10 = t2*t9; /* s^2*Theta*b*D */
+    const double t11 = 1.0/t10; /* 1/(s^2*Theta*b*D) */
     const double t12 = sqrt(t2); /* s = sqrt(s^2) */
     out[6] = t12;
-    const double t13 = t9*t12; /* Theta/(m*R^2*I1)*b*D/I1*s */
-    const double t14 = t11*t13; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s */
-    const double t15 = t2*t11; /* 1/(b*(D/I1)*(Theta/(m*R^2*I1))) = s^2*1/(s^2*Theta/(m*R^2*I1)*b*D/I1) */
-    const double t16 = t6*t15; /* 1/(b*(D/I1)) = Theta/(m*R^2*I1)*1/(b*(D/I1)*(Theta/(m*R^2*I1))) */
-    const double t17 = t8*t15; /* 1/(Theta/(m*R^2*I1)) = b*D/I1*1/(b*(D/I1)*(Theta/(m*R^2*I1))) */
-    const double t18 = t7*t16; /* 1/b = D/I1*1/(b*(D/I1)) */
-    const double t19 = t3*t16; /* 1/(D/I1) = b*1/(b*(D/I1)) */
-    const double t20 = x[3]*t14; /* omega_n*1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s */
-    const double t21 = x[2]*t12; /* omega_tau*s */
-    out[0] = t21;
-    const double t22 = x[3]*t12; /* omega_n*s */
-    const double t23 = t12*t19; /* s*1/(D/I1) */
-    const double t24 = x[0]*t20; /* gamma3*t20 */
-    const double t25 = x[2]*p[9]; /* omega_tau*m*a3^2/I1 */
-    const double t26 = p[11] - t22; /* G_level/(R*I1) - omega_n*s */
-    const double t27 = t18*t26; /* 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t28 = JLT_FMS(t18, t22, t27); /* 1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t29 = x[3]*t24; /* omega_n*gamma3*t20 */
-    const double t30 = t21*t25; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t31 = JLT_FMS(x[0], t30, t29); /* gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*gamma3*t20 */
-    const double t32 = t3*t20; /* b*t20 */
-    const double t33 = JLT_FMS(p[20], t3, x[0]); /* d(Theta)/d(gamma3)/(2*m*R^2*I1) = I3/(R*I1)*b - gamma3 */
-    const double t34 = x[3]*p[1]; /* omega_n*R */
-    const double t35 = JLT_FMA(t27, t34, t31); /* 1/b*(G_level/(R*I1) - omega_n*s)*omega_n*R + gamma3*omega_tau*s*omega_tau*m*a3^2/I1 - omega_n*gamma3*t20 */
-    const double t36 = t19*t35; /* 1/(D/I1)*t35 */
-    const double t37 = JLT_FNMA(p[12], t23, t36); /* 1/(D/I1)*t35 - m*g*a3/I1*s*1/(D/I1) */
-    out[2] = t37;
-    const double t38 = p[15]*t36; /* 2*m*a3^2/I1*1/(D/I1)*t35 */
-    const double t39 = p[10]*t27; /* R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t40 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t41 = p[8]*t32; /* I3/(R^2*I1)*b*t20 */
-    const double t42 = x[2]*t27; /* omega_tau*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t43 = p[13] + t40; /* I3/(m*R) + e */
-    const double t44 = JLT_FMA(x[2], t40, x[1]); /* V = omega_tau*e + v_nu */
-    const double t45 = t4*t44; /* I3/(R^2*I1)*b*V */
-    const double t46 = t14*t45; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s*I3/(R^2*I1)*b*V */
-    const double t47 = t17*t41; /* 1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
-    const double t48 = JLT_FMA(x[2], t41, t42); /* omega_tau*I3/(R^2*I1)*b*t20 + omega_tau*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t49 = p[22]*t48; /* 1/2*a3*t48 */
-    const double t50 = -t47; /* -1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
-    out[17] = t50;
-    const double t51 = x[0]*t14; /* gamma3*1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s */
-    const double t52 = JLT_FMA(p[12], t51, t30); /* m*g*a3/I1*t51 + omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t53 = JLT_FMS(p[14], t24, t39); /* R*I1/I3*gamma3*t20 - R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t54 = t18*t53; /* 1/b*t53 */
-    const double t55 = t32 - t39; /* b*t20 - R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t56 = x[3]*t55; /* omega_n*(b*t20 - R^2*I1/I3*1/b*(G_level/(R*I1) - omega_n*s)) */
-    out[1] = t56;
-    const double t57 = t17*t43; /* 1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t58 = x[2]*t43; /* omega_tau*(I3/(m*R) + e) */
-    const double t59 = t54*t58; /* 1/b*t53*omega_tau*(I3/(m*R) + e) */
-    const double t60 = JLT_FMA(t20, t44, t59); /* t20*V + 1/b*t53*omega_tau*(I3/(m*R) + e) */
-    const double t61 = t44*t47; /* V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
-    const double t62 = JLT_FMA(t42, t57, t61); /* omega_tau*1/b*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
-    const double t63 = JLT_FNMA(t33, t62, t49); /* 1/2*a3*t48 - d(Theta)/d(gamma3)/(2*m*R^2*I1)*t62 */
-    const double t64 = JLT_FMA(p[23], t60, t63); /* 1/2*I3/(R*I1)*(t20*V + 1/b*t53*omega_tau*(I3/(m*R) + e)) + 1/2*a3*t48 - d(Theta)/d(gamma3)/(2*m*R^2*I1)*t62 */
-    const double t65 = JLT_FMS(x[2], t24, t62); /* omega_tau*gamma3*t20 - t62 */
-    out[3] = t65;
-    const double t66 = JLT_FNMA(t27, t57, t24); /* gamma3*t20 - 1/b*(G_level/(R*I1) - omega_n*s)*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t67 = JLT_FNMA(t40, t47, t66); /* t66 - e*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
-    out[18] = t67;
-    const double t68 = t21*t57; /* omega_tau*s*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) */
-    const double t69 = x[2]*t51; /* omega_tau*t51 */
-    const double t70 = JLT_FNMA(t25, t69, t38); /* 2*m*a3^2/I1*1/(D/I1)*t35 - omega_tau*m*a3^2/I1*omega_tau*t51 */
-    const double t71 = JLT_FNMA(p[21], t23, t70); /* 2*m*a3^2/I1*1/(D/I1)*t35 - omega_tau*m*a3^2/I1*omega_tau*t51 - 2*m^2*g*a3^3/I1^2*s*1/(D/I1) */
-    const double t72 = JLT_FNMA(t17, t46, t69); /* omega_tau*t51 - 1/(Theta/(m*R^2*I1))*t46 */
-    const double t73 = JLT_FMA(t18, t68, t72); /* 1/b*omega_tau*s*1/(Theta/(m*R^2*I1))*(I3/(m*R) + e) + omega_tau*t51 - 1/(Theta/(m*R^2*I1))*t46 */
-    out[19] = t73;
-    const double t74 = -t69; /* -omega_tau*t51 */
-    out[4] = t74;
-    const double t75 = 2.0*t17; /* 2*1/(Theta/(m*R^2*I1)) */
-    const double t76 = t14*t20; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s*t20 */
-    const double t77 = JLT_FNMA(t20, t76, t52); /* m*g*a3/I1*t51 + omega_tau*s*omega_tau*m*a3^2/I1 - t20*t76 */
-    const double t78 = x[2]*t76; /* omega_tau*t76 */
-    const double t79 = JLT_FNMA(t51, t61, t78); /* omega_tau*t76 - t51*V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20 */
-    const double t80 = t54 - t20; /* 1/b*t53 - t20 */
-    const double t81 = t34*t80; /* omega_n*R*(1/b*t53 - t20) */
-    const double t82 = t14*t79; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s*(omega_tau*t76 - t51*V*1/(Theta/(m*R^2*I1))*I3/(R^2*I1)*b*t20) */
-    const double t83 = JLT_FNMA(t64, t75, t82); /* t82 - t64*2*1/(Theta/(m*R^2*I1)) */
-    out[16] = t83;
-    const double t84 = t14*t24; /* 1/(s^2*Theta/(m*R^2*I1)*b*D/I1)*Theta/(m*R^2*I1)*b*D/I1*s*gamma3*t20 */
-    const double t85 = JLT_FMS(t32, t84, t81); /* b*t20*t84 - omega_n*R*(1/b*t53 - t20) */
-    out[8] = t85;
-    const double t86 = JLT_FMA(p[19], t24, t28); /* 2/R*gamma3*t20 + 1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s) */
-    const double t87 = p[10]*t28; /* R^2*I1/I3*(1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s)) */
-    const double t88 = JLT_FMA(2.0, t32, t87); /* 2*b*t20 + R^2*I1/I3*(1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s)) */
-    out[11] = t88;
-    const double t89 = x[3]*p[17]; /* omega_n*I3/I1 */
-    const double t90 = JLT_FMA(t54, t89, t77); /* 1/b*t53*omega_n*I3/I1 + m*g*a3/I1*t51 + omega_tau*s*omega_tau*m*a3^2/I1 - t20*t76 */
-    const double t91 = JLT_FMA(x[0], t71, t90); /* gamma3*t71 + t90 */
-    const double t92 = t19*t91; /* 1/(D/I1)*(gamma3*t71 + t90) */
-    out[12] = t92;
-    const double t93 = x[0]*p[15]; /* gamma3*2*m*a3^2/I1 */
-    const double t94 = t21*t93; /* omega_tau*s*gamma3*2*m*a3^2/I1 */
-    const double t95 = t19*t94; /* 1/(D/I1)*omega_tau*s*gamma3*2*m*a3^2/I1 */
-    out[14] = t95;
-    const double t96 = p[18]*t19; /* (-R)*1/(D/I1) */
-    const double t97 = t86*t96; /* t86*(-R)*1/(D/I1) */
-    out[15] = t97;
+    const double t13 = t9*t12; /* Theta*b*D*s */
+    const double t14 = t11*t13; /* 1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t15 = t2*t11; /* 1/(b*D*Theta) = s^2*1/(s^2*Theta*b*D) */
+    const double t16 = t6*t15; /* 1/(b*D) = Theta*1/(b*D*Theta) */
+    const double t17 = t8*t15; /* 1/Theta = b*D*1/(b*D*Theta) */
+    const double t18 = t7*t16; /* 1/b = D*1/(b*D) */
+    const double t19 = t3*t16; /* 1/D = b*1/(b*D) */
+    const double t20 = x[3]*t14; /* omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t21 = x[3]*t12; /* omega_n*s */
+    const double t22 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
+    const double t23 = t3*t20; /* b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t24 = JLT_FNMA(p[29], t21, p[6]); /* G_level - R*I1*omega_n*s */
+    const double t25 = t18*t24; /* 1/b*(G_level - R*I1*omega_n*s) */
+    const double t26 = t18*t21; /* 1/b*omega_n*s */
+    const double t27 = p[13] + t22; /* I3/(m*R) + e */
+    const double t28 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
+    const double t29 = p[26]*t23; /* m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t30 = p[31]*t27; /* m*R*(I3/(m*R) + e) */
+    const double t31 = p[25]*t27; /* m*R^2*I1*(I3/(m*R) + e) */
+    const double t32 = p[28]*t25; /* R/I3*1/b*(G_level - R*I1*omega_n*s) */
+    const double t33 = x[0]*t20; /* gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t34 = t28*t29; /* V*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t35 = t25*t30; /* 1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) */
+    const double t36 = JLT_FMA(x[2], t35, t34); /* omega_tau*1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) + V*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t37 = JLT_FMA(t22, t29, t35); /* e*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s + 1/b*(G_level - R*I1*omega_n*s)*m*R*(I3/(m*R) + e) */
+    const double t38 = JLT_FNMA(t17, t37, t33); /* gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s - 1/Theta*t37 */
+    out[18] = t38;
+    const double t39 = t17*t36; /* 1/Theta*t36 */
+    const double t40 = t17*t29; /* 1/Theta*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t41 = JLT_FMS(x[2], t33, t39); /* omega_tau*gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s - 1/Theta*t36 */
+    out[3] = t41;
+    const double t42 = -t40; /* -1/Theta*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    out[17] = t42;
+    const double t43 = x[2]*p[27]; /* omega_tau*m*a3^2 */
+    const double t44 = x[2]*t14; /* omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t45 = JLT_FMS(p[14], t33, t32); /* R*I1/I3*gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
+    const double t46 = t18*t45; /* 1/b*t45 */
+    const double t47 = x[0]*p[12]; /* gamma3*m*g*a3/I1 */
+    const double t48 = JLT_FNMA(t20, t20, t47); /* gamma3*m*g*a3/I1 - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t49 = x[0]*p[34]; /* gamma3*2*m*R^2*I1 */
+    const double t50 = JLT_FMS(p[35], t3, t49); /* d(Theta)/d(gamma3) = 2*m*R*I3*b - gamma3*2*m*R^2*I1 */
+    const double t51 = t39*t50; /* 1/Theta*t36*d(Theta)/d(gamma3) */
+    const double t52 = x[2]*t12; /* omega_tau*s */
+    out[0] = t52;
+    const double t53 = t31*t52; /* m*R^2*I1*(I3/(m*R) + e)*omega_tau*s */
+    const double t54 = x[0]*t43; /* gamma3*omega_tau*m*a3^2 */
+    const double t55 = t52*t54; /* omega_tau*s*gamma3*omega_tau*m*a3^2 */
+    const double t56 = JLT_FNMA(p[30], t12, t55); /* omega_tau*s*gamma3*omega_tau*m*a3^2 - m*g*a3*s */
+    const double t57 = x[0]*t44; /* gamma3*omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t58 = -t57; /* -gamma3*omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    out[4] = t58;
+    const double t59 = p[4]*t14; /* I1*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t60 = t48*t59; /* t48*I1*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t61 = p[36]*t25; /* m*R*a3*1/b*(G_level - R*I1*omega_n*s) */
+    const double t62 = JLT_FMA(p[37], t23, t61); /* m*a3*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s + m*R*a3*1/b*(G_level - R*I1*omega_n*s) */
+    const double t63 = JLT_FMS(x[0], t57, t52); /* gamma3*gamma3*omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s - omega_tau*s */
+    const double t64 = JLT_FNMA(t43, t63, t60); /* t48*I1*1/(s^2*Theta*b*D)*Theta*b*D*s - omega_tau*m*a3^2*t63 */
+    const double t65 = p[5]*t46; /* I3*1/b*t45 */
+    const double t66 = JLT_FMA(t30, t65, t62); /* m*R*(I3/(m*R) + e)*I3*1/b*t45 + t62 */
+    const double t67 = JLT_FMA(x[3], t65, t64); /* d(numerator of d(omega_tau)/dt over D)/d(gamma3) = omega_n*I3*1/b*t45 + t48*I1*1/(s^2*Theta*b*D)*Theta*b*D*s - omega_tau*m*a3^2*t63 */
+    const double t68 = t46 - t20; /* 1/b*t45 - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t69 = p[38]*t28; /* m*R*I3*V */
+    const double t70 = JLT_FNMA(t20, t69, t51); /* 1/Theta*t36*d(Theta)/d(gamma3) - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s*m*R*I3*V */
+    const double t71 = JLT_FNMA(x[2], t66, t70); /* t70 - omega_tau*(m*R*(I3/(m*R) + e)*I3*1/b*t45 + t62) */
+    const double t72 = t14*t28; /* 1/(s^2*Theta*b*D)*Theta*b*D*s*V */
+    const double t73 = t4*t72; /* m*I3*b*1/(s^2*Theta*b*D)*Theta*b*D*s*V */
+    const double t74 = JLT_FMS(t18, t53, t73); /* d(numerator of d(omega_n)/dt over Theta)/d(omega_n) = 1/b*m*R^2*I1*(I3/(m*R) + e)*omega_tau*s - m*I3*b*1/(s^2*Theta*b*D)*Theta*b*D*s*V */
+    const double t75 = JLT_FMA(t17, t74, t57); /* 1/Theta*d(numerator of d(omega_n)/dt over Theta)/d(omega_n) + gamma3*omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    out[19] = t75;
+    const double t76 = t17*t71; /* 1/Theta*(t70 - omega_tau*(m*R*(I3/(m*R) + e)*I3*1/b*t45 + t62)) */
+    const double t77 = x[0]*t72; /* gamma3*1/(s^2*Theta*b*D)*Theta*b*D*s*V */
+    const double t78 = t40*t77; /* 1/Theta*m*I3*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s*gamma3*1/(s^2*Theta*b*D)*Theta*b*D*s*V */
+    const double t79 = JLT_FNMA(t20, t44, t78); /* t78 - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s*omega_tau*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t80 = JLT_FNMA(t14, t79, t76); /* t76 - 1/(s^2*Theta*b*D)*Theta*b*D*s*t79 */
+    out[16] = t80;
+    const double t81 = t14*t23; /* 1/(s^2*Theta*b*D)*Theta*b*D*s*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t82 = JLT_FNMA(p[4], t33, t25); /* 1/b*(G_level - R*I1*omega_n*s) - I1*gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t83 = JLT_FMA(x[3], t82, t56); /* numerator of d(omega_tau)/dt over D = omega_n*t82 + omega_tau*s*gamma3*omega_tau*m*a3^2 - m*g*a3*s */
+    const double t84 = JLT_FNMA(p[33], t33, t25); /* 1/b*(G_level - R*I1*omega_n*s) - 2*I1*gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s */
+    const double t85 = JLT_FNMA(p[29], t26, t84); /* d(numerator of d(omega_tau)/dt over D)/d(omega_n) = t84 - R*I1*1/b*omega_n*s */
+    const double t86 = t19*t85; /* 1/D*d(numerator of d(omega_tau)/dt over D)/d(omega_n) */
+    out[15] = t86;
+    const double t87 = t19*t83; /* 1/D*numerator of d(omega_tau)/dt over D */
+    out[2] = t87;
+    const double t88 = x[0]*p[32]; /* gamma3*2*m*a3^2 */
+    const double t89 = t19*t88; /* 1/D*gamma3*2*m*a3^2 */
+    const double t90 = JLT_FMA(t83, t89, t67); /* numerator of d(omega_tau)/dt over D*1/D*gamma3*2*m*a3^2 + d(numerator of d(omega_tau)/dt over D)/d(gamma3) */
+    const double t91 = t19*t90; /* 1/D*t90 */
+    out[12] = t91;
+    const double t92 = t52*t89; /* omega_tau*s*1/D*gamma3*2*m*a3^2 */
+    out[14] = t92;
+    const double t93 = x[3]*p[1]; /* omega_n*R */
+    const double t94 = t68*t93; /* (1/b*t45 - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s)*omega_n*R */
+    const double t95 = JLT_FMS(t33, t81, t94); /* gamma3*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s*t81 - (1/b*t45 - omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s)*omega_n*R */
+    out[8] = t95;
+    const double t96 = t23 - t32; /* b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
+    const double t97 = JLT_FMS(2.0, t23, t32); /* 2*b*omega_n*1/(s^2*Theta*b*D)*Theta*b*D*s - R/I3*1/b*(G_level - R*I1*omega_n*s) */
+    const double t98 = JLT_FMA(p[10], t26, t97); /* R^2*I1/I3*1/b*omega_n*s + t97 */
+    out[11] = t98;
+    const double t99 = x[3]*t96; /* omega_n*t96 */
+    out[1] = t99;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -429,7 +449,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
-    const double t4 = JLT_FMA(p[25], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t4 = JLT_FMA(p[27], t2, p[4]); /* D = m*a3^2*s^2 + I1 */
     const double t5 = p[8]*t3; /* I3/(R^2*I1)*b */
     const double t6 = p[7] + t2; /* I3/(m*R^2) + s^2 */
     const double t7 = JLT_FMA(t3, t5, t6); /* Theta/(m*R^2*I1) = b*I3/(R^2*I1)*b + I3/(m*R^2) + s^2 */
@@ -440,7 +460,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t12 = t9*t11; /* 1/(Theta/(m*R^2*I1)) = s^2*b*D*1/(Theta/(m*R^2*I1)*s^2*b*D) */
     const double t13 = t7*t11; /* Theta/(m*R^2*I1)*1/(Theta/(m*R^2*I1)*s^2*b*D) */
     const double t14 = JLT_FMA(x[0], p[3], p[1]); /* e = gamma3*a3 + R */
-    const double t15 = x[0]*p[24]; /* gamma3*2*m*a3^2 */
+    const double t15 = x[0]*p[32]; /* gamma3*2*m*a3^2 */
     const double t16 = t3*t15; /* b*gamma3*2*m*a3^2 */
     const double t17 = p[13] + t14; /* I3/(m*R) + e */
     const double t18 = t4*t17; /* D*(I3/(m*R) + e) */
@@ -464,24 +484,24 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
-    const double t4 = JLT_FMA(p[25], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t4 = JLT_FMA(p[27], t2, p[4]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t5 = JLT_FMA(x[0], p[1], p[3]); /* b = gamma3*R + a3 */
     const double t6 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
     const double t7 = t6/t5; /* (G_level/(R*I1) - omega_n*s)/b */
     const double t8 = x[3]*t5; /* omega_n*b */
     const double t9 = p[10]*t3; /* R^2*I1/I3*s */
     const double t10 = JLT_FNMA(t7, t9, t8); /* v_tau = omega_n*b - (G_level/(R*I1) - omega_n*s)/b*R^2*I1/I3*s */
-    const double t11 = p[27]*x[0]; /* 2*g*a3*gamma3 */
+    const double t11 = p[40]*x[0]; /* 2*g*a3*gamma3 */
     const double t12 = JLT_FMA(x[1], x[1], t11); /* v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t13 = p[28]*x[2]; /* 1/m*omega_tau */
+    const double t13 = p[41]*x[2]; /* 1/m*omega_tau */
     const double t14 = x[2]*t13; /* omega_tau*1/m*omega_tau */
-    const double t15 = p[29]*x[3]; /* I1/m*omega_n */
+    const double t15 = p[42]*x[3]; /* I1/m*omega_n */
     const double t16 = JLT_FMA(x[3], t15, t12); /* omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
     const double t17 = JLT_FMA(t4, t14, t16); /* D*omega_tau*1/m*omega_tau + omega_n*I1/m*omega_n + v_nu*v_nu + 2*g*a3*gamma3 */
-    const double t18 = p[30]*t7; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b */
+    const double t18 = p[43]*t7; /* R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b */
     const double t19 = JLT_FMA(t7, t18, t17); /* (G_level/(R*I1) - omega_n*s)/b*R^2*I1^2/(m*I3)*(G_level/(R*I1) - omega_n*s)/b + t17 */
     const double t20 = JLT_FMA(t10, t10, t19); /* energy/(1/2*m) = v_tau*v_tau + t19 */
-    const double t21 = p[26]*t20; /* 1/2*m*energy/(1/2*m) */
+    const double t21 = p[39]*t20; /* 1/2*m*energy/(1/2*m) */
     out[0] = t21;
 }
 
@@ -496,7 +516,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t5 = t3*t4; /* s^2*b */
     const double t6 = 1.0/t5; /* 1/(s^2*b) */
     const double t7 = sqrt(t3); /* s = sqrt(s^2) */
-    const double t8 = x[3]*p[33]; /* omega_n*R*I1 */
+    const double t8 = x[3]*p[29]; /* omega_n*R*I1 */
     const double t9 = JLT_FNMA(t7, t8, p[6]); /* G_level - s*omega_n*R*I1 */
     const double t10 = x[0]*t4; /* gamma3*b */
     const double t11 = t6*t10; /* 1/(s^2*b)*gamma3*b */
@@ -504,12 +524,12 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t13 = t9*t12; /* (G_level - s*omega_n*R*I1)*1/b */
     const double t14 = t7*t11; /* s*1/(s^2*b)*gamma3*b */
     const double t15 = p[14]*x[3]; /* R*I1/I3*omega_n */
-    const double t16 = p[32]*t13; /* R/I3*(G_level - s*omega_n*R*I1)*1/b */
+    const double t16 = p[28]*t13; /* R/I3*(G_level - s*omega_n*R*I1)*1/b */
     const double t17 = JLT_FMS(t14, t15, t16); /* s*1/(s^2*b)*gamma3*b*R*I1/I3*omega_n - R/I3*(G_level - s*omega_n*R*I1)*1/b */
     const double t18 = t12*t17; /* 1/b*t17 */
-    const double t19 = p[25]*x[0]; /* m*a3^2*gamma3 */
+    const double t19 = p[27]*x[0]; /* m*a3^2*gamma3 */
     const double t20 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t21 = JLT_FNMA(t19, t20, p[31]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t21 = JLT_FNMA(t19, t20, p[30]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t22 = JLT_FMA(t13, t18, t21); /* (G_level - s*omega_n*R*I1)*1/b*1/b*t17 + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
     const double t23 = JLT_FNMA(t7, t18, x[3]); /* omega_n - s*1/b*t17 */
     const double t24 = p[1]*t23; /* R*(omega_n - s*1/b*t17) */
@@ -527,7 +547,7 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t35 = JLT_FMA(t12, t34, t4); /* d(v_tau)/d(omega_n) = 1/b*R^2*I1/I3*s^2 + b */
     const double t36 = JLT_FMA(t30, t35, t33); /* d(energy)/d(omega_n) = m*v_tau*d(v_tau)/d(omega_n) + omega_n*I1 - (G_level - s*omega_n*R*I1)*1/b*1/b*R*I1/I3*s */
     out[3] = t36;
-    const double t37 = JLT_FMA(p[25], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
+    const double t37 = JLT_FMA(p[27], t3, p[4]); /* D = m*a3^2*s^2 + I1 */
     const double t38 = x[2]*t37; /* omega_tau*D */
     out[2] = t38;
 }
@@ -539,8 +559,8 @@ static void eliminated(const double *restrict x, const double *restrict p, doubl
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt((1 - gamma3)*(gamma3 + 1)) */
     const double t4 = JLT_FNMA(x[3], t3, p[11]); /* G_level/(R*I1) - omega_n*s */
-    const double t5 = p[35] + x[0]; /* b/R = a3/R + gamma3 */
-    const double t6 = p[34]/t5; /* (-I1/I3)/(b/R) */
+    const double t5 = p[45] + x[0]; /* b/R = a3/R + gamma3 */
+    const double t6 = p[44]/t5; /* (-I1/I3)/(b/R) */
     const double t7 = t4*t6; /* (G_level/(R*I1) - omega_n*s)*(-I1/I3)/(b/R) */
     out[0] = t7;
 }
@@ -617,37 +637,37 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t28[k] = jlt_jet_product(t24, t26, k);
         t29[k] = jlt_jet_product(t19, t27, k);
         t30[k] = jlt_jet_product(t23, t27, k);
-        t31[k] = jlt_jet_product(x3, t18, k);
-        t32[k] = jlt_jet_product(t29, t31, k);
-        t33[k] = jlt_jet_product(t18, t32, k);
-        t34[k] = jlt_jet_product(x0, t32, k);
+        t31[k] = jlt_jet_product(x2, x0, k);
+        t32[k] = jlt_jet_product(x2, t17, k);
+        t33[k] = jlt_jet_product(x3, t18, k);
+        t34[k] = jlt_jet_product(t29, t33, k);
         t35[k] = (k == 0 ? p[11] : 0) - jlt_jet_product(x3, t17, k);
         t36[k] = jlt_jet_product(t17, t35, k);
         t37[k] = jlt_jet_product(t29, t36, k);
-        t38[k] = x2[k]*p[9];
-        t39[k] = jlt_jet_product(x0, t38, k);
-        t40[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
-        t41[k] = jlt_jet_product(x2, t17, k);
-        t42[k] = jlt_jet_product(t39, t41, k);
-        t43[k] = t42[k] - p[12]*t17[k];
-        t44[k] = (k == 0 ? p[13] : 0) + t40[k];
-        t45[k] = jlt_jet_product(x2, t44, k);
-        t46[k] = jlt_jet_product(x2, t40, k) + x1[k];
-        t47[k] = jlt_jet_product(t37, t45, k);
-        t48[k] = p[8]*t46[k];
-        t49[k] = jlt_jet_product(t33, t48, k) + t47[k];
-        t50[k] = t33[k] - p[10]*t37[k];
-        t51[k] = jlt_jet_product(x3, t50, k);
-        t52[k] = t34[k] - p[1]*t37[k];
-        t53[k] = t43[k] - jlt_jet_product(x3, t52, k);
-        t54[k] = jlt_jet_product(t30, t53, k);
-        t55[k] = jlt_jet_product(x2, t34, k);
-        t56[k] = t55[k] - jlt_jet_product(t28, t49, k);
+        t38[k] = p[9]*t31[k];
+        t39[k] = jlt_jet_product(t32, t38, k);
+        t40[k] = t39[k] - p[12]*t17[k];
+        t41[k] = jlt_jet_product(t31, t34, k);
+        t42[k] = x0[k]*p[3] + (k == 0 ? p[1] : 0);
+        t43[k] = (k == 0 ? p[13] : 0) + t42[k];
+        t44[k] = jlt_jet_product(x2, t43, k);
+        t45[k] = jlt_jet_product(x2, t42, k) + x1[k];
+        t46[k] = jlt_jet_product(t21, t45, k);
+        t47[k] = jlt_jet_product(t37, t44, k);
+        t48[k] = jlt_jet_product(t34, t46, k) + t47[k];
+        t49[k] = t41[k] - jlt_jet_product(t28, t48, k);
+        t50[k] = jlt_jet_product(x3, t34, k);
+        t51[k] = jlt_jet_product(x3, t37, k);
+        t52[k] = t40[k] - jlt_jet_product(x0, t50, k);
+        t53[k] = jlt_jet_product(t18, t50, k);
+        t54[k] = t53[k] - p[10]*t51[k];
+        t55[k] = p[1]*t51[k] + t52[k];
+        t56[k] = jlt_jet_product(t30, t55, k);
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t41[k]/(k + 1);
-        next[1] = x1[k + 1] = t51[k]/(k + 1);
-        next[2] = x2[k + 1] = t54[k]/(k + 1);
-        next[3] = x3[k + 1] = t56[k]/(k + 1);
+        next[0] = x0[k + 1] = t32[k]/(k + 1);
+        next[1] = x1[k + 1] = t54[k]/(k + 1);
+        next[2] = x2[k + 1] = t56[k]/(k + 1);
+        next[3] = x3[k + 1] = t49[k]/(k + 1);
     }
 }
 
@@ -713,19 +733,19 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3 = {
     .elimination = "level_G_omega3",
     .title = "Spherical top rolling on a plane with one nonholonomic constraint, reduced system",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, doi:10.20537/nd231201, system (3.2)",
-    .sha256 = "fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918",
+    .sha256 = "1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top, .family = jlt_family_spherical_top, .claims = jlt_claims_spherical_top,
-    .state_count = 4, .param_count = 7, .block_count = 36,
+    .state_count = 4, .param_count = 7, .block_count = 46,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 5, 26, 11, 1, 1, 0, 13, 10 }, { 15, 56, 0, 10, 1, 0, 12, 9 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, e = gamma3*a3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt, a part of d(v_nu)/dt, a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, d(omega_n)/dt" },
-    .jacobian = { jacobian, 16, { 8, 52, 29, 1, 1, 0, 16, 22 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, e = gamma3*a3 + R, I3/(m*R) + e, a part of d(d(omega_n)/dt)/d(gamma3), d(omega3)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(Theta)/d(gamma3)/(2*m*R^2*I1) = (I3/(R*I1))*b - gamma3, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_tau), omega_n*s*1/b - 1/b*(G_level/(R*I1) - omega_n*s), a part of d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n), d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), d(d(v_nu)/dt)/d(gamma3)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 9, 55, 32, 1, 1, 0, 19, 27 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, 1/b*omega_n*s - 1/b*(G_level/(R*I1) - omega_n*s), d(Theta)/d(gamma3)/(2*m*R^2*I1) = (I3/(R*I1))*b - gamma3, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), d(omega_tau)/dt, e = gamma3*a3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), a part of d(v_nu)/dt, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(omega_n)/dt, d(d(omega_n)/dt)/d(omega_tau), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(omega_n), d(d(v_nu)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3)" },
+    .rhs = { rhs, 4, { 5, 26, 11, 1, 1, 0, 13, 11 }, { 15, 56, 0, 10, 1, 0, 12, 9 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, e = gamma3*a3 + R, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt, d(omega_n)/dt, d(v_nu)/dt, a part of d(omega_tau)/dt" },
+    .jacobian = { jacobian, 16, { 9, 54, 28, 1, 1, 0, 18, 21 }, { 45, 230, 0, 42, 1, 0, 18, 13 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, G_level/(R*I1) - omega_n*s, e = gamma3*a3 + R, I3/(m*R) + e, d(Theta)/d(gamma3)/(2*m*R^2*I1) = (I3/(R*I1))*b - gamma3, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, a part of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_tau), d(d(v_nu)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 7, 57, 34, 1, 1, 0, 19, 26 }, { 52, 265, 0, 51, 1, 0, 18, 13 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, G_level - (R*I1)*omega_n*s, I3/(m*R) + e, V = omega_tau*e + v_nu, a part of d(omega_n)/dt and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(omega_tau), d(d(omega_n)/dt)/d(omega_tau), d(omega_n)/dt, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_n)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(Theta)/d(gamma3) = (2*m*R*I3)*b - gamma3*(2*m*R^2*I1), gamma3*gamma3*omega_tau*((1)/s^2*Theta*b*D)*Theta*b*D*s - omega_tau*s, a part of d(d(omega_n)/dt)/d(gamma3), d(numerator of d(omega_tau)/dt over D)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3), a part of d(d(omega_n)/dt)/d(gamma3), d(numerator of d(omega_n)/dt over Theta)/d(omega_n), d(d(omega_n)/dt)/d(omega_n), a part of d(d(omega_n)/dt)/d(gamma3), d(d(omega_n)/dt)/d(gamma3), a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), numerator of d(omega_tau)/dt over D, d(numerator of d(omega_tau)/dt over D)/d(omega_n), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(gamma3), a part of d(v_nu)/dt, d(d(v_nu)/dt)/d(omega_n)" },
     .divergence = { divergence, 1, { 4, 17, 7, 1, 1, 0, 12, 10 }, { 10, 39, 0, 4, 1, 0, 12, 9 },
         "divides by s: values and rounding errors grow without bound where it vanishes; divides by b: values and rounding errors grow without bound where it vanishes; divides by Theta, small only where all of I1*I3, m*R^2*I1*s^2 and m*I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, e = gamma3*a3 + R, I3/(m*R) + e, 1/(Theta/(m*R^2*I1))*D*(I3/(m*R) + e) + b*gamma3*(2*m*a3^2), V = omega_tau*e + v_nu, a part of the divergence" },
     .integral_values = { integral_values, 1, { 2, 9, 9, 1, 1, 0, 9, 7 }, { 10, 31, 0, 1, 1, 0, 13, 6 },
@@ -737,6 +757,8 @@ const jlt_descriptor jlt_kernels_spherical_top_general_on_level_G_omega3 = {
     .time_factor = { .loses_digits = "" },
     .eliminated = { eliminated, 1, { 3, 2, 1, 1, 1, 0, 5, 3 }, { 3, 6, 0, 1, 1, 0, 6, 4 },
         "divides by b: values and rounding errors grow without bound where it vanishes; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in G_level/(R*I1) - omega_n*s, b/R = a3/R + gamma3" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 1, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

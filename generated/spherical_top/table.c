@@ -1,4 +1,4 @@
-/* spherical_top: its table byte for byte (SHA-256 fc02698dfaa723ad1ea75564f8c31787118d59caf1a28dca9dba5c224a5c0918), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
+/* spherical_top: its table byte for byte (SHA-256 1b6d453374f697d58e1412b96ff746b2599a2a450f7166c0e5909287ba92fdcb), what is proved of it, its descriptors. Written by ttc 0.1.0; do not edit. */
 #include "kernel_abi.h"
 
 extern const char jlt_table_spherical_top[];
@@ -94,6 +94,10 @@ const char jlt_table_spherical_top[] = {
     '\n',
     'r','e','v','e','r','s','o','r',' ','v','_','n','u',' ','-','>',' ','-','v','_','n','u',',',' ','o','m','e','g','a','_','t','a','u',' ','-','>',' ','-','o','m','e','g','a','_','t','a','u','\n',
     '\n',
+    '#',' ','T','h','e',' ','c','e','n','t','r','e',' ','o','f',' ','m','a','s','s',' ','i','s',' ','a','t',' ','t','h','e',' ','h','e','i','g','h','t',' ','R',' ','+',' ','a','3',' ','g','a','m','m','a','3',';',' ','t','h','e',' ','p','l','a','n','e',' ','c','a','n','n','o','t',' ','p','u','l','l','.','\n',
+    'o','b','s','e','r','v','e',' ','c','o','n','t','a','c','t','_','f','o','r','c','e',' ','=',' ','m','*','g',' ','+',' ','m','*','a','3','*','r','a','t','e','(','r','a','t','e','(','g','a','m','m','a','3',')',')',' ','[','k','g','*','m','/','s','^','2',']',' ','"','f','o','r','c','e',' ','o','f',' ','t','h','e',' ','p','l','a','n','e',' ','o','n',' ','t','h','e',' ','s','p','h','e','r','e',',',' ','u','p','w','a','r','d','s','"','\n',
+    'v','a','l','i','d',' ','c','o','n','t','a','c','t',' ',':',' ','c','o','n','t','a','c','t','_','f','o','r','c','e',' ','>',' ','0',' ','[','k','g','*','m','/','s','^','2',']',' ','"','t','h','e',' ','p','l','a','n','e',' ','o','n','l','y',' ','p','u','s','h','e','s','"','\n',
+    '\n',
     '#',' ','F','i','x','e','d',' ','p','o','i','n','t','s',' ','(','4','.','4',')',',',' ','l','i','n','e','a','r','i','z','a','t','i','o','n',' ','(','4','.','5',')',',',' ','t','r','a','c','e',' ','(','4','.','6',')',',',' ','P','r','o','p','o','s','i','t','i','o','n',' ','1','\n',
     'e','q','u','i','l','i','b','r','i','a',' ','s','p','i','n',' ',':',' ','o','m','e','g','a','_','t','a','u',' ','=',' ','0',',',' ','o','m','e','g','a','_','n',' ','=',' ','0',' ','w','h','e','n',' ','a','3',' ','=',' ','0','\n',
     'm','a','t','r','i','x',' ','s','p','i','n',' ','=','\n',
@@ -146,7 +150,7 @@ const jlt_claim jlt_claims_spherical_top[] = {
     { "integral", "E1", "I3 = 0", JLT_PROVED, "", NULL },
     { "integral", "E2", "I3 = 0", JLT_PROVED, "", NULL },
     { "measure", "rho", "I3 = 0", JLT_PROVED, "", NULL },
-    { "reduction", "on_level", "", JLT_PROVED, "", "a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6" },
+    { "reduction", "on_level", "", JLT_PROVED, "", "354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af" },
     { "reversor", "reversor", "", JLT_PROVED, "", NULL },
     { "equilibria", "spin", "a3 = 0", JLT_PROVED, "", NULL },
     { "matrix", "spin", "", JLT_PROVED, "", NULL },

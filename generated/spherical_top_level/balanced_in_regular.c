@@ -3,13 +3,13 @@
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
  *  Variant:    balanced: a3 = 0
  *  Time:       regular: dt = (s) dtau; states of their own: s
- *  Table:      spherical_top_level, SHA-256 a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6
+ *  Table:      spherical_top_level, SHA-256 354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
  *  rhs                 4   22    7    1    0    0     12    7   (93)
- *  jacobian            9   55   26    1    0    0     14   23   (644)
- *  rhs_jacobian        13   61   25    1    0    0     13   23   (723)
+ *  jacobian            8   55   29    1    0    0     14   19   (644)
+ *  rhs_jacobian        11   58   26    1    0    0     13   23   (723)
  *  divergence          2    8    4    1    0    0      9    5   (41)
  *  integral_values     1   12    7    1    0    0      7    5   (47)
  *  integral_gradients  0   24    9    1    0    0     11    7   (195)
@@ -18,15 +18,16 @@
  *  Accuracy
  *    divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are
  *    divides by Theta, small only where all of m*K and I1*I3 are
- *    digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), V = omega_tau*R + v_nu,
- *      s*v_tau - gamma3*(G/I1), s*v_tau + s*v_tau - gamma3*(G/I1), v_nu - 1/(Theta/m)*(I1*I3/m)*V,
+ *    digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1),
+ *      s*v_tau + s*v_tau - gamma3*(G/I1), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V,
  *      a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(v_tau),
- *      d(d(v_tau)/dtau)/d(omega_tau), (R*G)*1/K - (2*R^2*I1)*1/K*(gamma3*v_tau*(R*I3) + s*(R*G))*s*1/K,
- *      d(d(v_tau)/dtau)/d(gamma3), a part of d(d(v_nu)/dtau)/d(gamma3),
- *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s),
+ *      (R*G)*1/K - (2*R^2*I1)*1/K*(gamma3*v_tau*(R*I3) + s*(R*G))*s*1/K,
+ *      a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s),
  *      a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s),
- *      d(d(omega_tau)/dtau)/d(gamma3), a part of d(v_tau)/dtau, d(d(omega_tau)/dtau)/d(s),
- *      a part of d(d(omega_tau)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(s)
+ *      a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(v_tau)/dtau, d(d(omega_tau)/dtau)/d(s),
+ *      a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(gamma3),
+ *      d(d(v_tau)/dtau)/d(v_nu), d(d(v_tau)/dtau)/d(omega_tau), d(d(v_tau)/dtau)/d(v_tau),
+ *      d(d(omega_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(s)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -76,7 +77,7 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t4 = params[4]*t2; /* I3*R*R */
     out[10] = t4;
     const double t5 = params[4]*params[3]; /* I3*I1 */
-    out[37] = t5;
+    out[36] = t5;
     const double t6 = t5/params[0]; /* I3*I1/m */
     out[11] = t6;
     const double t7 = params[6]/params[3]; /* G/I1 */
@@ -94,19 +95,19 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t15 = t2*4.0; /* R*R*4 */
     const double t16 = params[4]*t15; /* I3*R*R*4 */
     out[16] = t16;
-    const double t17 = params[6]*t1; /* G*R*I3 */
-    const double t18 = t17/params[3]; /* G*R*I3/I1 */
-    out[17] = t18;
-    const double t19 = -t1; /* -R*I3 */
-    out[18] = t19;
-    const double t20 = params[3]*t15; /* I1*R*R*4 */
-    out[19] = t20;
-    const double t21 = params[1]*4.0; /* R*4 */
-    const double t22 = params[3]*t21; /* I1*R*4 */
-    const double t23 = params[4]/t22; /* I3/(I1*R*4) */
-    out[20] = t23;
-    const double t24 = params[4]*params[4]; /* I3*I3 */
-    const double t25 = t14*t24; /* I1*R*R*2*I3*I3 */
+    const double t17 = params[1]*t2; /* R*R*R */
+    const double t18 = 4.0*t17; /* 4*R*R*R */
+    const double t19 = params[4]*params[4]; /* I3*I3 */
+    const double t20 = t18*t19; /* 4*R*R*R*I3*I3 */
+    out[17] = t20;
+    const double t21 = params[6]*t1; /* G*R*I3 */
+    const double t22 = t21/params[3]; /* G*R*I3/I1 */
+    out[18] = t22;
+    const double t23 = -t1; /* -R*I3 */
+    out[19] = t23;
+    const double t24 = params[3]*t15; /* I1*R*R*4 */
+    out[20] = t24;
+    const double t25 = t14*t19; /* I1*R*R*2*I3*I3 */
     const double t26 = t25/params[0]; /* I1*R*R*2*I3*I3/m */
     out[21] = t26;
     const double t27 = t2*t9; /* R*R*(I1 - I3) */
@@ -124,60 +125,56 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t36 = params[4]*t35; /* I3*R*R*2*I1*I1 */
     const double t37 = t36/params[0]; /* I3*R*R*2*I1*I1/m */
     out[25] = t37;
-    const double t38 = params[1]*t2; /* R*R*R */
-    const double t39 = 4.0*t38; /* 4*R*R*R */
-    const double t40 = t24*t39; /* I3*I3*4*R*R*R */
-    out[26] = t40;
-    const double t41 = -t11; /* -I3*R*R*I1*(I1 - I3)/m */
-    out[27] = t41;
-    const double t42 = t9*t31; /* (I1 - I3)*R*I1 */
-    const double t43 = t42/params[0]; /* (I1 - I3)*R*I1/m */
-    out[28] = t43;
-    const double t44 = params[0]/2.0; /* m/2 */
-    out[29] = t44;
-    const double t45 = params[4]/params[3]; /* I3/I1 */
-    out[30] = t45;
-    const double t46 = t2*params[0]; /* R*R*m */
-    const double t47 = params[3]*t46; /* I1*R*R*m */
-    const double t48 = params[6]*params[6]; /* G*G */
-    const double t49 = t48/t47; /* G*G/(I1*R*R*m) */
-    out[31] = t49;
-    const double t50 = params[4]/t46; /* I3/(R*R*m) */
-    out[32] = t50;
-    const double t51 = params[3]/2.0; /* I1/2 */
-    out[33] = t51;
-    const double t52 = params[0]*t34; /* m*I1*I1 */
-    out[34] = t52;
-    const double t53 = params[3]*params[0]; /* I1*m */
-    const double t54 = t9*t53; /* (I1 - I3)*I1*m */
-    out[35] = t54;
-    const double t55 = 1.0/params[0]; /* 1/m */
-    out[36] = t55;
-    const double t56 = t48/params[0]; /* G*G/m */
-    out[38] = t56;
-    const double t57 = params[0]*2.0; /* m*2 */
-    const double t58 = t2*t2; /* R*R*R*R */
-    const double t59 = t57*t58; /* m*2*R*R*R*R */
-    const double t60 = t34*t59; /* I1*I1*m*2*R*R*R*R */
-    const double t61 = params[4]*t60; /* I3*I1*I1*m*2*R*R*R*R */
-    const double t62 = t9*t61; /* (I1 - I3)*I3*I1*I1*m*2*R*R*R*R */
-    out[39] = t62;
-    const double t63 = 2.0/params[0]; /* 2/m */
-    out[40] = t63;
-    const double t64 = params[6]*t14; /* G*I1*R*R*2 */
-    const double t65 = t9*t64; /* (I1 - I3)*G*I1*R*R*2 */
-    out[41] = t65;
-    const double t66 = t34*t57; /* I1*I1*m*2 */
-    out[42] = t66;
-    const double t67 = params[1]*t57; /* R*m*2 */
-    const double t68 = t34*t67; /* I1*I1*R*m*2 */
-    out[43] = t68;
-    const double t69 = t9*t35; /* (I1 - I3)*R*R*2*I1*I1 */
+    const double t38 = -t11; /* -I3*R*R*I1*(I1 - I3)/m */
+    out[26] = t38;
+    const double t39 = t9*t31; /* (I1 - I3)*R*I1 */
+    const double t40 = t39/params[0]; /* (I1 - I3)*R*I1/m */
+    out[27] = t40;
+    const double t41 = params[0]/2.0; /* m/2 */
+    out[28] = t41;
+    const double t42 = params[4]/params[3]; /* I3/I1 */
+    out[29] = t42;
+    const double t43 = t2*params[0]; /* R*R*m */
+    const double t44 = params[3]*t43; /* I1*R*R*m */
+    const double t45 = params[6]*params[6]; /* G*G */
+    const double t46 = t45/t44; /* G*G/(I1*R*R*m) */
+    out[30] = t46;
+    const double t47 = params[4]/t43; /* I3/(R*R*m) */
+    out[31] = t47;
+    const double t48 = params[3]/2.0; /* I1/2 */
+    out[32] = t48;
+    const double t49 = params[0]*t34; /* m*I1*I1 */
+    out[33] = t49;
+    const double t50 = params[3]*params[0]; /* I1*m */
+    const double t51 = t9*t50; /* (I1 - I3)*I1*m */
+    out[34] = t51;
+    const double t52 = 1.0/params[0]; /* 1/m */
+    out[35] = t52;
+    const double t53 = t45/params[0]; /* G*G/m */
+    out[37] = t53;
+    const double t54 = params[0]*2.0; /* m*2 */
+    const double t55 = t2*t2; /* R*R*R*R */
+    const double t56 = t54*t55; /* m*2*R*R*R*R */
+    const double t57 = t34*t56; /* I1*I1*m*2*R*R*R*R */
+    const double t58 = params[4]*t57; /* I3*I1*I1*m*2*R*R*R*R */
+    const double t59 = t9*t58; /* (I1 - I3)*I3*I1*I1*m*2*R*R*R*R */
+    out[38] = t59;
+    const double t60 = 2.0/params[0]; /* 2/m */
+    out[39] = t60;
+    const double t61 = params[6]*t14; /* G*I1*R*R*2 */
+    const double t62 = t9*t61; /* (I1 - I3)*G*I1*R*R*2 */
+    out[40] = t62;
+    const double t63 = t34*t54; /* I1*I1*m*2 */
+    out[41] = t63;
+    const double t64 = params[1]*t54; /* R*m*2 */
+    const double t65 = t34*t64; /* I1*I1*R*m*2 */
+    out[42] = t65;
+    const double t66 = t9*t35; /* (I1 - I3)*R*R*2*I1*I1 */
+    out[43] = t66;
+    const double t67 = params[3]*t34; /* I1*I1*I1 */
+    const double t68 = t56*t67; /* m*2*R*R*R*R*I1*I1*I1 */
+    const double t69 = t9*t68; /* (I1 - I3)*m*2*R*R*R*R*I1*I1*I1 */
     out[44] = t69;
-    const double t70 = params[3]*t34; /* I1*I1*I1 */
-    const double t71 = t59*t70; /* m*2*R*R*R*R*I1*I1*I1 */
-    const double t72 = t9*t71; /* (I1 - I3)*m*2*R*R*R*R*I1*I1*I1 */
-    out[45] = t72;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -236,111 +233,113 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     out[23] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[2] = t0;
-    const double t1 = p[9]*t0; /* R^2*I1*s*s */
-    const double t2 = p[10]*x[0]; /* R^2*I3*gamma3 */
-    const double t3 = JLT_FMA(x[0], t2, t1); /* K = gamma3*R^2*I3*gamma3 + R^2*I1*s*s */
-    const double t4 = p[11] + t3; /* Theta/m = I1*I3/m + K */
-    const double t5 = t3*t4; /* K*Theta/m */
-    const double t6 = 1.0/t5; /* 1/(K*Theta/m) */
-    const double t7 = t4*t6; /* 1/K = Theta/m*1/(K*Theta/m) */
-    const double t8 = t3*t6; /* 1/(Theta/m) = K*1/(K*Theta/m) */
-    const double t9 = x[3]*p[8]; /* v_tau*R*I3 */
-    const double t10 = x[4]*p[7]; /* s*R*G */
-    const double t11 = JLT_FMA(x[0], t9, t10); /* gamma3*v_tau*R*I3 + s*R*G */
-    const double t12 = x[4]*x[3]; /* s*v_tau */
-    const double t13 = JLT_FNMA(x[0], p[12], t12); /* s*v_tau - gamma3*G/I1 */
-    const double t14 = t12 + t13; /* s*v_tau + s*v_tau - gamma3*G/I1 */
-    const double t15 = x[4]*x[2]; /* s*omega_tau */
-    const double t16 = 2.0*t15; /* 2*s*omega_tau */
-    out[4] = t16;
-    const double t17 = -t15; /* -s*omega_tau */
-    out[20] = t17;
-    const double t18 = x[0]*t7; /* gamma3*1/K */
-    const double t19 = t7*t11; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t20 = JLT_FMA(t9, t18, t19); /* v_tau*R*I3*gamma3*1/K + 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[8] = t20;
-    const double t21 = p[8]*t13; /* R*I3*(s*v_tau - gamma3*G/I1) */
-    const double t22 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t23 = t18*t19; /* gamma3*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t24 = t7*t19; /* 1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t25 = t7*t21; /* 1/K*R*I3*(s*v_tau - gamma3*G/I1) */
-    const double t26 = x[4]*t7; /* s*1/K */
-    const double t27 = p[11]*t22; /* I1*I3/m*V */
-    const double t28 = JLT_FNMA(t8, t27, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t29 = t13*t15; /* (s*v_tau - gamma3*G/I1)*s*omega_tau */
-    const double t30 = t8*t29; /* 1/(Theta/m)*(s*v_tau - gamma3*G/I1)*s*omega_tau */
-    const double t31 = p[14]*t23; /* 2*R^2*I3*gamma3*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t32 = p[7]*t7; /* R*G*1/K */
-    const double t33 = x[4]*t24; /* s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t34 = p[16]*t18; /* 4*R^2*I3*gamma3*1/K */
-    const double t35 = JLT_FMA(t21, t34, p[17]); /* R*I3*(s*v_tau - gamma3*G/I1)*4*R^2*I3*gamma3*1/K + R*I3*G/I1 */
-    const double t36 = JLT_FNMA(t23, t34, t24); /* 1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - gamma3*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G)*4*R^2*I3*gamma3*1/K */
-    const double t37 = t11*t36; /* (gamma3*v_tau*R*I3 + s*R*G)*t36 */
-    const double t38 = JLT_FMS(t33, t35, t37); /* s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G)*(R*I3*(s*v_tau - gamma3*G/I1)*4*R^2*I3*gamma3*1/K + R*I3*G/I1) - (gamma3*v_tau*R*I3 + s*R*G)*t36 */
-    const double t39 = p[15]*t33; /* 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t40 = t8*t11; /* 1/(Theta/m)*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t41 = -t40; /* -1/(Theta/m)*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[16] = t41;
-    const double t42 = t25*t26; /* 1/K*R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t43 = JLT_FMA(2.0, t23, t42); /* 2*gamma3*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) + 1/K*R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t44 = JLT_FNMA(t9, t43, t38); /* t38 - v_tau*R*I3*t43 */
-    out[10] = t44;
-    const double t45 = t0*t25; /* s*s*1/K*R*I3*(s*v_tau - gamma3*G/I1) */
-    const double t46 = JLT_FNMA(p[20], t14, t45); /* s*s*1/K*R*I3*(s*v_tau - gamma3*G/I1) - 1/4*I3/(R*I1)*(s*v_tau + s*v_tau - gamma3*G/I1) */
-    const double t47 = x[2]*t14; /* omega_tau*(s*v_tau + s*v_tau - gamma3*G/I1) */
-    const double t48 = p[25]*t26; /* 2*R^2*I1^2*I3/m*s*1/K */
-    const double t49 = x[0]*p[22]; /* gamma3*R^2*(I1 - I3) */
-    const double t50 = t30*t49; /* 1/(Theta/m)*(s*v_tau - gamma3*G/I1)*s*omega_tau*gamma3*R^2*(I1 - I3) */
-    const double t51 = JLT_FNMA(t22, t40, t50); /* t50 - V*1/(Theta/m)*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t52 = t8*t18; /* 1/(Theta/m)*gamma3*1/K */
-    const double t53 = x[4]*x[0]; /* s*gamma3 */
-    const double t54 = JLT_FMA(t19, t53, t46); /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*gamma3 + t46 */
-    const double t55 = -t53; /* -s*gamma3 */
-    out[22] = t55;
-    const double t56 = t9*t28; /* v_tau*R*I3*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t57 = JLT_FMA(p[13], t30, t56); /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*(s*v_tau - gamma3*G/I1)*s*omega_tau + v_tau*R*I3*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
-    const double t58 = JLT_FMS(t7, t9, t31); /* 1/K*v_tau*R*I3 - 2*R^2*I3*gamma3*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t59 = x[3]*t58; /* v_tau*t58 */
-    out[5] = t59;
-    const double t60 = x[1]*t31; /* v_nu*2*R^2*I3*gamma3*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t61 = p[23]*t15; /* R^2*I3*G*(I1 - I3)/m*s*omega_tau */
-    const double t62 = JLT_FMA(t52, t61, t60); /* 1/(Theta/m)*gamma3*1/K*R^2*I3*G*(I1 - I3)/m*s*omega_tau + v_nu*2*R^2*I3*gamma3*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t63 = JLT_FNMA(t7, t57, t62); /* t62 - 1/K*t57 */
-    const double t64 = p[13]*t52; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t65 = t7 + t8; /* 1/K + 1/(Theta/m) */
-    const double t66 = t51*t65; /* (t50 - V*1/(Theta/m)*(gamma3*v_tau*R*I3 + s*R*G))*(1/K + 1/(Theta/m)) */
-    const double t67 = p[24]*t8; /* R*I1*I3/m*1/(Theta/m) */
-    const double t68 = t19*t67; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*R*I1*I3/m*1/(Theta/m) */
-    const double t69 = p[8]*t18; /* R*I3*gamma3*1/K */
-    const double t70 = t28*t69; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
-    const double t71 = t28*t32; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
-    const double t72 = JLT_FMS(x[1], t39, t71); /* v_nu*2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) - (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
-    const double t73 = t32 - t39; /* R*G*1/K - 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t74 = JLT_FNMA(t47, t64, t72); /* t72 - omega_tau*(s*v_tau + s*v_tau - gamma3*G/I1)*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t75 = JLT_FMA(t48, t66, t74); /* 2*R^2*I1^2*I3/m*s*1/K*t66 + t74 */
-    out[19] = t75;
-    const double t76 = x[3]*t73; /* v_tau*(R*G*1/K - 2*R^2*I1*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G)) */
-    out[9] = t76;
-    const double t77 = x[4]*t64; /* s*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    const double t78 = JLT_FNMA(t13, t77, t68); /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*R*I1*I3/m*1/(Theta/m) - (s*v_tau - gamma3*G/I1)*s*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K */
-    out[17] = t78;
-    const double t79 = JLT_FMA(t15, t77, t70); /* s*omega_tau*s*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*gamma3*1/K + (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
+    const double t1 = x[4]*x[2]; /* s*omega_tau */
+    const double t2 = 2.0*t1; /* 2*s*omega_tau */
+    out[4] = t2;
+    const double t3 = x[3]*p[8]; /* v_tau*R*I3 */
+    const double t4 = t0*p[9]; /* s*s*R^2*I1 */
+    const double t5 = p[10]*x[0]; /* R^2*I3*gamma3 */
+    const double t6 = JLT_FMA(x[0], t5, t4); /* K = gamma3*R^2*I3*gamma3 + s*s*R^2*I1 */
+    const double t7 = t6 + p[11]; /* Theta/m = K + I1*I3/m */
+    const double t8 = t6*t7; /* K*Theta/m */
+    const double t9 = 1.0/t8; /* 1/(K*Theta/m) */
+    const double t10 = t7*t9; /* 1/K = Theta/m*1/(K*Theta/m) */
+    const double t11 = x[4]*p[7]; /* s*R*G */
+    const double t12 = JLT_FMA(t3, x[0], t11); /* v_tau*R*I3*gamma3 + s*R*G */
+    const double t13 = t10*t12; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t14 = x[0]*t10; /* gamma3*1/K */
+    const double t15 = t13*t14; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K */
+    const double t16 = p[14]*t15; /* 2*R^2*I3*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K */
+    const double t17 = JLT_FMS(t3, t10, t16); /* v_tau*R*I3*1/K - 2*R^2*I3*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K */
+    const double t18 = x[3]*t17; /* v_tau*t17 */
+    out[5] = t18;
+    const double t19 = JLT_FMA(t3, t14, t13); /* v_tau*R*I3*gamma3*1/K + 1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    out[8] = t19;
+    const double t20 = t10*t13; /* 1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t21 = x[4]*t20; /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t22 = p[15]*t21; /* 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t23 = JLT_FMS(t10, p[7], t22); /* 1/K*R*G - 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t24 = x[3]*t23; /* v_tau*(1/K*R*G - 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)) */
+    out[9] = t24;
+    const double t25 = t14*p[16]; /* gamma3*1/K*4*R^2*I3 */
+    const double t26 = JLT_FMS(t15, t25, t20); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*gamma3*1/K*4*R^2*I3 - 1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t27 = x[4]*x[3]; /* s*v_tau */
+    const double t28 = JLT_FNMA(x[0], p[12], t27); /* s*v_tau - gamma3*G/I1 */
+    const double t29 = p[8]*t28; /* R*I3*(s*v_tau - gamma3*G/I1) */
+    const double t30 = x[4]*t29; /* s*R*I3*(s*v_tau - gamma3*G/I1) */
+    const double t31 = t10*t30; /* 1/K*s*R*I3*(s*v_tau - gamma3*G/I1) */
+    const double t32 = t10*t31; /* 1/K*1/K*s*R*I3*(s*v_tau - gamma3*G/I1) */
+    const double t33 = JLT_FMA(2.0, t15, t32); /* 2*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K + 1/K*1/K*s*R*I3*(s*v_tau - gamma3*G/I1) */
+    const double t34 = t28*p[17]; /* (s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
+    const double t35 = t14*t34; /* gamma3*1/K*(s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
+    const double t36 = t21*t35; /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*(s*v_tau - gamma3*G/I1)*4*R^3*I3^2 */
+    const double t37 = JLT_FMA(t21, p[18], t36); /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*R*I3*G/I1 + t36 */
+    const double t38 = JLT_FMA(t12, t26, t37); /* (v_tau*R*I3*gamma3 + s*R*G)*t26 + s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*R*I3*G/I1 + t36 */
+    const double t39 = JLT_FNMA(t3, t33, t38); /* t38 - v_tau*R*I3*t33 */
+    out[10] = t39;
+    const double t40 = x[4]*t21; /* s*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t41 = JLT_FMA(x[0], t33, t40); /* gamma3*t33 + s*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G) */
+    const double t42 = p[19]*t41; /* (-R*I3)*(gamma3*t33 + s*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)) */
+    out[13] = t42;
+    const double t43 = t20*t29; /* 1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*R*I3*(s*v_tau - gamma3*G/I1) */
+    const double t44 = JLT_FMA(t12, t14, t31); /* (v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K + 1/K*s*R*I3*(s*v_tau - gamma3*G/I1) */
+    const double t45 = JLT_FNMA(p[20], t44, t3); /* v_tau*R*I3 - 4*R^2*I1*t44 */
+    const double t46 = JLT_FMA(p[7], t33, t43); /* R*G*t33 + t43 */
+    const double t47 = JLT_FMA(t21, t45, t46); /* s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*(v_tau*R*I3 - 4*R^2*I1*t44) + R*G*t33 + t43 */
+    const double t48 = -t47; /* -t47 */
+    out[14] = t48;
+    const double t49 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t50 = t6*t9; /* 1/(Theta/m) = K*1/(K*Theta/m) */
+    const double t51 = p[11]*t49; /* I1*I3/m*V */
+    const double t52 = JLT_FNMA(t50, t51, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t53 = t10*t52; /* 1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t54 = t1*t28; /* s*omega_tau*(s*v_tau - gamma3*G/I1) */
+    const double t55 = p[13]*t54; /* R^2*I1*I3*(I1 - I3)/m*s*omega_tau*(s*v_tau - gamma3*G/I1) */
+    const double t56 = t9*t55; /* 1/(K*Theta/m)*R^2*I1*I3*(I1 - I3)/m*s*omega_tau*(s*v_tau - gamma3*G/I1) */
+    const double t57 = t10 + t50; /* 1/K + 1/(Theta/m) */
+    const double t58 = x[0]*p[22]; /* gamma3*R^2*(I1 - I3) */
+    const double t59 = t54*t58; /* s*omega_tau*(s*v_tau - gamma3*G/I1)*gamma3*R^2*(I1 - I3) */
+    const double t60 = JLT_FNMA(t12, t49, t59); /* s*omega_tau*(s*v_tau - gamma3*G/I1)*gamma3*R^2*(I1 - I3) - (v_tau*R*I3*gamma3 + s*R*G)*V */
+    const double t61 = t9*t60; /* 1/(K*Theta/m)*t60 */
+    const double t62 = t57*t61; /* (1/K + 1/(Theta/m))*1/(K*Theta/m)*t60 */
+    const double t63 = x[0]*p[21]; /* gamma3*2*R^2*I1*I3^2/m */
+    const double t64 = t14*t50; /* gamma3*1/K*1/(Theta/m) */
+    const double t65 = t1*p[23]; /* s*omega_tau*R^2*I3*G*(I1 - I3)/m */
+    const double t66 = JLT_FMS(t62, t63, t56); /* (1/K + 1/(Theta/m))*1/(K*Theta/m)*t60*gamma3*2*R^2*I1*I3^2/m - t56 */
+    const double t67 = JLT_FMA(t64, t65, t66); /* gamma3*1/K*1/(Theta/m)*s*omega_tau*R^2*I3*G*(I1 - I3)/m + t66 */
+    const double t68 = JLT_FNMA(t3, t53, t67); /* t67 - v_tau*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t69 = JLT_FMA(t16, x[1], t68); /* 2*R^2*I3*1/K*(v_tau*R*I3*gamma3 + s*R*G)*gamma3*1/K*v_nu + t67 - v_tau*R*I3*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    out[15] = t69;
+    const double t70 = t12*t50; /* (v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m) */
+    const double t71 = -t70; /* -(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m) */
+    out[16] = t71;
+    const double t72 = t50*p[24]; /* 1/(Theta/m)*R*I1*I3/m */
+    const double t73 = t13*t72; /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*R*I1*I3/m */
+    const double t74 = p[13]*t64; /* R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
+    const double t75 = x[4]*t74; /* s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
+    const double t76 = JLT_FNMA(t28, t75, t73); /* 1/K*(v_tau*R*I3*gamma3 + s*R*G)*1/(Theta/m)*R*I1*I3/m - (s*v_tau - gamma3*G/I1)*s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) */
+    out[17] = t76;
+    const double t77 = p[8]*t14; /* R*I3*gamma3*1/K */
+    const double t78 = t52*t77; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
+    const double t79 = JLT_FMA(t1, t75, t78); /* s*omega_tau*s*R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m) + (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*I3*gamma3*1/K */
     const double t80 = -t79; /* -t79 */
     out[18] = t80;
-    const double t81 = p[21]*t18; /* 2*R^2*I1*I3^2/m*gamma3*1/K */
-    const double t82 = JLT_FMA(t66, t81, t63); /* t66*2*R^2*I1*I3^2/m*gamma3*1/K + t62 - 1/K*t57 */
-    out[15] = t82;
-    const double t83 = x[0]*t43; /* gamma3*t43 */
-    const double t84 = JLT_FMA(t0, t24, t83); /* s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) + gamma3*t43 */
-    const double t85 = p[18]*t84; /* (-R*I3)*(s*s*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) + gamma3*t43) */
-    out[13] = t85;
-    const double t86 = p[19]*t24; /* 4*R^2*I1*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t87 = t54*t86; /* (1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*gamma3 + t46)*4*R^2*I1*1/K*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t88 = JLT_FNMA(p[7], t43, t87); /* t87 - R*G*t43 */
-    out[14] = t88;
-    const double t89 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t90 = -t89; /* -omega_tau*gamma3 */
-    out[24] = t90;
+    const double t81 = p[7]*t53; /* R*G*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t82 = x[2]*t28; /* omega_tau*(s*v_tau - gamma3*G/I1) */
+    const double t83 = JLT_FMA(t1, x[3], t82); /* s*omega_tau*v_tau + omega_tau*(s*v_tau - gamma3*G/I1) */
+    const double t84 = x[4]*p[25]; /* s*2*R^2*I1^2*I3/m */
+    const double t85 = JLT_FMS(t62, t84, t81); /* (1/K + 1/(Theta/m))*1/(K*Theta/m)*t60*s*2*R^2*I1^2*I3/m - R*G*1/K*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t86 = JLT_FNMA(t74, t83, t85); /* t85 - R^2*I1*I3*(I1 - I3)/m*gamma3*1/K*1/(Theta/m)*(s*omega_tau*v_tau + omega_tau*(s*v_tau - gamma3*G/I1)) */
+    const double t87 = JLT_FMA(t22, x[1], t86); /* 2*R^2*I1*s*1/K*1/K*(v_tau*R*I3*gamma3 + s*R*G)*v_nu + t86 */
+    out[19] = t87;
+    const double t88 = -t1; /* -s*omega_tau */
+    out[20] = t88;
+    const double t89 = x[4]*x[0]; /* s*gamma3 */
+    const double t90 = -t89; /* -s*gamma3 */
+    out[22] = t90;
+    const double t91 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t92 = -t91; /* -omega_tau*gamma3 */
+    out[24] = t92;
 }
 
 static void rhs_jacobian(const double *restrict x, const double *restrict p, double *restrict out)
@@ -356,125 +355,121 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     out[28] = 0.0;
     const double t0 = x[4]*x[4]; /* s*s */
     out[7] = t0;
-    const double t1 = x[2]*t0; /* omega_tau*s*s */
-    out[0] = t1;
-    const double t2 = p[9]*t0; /* R^2*I1*s*s */
-    const double t3 = x[0]*p[10]; /* gamma3*R^2*I3 */
-    const double t4 = JLT_FMA(x[0], t3, t2); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s*s */
-    const double t5 = p[11] + t4; /* Theta/m = I1*I3/m + K */
-    const double t6 = t4*t5; /* K*Theta/m */
-    const double t7 = 1.0/t6; /* 1/(K*Theta/m) */
-    const double t8 = t5*t7; /* 1/K = Theta/m*1/(K*Theta/m) */
-    const double t9 = t4*t7; /* 1/(Theta/m) = K*1/(K*Theta/m) */
-    const double t10 = x[4]*p[7]; /* s*R*G */
-    const double t11 = x[3]*p[8]; /* v_tau*R*I3 */
-    const double t12 = JLT_FMA(x[0], t11, t10); /* gamma3*v_tau*R*I3 + s*R*G */
-    const double t13 = x[4]*x[3]; /* s*v_tau */
-    const double t14 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
-    const double t15 = JLT_FNMA(x[0], p[12], t13); /* s*v_tau - gamma3*G/I1 */
-    const double t16 = t13 + t15; /* s*v_tau + s*v_tau - gamma3*G/I1 */
-    const double t17 = t8*t16; /* 1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
-    const double t18 = p[11]*t14; /* I1*I3/m*V */
-    const double t19 = JLT_FNMA(t9, t18, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t20 = t12*t14; /* (gamma3*v_tau*R*I3 + s*R*G)*V */
-    const double t21 = x[2]*x[0]; /* omega_tau*gamma3 */
-    const double t22 = -t21; /* -omega_tau*gamma3 */
-    out[29] = t22;
-    const double t23 = t8*t12; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t24 = t9*t12; /* 1/(Theta/m)*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t25 = -t24; /* -1/(Theta/m)*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[21] = t25;
-    const double t26 = x[3]*t23; /* v_tau*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[1] = t26;
-    const double t27 = x[4]*t8; /* s*1/K */
-    const double t28 = x[4]*t21; /* s*omega_tau*gamma3 */
-    const double t29 = -t28; /* -s*omega_tau*gamma3 */
+    const double t1 = p[9]*t0; /* R^2*I1*s*s */
+    const double t2 = x[0]*p[10]; /* gamma3*R^2*I3 */
+    const double t3 = JLT_FMA(x[0], t2, t1); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s*s */
+    const double t4 = p[11] + t3; /* Theta/m = I1*I3/m + K */
+    const double t5 = t3*t4; /* K*Theta/m */
+    const double t6 = 1.0/t5; /* 1/(K*Theta/m) */
+    const double t7 = t4*t6; /* 1/K = Theta/m*1/(K*Theta/m) */
+    const double t8 = t3*t6; /* 1/(Theta/m) = K*1/(K*Theta/m) */
+    const double t9 = x[4]*p[7]; /* s*R*G */
+    const double t10 = x[3]*p[8]; /* v_tau*R*I3 */
+    const double t11 = JLT_FMA(x[0], t10, t9); /* gamma3*v_tau*R*I3 + s*R*G */
+    const double t12 = x[4]*x[3]; /* s*v_tau */
+    const double t13 = JLT_FNMA(x[0], p[12], t12); /* s*v_tau - gamma3*G/I1 */
+    const double t14 = t12 + t13; /* s*v_tau + s*v_tau - gamma3*G/I1 */
+    const double t15 = t7*t14; /* 1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t16 = JLT_FMA(x[2], p[1], x[1]); /* V = omega_tau*R + v_nu */
+    const double t17 = t7*t11; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t18 = t11*t16; /* (gamma3*v_tau*R*I3 + s*R*G)*V */
+    const double t19 = p[11]*t16; /* I1*I3/m*V */
+    const double t20 = JLT_FNMA(t8, t19, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t21 = x[3]*t17; /* v_tau*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    out[1] = t21;
+    const double t22 = x[4]*t7; /* s*1/K */
+    const double t23 = x[2]*x[0]; /* omega_tau*gamma3 */
+    const double t24 = -t23; /* -omega_tau*gamma3 */
+    out[29] = t24;
+    const double t25 = t13*t22; /* (s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t26 = p[22]*t13; /* R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1) */
+    const double t27 = x[4]*t23; /* s*omega_tau*gamma3 */
+    const double t28 = JLT_FNMA(t26, t27, t18); /* (gamma3*v_tau*R*I3 + s*R*G)*V - R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1)*s*omega_tau*gamma3 */
+    const double t29 = -t27; /* -s*omega_tau*gamma3 */
     out[4] = t29;
-    const double t30 = t8*t11; /* 1/K*v_tau*R*I3 */
-    const double t31 = p[22]*t15; /* R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1) */
-    const double t32 = JLT_FNMA(t28, t31, t20); /* (gamma3*v_tau*R*I3 + s*R*G)*V - s*omega_tau*gamma3*R^2*(I1 - I3)*(s*v_tau - gamma3*G/I1) */
-    const double t33 = t15*t27; /* (s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t34 = p[27]*t28; /* (-R^2*I1*I3*(I1 - I3)/m)*s*omega_tau*gamma3 */
-    const double t35 = x[0]*t23; /* gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t36 = x[0]*t8; /* gamma3*1/K */
-    const double t37 = JLT_FMA(t11, t36, t23); /* v_tau*R*I3*gamma3*1/K + 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    out[13] = t37;
-    const double t38 = p[7]*t8; /* R*G*1/K */
-    const double t39 = t23*t27; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t40 = t9*t27; /* 1/(Theta/m)*s*1/K */
-    const double t41 = t23*t23; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t42 = JLT_FMS(p[17], t39, t41); /* R*I3*G/I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t41 */
-    const double t43 = t19*t30; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*v_tau*R*I3 */
-    const double t44 = t8 + t9; /* 1/K + 1/(Theta/m) */
-    const double t45 = t32*t44; /* t32*(1/K + 1/(Theta/m)) */
-    const double t46 = t8*t35; /* 1/K*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t47 = p[21]*t9; /* 2*R^2*I1*I3^2/m*1/(Theta/m) */
-    const double t48 = t36*t47; /* gamma3*1/K*2*R^2*I1*I3^2/m*1/(Theta/m) */
-    const double t49 = p[23]*t21; /* R^2*I3*G*(I1 - I3)/m*omega_tau*gamma3 */
-    const double t50 = JLT_FMS(t40, t49, t43); /* 1/(Theta/m)*s*1/K*R^2*I3*G*(I1 - I3)/m*omega_tau*gamma3 - (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*v_tau*R*I3 */
-    const double t51 = JLT_FNMA(t45, t48, t50); /* t50 - t32*(1/K + 1/(Theta/m))*gamma3*1/K*2*R^2*I1*I3^2/m*1/(Theta/m) */
-    const double t52 = p[8]*t33; /* R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t53 = p[13]*t9; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t54 = p[24]*t9; /* R*I1*I3/m*1/(Theta/m) */
-    const double t55 = t23*t54; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*R*I1*I3/m*1/(Theta/m) */
-    const double t56 = p[15]*t39; /* 2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t57 = p[16]*t35; /* 4*R^2*I3*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t58 = JLT_FMA(t46, t57, t42); /* 1/K*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G)*4*R^2*I3*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*G/I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t41 */
-    const double t59 = p[8]*t23; /* R*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t60 = t17*t59; /* 1/K*(s*v_tau + s*v_tau - gamma3*G/I1)*R*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t61 = t17*t21; /* 1/K*(s*v_tau + s*v_tau - gamma3*G/I1)*omega_tau*gamma3 */
-    const double t62 = t19*t38; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
-    const double t63 = JLT_FMS(x[1], t56, t62); /* v_nu*2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
-    const double t64 = JLT_FNMA(t53, t61, t63); /* t63 - R^2*I1*I3*(I1 - I3)/m*1/(Theta/m)*1/K*(s*v_tau + s*v_tau - gamma3*G/I1)*omega_tau*gamma3 */
-    const double t65 = t33*t53; /* (s*v_tau - gamma3*G/I1)*s*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
-    const double t66 = JLT_FNMA(x[0], t65, t55); /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*R*I1*I3/m*1/(Theta/m) - gamma3*t65 */
-    out[22] = t66;
-    const double t67 = p[26]*t33; /* 4*R^3*I3^2*(s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t68 = JLT_FMA(t46, t67, t58); /* 1/K*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G)*4*R^3*I3^2*(s*v_tau - gamma3*G/I1)*s*1/K + t58 */
-    const double t69 = p[14]*t46; /* 2*R^2*I3*1/K*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t70 = t38 - t56; /* R*G*1/K - 2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t71 = x[3]*t70; /* v_tau*(R*G*1/K - 2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K) */
-    out[14] = t71;
-    const double t72 = JLT_FNMA(x[2], t65, t51); /* t51 - omega_tau*t65 */
-    const double t73 = JLT_FMA(x[1], t69, t72); /* v_nu*2*R^2*I3*1/K*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + t51 - omega_tau*t65 */
-    out[20] = t73;
-    const double t74 = t30 - t69; /* 1/K*v_tau*R*I3 - 2*R^2*I3*1/K*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t75 = x[3]*t74; /* v_tau*t74 */
-    out[10] = t75;
-    const double t76 = t35 + t52; /* gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t77 = JLT_FMA(2.0, t35, t52); /* 2*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
-    const double t78 = JLT_FNMA(t30, t77, t68); /* t68 - 1/K*v_tau*R*I3*t77 */
-    out[15] = t78;
-    const double t79 = t19*t23; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
-    const double t80 = JLT_FMA(t21, t65, t79); /* omega_tau*gamma3*t65 + t79 */
-    const double t81 = -t80; /* -(omega_tau*gamma3*t65 + t79) */
-    out[3] = t81;
-    const double t82 = t23*t76; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*t76 */
-    const double t83 = -t82; /* -1/K*(gamma3*v_tau*R*I3 + s*R*G)*t76 */
-    out[2] = t83;
-    const double t84 = x[4]*t39; /* s*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t85 = p[19]*t39; /* 4*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t86 = JLT_FMS(t76, t85, t60); /* t76*4*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t60 */
-    const double t87 = JLT_FNMA(t38, t77, t86); /* t76*4*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t60 - R*G*1/K*t77 */
-    out[19] = t87;
-    const double t88 = JLT_FMA(t36, t77, t84); /* gamma3*1/K*t77 + s*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
-    const double t89 = p[18]*t88; /* (-R*I3)*(gamma3*1/K*t77 + s*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K) */
-    out[18] = t89;
-    const double t90 = p[18]*t36; /* (-R*I3)*gamma3*1/K */
-    const double t91 = t19*t90; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*(-R*I3)*gamma3*1/K */
-    const double t92 = JLT_FMA(t34, t40, t91); /* (-R^2*I1*I3*(I1 - I3)/m)*s*omega_tau*gamma3*1/(Theta/m)*s*1/K + (v_nu - 1/(Theta/m)*I1*I3/m*V)*(-R*I3)*gamma3*1/K */
-    out[23] = t92;
-    const double t93 = p[25]*t40; /* 2*R^2*I1^2*I3/m*1/(Theta/m)*s*1/K */
-    const double t94 = JLT_FNMA(t45, t93, t64); /* t64 - t32*(1/K + 1/(Theta/m))*2*R^2*I1^2*I3/m*1/(Theta/m)*s*1/K */
-    out[24] = t94;
-    const double t95 = x[2]*x[4]; /* omega_tau*s */
-    const double t96 = 2.0*t95; /* 2*omega_tau*s */
-    out[9] = t96;
-    const double t97 = -t95; /* -omega_tau*s */
-    out[25] = t97;
-    const double t98 = x[4]*x[0]; /* s*gamma3 */
-    const double t99 = -t98; /* -s*gamma3 */
-    out[27] = t99;
+    const double t30 = p[26]*t27; /* (-R^2*I1*I3*(I1 - I3)/m)*s*omega_tau*gamma3 */
+    const double t31 = t7*t10; /* 1/K*v_tau*R*I3 */
+    const double t32 = p[7]*t7; /* R*G*1/K */
+    const double t33 = t17*t22; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
+    const double t34 = t8*t22; /* 1/(Theta/m)*s*1/K */
+    const double t35 = x[0]*t17; /* gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t36 = p[8]*t25; /* R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t37 = p[13]*t8; /* R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t38 = t25*t37; /* (s*v_tau - gamma3*G/I1)*s*1/K*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t39 = t23*t37; /* omega_tau*gamma3*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t40 = p[14]*t17; /* 2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t41 = x[0]*t7; /* gamma3*1/K */
+    const double t42 = JLT_FMA(t10, t41, t17); /* v_tau*R*I3*gamma3*1/K + 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    out[13] = t42;
+    const double t43 = t7 + t8; /* 1/K + 1/(Theta/m) */
+    const double t44 = t28*t43; /* t28*(1/K + 1/(Theta/m)) */
+    const double t45 = p[15]*t33; /* 2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
+    const double t46 = t17*t17; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t47 = JLT_FMS(p[18], t33, t46); /* R*I3*G/I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t46 */
+    const double t48 = p[8]*t15; /* R*I3*1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t49 = t17*t48; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*R*I3*1/K*(s*v_tau + s*v_tau - gamma3*G/I1) */
+    const double t50 = t20*t31; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*v_tau*R*I3 */
+    const double t51 = p[23]*t23; /* R^2*I3*G*(I1 - I3)/m*omega_tau*gamma3 */
+    const double t52 = JLT_FMS(t34, t51, t50); /* 1/(Theta/m)*s*1/K*R^2*I3*G*(I1 - I3)/m*omega_tau*gamma3 - (v_nu - 1/(Theta/m)*I1*I3/m*V)*1/K*v_tau*R*I3 */
+    const double t53 = JLT_FNMA(x[2], t38, t52); /* t52 - omega_tau*t38 */
+    const double t54 = t20*t32; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
+    const double t55 = JLT_FMS(x[1], t45, t54); /* v_nu*2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - (v_nu - 1/(Theta/m)*I1*I3/m*V)*R*G*1/K */
+    const double t56 = JLT_FNMA(t15, t39, t55); /* t55 - 1/K*(s*v_tau + s*v_tau - gamma3*G/I1)*omega_tau*gamma3*R^2*I1*I3*(I1 - I3)/m*1/(Theta/m) */
+    const double t57 = t32 - t45; /* R*G*1/K - 2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
+    const double t58 = x[3]*t57; /* v_tau*(R*G*1/K - 2*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K) */
+    out[14] = t58;
+    const double t59 = t35 + t36; /* gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t60 = JLT_FMA(2.0, t35, t36); /* 2*gamma3*1/K*(gamma3*v_tau*R*I3 + s*R*G) + R*I3*(s*v_tau - gamma3*G/I1)*s*1/K */
+    const double t61 = JLT_FNMA(t31, t60, t47); /* R*I3*G/I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t46 - 1/K*v_tau*R*I3*t60 */
+    const double t62 = JLT_FNMA(t40, t41, t31); /* 1/K*v_tau*R*I3 - 2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G)*gamma3*1/K */
+    const double t63 = x[3]*t62; /* v_tau*t62 */
+    out[10] = t63;
+    const double t64 = x[1]*t40; /* v_nu*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t65 = t17*t20; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t66 = JLT_FMA(t23, t38, t65); /* omega_tau*gamma3*t38 + t65 */
+    const double t67 = -t66; /* -(omega_tau*gamma3*t38 + t65) */
+    out[3] = t67;
+    const double t68 = x[4]*t33; /* s*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
+    const double t69 = p[20]*t33; /* 4*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
+    const double t70 = JLT_FMS(t59, t69, t49); /* t59*4*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t49 */
+    const double t71 = JLT_FNMA(t32, t60, t70); /* t59*4*R^2*I1*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K - t49 - R*G*1/K*t60 */
+    out[19] = t71;
+    const double t72 = JLT_FMA(t41, t60, t68); /* gamma3*1/K*t60 + s*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K */
+    const double t73 = p[19]*t72; /* (-R*I3)*(gamma3*1/K*t60 + s*1/K*(gamma3*v_tau*R*I3 + s*R*G)*s*1/K) */
+    out[18] = t73;
+    const double t74 = t17*t59; /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*t59 */
+    const double t75 = -t74; /* -1/K*(gamma3*v_tau*R*I3 + s*R*G)*t59 */
+    out[2] = t75;
+    const double t76 = p[21]*t8; /* 2*R^2*I1*I3^2/m*1/(Theta/m) */
+    const double t77 = JLT_FNMA(t44, t76, t64); /* v_nu*2*R^2*I3*1/K*(gamma3*v_tau*R*I3 + s*R*G) - t28*(1/K + 1/(Theta/m))*2*R^2*I1*I3^2/m*1/(Theta/m) */
+    const double t78 = JLT_FMA(t41, t77, t53); /* gamma3*1/K*t77 + t52 - omega_tau*t38 */
+    out[20] = t78;
+    const double t79 = t8*t17; /* 1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t80 = JLT_FMS(p[11], t79, t17); /* I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) - 1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    out[21] = t80;
+    const double t81 = p[24]*t79; /* R*I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) */
+    const double t82 = JLT_FNMA(x[0], t38, t81); /* R*I1*I3/m*1/(Theta/m)*1/K*(gamma3*v_tau*R*I3 + s*R*G) - gamma3*t38 */
+    out[22] = t82;
+    const double t83 = p[19]*t41; /* (-R*I3)*gamma3*1/K */
+    const double t84 = t20*t83; /* (v_nu - 1/(Theta/m)*I1*I3/m*V)*(-R*I3)*gamma3*1/K */
+    const double t85 = JLT_FMA(t30, t34, t84); /* (-R^2*I1*I3*(I1 - I3)/m)*s*omega_tau*gamma3*1/(Theta/m)*s*1/K + (v_nu - 1/(Theta/m)*I1*I3/m*V)*(-R*I3)*gamma3*1/K */
+    out[23] = t85;
+    const double t86 = p[16]*t41; /* 4*R^2*I3*gamma3*1/K */
+    const double t87 = JLT_FMA(t74, t86, t61); /* 1/K*(gamma3*v_tau*R*I3 + s*R*G)*t59*4*R^2*I3*gamma3*1/K + t61 */
+    out[15] = t87;
+    const double t88 = p[25]*t34; /* 2*R^2*I1^2*I3/m*1/(Theta/m)*s*1/K */
+    const double t89 = JLT_FNMA(t44, t88, t56); /* t56 - t28*(1/K + 1/(Theta/m))*2*R^2*I1^2*I3/m*1/(Theta/m)*s*1/K */
+    out[24] = t89;
+    const double t90 = x[4]*x[2]; /* s*omega_tau */
+    const double t91 = x[4]*t90; /* s*s*omega_tau */
+    out[0] = t91;
+    const double t92 = 2.0*t90; /* 2*s*omega_tau */
+    out[9] = t92;
+    const double t93 = -t90; /* -s*omega_tau */
+    out[25] = t93;
+    const double t94 = x[4]*x[0]; /* s*gamma3 */
+    const double t95 = -t94; /* -s*gamma3 */
+    out[27] = t95;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -485,7 +480,7 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t3 = JLT_FMA(x[0], t2, t1); /* K = gamma3*gamma3*R^2*I3 + R^2*I1*s*s */
     const double t4 = JLT_FMA(p[1], x[2], x[1]); /* V = R*omega_tau + v_nu */
     const double t5 = p[11]*t4; /* I1*I3/m*V */
-    const double t6 = x[2]*p[28]; /* omega_tau*R*I1*(I1 - I3)/m */
+    const double t6 = x[2]*p[27]; /* omega_tau*R*I1*(I1 - I3)/m */
     const double t7 = JLT_FNMA(t0, t6, t5); /* I1*I3/m*V - s*s*omega_tau*R*I1*(I1 - I3)/m */
     const double t8 = p[11] + t3; /* Theta/m = I1*I3/m + K */
     const double t9 = JLT_FNMA(x[1], t8, t7); /* I1*I3/m*V - s*s*omega_tau*R*I1*(I1 - I3)/m - v_nu*Theta/m */
@@ -501,24 +496,24 @@ static void integral_values(const double *restrict x, const double *restrict p, 
 {
     const double t0 = x[1]*x[1]; /* v_nu*v_nu */
     const double t1 = x[4]*x[4]; /* s*s */
-    const double t2 = p[30]*x[0]; /* I3/I1*gamma3 */
+    const double t2 = p[29]*x[0]; /* I3/I1*gamma3 */
     const double t3 = JLT_FMA(x[0], t2, t1); /* K/(R^2*I1) = gamma3*I3/I1*gamma3 + s*s */
     const double t4 = 1.0/t3; /* 1/(K/(R^2*I1)) */
-    const double t5 = t3 + p[32]; /* Theta/(m*R^2*I1) = K/(R^2*I1) + I3/(m*R^2) */
+    const double t5 = t3 + p[31]; /* Theta/(m*R^2*I1) = K/(R^2*I1) + I3/(m*R^2) */
     const double t6 = x[3]*x[3]; /* v_tau*v_tau */
-    const double t7 = JLT_FMA(t5, t6, p[31]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
+    const double t7 = JLT_FMA(t5, t6, p[30]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
     const double t8 = JLT_FMA(t4, t7, t0); /* 1/(K/(R^2*I1))*(Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1)) + v_nu*v_nu */
-    const double t9 = p[29]*t8; /* 1/2*m*t8 */
-    const double t10 = p[33]*x[2]; /* 1/2*I1*omega_tau */
+    const double t9 = p[28]*t8; /* 1/2*m*t8 */
+    const double t10 = p[32]*x[2]; /* 1/2*I1*omega_tau */
     const double t11 = JLT_FMA(x[2], t10, t9); /* omega_tau*1/2*I1*omega_tau + 1/2*m*t8 */
     out[0] = t11;
     const double t12 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t13 = p[34]*t12; /* m*I1^2*(omega_tau*R + v_nu) */
+    const double t13 = p[33]*t12; /* m*I1^2*(omega_tau*R + v_nu) */
     const double t14 = t12*t13; /* (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     const double t15 = x[4]*x[3]; /* s*v_tau */
     const double t16 = JLT_FNMA(x[0], p[12], t15); /* s*v_tau - gamma3*G/I1 */
     const double t17 = t4*t16; /* 1/(K/(R^2*I1))*(s*v_tau - gamma3*G/I1) */
-    const double t18 = t5*p[35]; /* Theta/(m*R^2*I1)*m*I1*(I1 - I3) */
+    const double t18 = t5*p[34]; /* Theta/(m*R^2*I1)*m*I1*(I1 - I3) */
     const double t19 = t17*t18; /* 1/(K/(R^2*I1))*(s*v_tau - gamma3*G/I1)*Theta/(m*R^2*I1)*m*I1*(I1 - I3) */
     const double t20 = JLT_FMA(t17, t19, t14); /* 1/(K/(R^2*I1))*(s*v_tau - gamma3*G/I1)*t19 + (omega_tau*R + v_nu)*m*I1^2*(omega_tau*R + v_nu) */
     out[1] = t20;
@@ -531,13 +526,13 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = x[4]*t1; /* s*s*R^2*I1 */
     const double t3 = JLT_FMA(x[0], t0, t2); /* K = gamma3*R^2*I3*gamma3 + s*s*R^2*I1 */
     const double t4 = 1.0/t3; /* 1/K */
-    const double t5 = JLT_FMA(p[0], t3, p[37]); /* Theta = m*K + I1*I3 */
+    const double t5 = JLT_FMA(p[0], t3, p[36]); /* Theta = m*K + I1*I3 */
     const double t6 = t4*t5; /* 1/K*Theta */
     const double t7 = x[3]*t6; /* v_tau*1/K*Theta */
     out[3] = t7;
-    const double t8 = JLT_FNMA(p[36], t7, x[3]); /* v_tau - 1/m*v_tau*1/K*Theta */
+    const double t8 = JLT_FNMA(p[35], t7, x[3]); /* v_tau - 1/m*v_tau*1/K*Theta */
     const double t9 = x[3]*t8; /* v_tau*(v_tau - 1/m*v_tau*1/K*Theta) */
-    const double t10 = JLT_FNMA(t4, p[38], t9); /* v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m */
+    const double t10 = JLT_FNMA(t4, p[37], t9); /* v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m */
     const double t11 = p[0]*t4; /* m*1/K */
     const double t12 = t10*t11; /* (v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*1/K */
     const double t13 = t0*t12; /* R^2*I3*gamma3*(v_tau*(v_tau - 1/m*v_tau*1/K*Theta) - 1/K*G^2/m)*m*1/K */
@@ -552,22 +547,22 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t18 = JLT_FNMA(x[0], p[12], t17); /* s*v_tau - gamma3*G/I1 */
     const double t19 = t4*t18; /* 1/K*(s*v_tau - gamma3*G/I1) */
     const double t20 = t6*t19; /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) */
-    const double t21 = JLT_FNMA(p[40], t20, t19); /* 1/K*(s*v_tau - gamma3*G/I1) - 2/m*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) */
+    const double t21 = JLT_FNMA(p[39], t20, t19); /* 1/K*(s*v_tau - gamma3*G/I1) - 2/m*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1) */
     const double t22 = t19*t21; /* 1/K*(s*v_tau - gamma3*G/I1)*t21 */
-    const double t23 = x[0]*p[39]; /* gamma3*2*m*R^4*I1^2*I3*(I1 - I3) */
+    const double t23 = x[0]*p[38]; /* gamma3*2*m*R^4*I1^2*I3*(I1 - I3) */
     const double t24 = t22*t23; /* 1/K*(s*v_tau - gamma3*G/I1)*t21*gamma3*2*m*R^4*I1^2*I3*(I1 - I3) */
-    const double t25 = JLT_FNMA(t20, p[41], t24); /* t24 - 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1*G*(I1 - I3) */
+    const double t25 = JLT_FNMA(t20, p[40], t24); /* t24 - 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1*G*(I1 - I3) */
     out[5] = t25;
     const double t26 = JLT_FMA(x[2], p[1], x[1]); /* omega_tau*R + v_nu */
-    const double t27 = p[42]*t26; /* 2*m*I1^2*(omega_tau*R + v_nu) */
+    const double t27 = p[41]*t26; /* 2*m*I1^2*(omega_tau*R + v_nu) */
     out[6] = t27;
-    const double t28 = t26*p[43]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
+    const double t28 = t26*p[42]; /* (omega_tau*R + v_nu)*2*m*R*I1^2 */
     out[7] = t28;
-    const double t29 = t20*p[44]; /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
+    const double t29 = t20*p[43]; /* 1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
     const double t30 = x[4]*t29; /* s*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
     out[8] = t30;
     const double t31 = x[3]*t29; /* v_tau*1/K*Theta*1/K*(s*v_tau - gamma3*G/I1)*2*R^2*I1^2*(I1 - I3) */
-    const double t32 = x[4]*p[45]; /* s*2*m*R^4*I1^3*(I1 - I3) */
+    const double t32 = x[4]*p[44]; /* s*2*m*R^4*I1^3*(I1 - I3) */
     const double t33 = JLT_FMA(t22, t32, t31); /* 1/K*(s*v_tau - gamma3*G/I1)*t21*s*2*m*R^4*I1^3*(I1 - I3) + t31 */
     out[9] = t33;
 }
@@ -736,20 +731,20 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced_in_regular = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6",
+    .sha256 = "354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
-    .state_count = 5, .param_count = 7, .block_count = 46,
+    .state_count = 5, .param_count = 7, .block_count = 45,
     .states = states,
     .params = params,
     .impose = impose,
     .prepare = prepare,
     .rhs = { rhs, 5, { 4, 22, 7, 1, 0, 0, 12, 7 }, { 16, 71, 0, 6, 0, 0, 10, 8 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1), a part of d(omega_tau)/dtau, V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(v_tau)/dtau" },
-    .jacobian = { jacobian, 25, { 9, 55, 26, 1, 0, 0, 14, 23 }, { 91, 507, 0, 46, 0, 0, 16, 9 },
-        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1), s*v_tau + s*v_tau - gamma3*(G/I1), d(d(v_nu)/dtau)/d(v_tau), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, (R*I3)*(s*v_tau - gamma3*(G/I1))*(4*R^2*I3)*gamma3*1/K + R*I3*G/I1, a part of d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(v_tau)/dtau)/d(gamma3), a part of d(d(v_nu)/dtau)/d(gamma3), (R*G)*1/K - (2*R^2*I1)*s*1/K*1/K*(gamma3*v_tau*(R*I3) + s*(R*G)), d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(omega_tau), a part of d(d(v_tau)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), d(d(omega_tau)/dtau)/d(s)" },
-    .rhs_jacobian = { rhs_jacobian, 30, { 13, 61, 25, 1, 0, 0, 13, 23 }, { 104, 567, 0, 52, 0, 0, 16, 9 },
-        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), V = omega_tau*R + v_nu, s*v_tau - gamma3*(G/I1), s*v_tau + s*v_tau - gamma3*(G/I1), v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(omega_tau), (R*G)*1/K - (2*R^2*I1)*1/K*(gamma3*v_tau*(R*I3) + s*(R*G))*s*1/K, d(d(v_tau)/dtau)/d(gamma3), a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(gamma3), a part of d(v_tau)/dtau, d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(v_tau), d(d(v_tau)/dtau)/d(s)" },
+    .jacobian = { jacobian, 25, { 8, 55, 29, 1, 0, 0, 14, 19 }, { 91, 507, 0, 46, 0, 0, 16, 9 },
+        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in v_tau*(R*I3)*gamma3 + s*(R*G), a part of d(d(v_nu)/dtau)/d(gamma3), d(d(v_nu)/dtau)/d(v_tau), 1/K*(R*G) - (2*R^2*I1)*s*1/K*1/K*(v_tau*(R*I3)*gamma3 + s*(R*G)), a part of d(d(omega_tau)/dtau)/d(gamma3), s*v_tau - gamma3*(G/I1), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), d(d(omega_tau)/dtau)/d(gamma3), a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(s), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(omega_tau), a part of d(d(v_tau)/dtau)/d(v_tau), s*omega_tau*v_tau + omega_tau*(s*v_tau - gamma3*(G/I1)), d(d(v_tau)/dtau)/d(s)" },
+    .rhs_jacobian = { rhs_jacobian, 30, { 11, 58, 26, 1, 0, 0, 13, 23 }, { 104, 567, 0, 52, 0, 0, 16, 9 },
+        "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in gamma3*v_tau*(R*I3) + s*(R*G), s*v_tau - gamma3*(G/I1), s*v_tau + s*v_tau - gamma3*(G/I1), V = omega_tau*R + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, a part of d(d(v_tau)/dtau)/d(gamma3) and of d(d(v_tau)/dtau)/d(s), d(d(v_nu)/dtau)/d(v_tau), (R*G)*1/K - (2*R^2*I1)*1/K*(gamma3*v_tau*(R*I3) + s*(R*G))*s*1/K, a part of d(omega_tau)/dtau and of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(gamma3) and of d(d(omega_tau)/dtau)/d(v_tau) and of d(d(omega_tau)/dtau)/d(s), a part of d(d(v_nu)/dtau)/d(gamma3), a part of d(v_tau)/dtau, d(d(omega_tau)/dtau)/d(s), a part of d(d(omega_tau)/dtau)/d(v_tau), a part of d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(v_nu), d(d(v_tau)/dtau)/d(omega_tau), d(d(v_tau)/dtau)/d(v_tau), d(d(omega_tau)/dtau)/d(gamma3), d(d(v_tau)/dtau)/d(s)" },
     .divergence = { divergence, 1, { 2, 8, 4, 1, 0, 0, 9, 5 }, { 8, 30, 0, 3, 0, 0, 10, 7 },
         "divides by K, small only where all of R^2*I1*s^2 and R^2*I3*gamma3^2 are; divides by Theta, small only where all of m*K and I1*I3 are; digits are lost where terms nearly cancel in V = R*omega_tau + v_nu, (I1*I3/m)*V - s*s*omega_tau*(R*I1*(I1 - I3)/m) - v_nu*Theta/m, a part of the divergence" },
     .integral_values = { integral_values, 2, { 1, 12, 7, 1, 0, 0, 7, 5 }, { 9, 35, 0, 3, 0, 0, 12, 6 },
@@ -761,6 +756,8 @@ const jlt_descriptor jlt_kernels_spherical_top_level_balanced_in_regular = {
     .time_factor = { time_factor, 1, { 0, 0, 0, 0, 0, 0, 0, 0 }, { 0, 0, 0, 0, 0, 0, 0, 0 },
         "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

@@ -1,35 +1,38 @@
 /* Spherical top with one nonholonomic constraint, on a level of Jellett's integral
  *
  *  Source:     A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)
- *  Table:      spherical_top_level, SHA-256 a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6
+ *  Table:      spherical_top_level, SHA-256 354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  *
  *  Operations        add  mul  fma  div sqrt elem  depth live   (as the terms stand: flops)
- *  rhs                 4   30   13    1    1    0     17   10   (110)
- *  jacobian            9   61   33    1    1    0     18   27   (567)
- *  rhs_jacobian        9   60   38    1    1    0     18   28   (653)
- *  divergence          3   20   10    1    1    0     12    9   (60)
+ *  rhs                 4   30   13    1    1    0     16   11   (110)
+ *  jacobian            9   60   34    1    1    0     18   26   (567)
+ *  rhs_jacobian        10   61   36    1    1    0     18   24   (653)
+ *  divergence          4   21    9    1    1    0     14    9   (60)
  *  integral_values     4    6    6    1    0    0      8    5   (40)
  *  integral_gradients  6   11    5    1    0    0     10    5   (59)
+ *  observe_values      2   16    9    1    1    0     11    9   (67)
+ *  valid_values        2   16    9    1    1    0     11    9   (67)
  *
  *  Accuracy
  *    divides by s: values and rounding errors grow without bound where it vanishes
  *    divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are
  *    divides by Theta, small only where all of m*K and I1*I3 are
  *    takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes
- *    digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, gamma3*(R*(I1 - I3)) - (I3*a3),
- *      b/R*v_tau*(R*I3) + (R*G)*s, v_tau*s - (G/I1)*b/R, d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1),
- *      a part of d(d(v_tau)/dt)/d(gamma3), (R*G)*gamma3*Theta/m*K*((1)/K*Theta/m*s^2*D/I1)*D/I1*s - v_tau*(R*I3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(v_tau),
- *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R,
- *      v_tau*gamma3*Theta/m*K*((1)/K*Theta/m*s^2*D/I1)*D/I1*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, a part of d(d(omega_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), v_nu - (I1*I3/m)*1/(Theta/m)*V,
- *      a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu),
- *      a part of d(v_tau)/dt, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
- *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau),
- *      d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3),
- *      a part of d(d(omega_tau)/dt)/d(v_tau), d(omega_tau)/dt, d(d(omega_tau)/dt)/d(gamma3)
+ *    digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + (R*G)*s,
+ *      v_tau*s - (G/I1)*b/R, gamma3*(R*(I1 - I3)) - (I3*a3), d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1),
+ *      (R*G)*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*(R*I3), a part of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(v_tau)/dt)/d(gamma3), e = gamma3*a3 + R,
+ *      v_tau*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s + G/I1,
+ *      a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*e + v_nu,
+ *      v_nu - (I1*I3/m)*1/(Theta/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau),
+ *      d(d(v_tau)/dt)/d(v_nu), a part of d(v_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3),
+ *      a part of d(d(omega_tau)/dt)/d(v_tau), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau),
+ *      d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3),
+ *      d(d(omega_tau)/dt)/d(gamma3)
  *    one division serves all denominators: their product may leave the range of double precision where none of
  *    them does, which raises the overflow or underflow exception, or gives an infinity or NaN
  */
@@ -59,7 +62,7 @@ static void prepare(const double *restrict params, double *restrict out)
     out[6] = params[6];
     const double t0 = params[5]*params[5]; /* a3*a3 */
     const double t1 = params[0]*t0; /* m*a3*a3 */
-    out[35] = t1;
+    out[30] = t1;
     const double t2 = t1/params[3]; /* m*a3*a3/I1 */
     out[7] = t2;
     const double t3 = params[1]*params[6]; /* R*G */
@@ -71,8 +74,9 @@ static void prepare(const double *restrict params, double *restrict out)
     const double t7 = t6/params[0]; /* I1*I3/m */
     out[10] = t7;
     const double t8 = params[0]*params[2]; /* m*g */
+    out[37] = t8;
     const double t9 = params[5]*t8; /* a3*m*g */
-    out[37] = t9;
+    out[33] = t9;
     const double t10 = t9/params[3]; /* a3*m*g/I1 */
     out[11] = t10;
     const double t11 = params[1]*params[4]; /* R*I3 */
@@ -113,52 +117,39 @@ static void prepare(const double *restrict params, double *restrict out)
     out[23] = t34;
     const double t35 = params[0]*2.0; /* m*2 */
     const double t36 = t0*t35; /* a3*a3*m*2 */
-    out[32] = t36;
+    out[27] = t36;
     const double t37 = t36/params[3]; /* a3*a3*m*2/I1 */
     out[24] = t37;
-    const double t38 = params[1]*(-2.0); /* R*(-2) */
-    const double t39 = params[4]*t38; /* I3*R*(-2) */
+    const double t38 = params[5]*t6; /* a3*I1*I3 */
+    const double t39 = t38/params[0]; /* a3*I1*I3/m */
     out[25] = t39;
-    const double t40 = params[4]*params[4]; /* I3*I3 */
-    const double t41 = t4*t40; /* R*R*I3*I3 */
-    const double t42 = -t41; /* -R*R*I3*I3 */
+    const double t40 = t5*params[4]; /* I1*R*R*I3 */
+    const double t41 = t16*t40; /* (I1 - I3)*I1*R*R*I3 */
+    const double t42 = t41/params[0]; /* (I1 - I3)*I1*R*R*I3/m */
     out[26] = t42;
-    const double t43 = -t11; /* -R*I3 */
-    out[27] = t43;
-    const double t44 = t5*params[4]; /* I1*R*R*I3 */
-    const double t45 = t16*t44; /* (I1 - I3)*I1*R*R*I3 */
-    const double t46 = t45/params[0]; /* (I1 - I3)*I1*R*R*I3/m */
-    out[28] = t46;
-    const double t47 = params[5]*t6; /* a3*I1*I3 */
-    const double t48 = t47/params[0]; /* a3*I1*I3/m */
-    out[29] = t48;
-    const double t49 = params[1]*t35; /* R*m*2 */
-    const double t50 = params[4]*t49; /* I3*R*m*2 */
-    const double t51 = t0*t50; /* a3*a3*I3*R*m*2 */
-    const double t52 = t51/params[3]; /* a3*a3*I3*R*m*2/I1 */
-    out[30] = t52;
-    const double t53 = t11/2.0; /* R*I3/2 */
-    out[31] = t53;
-    const double t54 = params[4]/t5; /* I3/(I1*R*R) */
-    out[33] = t54;
-    const double t55 = params[0]*t4; /* m*R*R */
-    const double t56 = params[4]/t55; /* I3/(m*R*R) */
-    out[34] = t56;
-    const double t57 = params[1]*t4; /* R*R*R */
-    const double t58 = params[0]*t57; /* m*R*R*R */
-    const double t59 = params[3]*t58; /* I1*m*R*R*R */
-    const double t60 = params[4]/t59; /* I3/(I1*m*R*R*R) */
-    out[36] = t60;
-    const double t61 = params[0]/2.0; /* m/2 */
-    out[38] = t61;
-    const double t62 = params[4]/params[3]; /* I3/I1 */
-    out[39] = t62;
-    const double t63 = params[3]*t55; /* I1*m*R*R */
-    const double t64 = params[6]*params[6]; /* G*G */
-    const double t65 = t64/t63; /* G*G/(I1*m*R*R) */
-    out[40] = t65;
-    const double t66 = t64/t5; /* G*G/(I1*R*R) */
-    out[41] = t66;
+    const double t43 = params[4]/params[3]; /* I3/I1 */
+    out[28] = t43;
+    const double t44 = params[0]*t4; /* m*R*R */
+    const double t45 = params[4]/t44; /* I3/(m*R*R) */
+    out[29] = t45;
+    const double t46 = params[1]*t4; /* R*R*R */
+    const double t47 = params[0]*t46; /* m*R*R*R */
+    const double t48 = params[3]*t47; /* I1*m*R*R*R */
+    const double t49 = params[4]/t48; /* I3/(I1*m*R*R*R) */
+    out[31] = t49;
+    const double t50 = 1.0/t12; /* 1/(I1*R) */
+    out[32] = t50;
+    const double t51 = params[0]/2.0; /* m/2 */
+    out[34] = t51;
+    const double t52 = params[3]*t44; /* I1*m*R*R */
+    const double t53 = params[6]*params[6]; /* G*G */
+    const double t54 = t53/t52; /* G*G/(I1*m*R*R) */
+    out[35] = t54;
+    const double t55 = t53/t5; /* G*G/(I1*R*R) */
+    out[36] = t55;
+    const double t56 = params[0]*params[3]; /* m*I1 */
+    const double t57 = params[5]*t56; /* a3*m*I1 */
+    out[38] = t57;
 }
 
 static void rhs(const double *restrict x, const double *restrict p, double *restrict out)
@@ -190,30 +181,30 @@ static void rhs(const double *restrict x, const double *restrict p, double *rest
     const double t24 = t19*t23; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*1/K*(v_tau*I3*b + R*G*s) */
     const double t25 = x[3]*t24; /* v_tau*t24 */
     out[1] = t25;
-    const double t26 = x[2]*t17; /* omega_tau*s */
-    out[0] = t26;
-    const double t27 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t28 = t26*t27; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t29 = JLT_FNMA(t23, t24, t28); /* omega_tau*s*omega_tau*m*a3^2/I1 - 1/K*(v_tau*I3*b + R*G*s)*t24 */
-    const double t30 = x[0]*t29; /* gamma3*t29 */
-    const double t31 = p[12]*t23; /* R*I3*1/K*(v_tau*I3*b + R*G*s) */
-    const double t32 = JLT_FNMA(p[11], t17, t30); /* gamma3*t29 - m*g*a3/I1*s */
-    const double t33 = x[3]*t17; /* v_tau*s */
-    const double t34 = JLT_FNMA(p[13], t3, t33); /* v_tau*s - G/(R*I1)*b */
-    const double t35 = t14*t34; /* 1/K*(v_tau*s - G/(R*I1)*b) */
-    const double t36 = JLT_FNMA(t31, t35, t32); /* gamma3*t29 - m*g*a3/I1*s - R*I3*1/K*(v_tau*I3*b + R*G*s)*1/K*(v_tau*s - G/(R*I1)*b) */
-    const double t37 = t20*t36; /* s^2*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*t36 */
-    out[2] = t37;
-    const double t38 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t39 = JLT_FMA(x[2], t38, x[1]); /* V = omega_tau*e + v_nu */
-    const double t40 = p[10]*t39; /* I1*I3/m*V */
-    const double t41 = JLT_FNMA(t16, t40, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
-    const double t42 = t24*t41; /* t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t26 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t27 = JLT_FMA(x[2], t26, x[1]); /* V = omega_tau*e + v_nu */
+    const double t28 = p[10]*t27; /* I1*I3/m*V */
+    const double t29 = JLT_FNMA(t16, t28, x[1]); /* v_nu - 1/(Theta/m)*I1*I3/m*V */
+    const double t30 = t24*t29; /* t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t31 = x[0]*t24; /* gamma3*t24 */
+    const double t32 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t33 = x[0]*t32; /* gamma3*omega_tau*m*a3^2/I1 */
+    const double t34 = x[3]*t17; /* v_tau*s */
+    const double t35 = JLT_FNMA(p[13], t3, t34); /* v_tau*s - G/(R*I1)*b */
+    const double t36 = t14*t35; /* 1/K*(v_tau*s - G/(R*I1)*b) */
+    const double t37 = JLT_FMA(p[12], t36, t31); /* R*I3*1/K*(v_tau*s - G/(R*I1)*b) + gamma3*t24 */
+    const double t38 = x[2]*t17; /* omega_tau*s */
+    out[0] = t38;
+    const double t39 = t33*t38; /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s */
+    const double t40 = JLT_FNMA(p[11], t17, t39); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s */
+    const double t41 = JLT_FNMA(t23, t37, t40); /* gamma3*omega_tau*m*a3^2/I1*omega_tau*s - m*g*a3/I1*s - 1/K*(v_tau*I3*b + R*G*s)*(R*I3*1/K*(v_tau*s - G/(R*I1)*b) + gamma3*t24) */
+    const double t42 = t20*t41; /* s^2*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*t41 */
+    out[2] = t42;
     const double t43 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
     const double t44 = x[2]*p[14]; /* omega_tau*R*I1*I3/m */
     const double t45 = t43*t44; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
     const double t46 = t16*t45; /* 1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m */
-    const double t47 = JLT_FMA(t35, t46, t42); /* 1/K*(v_tau*s - G/(R*I1)*b)*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m + t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
+    const double t47 = JLT_FMA(t36, t46, t30); /* 1/K*(v_tau*s - G/(R*I1)*b)*1/(Theta/m)*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*R*I1*I3/m + t24*(v_nu - 1/(Theta/m)*I1*I3/m*V) */
     const double t48 = -t47; /* -t47 */
     out[3] = t48;
 }
@@ -225,121 +216,121 @@ static void jacobian(const double *restrict x, const double *restrict p, double 
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
     const double t3 = sqrt(t2); /* s = sqrt(s^2) */
     out[2] = t3;
-    const double t4 = t2*p[9]; /* s^2*R^2*I1 */
-    const double t5 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
-    const double t6 = p[17]*t5; /* R^2*I3*b/R */
-    const double t7 = JLT_FMA(t5, t6, t4); /* K = b/R*R^2*I3*b/R + s^2*R^2*I1 */
-    const double t8 = t7 + p[10]; /* Theta/m = K + I1*I3/m */
-    const double t9 = t2*t8; /* s^2*Theta/m */
-    const double t10 = JLT_FMA(t2, p[7], 1.0); /* D/I1 = s^2*m*a3^2/I1 + 1 */
-    const double t11 = t7*t10; /* K*D/I1 */
-    const double t12 = t9*t11; /* s^2*Theta/m*K*D/I1 */
-    const double t13 = 1.0/t12; /* 1/(s^2*Theta/m*K*D/I1) */
-    const double t14 = t11*t13; /* K*D/I1*1/(s^2*Theta/m*K*D/I1) */
-    const double t15 = t3*t8; /* s*Theta/m */
-    const double t16 = t14*t15; /* K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m */
-    const double t17 = x[0]*t16; /* gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m */
-    const double t18 = x[2]*t17; /* omega_tau*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m */
-    const double t19 = -t18; /* -omega_tau*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m */
-    out[0] = t19;
+    const double t4 = JLT_FMA(t2, p[7], 1.0); /* D/I1 = s^2*m*a3^2/I1 + 1 */
+    const double t5 = t2*p[9]; /* s^2*R^2*I1 */
+    const double t6 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
+    const double t7 = p[17]*t6; /* R^2*I3*b/R */
+    const double t8 = JLT_FMA(t6, t7, t5); /* K = b/R*R^2*I3*b/R + s^2*R^2*I1 */
+    const double t9 = t8 + p[10]; /* Theta/m = K + I1*I3/m */
+    const double t10 = t2*t4; /* s^2*D/I1 */
+    const double t11 = t8*t10; /* K*s^2*D/I1 */
+    const double t12 = t9*t11; /* Theta/m*K*s^2*D/I1 */
+    const double t13 = 1.0/t12; /* 1/(Theta/m*K*s^2*D/I1) */
+    const double t14 = t9*t13; /* Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t15 = t8*t14; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t16 = t3*t4; /* s*D/I1 */
+    const double t17 = t15*t16; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1 */
+    const double t18 = x[0]*t17; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1 */
+    const double t19 = x[2]*t18; /* omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1 */
+    const double t20 = -t19; /* -omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1 */
+    out[0] = t20;
     out[1] = 0.0;
     out[3] = 0.0;
     out[5] = 0.0;
     out[6] = 0.0;
     out[9] = 0.0;
-    const double t20 = t5*p[12]; /* b/R*R*I3 */
-    const double t21 = x[3]*t20; /* v_tau*b/R*R*I3 */
-    const double t22 = JLT_FMA(t3, p[8], t21); /* s*R*G + v_tau*b/R*R*I3 */
-    const double t23 = t9*t13; /* s^2*Theta/m*1/(s^2*Theta/m*K*D/I1) */
-    const double t24 = t10*t23; /* 1/K = D/I1*s^2*Theta/m*1/(s^2*Theta/m*K*D/I1) */
-    const double t25 = t22*t24; /* (s*R*G + v_tau*b/R*R*I3)*1/K */
-    const double t26 = t16*t25; /* K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*(s*R*G + v_tau*b/R*R*I3)*1/K */
-    const double t27 = t16*t26; /* K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*t26 */
-    const double t28 = t17*t27; /* gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*t26 */
-    const double t29 = t17*p[8]; /* gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*R*G */
-    const double t30 = JLT_FNMA(x[3], p[12], t29); /* gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*R*G - v_tau*R*I3 */
-    const double t31 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
-    const double t32 = JLT_FMS(t5, p[20], t31); /* d(K)/d(gamma3) = b/R*2*R^2*I3 - gamma3*2*R^2*I1 */
-    const double t33 = t25*t32; /* (s*R*G + v_tau*b/R*R*I3)*1/K*d(K)/d(gamma3) */
-    const double t34 = t30 + t33; /* t30 + (s*R*G + v_tau*b/R*R*I3)*1/K*d(K)/d(gamma3) */
-    const double t35 = t16*t24; /* K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*1/K */
-    const double t36 = JLT_FNMA(t34, t35, t28); /* t28 - (t30 + (s*R*G + v_tau*b/R*R*I3)*1/K*d(K)/d(gamma3))*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*1/K */
-    const double t37 = x[3]*t36; /* v_tau*t36 */
-    out[4] = t37;
-    const double t38 = JLT_FMA(t21, t35, t26); /* v_tau*b/R*R*I3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*1/K + t26 */
-    out[7] = t38;
-    const double t39 = t7*t23; /* 1/(D/I1) = K*s^2*Theta/m*1/(s^2*Theta/m*K*D/I1) */
-    const double t40 = x[0]*t39; /* gamma3*1/(D/I1) */
-    const double t41 = t16*p[11]; /* K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*m*g*a3/I1 */
-    const double t42 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t43 = x[2]*t3; /* omega_tau*s */
-    const double t44 = t40*t43; /* gamma3*1/(D/I1)*omega_tau*s */
-    const double t45 = x[2]*p[21]; /* omega_tau*2*m^2*a3^4/I1^2 */
-    const double t46 = t3*p[22]; /* s*2*m^2*g*a3^3/I1^2 */
-    const double t47 = JLT_FNMA(t39, t46, t41); /* K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*m*g*a3/I1 - 1/(D/I1)*s*2*m^2*g*a3^3/I1^2 */
-    const double t48 = JLT_FNMA(t18, t42, t47); /* t47 - omega_tau*gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*omega_tau*m*a3^2/I1 */
-    const double t49 = JLT_FMA(t44, t45, t48); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 + t48 */
-    const double t50 = t40*t49; /* gamma3*1/(D/I1)*(gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 + t48) */
-    const double t51 = t42*t43; /* omega_tau*m*a3^2/I1*omega_tau*s */
-    const double t52 = JLT_FNMA(t26, t27, t51); /* omega_tau*m*a3^2/I1*omega_tau*s - t26*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*t26 */
-    const double t53 = p[7]*t22; /* m*a3^2/I1*(s*R*G + v_tau*b/R*R*I3) */
-    const double t54 = JLT_FMS(t40, t53, t33); /* gamma3*1/(D/I1)*m*a3^2/I1*(s*R*G + v_tau*b/R*R*I3) - (s*R*G + v_tau*b/R*R*I3)*1/K*d(K)/d(gamma3) */
-    const double t55 = t30 - t54; /* t30 - t54 */
-    const double t56 = t24*t40; /* 1/K*gamma3*1/(D/I1) */
-    const double t57 = t26*t56; /* t26*1/K*gamma3*1/(D/I1) */
-    const double t58 = 2.0*t57; /* 2*t26*1/K*gamma3*1/(D/I1) */
-    const double t59 = JLT_FMA(t17, x[3], p[23]); /* gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*v_tau + G/I1 */
-    const double t60 = t23*t25; /* s^2*Theta/m*1/(s^2*Theta/m*K*D/I1)*(s*R*G + v_tau*b/R*R*I3)*1/K */
-    const double t61 = t59*t60; /* (gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*v_tau + G/I1)*t60 */
-    const double t62 = t3*x[3]; /* s*v_tau */
-    const double t63 = JLT_FNMA(t5, p[23], t62); /* s*v_tau - b/R*G/I1 */
-    const double t64 = t24*t63; /* 1/K*(s*v_tau - b/R*G/I1) */
-    const double t65 = t23*t64; /* s^2*Theta/m*1/(s^2*Theta/m*K*D/I1)*1/K*(s*v_tau - b/R*G/I1) */
-    const double t66 = JLT_FNMA(2.0, t54, t30); /* t30 - 2*t54 */
-    const double t67 = JLT_FMA(t65, t66, t61); /* s^2*Theta/m*1/(s^2*Theta/m*K*D/I1)*1/K*(s*v_tau - b/R*G/I1)*(t30 - 2*t54) + t61 */
-    const double t68 = JLT_FMA(t55, t58, t50); /* (t30 - t54)*2*t26*1/K*gamma3*1/(D/I1) + t50 */
-    const double t69 = JLT_FMA(t39, t52, t68); /* 1/(D/I1)*t52 + (t30 - t54)*2*t26*1/K*gamma3*1/(D/I1) + t50 */
-    const double t70 = JLT_FMA(p[12], t67, t69); /* R*I3*t67 + 1/(D/I1)*t52 + (t30 - t54)*2*t26*1/K*gamma3*1/(D/I1) + t50 */
-    out[8] = t70;
-    const double t71 = t44*p[24]; /* gamma3*1/(D/I1)*omega_tau*s*2*m*a3^2/I1 */
-    out[10] = t71;
-    const double t72 = t5*p[25]; /* b/R*(-2*R*I3) */
-    const double t73 = t5*p[26]; /* b/R*(-R^2*I3^2) */
-    const double t74 = t65*t73; /* s^2*Theta/m*1/(s^2*Theta/m*K*D/I1)*1/K*(s*v_tau - b/R*G/I1)*b/R*(-R^2*I3^2) */
-    const double t75 = t3*p[27]; /* s*(-R*I3) */
-    const double t76 = JLT_FMA(t60, t75, t74); /* t60*s*(-R*I3) + t74 */
-    const double t77 = JLT_FMA(t57, t72, t76); /* t26*1/K*gamma3*1/(D/I1)*b/R*(-2*R*I3) + t60*s*(-R*I3) + t74 */
+    const double t21 = t3*p[8]; /* s*R*G */
+    const double t22 = x[3]*p[12]; /* v_tau*R*I3 */
+    const double t23 = JLT_FMA(t6, t22, t21); /* b/R*v_tau*R*I3 + s*R*G */
+    const double t24 = t10*t14; /* 1/K = s^2*D/I1*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t25 = t23*t24; /* (b/R*v_tau*R*I3 + s*R*G)*1/K */
+    const double t26 = t17*t25; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*(b/R*v_tau*R*I3 + s*R*G)*1/K */
+    const double t27 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
+    const double t28 = JLT_FMS(t6, p[20], t27); /* d(K)/d(gamma3) = b/R*2*R^2*I3 - gamma3*2*R^2*I1 */
+    const double t29 = t24*t25; /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K */
+    const double t30 = JLT_FMS(t18, p[8], t22); /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*R*G - v_tau*R*I3 */
+    const double t31 = t24*t30; /* 1/K*t30 */
+    const double t32 = JLT_FMA(t28, t29, t31); /* d(K)/d(gamma3)*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K + 1/K*t30 */
+    const double t33 = JLT_FMS(t18, t26, t32); /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*t26 - (d(K)/d(gamma3)*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K + 1/K*t30) */
+    const double t34 = t17*t33; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*t33 */
+    const double t35 = x[3]*t34; /* v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*t33 */
+    out[4] = t35;
+    const double t36 = t6*p[12]; /* b/R*R*I3 */
+    const double t37 = t24*t36; /* 1/K*b/R*R*I3 */
+    const double t38 = t17*t37; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*1/K*b/R*R*I3 */
+    const double t39 = JLT_FMA(x[3], t38, t26); /* v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*1/K*b/R*R*I3 + t26 */
+    out[7] = t39;
+    const double t40 = t2*t15; /* 1/(D/I1) = s^2*K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t41 = t3*t40; /* s*1/(D/I1) */
+    const double t42 = x[0]*t40; /* gamma3*1/(D/I1) */
+    const double t43 = JLT_FNMA(t18, t42, t41); /* s*1/(D/I1) - gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*gamma3*1/(D/I1) */
+    const double t44 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t45 = x[2]*t44; /* omega_tau*omega_tau*m*a3^2/I1 */
+    const double t46 = t43*t45; /* t43*omega_tau*omega_tau*m*a3^2/I1 */
+    const double t47 = t17*p[11]; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*m*g*a3/I1 */
+    const double t48 = x[2]*t3; /* omega_tau*s */
+    const double t49 = t42*t48; /* gamma3*1/(D/I1)*omega_tau*s */
+    const double t50 = x[2]*p[21]; /* omega_tau*2*m^2*a3^4/I1^2 */
+    const double t51 = t25*t42; /* (b/R*v_tau*R*I3 + s*R*G)*1/K*gamma3*1/(D/I1) */
+    const double t52 = JLT_FMS(p[7], t51, t32); /* m*a3^2/I1*(b/R*v_tau*R*I3 + s*R*G)*1/K*gamma3*1/(D/I1) - (d(K)/d(gamma3)*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K + 1/K*t30) */
+    const double t53 = t26*2.0; /* t26*2 */
+    const double t54 = JLT_FNMA(t41, p[22], t47); /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*m*g*a3/I1 - s*1/(D/I1)*2*m^2*g*a3^3/I1^2 */
+    const double t55 = JLT_FMA(t49, t50, t54); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 + t54 */
+    const double t56 = JLT_FNMA(t52, t53, t55); /* gamma3*1/(D/I1)*omega_tau*s*omega_tau*2*m^2*a3^4/I1^2 + t54 - t52*t26*2 */
+    const double t57 = t17*t40; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*1/(D/I1) */
+    const double t58 = t26*t26; /* t26*t26 */
+    const double t59 = JLT_FMA(t18, x[3], p[23]); /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*v_tau + G/I1 */
+    const double t60 = t3*x[3]; /* s*v_tau */
+    const double t61 = JLT_FNMA(t6, p[23], t60); /* s*v_tau - b/R*G/I1 */
+    const double t62 = t24*t61; /* 1/K*(s*v_tau - b/R*G/I1) */
+    const double t63 = t28*t62; /* d(K)/d(gamma3)*1/K*(s*v_tau - b/R*G/I1) */
+    const double t64 = JLT_FMA(2.0, t63, t59); /* 2*d(K)/d(gamma3)*1/K*(s*v_tau - b/R*G/I1) + gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*v_tau + G/I1 */
+    const double t65 = p[12]*t40; /* R*I3*1/(D/I1) */
+    const double t66 = t29*t65; /* 1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K*R*I3*1/(D/I1) */
+    const double t67 = t62*t65; /* 1/K*(s*v_tau - b/R*G/I1)*R*I3*1/(D/I1) */
+    const double t68 = JLT_FNMA(t51, p[24], t31); /* 1/K*t30 - (b/R*v_tau*R*I3 + s*R*G)*1/K*gamma3*1/(D/I1)*2*m*a3^2/I1 */
+    const double t69 = JLT_FNMA(t57, t58, t46); /* t43*omega_tau*omega_tau*m*a3^2/I1 - K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*1/(D/I1)*t26*t26 */
+    const double t70 = JLT_FMA(t64, t66, t69); /* t64*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K*R*I3*1/(D/I1) + t69 */
+    const double t71 = JLT_FMA(t67, t68, t70); /* 1/K*(s*v_tau - b/R*G/I1)*R*I3*1/(D/I1)*t68 + t64*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K*R*I3*1/(D/I1) + t69 */
+    const double t72 = JLT_FMA(t42, t56, t71); /* gamma3*1/(D/I1)*t56 + t71 */
+    out[8] = t72;
+    const double t73 = t49*p[24]; /* gamma3*1/(D/I1)*omega_tau*s*2*m*a3^2/I1 */
+    out[10] = t73;
+    const double t74 = JLT_FMA(t42, t53, t67); /* gamma3*1/(D/I1)*t26*2 + 1/K*(s*v_tau - b/R*G/I1)*R*I3*1/(D/I1) */
+    const double t75 = t37*t74; /* 1/K*b/R*R*I3*t74 */
+    const double t76 = JLT_FMA(t3, t66, t75); /* s*1/K*(b/R*v_tau*R*I3 + s*R*G)*1/K*R*I3*1/(D/I1) + 1/K*b/R*R*I3*t74 */
+    const double t77 = -t76; /* -t76 */
     out[11] = t77;
     const double t78 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
     const double t79 = JLT_FMA(x[2], t78, x[1]); /* V = omega_tau*e + v_nu */
-    const double t80 = t2*t14; /* 1/(Theta/m) = s^2*K*D/I1*1/(s^2*Theta/m*K*D/I1) */
+    const double t80 = t11*t13; /* 1/(Theta/m) = K*s^2*D/I1*1/(Theta/m*K*s^2*D/I1) */
     const double t81 = p[10]*t80; /* I1*I3/m*1/(Theta/m) */
     const double t82 = JLT_FNMA(t79, t81, x[1]); /* v_nu - V*I1*I3/m*1/(Theta/m) */
-    const double t83 = t36*t82; /* t36*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    const double t84 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t85 = p[14]*t84; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t86 = t24*t85; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t87 = JLT_FMA(t80, t85, t86); /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t88 = JLT_FNMA(t32, t87, p[28]); /* R^2*I1*I3*(I1 - I3)/m - d(K)/d(gamma3)*t87 */
-    const double t89 = t26*p[29]; /* t26*I1*I3*a3/m */
-    const double t90 = JLT_FMA(t59, t86, t89); /* (gamma3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*v_tau + G/I1)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + t26*I1*I3*a3/m */
-    const double t91 = JLT_FNMA(t64, t88, t90); /* t90 - 1/K*(s*v_tau - b/R*G/I1)*(R^2*I1*I3*(I1 - I3)/m - d(K)/d(gamma3)*t87) */
-    const double t92 = x[2]*t91; /* omega_tau*t91 */
-    const double t93 = t26*t81; /* t26*I1*I3/m*1/(Theta/m) */
-    const double t94 = t32*t79; /* d(K)/d(gamma3)*V */
-    const double t95 = JLT_FNMA(t93, t94, t92); /* omega_tau*t91 - t26*I1*I3/m*1/(Theta/m)*d(K)/d(gamma3)*V */
-    const double t96 = JLT_FMS(t80, t95, t83); /* 1/(Theta/m)*(omega_tau*t91 - t26*I1*I3/m*1/(Theta/m)*d(K)/d(gamma3)*V) - t36*(v_nu - V*I1*I3/m*1/(Theta/m)) */
-    out[12] = t96;
-    const double t97 = t93 - t26; /* t26*I1*I3/m*1/(Theta/m) - t26 */
-    out[13] = t97;
-    const double t98 = t78*t93; /* e*t26*I1*I3/m*1/(Theta/m) */
-    const double t99 = t80*t86; /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t100 = JLT_FNMA(t63, t99, t98); /* e*t26*I1*I3/m*1/(Theta/m) - (s*v_tau - b/R*G/I1)*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t83 = t34*t82; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*t33*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t84 = t59 + t63; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*v_tau + G/I1 + d(K)/d(gamma3)*1/K*(s*v_tau - b/R*G/I1) */
+    const double t85 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t86 = p[14]*t85; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t87 = t24*t86; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t88 = t80*t86; /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t89 = t63*t88; /* d(K)/d(gamma3)*1/K*(s*v_tau - b/R*G/I1)*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t90 = JLT_FNMA(t62, p[26], t89); /* t89 - 1/K*(s*v_tau - b/R*G/I1)*R^2*I1*I3*(I1 - I3)/m */
+    const double t91 = JLT_FMA(t26, p[25], t90); /* t26*I1*I3*a3/m + t89 - 1/K*(s*v_tau - b/R*G/I1)*R^2*I1*I3*(I1 - I3)/m */
+    const double t92 = JLT_FMA(t84, t87, t91); /* t84*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + t91 */
+    const double t93 = x[2]*t92; /* omega_tau*(t84*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + t91) */
+    const double t94 = t26*t81; /* t26*I1*I3/m*1/(Theta/m) */
+    const double t95 = t28*t79; /* d(K)/d(gamma3)*V */
+    const double t96 = JLT_FNMA(t94, t95, t93); /* t93 - t26*I1*I3/m*1/(Theta/m)*d(K)/d(gamma3)*V */
+    const double t97 = JLT_FMS(t80, t96, t83); /* 1/(Theta/m)*(t93 - t26*I1*I3/m*1/(Theta/m)*d(K)/d(gamma3)*V) - t83 */
+    out[12] = t97;
+    const double t98 = t94 - t26; /* t26*I1*I3/m*1/(Theta/m) - t26 */
+    out[13] = t98;
+    const double t99 = t78*t94; /* e*t26*I1*I3/m*1/(Theta/m) */
+    const double t100 = JLT_FNMA(t62, t88, t99); /* e*t26*I1*I3/m*1/(Theta/m) - 1/K*(s*v_tau - b/R*G/I1)*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
     out[14] = t100;
-    const double t101 = t20*t35; /* b/R*R*I3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*1/K */
-    const double t102 = t82*t101; /* (v_nu - V*I1*I3/m*1/(Theta/m))*b/R*R*I3*K*D/I1*1/(s^2*Theta/m*K*D/I1)*s*Theta/m*1/K */
-    const double t103 = JLT_FMA(t43, t99, t102); /* omega_tau*s*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + t102 */
-    const double t104 = -t103; /* -t103 */
+    const double t101 = t38*t82; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*s*D/I1*1/K*b/R*R*I3*(v_nu - V*I1*I3/m*1/(Theta/m)) */
+    const double t102 = t48*t88; /* omega_tau*s*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t103 = JLT_FMA(t24, t102, t101); /* 1/K*t102 + t101 */
+    const double t104 = -t103; /* -(1/K*t102 + t101) */
     out[15] = t104;
 }
 
@@ -354,126 +345,126 @@ static void rhs_jacobian(const double *restrict x, const double *restrict p, dou
     const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(1 + gamma3) */
     const double t3 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
-    const double t4 = p[9]*t2; /* R^2*I1*s^2 */
-    const double t5 = p[17]*t3; /* R^2*I3*b/R */
-    const double t6 = JLT_FMA(t3, t5, t4); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
-    const double t7 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
-    const double t8 = p[10] + t6; /* Theta/m = I1*I3/m + K */
-    const double t9 = t2*t7; /* s^2*D/I1 */
-    const double t10 = t8*t9; /* Theta/m*s^2*D/I1 */
-    const double t11 = t6*t10; /* K*Theta/m*s^2*D/I1 */
-    const double t12 = 1.0/t11; /* 1/(K*Theta/m*s^2*D/I1) */
-    const double t13 = t10*t12; /* 1/K = Theta/m*s^2*D/I1*1/(K*Theta/m*s^2*D/I1) */
-    const double t14 = t6*t12; /* K*1/(K*Theta/m*s^2*D/I1) */
-    const double t15 = t8*t14; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1) */
-    const double t16 = t9*t14; /* 1/(Theta/m) = s^2*D/I1*K*1/(K*Theta/m*s^2*D/I1) */
+    const double t4 = JLT_FMA(p[7], t2, 1.0); /* D/I1 = m*a3^2/I1*s^2 + 1 */
+    const double t5 = p[9]*t2; /* R^2*I1*s^2 */
+    const double t6 = p[17]*t3; /* R^2*I3*b/R */
+    const double t7 = JLT_FMA(t3, t6, t5); /* K = b/R*R^2*I3*b/R + R^2*I1*s^2 */
+    const double t8 = t2*t4; /* s^2*D/I1 */
+    const double t9 = p[10] + t7; /* Theta/m = I1*I3/m + K */
+    const double t10 = t7*t8; /* K*s^2*D/I1 */
+    const double t11 = t9*t10; /* Theta/m*K*s^2*D/I1 */
+    const double t12 = 1.0/t11; /* 1/(Theta/m*K*s^2*D/I1) */
+    const double t13 = t9*t12; /* Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t14 = t10*t12; /* 1/(Theta/m) = K*s^2*D/I1*1/(Theta/m*K*s^2*D/I1) */
+    const double t15 = t8*t13; /* 1/K = s^2*D/I1*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t16 = t7*t13; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
     const double t17 = sqrt(t2); /* s = sqrt(s^2) */
     out[6] = t17;
-    const double t18 = t7*t17; /* D/I1*s */
-    const double t19 = t15*t18; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s */
-    const double t20 = t2*t15; /* 1/(D/I1) = s^2*Theta/m*K*1/(K*Theta/m*s^2*D/I1) */
-    const double t21 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t22 = p[14]*t21; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t23 = t13*t22; /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t24 = p[8]*t17; /* R*G*s */
-    const double t25 = x[3]*p[12]; /* v_tau*R*I3 */
-    const double t26 = JLT_FMA(t3, t25, t24); /* b/R*v_tau*R*I3 + R*G*s */
-    const double t27 = t13*t26; /* 1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t28 = x[3]*t17; /* v_tau*s */
-    const double t29 = JLT_FNMA(p[23], t3, t28); /* v_tau*s - G/I1*b/R */
+    const double t18 = t4*t17; /* D/I1*s */
+    const double t19 = t16*t18; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t20 = t2*t16; /* 1/(D/I1) = s^2*K*Theta/m*1/(Theta/m*K*s^2*D/I1) */
+    const double t21 = p[8]*t17; /* R*G*s */
+    const double t22 = x[3]*p[12]; /* v_tau*R*I3 */
+    const double t23 = JLT_FMA(t3, t22, t21); /* b/R*v_tau*R*I3 + R*G*s */
+    const double t24 = t15*t23; /* 1/K*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t25 = x[3]*t17; /* v_tau*s */
+    const double t26 = JLT_FNMA(p[23], t3, t25); /* v_tau*s - G/I1*b/R */
+    const double t27 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t28 = p[14]*t27; /* R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t29 = t14*t28; /* 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
     const double t30 = x[0]*p[19]; /* gamma3*2*R^2*I1 */
     const double t31 = JLT_FMS(p[20], t3, t30); /* d(K)/d(gamma3) = 2*R^2*I3*b/R - gamma3*2*R^2*I1 */
-    const double t32 = t13*t29; /* 1/K*(v_tau*s - G/I1*b/R) */
-    const double t33 = JLT_FNMA(t23, t31, p[28]); /* R^2*I1*I3*(I1 - I3)/m - 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*d(K)/d(gamma3) */
-    const double t34 = t32*t33; /* 1/K*(v_tau*s - G/I1*b/R)*t33 */
-    const double t35 = t20*t32; /* 1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) */
-    const double t36 = x[2]*t17; /* omega_tau*s */
-    out[0] = t36;
-    const double t37 = t17*t20; /* s*1/(D/I1) */
-    const double t38 = t19*t27; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
-    const double t39 = JLT_FMS(p[29], t38, t34); /* I1*I3*a3/m*t38 - 1/K*(v_tau*s - G/I1*b/R)*t33 */
-    const double t40 = x[3]*t38; /* v_tau*t38 */
-    out[1] = t40;
-    const double t41 = x[0]*t20; /* gamma3*1/(D/I1) */
-    const double t42 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
-    const double t43 = t16*t23; /* 1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t44 = t29*t43; /* (v_tau*s - G/I1*b/R)*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
-    const double t45 = x[0]*t19; /* gamma3*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s */
-    const double t46 = JLT_FMS(p[8], t45, t25); /* R*G*gamma3*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s - v_tau*R*I3 */
-    const double t47 = p[11]*t19; /* m*g*a3/I1*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s */
-    const double t48 = JLT_FMS(p[22], t37, t47); /* 2*m^2*g*a3^3/I1^2*s*1/(D/I1) - m*g*a3/I1*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s */
-    const double t49 = t27*t35; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) */
-    const double t50 = JLT_FMA(p[30], t49, t48); /* 2*m*R*I3*a3^2/I1*t49 + t48 */
-    const double t51 = t38*t41; /* t38*gamma3*1/(D/I1) */
-    const double t52 = JLT_FMA(p[31], t35, t51); /* 1/2*R*I3*1/(D/I1)*1/K*(v_tau*s - G/I1*b/R) + t38*gamma3*1/(D/I1) */
-    const double t53 = t27*t51; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*t38*gamma3*1/(D/I1) */
-    const double t54 = JLT_FMA(p[12], t49, t53); /* R*I3*t49 + 1/K*(b/R*v_tau*R*I3 + R*G*s)*t38*gamma3*1/(D/I1) */
-    const double t55 = JLT_FMA(p[24], t53, t50); /* 2*m*a3^2/I1*1/K*(b/R*v_tau*R*I3 + R*G*s)*t38*gamma3*1/(D/I1) + 2*m*R*I3*a3^2/I1*t49 + t48 */
-    const double t56 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t57 = p[10]*t16; /* I1*I3/m*1/(Theta/m) */
-    const double t58 = t19*t38; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*t38 */
-    const double t59 = p[12]*t13; /* R*I3*1/K */
-    const double t60 = t3*t59; /* b/R*R*I3*1/K */
-    const double t61 = t27*t59; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K */
-    const double t62 = t36*t42; /* omega_tau*s*omega_tau*m*a3^2/I1 */
-    const double t63 = JLT_FNMA(t38, t58, t62); /* omega_tau*s*omega_tau*m*a3^2/I1 - t38*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*t38 */
-    const double t64 = t45*t58; /* gamma3*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*t38 */
-    const double t65 = JLT_FMA(x[3], t45, p[23]); /* v_tau*gamma3*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s + G/I1 */
-    const double t66 = JLT_FMA(t23, t65, t39); /* 1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*(v_tau*gamma3*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s + G/I1) + I1*I3*a3/m*t38 - 1/K*(v_tau*s - G/I1*b/R)*t33 */
-    const double t67 = JLT_FMA(t61, t65, t63); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s + G/I1) + t63 */
-    const double t68 = t20*t67; /* 1/(D/I1)*t67 */
-    const double t69 = x[2]*t66; /* omega_tau*t66 */
-    const double t70 = t36*t41; /* omega_tau*s*gamma3*1/(D/I1) */
-    const double t71 = p[24]*t70; /* 2*m*a3^2/I1*omega_tau*s*gamma3*1/(D/I1) */
-    out[14] = t71;
-    const double t72 = x[2]*t44; /* omega_tau*t44 */
-    const double t73 = JLT_FMA(x[2], t56, x[1]); /* V = omega_tau*e + v_nu */
-    const double t74 = t42*t45; /* omega_tau*m*a3^2/I1*gamma3*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s */
-    const double t75 = JLT_FNMA(p[21], t70, t74); /* t74 - 2*m^2*a3^4/I1^2*omega_tau*s*gamma3*1/(D/I1) */
-    const double t76 = JLT_FMA(x[2], t75, t55); /* omega_tau*(t74 - 2*m^2*a3^4/I1^2*omega_tau*s*gamma3*1/(D/I1)) + t55 */
-    const double t77 = JLT_FNMA(t41, t76, t68); /* 1/(D/I1)*t67 - gamma3*1/(D/I1)*t76 */
-    const double t78 = x[2]*t45; /* omega_tau*gamma3*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s */
-    const double t79 = -t78; /* -omega_tau*gamma3*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s */
-    out[4] = t79;
-    const double t80 = t38*t57; /* t38*I1*I3/m*1/(Theta/m) */
-    const double t81 = JLT_FMS(t56, t80, t44); /* e*t38*I1*I3/m*1/(Theta/m) - t44 */
-    out[18] = t81;
-    const double t82 = JLT_FNMA(t57, t73, x[1]); /* v_nu - I1*I3/m*1/(Theta/m)*V */
-    const double t83 = JLT_FMS(t73, t80, t72); /* V*t38*I1*I3/m*1/(Theta/m) - omega_tau*t44 */
-    const double t84 = JLT_FNMA(t31, t83, t69); /* omega_tau*t66 - d(K)/d(gamma3)*(V*t38*I1*I3/m*1/(Theta/m) - omega_tau*t44) */
-    const double t85 = t16*t84; /* 1/(Theta/m)*t84 */
-    const double t86 = t80 - t38; /* t38*I1*I3/m*1/(Theta/m) - t38 */
-    out[17] = t86;
-    const double t87 = JLT_FMA(t38, t82, t72); /* t38*(v_nu - I1*I3/m*1/(Theta/m)*V) + omega_tau*t44 */
-    const double t88 = -t87; /* -(t38*(v_nu - I1*I3/m*1/(Theta/m)*V) + omega_tau*t44) */
-    out[3] = t88;
-    const double t89 = t19*t46; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*t46 */
-    const double t90 = t19*t60; /* Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K */
-    const double t91 = 2.0*t60; /* 2*b/R*R*I3*1/K */
-    const double t92 = JLT_FMA(t31, t38, t89); /* d(K)/d(gamma3)*t38 + Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*t46 */
-    const double t93 = JLT_FNMA(t13, t92, t64); /* t64 - 1/K*t92 */
-    const double t94 = JLT_FMA(x[3], t90, t38); /* v_tau*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K + t38 */
-    out[11] = t94;
-    const double t95 = JLT_FNMA(t82, t93, t85); /* 1/(Theta/m)*t84 - (v_nu - I1*I3/m*1/(Theta/m)*V)*(t64 - 1/K*t92) */
-    out[16] = t95;
-    const double t96 = t82*t90; /* (v_nu - I1*I3/m*1/(Theta/m)*V)*Theta/m*K*1/(K*Theta/m*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K */
-    const double t97 = JLT_FMA(t36, t43, t96); /* omega_tau*s*1/(Theta/m)*1/K*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) + t96 */
-    const double t98 = x[3]*t93; /* v_tau*(t64 - 1/K*t92) */
-    out[8] = t98;
+    const double t32 = p[12]*t15; /* R*I3*1/K */
+    const double t33 = t3*t32; /* b/R*R*I3*1/K */
+    const double t34 = t19*t24; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*(b/R*v_tau*R*I3 + R*G*s) */
+    const double t35 = x[3]*t34; /* v_tau*t34 */
+    out[1] = t35;
+    const double t36 = x[0]*t20; /* gamma3*1/(D/I1) */
+    const double t37 = t26*t32; /* (v_tau*s - G/I1*b/R)*R*I3*1/K */
+    const double t38 = t20*t37; /* 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K */
+    const double t39 = t24*t32; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K */
+    const double t40 = x[0]*t19; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t41 = JLT_FMS(p[8], t40, t22); /* R*G*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*R*I3 */
+    const double t42 = t15*t41; /* 1/K*t41 */
+    const double t43 = t15*t31; /* 1/K*d(K)/d(gamma3) */
+    const double t44 = p[26]*t15; /* R^2*I1*I3*(I1 - I3)/m*1/K */
+    const double t45 = t15*t29; /* 1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t46 = JLT_FNMA(t29, t43, t44); /* R^2*I1*I3*(I1 - I3)/m*1/K - 1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*1/K*d(K)/d(gamma3) */
+    const double t47 = t26*t46; /* (v_tau*s - G/I1*b/R)*t46 */
+    const double t48 = t26*t45; /* (v_tau*s - G/I1*b/R)*1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t49 = JLT_FNMA(p[25], t34, t47); /* (v_tau*s - G/I1*b/R)*t46 - I1*I3*a3/m*t34 */
+    const double t50 = t34*t36; /* t34*gamma3*1/(D/I1) */
+    const double t51 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t52 = JLT_FMA(x[3], t40, p[23]); /* v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1 */
+    const double t53 = x[2]*t17; /* omega_tau*s */
+    out[0] = t53;
+    const double t54 = t17*t20; /* s*1/(D/I1) */
+    const double t55 = x[2]*p[7]; /* omega_tau*m*a3^2/I1 */
+    const double t56 = t38 + t50; /* 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K + t34*gamma3*1/(D/I1) */
+    const double t57 = t24*t56; /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*(1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K + t34*gamma3*1/(D/I1)) */
+    const double t58 = JLT_FMA(2.0, t50, t38); /* 2*t34*gamma3*1/(D/I1) + 1/(D/I1)*(v_tau*s - G/I1*b/R)*R*I3*1/K */
+    const double t59 = JLT_FMA(x[2], t51, x[1]); /* V = omega_tau*e + v_nu */
+    const double t60 = t14*t59; /* 1/(Theta/m)*V */
+    const double t61 = t31*t60; /* d(K)/d(gamma3)*1/(Theta/m)*V */
+    const double t62 = JLT_FNMA(p[10], t60, x[1]); /* v_nu - I1*I3/m*1/(Theta/m)*V */
+    const double t63 = t45*t52; /* 1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*(v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1) */
+    const double t64 = JLT_FMA(t43, t48, t63); /* 1/K*d(K)/d(gamma3)*t48 + t63 */
+    const double t65 = JLT_FNMA(t14, t49, t64); /* 1/K*d(K)/d(gamma3)*t48 + t63 - 1/(Theta/m)*((v_tau*s - G/I1*b/R)*t46 - I1*I3*a3/m*t34) */
+    const double t66 = p[10]*t14; /* I1*I3/m*1/(Theta/m) */
+    const double t67 = x[2]*t65; /* omega_tau*t65 */
+    const double t68 = t34*t66; /* t34*I1*I3/m*1/(Theta/m) */
+    const double t69 = JLT_FNMA(t61, t68, t67); /* omega_tau*t65 - d(K)/d(gamma3)*1/(Theta/m)*V*t34*I1*I3/m*1/(Theta/m) */
+    const double t70 = JLT_FMS(t51, t68, t48); /* e*t34*I1*I3/m*1/(Theta/m) - t48 */
+    out[18] = t70;
+    const double t71 = t68 - t34; /* t34*I1*I3/m*1/(Theta/m) - t34 */
+    out[17] = t71;
+    const double t72 = x[2]*t48; /* omega_tau*t48 */
+    const double t73 = JLT_FMA(t34, t62, t72); /* t34*(v_nu - I1*I3/m*1/(Theta/m)*V) + omega_tau*t48 */
+    const double t74 = -t73; /* -(t34*(v_nu - I1*I3/m*1/(Theta/m)*V) + omega_tau*t48) */
+    out[3] = t74;
+    const double t75 = t53*t55; /* omega_tau*s*omega_tau*m*a3^2/I1 */
+    const double t76 = t19*t34; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t34 */
+    const double t77 = JLT_FNMA(t34, t76, t75); /* omega_tau*s*omega_tau*m*a3^2/I1 - t34*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*t34 */
+    const double t78 = JLT_FMA(t39, t52, t77); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*(v_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s + G/I1) + t77 */
+    const double t79 = p[11]*t19; /* m*g*a3/I1*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t80 = JLT_FMS(p[22], t54, t79); /* 2*m^2*g*a3^3/I1^2*s*1/(D/I1) - m*g*a3/I1*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t81 = JLT_FMA(p[24], t57, t80); /* 2*m*a3^2/I1*t57 + t80 */
+    const double t82 = 2.0*t43; /* 2*1/K*d(K)/d(gamma3) */
+    const double t83 = JLT_FMS(t19, t40, t43); /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s - 1/K*d(K)/d(gamma3) */
+    const double t84 = t57*t82; /* t57*2*1/K*d(K)/d(gamma3) */
+    const double t85 = t34*t83; /* t34*t83 */
+    const double t86 = JLT_FMA(t42, t58, t84); /* 1/K*t41*t58 + t57*2*1/K*d(K)/d(gamma3) */
+    const double t87 = JLT_FMA(t20, t78, t86); /* 1/(D/I1)*t78 + 1/K*t41*t58 + t57*2*1/K*d(K)/d(gamma3) */
+    const double t88 = JLT_FNMA(t19, t42, t85); /* t34*t83 - K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*t41 */
+    const double t89 = JLT_FNMA(t62, t88, t69); /* t69 - (v_nu - I1*I3/m*1/(Theta/m)*V)*(t34*t83 - K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*t41) */
+    out[16] = t89;
+    const double t90 = x[3]*t88; /* v_tau*(t34*t83 - K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*1/K*t41) */
+    out[8] = t90;
+    const double t91 = t19*t33; /* K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K */
+    const double t92 = t33*t58; /* b/R*R*I3*1/K*t58 */
+    const double t93 = JLT_FMA(t39, t54, t92); /* 1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K*s*1/(D/I1) + b/R*R*I3*1/K*t58 */
+    const double t94 = JLT_FMA(p[11], t54, t57); /* m*g*a3/I1*s*1/(D/I1) + t57 */
+    const double t95 = JLT_FMA(x[3], t91, t34); /* v_tau*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K + t34 */
+    out[11] = t95;
+    const double t96 = t62*t91; /* (v_nu - I1*I3/m*1/(Theta/m)*V)*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*b/R*R*I3*1/K */
+    const double t97 = JLT_FMA(t45, t53, t96); /* 1/K*1/(Theta/m)*R*I1*I3/m*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*s + t96 */
+    const double t98 = -t93; /* -t93 */
+    out[15] = t98;
     const double t99 = -t97; /* -t97 */
     out[19] = t99;
-    const double t100 = t31*t54; /* d(K)/d(gamma3)*(R*I3*t49 + 1/K*(b/R*v_tau*R*I3 + R*G*s)*t38*gamma3*1/(D/I1)) */
-    const double t101 = JLT_FMA(t46, t52, t100); /* t46*t52 + t100 */
-    const double t102 = t52*t91; /* t52*2*b/R*R*I3*1/K */
-    const double t103 = JLT_FMA(t37, t61, t102); /* s*1/(D/I1)*1/K*(b/R*v_tau*R*I3 + R*G*s)*R*I3*1/K + t52*2*b/R*R*I3*1/K */
-    const double t104 = JLT_FMA(p[11], t37, t54); /* m*g*a3/I1*s*1/(D/I1) + R*I3*t49 + 1/K*(b/R*v_tau*R*I3 + R*G*s)*t38*gamma3*1/(D/I1) */
-    const double t105 = JLT_FMS(t42, t70, t104); /* omega_tau*m*a3^2/I1*omega_tau*s*gamma3*1/(D/I1) - t104 */
-    out[2] = t105;
-    const double t106 = -t103; /* -t103 */
-    out[15] = t106;
-    const double t107 = 2.0*t13; /* 2*1/K */
-    const double t108 = JLT_FMA(t101, t107, t77); /* (t46*t52 + t100)*2*1/K + 1/(D/I1)*t67 - gamma3*1/(D/I1)*t76 */
-    out[12] = t108;
+    const double t100 = t36*t53; /* gamma3*1/(D/I1)*omega_tau*s */
+    const double t101 = JLT_FMS(t55, t100, t94); /* omega_tau*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s - (m*g*a3/I1*s*1/(D/I1) + t57) */
+    out[2] = t101;
+    const double t102 = t40*t55; /* gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s*omega_tau*m*a3^2/I1 */
+    const double t103 = JLT_FNMA(p[21], t100, t102); /* t102 - 2*m^2*a3^4/I1^2*gamma3*1/(D/I1)*omega_tau*s */
+    const double t104 = JLT_FMA(x[2], t103, t81); /* omega_tau*(t102 - 2*m^2*a3^4/I1^2*gamma3*1/(D/I1)*omega_tau*s) + 2*m*a3^2/I1*t57 + t80 */
+    const double t105 = JLT_FNMA(t36, t104, t87); /* 1/(D/I1)*t78 + 1/K*t41*t58 + t57*2*1/K*d(K)/d(gamma3) - gamma3*1/(D/I1)*t104 */
+    out[12] = t105;
+    const double t106 = p[24]*t100; /* 2*m*a3^2/I1*gamma3*1/(D/I1)*omega_tau*s */
+    out[14] = t106;
+    const double t107 = x[2]*t40; /* omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    const double t108 = -t107; /* -omega_tau*gamma3*K*Theta/m*1/(Theta/m*K*s^2*D/I1)*D/I1*s */
+    out[4] = t108;
 }
 
 static void divergence(const double *restrict x, const double *restrict p, double *restrict out)
@@ -481,39 +472,40 @@ static void divergence(const double *restrict x, const double *restrict p, doubl
     const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* s^2 = (1 - gamma3)*(gamma3 + 1) */
-    const double t3 = JLT_FMA(x[0], p[1], p[5]); /* b = gamma3*R + a3 */
-    const double t4 = p[33]*t3; /* I3/(R^2*I1)*b */
-    const double t5 = JLT_FMA(t3, t4, t2); /* K/(R^2*I1) = b*I3/(R^2*I1)*b + s^2 */
-    const double t6 = JLT_FMA(p[35], t2, p[3]); /* D = m*a3^2*s^2 + I1 */
-    const double t7 = p[34] + t5; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
-    const double t8 = t5*t6; /* K/(R^2*I1)*D */
-    const double t9 = p[32]*t5; /* 2*m*a3^2*K/(R^2*I1) */
-    const double t10 = t7*t8; /* Theta/(m*R^2*I1)*K/(R^2*I1)*D */
-    const double t11 = t2*t10; /* s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D */
-    const double t12 = 1.0/t11; /* 1/(s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
-    const double t13 = t10*t12; /* 1/s^2 = Theta/(m*R^2*I1)*K/(R^2*I1)*D*1/(s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
-    const double t14 = t2*t12; /* 1/(D*(K/(R^2*I1))*(Theta/(m*R^2*I1))) = s^2*1/(s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
-    const double t15 = sqrt(t2); /* s = sqrt(s^2) */
-    const double t16 = t7*t14; /* 1/(D*(K/(R^2*I1))) = Theta/(m*R^2*I1)*1/(D*(K/(R^2*I1))*(Theta/(m*R^2*I1))) */
-    const double t17 = t8*t14; /* 1/(Theta/(m*R^2*I1)) = K/(R^2*I1)*D*1/(D*(K/(R^2*I1))*(Theta/(m*R^2*I1))) */
-    const double t18 = JLT_FMS(t9, t16, t13); /* 2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2 */
-    const double t19 = t4*t13; /* I3/(R^2*I1)*b*1/s^2 */
-    const double t20 = t6*t15; /* D*s */
-    const double t21 = t16*t20; /* 1/(D*(K/(R^2*I1)))*D*s */
-    const double t22 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
-    const double t23 = JLT_FMA(x[2], t22, x[1]); /* V = omega_tau*e + v_nu */
-    const double t24 = p[34]*t23; /* I3/(m*R^2)*V */
-    const double t25 = JLT_FNMA(t17, t24, x[1]); /* v_nu - 1/(Theta/(m*R^2*I1))*I3/(m*R^2)*V */
-    const double t26 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
-    const double t27 = x[2]*p[36]; /* omega_tau*I3/(m*R^3*I1) */
-    const double t28 = t26*t27; /* (gamma3*R*(I1 - I3) - I3*a3)*omega_tau*I3/(m*R^3*I1) */
-    const double t29 = t17*t28; /* 1/(Theta/(m*R^2*I1))*(gamma3*R*(I1 - I3) - I3*a3)*omega_tau*I3/(m*R^3*I1) */
-    const double t30 = JLT_FMA(t19, t25, t29); /* I3/(R^2*I1)*b*1/s^2*(v_nu - 1/(Theta/(m*R^2*I1))*I3/(m*R^2)*V) + t29 */
-    const double t31 = x[0]*x[2]; /* gamma3*omega_tau */
-    const double t32 = t15*t31; /* s*gamma3*omega_tau */
-    const double t33 = t18*t32; /* (2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2)*s*gamma3*omega_tau */
-    const double t34 = JLT_FNMA(t21, t30, t33); /* t33 - 1/(D*(K/(R^2*I1)))*D*s*t30 */
-    out[0] = t34;
+    const double t3 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
+    const double t4 = p[28]*t3; /* I3/I1*b/R */
+    const double t5 = JLT_FMA(t3, t4, t2); /* K/(R^2*I1) = b/R*I3/I1*b/R + s^2 */
+    const double t6 = p[4]*t3; /* I3*b/R */
+    const double t7 = JLT_FMA(p[30], t2, p[3]); /* D = m*a3^2*s^2 + I1 */
+    const double t8 = p[29] + t5; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
+    const double t9 = t5*t7; /* K/(R^2*I1)*D */
+    const double t10 = p[27]*t5; /* 2*m*a3^2*K/(R^2*I1) */
+    const double t11 = t8*t9; /* Theta/(m*R^2*I1)*K/(R^2*I1)*D */
+    const double t12 = p[31]*t9; /* I3/(m*R^3*I1)*K/(R^2*I1)*D */
+    const double t13 = t2*t11; /* s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D */
+    const double t14 = 1.0/t13; /* 1/(s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
+    const double t15 = t11*t14; /* 1/s^2 = Theta/(m*R^2*I1)*K/(R^2*I1)*D*1/(s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
+    const double t16 = t2*t14; /* 1/(D*(K/(R^2*I1))*(Theta/(m*R^2*I1))) = s^2*1/(s^2*Theta/(m*R^2*I1)*K/(R^2*I1)*D) */
+    const double t17 = sqrt(t2); /* s = sqrt(s^2) */
+    const double t18 = t8*t16; /* 1/(D*(K/(R^2*I1))) = Theta/(m*R^2*I1)*1/(D*(K/(R^2*I1))*(Theta/(m*R^2*I1))) */
+    const double t19 = t12*t16; /* I3/(m*R^3*I1)*K/(R^2*I1)*D*1/(D*(K/(R^2*I1))*(Theta/(m*R^2*I1))) */
+    const double t20 = JLT_FMS(t10, t18, t15); /* 2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2 */
+    const double t21 = t6*t15; /* I3*b/R*1/s^2 */
+    const double t22 = t7*t17; /* D*s */
+    const double t23 = t18*t22; /* 1/(D*(K/(R^2*I1)))*D*s */
+    const double t24 = x[0]*t17; /* gamma3*s */
+    const double t25 = t20*t24; /* (2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2)*gamma3*s */
+    const double t26 = t21*t23; /* I3*b/R*1/s^2*1/(D*(K/(R^2*I1)))*D*s */
+    const double t27 = JLT_FMS(x[0], p[15], p[16]); /* gamma3*R*(I1 - I3) - I3*a3 */
+    const double t28 = t19*t27; /* t19*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t29 = JLT_FNMA(t23, t28, t25); /* (2*m*a3^2*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2)*gamma3*s - 1/(D*(K/(R^2*I1)))*D*s*t19*(gamma3*R*(I1 - I3) - I3*a3) */
+    const double t30 = x[2]*t29; /* omega_tau*t29 */
+    const double t31 = JLT_FMA(x[0], p[5], p[1]); /* e = gamma3*a3 + R */
+    const double t32 = JLT_FMA(x[2], t31, x[1]); /* V = omega_tau*e + v_nu */
+    const double t33 = p[32]*x[1]; /* 1/(R*I1)*v_nu */
+    const double t34 = JLT_FNMA(t19, t32, t33); /* 1/(R*I1)*v_nu - t19*V */
+    const double t35 = JLT_FNMA(t26, t34, t30); /* omega_tau*t29 - I3*b/R*1/s^2*1/(D*(K/(R^2*I1)))*D*s*(1/(R*I1)*v_nu - t19*V) */
+    out[0] = t35;
 }
 
 static void integral_values(const double *restrict x, const double *restrict p, double *restrict out)
@@ -522,19 +514,19 @@ static void integral_values(const double *restrict x, const double *restrict p, 
     const double t1 = x[0] + 1.0; /* gamma3 + 1 */
     const double t2 = t0*t1; /* (1 - gamma3)*(gamma3 + 1) */
     const double t3 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
-    const double t4 = p[39]*t3; /* I3/I1*b/R */
+    const double t4 = p[28]*t3; /* I3/I1*b/R */
     const double t5 = JLT_FMA(t3, t4, t2); /* K/(R^2*I1) = b/R*I3/I1*b/R + (1 - gamma3)*(gamma3 + 1) */
-    const double t6 = JLT_FMA(p[35], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
-    const double t7 = p[34] + t5; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
+    const double t6 = JLT_FMA(p[30], t2, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t7 = p[29] + t5; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
     const double t8 = x[3]*x[3]; /* v_tau*v_tau */
-    const double t9 = JLT_FMA(t7, t8, p[40]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
+    const double t9 = JLT_FMA(t7, t8, p[35]); /* Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1) */
     const double t10 = t9/t5; /* (Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1))/(K/(R^2*I1)) */
     const double t11 = JLT_FMA(x[1], x[1], t10); /* v_nu*v_nu + (Theta/(m*R^2*I1)*v_tau*v_tau + G^2/(m*R^2*I1))/(K/(R^2*I1)) */
     const double t12 = (1.0 / 2.0)*x[2]; /* 1/2*omega_tau */
     const double t13 = x[2]*t12; /* omega_tau*1/2*omega_tau */
-    const double t14 = p[37]*x[0]; /* m*g*a3*gamma3 */
+    const double t14 = p[33]*x[0]; /* m*g*a3*gamma3 */
     const double t15 = JLT_FMA(t6, t13, t14); /* D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
-    const double t16 = JLT_FMA(p[38], t11, t15); /* 1/2*m*t11 + D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
+    const double t16 = JLT_FMA(p[34], t11, t15); /* 1/2*m*t11 + D*omega_tau*1/2*omega_tau + m*g*a3*gamma3 */
     out[0] = t16;
 }
 
@@ -546,27 +538,95 @@ static void integral_gradients(const double *restrict x, const double *restrict 
     const double t2 = x[0] + 1.0; /* gamma3 + 1 */
     const double t3 = t1*t2; /* (1 - gamma3)*(gamma3 + 1) */
     const double t4 = x[0] + p[18]; /* b/R = gamma3 + a3/R */
-    const double t5 = p[39]*t4; /* I3/I1*b/R */
+    const double t5 = p[28]*t4; /* I3/I1*b/R */
     const double t6 = JLT_FMA(t4, t5, t3); /* K/(R^2*I1) = b/R*I3/I1*b/R + (1 - gamma3)*(gamma3 + 1) */
     const double t7 = t5 - x[0]; /* d(K)/d(gamma3)/(2*R^2*I1) = I3/I1*b/R - gamma3 */
-    const double t8 = JLT_FMA(p[35], t3, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
+    const double t8 = JLT_FMA(p[30], t3, p[3]); /* D = m*a3^2*(1 - gamma3)*(gamma3 + 1) + I1 */
     const double t9 = x[2]*t8; /* omega_tau*D */
     out[2] = t9;
-    const double t10 = x[3]*p[0]; /* v_tau*m */
-    const double t11 = p[34] + t6; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
-    const double t12 = 1.0/t6; /* 1/(K/(R^2*I1)) */
-    const double t13 = t10*t11; /* v_tau*m*Theta/(m*R^2*I1) */
-    const double t14 = t12*t13; /* 1/(K/(R^2*I1))*v_tau*m*Theta/(m*R^2*I1) */
-    out[3] = t14;
-    const double t15 = t10 - t14; /* v_tau*m - 1/(K/(R^2*I1))*v_tau*m*Theta/(m*R^2*I1) */
-    const double t16 = x[3]*t15; /* v_tau*(v_tau*m - 1/(K/(R^2*I1))*v_tau*m*Theta/(m*R^2*I1)) */
-    const double t17 = JLT_FNMA(p[41], t12, t16); /* v_tau*(v_tau*m - 1/(K/(R^2*I1))*v_tau*m*Theta/(m*R^2*I1)) - G^2/(R^2*I1)*1/(K/(R^2*I1)) */
-    const double t18 = t7*t12; /* d(K)/d(gamma3)/(2*R^2*I1)*1/(K/(R^2*I1)) */
-    const double t19 = p[35]*x[0]; /* m*a3^2*gamma3 */
+    const double t10 = p[29] + t6; /* Theta/(m*R^2*I1) = I3/(m*R^2) + K/(R^2*I1) */
+    const double t11 = 1.0/t6; /* 1/(K/(R^2*I1)) */
+    const double t12 = t7*t11; /* d(K)/d(gamma3)/(2*R^2*I1)*1/(K/(R^2*I1)) */
+    const double t13 = x[3]*p[0]; /* v_tau*m */
+    const double t14 = t10*t13; /* Theta/(m*R^2*I1)*v_tau*m */
+    const double t15 = t11*t14; /* 1/(K/(R^2*I1))*Theta/(m*R^2*I1)*v_tau*m */
+    out[3] = t15;
+    const double t16 = t15 - t13; /* 1/(K/(R^2*I1))*Theta/(m*R^2*I1)*v_tau*m - v_tau*m */
+    const double t17 = x[3]*t16; /* v_tau*(1/(K/(R^2*I1))*Theta/(m*R^2*I1)*v_tau*m - v_tau*m) */
+    const double t18 = JLT_FMA(p[36], t11, t17); /* G^2/(R^2*I1)*1/(K/(R^2*I1)) + v_tau*(1/(K/(R^2*I1))*Theta/(m*R^2*I1)*v_tau*m - v_tau*m) */
+    const double t19 = p[30]*x[0]; /* m*a3^2*gamma3 */
     const double t20 = x[2]*x[2]; /* omega_tau*omega_tau */
-    const double t21 = JLT_FNMA(t19, t20, p[37]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
-    const double t22 = JLT_FMA(t17, t18, t21); /* t17*d(K)/d(gamma3)/(2*R^2*I1)*1/(K/(R^2*I1)) + m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t21 = JLT_FNMA(t19, t20, p[33]); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau */
+    const double t22 = JLT_FNMA(t12, t18, t21); /* m*g*a3 - m*a3^2*gamma3*omega_tau*omega_tau - d(K)/d(gamma3)/(2*R^2*I1)*1/(K/(R^2*I1))*t18 */
     out[0] = t22;
+}
+
+static void observe_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = p[9]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
+    const double t4 = JLT_FMA(x[0], p[1], p[5]); /* b = gamma3*R + a3 */
+    const double t5 = t4*p[4]; /* b*I3 */
+    const double t6 = JLT_FMA(t4, t5, t3); /* K = b*b*I3 + R^2*I1*(1 - gamma3)*(1 + gamma3) */
+    const double t7 = t2*p[11]; /* (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
+    const double t8 = t6*x[2]; /* K*omega_tau */
+    const double t9 = t8*t8; /* K*omega_tau*K*omega_tau */
+    const double t10 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t11 = p[8]*t10; /* R*G*s */
+    const double t12 = JLT_FMA(t5, x[3], t11); /* b*I3*v_tau + R*G*s */
+    const double t13 = JLT_FMA(t12, t12, t9); /* (b*I3*v_tau + R*G*s)*(b*I3*v_tau + R*G*s) + K*omega_tau*K*omega_tau */
+    const double t14 = x[0]*t13; /* gamma3*t13 */
+    const double t15 = t10*x[3]; /* s*v_tau */
+    const double t16 = JLT_FNMA(t4, p[13], t15); /* s*v_tau - b*G/(R*I1) */
+    const double t17 = t10*p[12]; /* s*R*I3 */
+    const double t18 = t16*t17; /* (s*v_tau - b*G/(R*I1))*s*R*I3 */
+    const double t19 = JLT_FMA(t12, t18, t14); /* (b*I3*v_tau + R*G*s)*(s*v_tau - b*G/(R*I1))*s*R*I3 + gamma3*t13 */
+    const double t20 = JLT_FMA(t2, p[30], p[3]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t21 = t6*t20; /* K*D */
+    const double t22 = 1.0/t21; /* 1/(K*D) */
+    const double t23 = t20*t22; /* 1/K = D*1/(K*D) */
+    const double t24 = t23*t23; /* 1/K*1/K */
+    const double t25 = JLT_FMA(t19, t24, t7); /* t19*1/K*1/K + (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
+    const double t26 = p[38]*t6; /* m*I1*a3*K */
+    const double t27 = t22*t26; /* 1/(K*D)*m*I1*a3*K */
+    const double t28 = JLT_FNMA(t25, t27, p[37]); /* contact_force = m*g - (t19*1/K*1/K + (1 - gamma3)*(1 + gamma3)*m*g*a3/I1)*1/(K*D)*m*I1*a3*K */
+    out[0] = t28;
+}
+
+static void valid_values(const double *restrict x, const double *restrict p, double *restrict out)
+{
+    const double t0 = 1.0 - x[0]; /* 1 - gamma3 */
+    const double t1 = 1.0 + x[0]; /* 1 + gamma3 */
+    const double t2 = t0*t1; /* (1 - gamma3)*(1 + gamma3) */
+    const double t3 = p[9]*t2; /* R^2*I1*(1 - gamma3)*(1 + gamma3) */
+    const double t4 = JLT_FMA(x[0], p[1], p[5]); /* b = gamma3*R + a3 */
+    const double t5 = t4*p[4]; /* b*I3 */
+    const double t6 = JLT_FMA(t4, t5, t3); /* K = b*b*I3 + R^2*I1*(1 - gamma3)*(1 + gamma3) */
+    const double t7 = t2*p[11]; /* (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
+    const double t8 = t6*x[2]; /* K*omega_tau */
+    const double t9 = t8*t8; /* K*omega_tau*K*omega_tau */
+    const double t10 = sqrt(t2); /* s = sqrt((1 - gamma3)*(1 + gamma3)) */
+    const double t11 = p[8]*t10; /* R*G*s */
+    const double t12 = JLT_FMA(t5, x[3], t11); /* b*I3*v_tau + R*G*s */
+    const double t13 = JLT_FMA(t12, t12, t9); /* (b*I3*v_tau + R*G*s)*(b*I3*v_tau + R*G*s) + K*omega_tau*K*omega_tau */
+    const double t14 = x[0]*t13; /* gamma3*t13 */
+    const double t15 = t10*x[3]; /* s*v_tau */
+    const double t16 = JLT_FNMA(t4, p[13], t15); /* s*v_tau - b*G/(R*I1) */
+    const double t17 = t10*p[12]; /* s*R*I3 */
+    const double t18 = t16*t17; /* (s*v_tau - b*G/(R*I1))*s*R*I3 */
+    const double t19 = JLT_FMA(t12, t18, t14); /* (b*I3*v_tau + R*G*s)*(s*v_tau - b*G/(R*I1))*s*R*I3 + gamma3*t13 */
+    const double t20 = JLT_FMA(t2, p[30], p[3]); /* D = (1 - gamma3)*(1 + gamma3)*m*a3^2 + I1 */
+    const double t21 = t6*t20; /* K*D */
+    const double t22 = 1.0/t21; /* 1/(K*D) */
+    const double t23 = t20*t22; /* 1/K = D*1/(K*D) */
+    const double t24 = t23*t23; /* 1/K*1/K */
+    const double t25 = JLT_FMA(t19, t24, t7); /* t19*1/K*1/K + (1 - gamma3)*(1 + gamma3)*m*g*a3/I1 */
+    const double t26 = p[38]*t6; /* m*I1*a3*K */
+    const double t27 = t22*t26; /* 1/(K*D)*m*I1*a3*K */
+    const double t28 = JLT_FNMA(t25, t27, p[37]); /* contact_force = m*g - (t19*1/K*1/K + (1 - gamma3)*(1 + gamma3)*m*g*a3/I1)*1/(K*D)*m*I1*a3*K */
+    out[0] = t28;
 }
 
 static void jet(const double *restrict x, const double *restrict p, unsigned order,
@@ -654,33 +714,33 @@ static void jet(const double *restrict x, const double *restrict p, unsigned ord
         t40[k] = jlt_jet_product(t37, t39, k);
         t41[k] = jlt_jet_product(t36, t40, k);
         t42[k] = jlt_jet_product(x3, t41, k);
-        t43[k] = jlt_jet_product(x2, t25, k);
-        t44[k] = x2[k]*p[7];
-        t45[k] = jlt_jet_product(t43, t44, k);
-        t46[k] = t45[k] - jlt_jet_product(t40, t41, k);
-        t47[k] = jlt_jet_product(x0, t46, k);
-        t48[k] = p[12]*t40[k];
-        t49[k] = t47[k] - p[11]*t25[k];
-        t50[k] = jlt_jet_product(x3, t25, k);
-        t51[k] = t50[k] - p[13]*t21[k];
-        t52[k] = jlt_jet_product(t37, t51, k);
-        t53[k] = t49[k] - jlt_jet_product(t48, t52, k);
-        t54[k] = jlt_jet_product(t35, t53, k);
-        t55[k] = x0[k]*p[5] + (k == 0 ? p[1] : 0);
-        t56[k] = jlt_jet_product(x2, t55, k) + x1[k];
-        t57[k] = p[10]*t56[k];
-        t58[k] = x1[k] - jlt_jet_product(t33, t57, k);
-        t59[k] = jlt_jet_product(t41, t58, k);
+        t43[k] = x0[k]*p[5] + (k == 0 ? p[1] : 0);
+        t44[k] = jlt_jet_product(x2, t43, k) + x1[k];
+        t45[k] = p[10]*t44[k];
+        t46[k] = x1[k] - jlt_jet_product(t33, t45, k);
+        t47[k] = jlt_jet_product(t41, t46, k);
+        t48[k] = jlt_jet_product(x0, t41, k);
+        t49[k] = x2[k]*p[7];
+        t50[k] = jlt_jet_product(x0, t49, k);
+        t51[k] = jlt_jet_product(x3, t25, k);
+        t52[k] = t51[k] - p[13]*t21[k];
+        t53[k] = jlt_jet_product(t37, t52, k);
+        t54[k] = p[12]*t53[k] + t48[k];
+        t55[k] = jlt_jet_product(x2, t25, k);
+        t56[k] = jlt_jet_product(t50, t55, k);
+        t57[k] = t56[k] - p[11]*t25[k];
+        t58[k] = t57[k] - jlt_jet_product(t40, t54, k);
+        t59[k] = jlt_jet_product(t35, t58, k);
         t60[k] = x0[k]*p[15] - (k == 0 ? p[16] : 0);
         t61[k] = x2[k]*p[14];
         t62[k] = jlt_jet_product(t60, t61, k);
         t63[k] = jlt_jet_product(t33, t62, k);
-        t64[k] = jlt_jet_product(t52, t63, k) + t59[k];
+        t64[k] = jlt_jet_product(t53, t63, k) + t47[k];
         t65[k] = -t64[k];
         double *restrict next = coefficients + (k + 1)*4;
-        next[0] = x0[k + 1] = t43[k]/(k + 1);
+        next[0] = x0[k + 1] = t55[k]/(k + 1);
         next[1] = x1[k + 1] = t42[k]/(k + 1);
-        next[2] = x2[k + 1] = t54[k]/(k + 1);
+        next[2] = x2[k + 1] = t59[k]/(k + 1);
         next[3] = x3[k + 1] = t65[k]/(k + 1);
     }
 }
@@ -921,6 +981,14 @@ static const jlt_named integrals[] = {
     { "E", "" },
 };
 
+static const jlt_quantity observes[] = {
+    { "contact_force", "kg*m/s^2", "force of the plane on the sphere, upwards", -INFINITY, INFINITY, JLT_ANY_SIGN, NAN },
+};
+
+static const jlt_validity valids[] = {
+    { "contact", "kg*m/s^2", "the plane only pushes" },
+};
+
 const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .model = "spherical_top_level",
     .variant = "",
@@ -928,29 +996,35 @@ const jlt_descriptor jlt_kernels_spherical_top_level_general = {
     .elimination = "",
     .title = "Spherical top with one nonholonomic constraint, on a level of Jellett's integral",
     .source = "A. A. Kilin, T. B. Ivanova, Rus. J. Nonlin. Dyn. 19(4), 2023, 533-543, system (3.2) and integral (3.3)",
-    .sha256 = "a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6",
+    .sha256 = "354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af",
     .generator = "ttc 0.1.0 --effort full",
     .table = jlt_table_spherical_top_level, .family = jlt_family_spherical_top_level, .claims = jlt_claims_spherical_top_level,
-    .state_count = 4, .param_count = 7, .block_count = 42,
+    .state_count = 4, .param_count = 7, .block_count = 39,
     .states = states,
     .params = params,
     .prepare = prepare,
-    .rhs = { rhs, 4, { 4, 30, 13, 1, 1, 0, 17, 10 }, { 21, 80, 0, 8, 1, 0, 12, 10 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, a part of d(omega_tau)/dt, v_tau*s - (G/(R*I1))*b, a part of d(omega_tau)/dt, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(v_tau)/dt" },
-    .jacobian = { jacobian, 16, { 9, 61, 33, 1, 1, 0, 18, 27 }, { 91, 425, 0, 50, 1, 0, 21, 13 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, s*(R*G) + v_tau*b/R*(R*I3), gamma3*K*D/I1*((1)/s^2*Theta/m*K*D/I1)*s*Theta/m*(R*G) - v_tau*(R*I3), d(K)/d(gamma3) = b/R*(2*R^2*I3) - gamma3*(2*R^2*I1), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), gamma3*K*D/I1*((1)/s^2*Theta/m*K*D/I1)*s*Theta/m*v_tau + G/I1, s*v_tau - b/R*(G/I1), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(v_tau), e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - V*(I1*I3/m)*1/(Theta/m), gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(v_tau)" },
-    .rhs_jacobian = { rhs_jacobian, 20, { 9, 60, 38, 1, 1, 0, 18, 28 }, { 105, 489, 0, 58, 1, 0, 21, 14 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, gamma3*(R*(I1 - I3)) - (I3*a3), b/R*v_tau*(R*I3) + (R*G)*s, v_tau*s - (G/I1)*b/R, d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), a part of d(d(v_tau)/dt)/d(gamma3), (R*G)*gamma3*Theta/m*K*((1)/K*Theta/m*s^2*D/I1)*D/I1*s - v_tau*(R*I3), a part of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(v_tau), a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), e = gamma3*a3 + R, v_tau*gamma3*Theta/m*K*((1)/K*Theta/m*s^2*D/I1)*D/I1*s + G/I1, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), V = omega_tau*e + v_nu, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), v_nu - (I1*I3/m)*1/(Theta/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), a part of d(v_tau)/dt, a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), d(omega_tau)/dt, d(d(omega_tau)/dt)/d(gamma3)" },
-    .divergence = { divergence, 1, { 3, 20, 10, 1, 1, 0, 12, 9 }, { 13, 41, 0, 5, 1, 0, 12, 8 },
-        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, (2*m*a3^2)*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - 1/(Theta/(m*R^2*I1))*(I3/(m*R^2))*V, gamma3*(R*(I1 - I3)) - (I3*a3), a part of the divergence, the divergence" },
+    .rhs = { rhs, 4, { 4, 30, 13, 1, 1, 0, 16, 11 }, { 21, 80, 0, 8, 1, 0, 12, 10 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, v_tau*I3*b + (R*G)*s, e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - 1/(Theta/m)*(I1*I3/m)*V, v_tau*s - (G/(R*I1))*b, a part of d(omega_tau)/dt, a part of d(omega_tau)/dt, gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(v_tau)/dt" },
+    .jacobian = { jacobian, 16, { 9, 60, 34, 1, 1, 0, 18, 26 }, { 91, 425, 0, 50, 1, 0, 21, 13 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + s*(R*G), d(K)/d(gamma3) = b/R*(2*R^2*I3) - gamma3*(2*R^2*I1), gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*s*D/I1*(R*G) - v_tau*(R*I3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_nu)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*s*D/I1*v_tau + G/I1, s*v_tau - b/R*(G/I1), a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), a part of d(d(omega_tau)/dt)/d(v_tau), e = gamma3*a3 + R, V = omega_tau*e + v_nu, v_nu - V*(I1*I3/m)*1/(Theta/m), a part of d(d(v_tau)/dt)/d(gamma3), gamma3*(R*(I1 - I3)) - (I3*a3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(v_nu), d(d(v_tau)/dt)/d(omega_tau), a part of d(d(v_tau)/dt)/d(v_tau)" },
+    .rhs_jacobian = { rhs_jacobian, 20, { 10, 61, 36, 1, 1, 0, 18, 24 }, { 105, 489, 0, 58, 1, 0, 21, 14 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, b/R*v_tau*(R*I3) + (R*G)*s, v_tau*s - (G/I1)*b/R, gamma3*(R*(I1 - I3)) - (I3*a3), d(K)/d(gamma3) = (2*R^2*I3)*b/R - gamma3*(2*R^2*I1), (R*G)*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s - v_tau*(R*I3), a part of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_tau)/dt)/d(gamma3), e = gamma3*a3 + R, v_tau*gamma3*K*Theta/m*((1)/Theta/m*K*s^2*D/I1)*D/I1*s + G/I1, a part of d(omega_tau)/dt and of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3) and of d(d(omega_tau)/dt)/d(v_tau), V = omega_tau*e + v_nu, v_nu - (I1*I3/m)*1/(Theta/m)*V, a part of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(omega_tau), d(d(v_tau)/dt)/d(v_nu), a part of d(v_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), a part of d(d(v_nu)/dt)/d(gamma3) and of d(d(v_tau)/dt)/d(gamma3), d(d(v_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(v_tau), d(d(v_nu)/dt)/d(v_tau), a part of d(d(v_tau)/dt)/d(v_tau), d(omega_tau)/dt, a part of d(d(omega_tau)/dt)/d(gamma3), a part of d(d(omega_tau)/dt)/d(gamma3), d(d(omega_tau)/dt)/d(gamma3)" },
+    .divergence = { divergence, 1, { 4, 21, 9, 1, 1, 0, 14, 9 }, { 13, 41, 0, 5, 1, 0, 12, 8 },
+        "divides by s: values and rounding errors grow without bound where it vanishes; divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; divides by Theta, small only where all of m*K and I1*I3 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, (2*m*a3^2)*K/(R^2*I1)*1/(D*(K/(R^2*I1))) - 1/s^2, gamma3*(R*(I1 - I3)) - (I3*a3), a part of the divergence, e = gamma3*a3 + R, V = omega_tau*e + v_nu, a part of the divergence, the divergence" },
     .integral_values = { integral_values, 1, { 4, 6, 6, 1, 0, 0, 8, 5 }, { 9, 28, 0, 2, 1, 0, 13, 6 },
         "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, E" },
     .integral_gradients = { integral_gradients, 4, { 6, 11, 5, 1, 0, 0, 10, 5 }, { 10, 44, 0, 4, 1, 0, 15, 10 },
-        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, d(K)/d(gamma3)/(2*R^2*I1) = (I3/I1)*b/R - gamma3, v_tau*m - ((1)/K/(R^2*I1))*v_tau*m*Theta/(m*R^2*I1), a part of d(E)/d(gamma3), d(E)/d(gamma3)" },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; digits are lost where terms nearly cancel in b/R = gamma3 + a3/R, d(K)/d(gamma3)/(2*R^2*I1) = (I3/I1)*b/R - gamma3, ((1)/K/(R^2*I1))*Theta/(m*R^2*I1)*v_tau*m - v_tau*m, a part of d(E)/d(gamma3), d(E)/d(gamma3)" },
     .measure_values = { .loses_digits = "" },
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { observe_values, 1, { 2, 16, 9, 1, 1, 0, 11, 9 }, { 12, 50, 0, 4, 1, 0, 13, 12 },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, b*I3*v_tau + (R*G)*s, s*v_tau - b*(G/(R*I1)), a part of contact_force, a part of contact_force, contact_force" },
+    .valid_values = { valid_values, 1, { 2, 16, 9, 1, 1, 0, 11, 9 }, { 12, 50, 0, 4, 1, 0, 13, 12 },
+        "divides by K, small only where all of R^2*I1*s^2 and I3*b^2 are; takes s = sqrt(1 - gamma3^2): rounding errors of the states grow without bound where it vanishes; digits are lost where terms nearly cancel in b = gamma3*R + a3, b*I3*v_tau + (R*G)*s, s*v_tau - b*(G/(R*I1)), a part of contact, a part of contact, contact" },
+    .observe_count = 1, .observes = observes,
+    .valid_count = 1, .valids = valids,
     .integral_count = 1, .measure_count = 0, .equilibria_count = 1,
     .integrals = integrals,
     .equilibria = equilibria,

@@ -1,7 +1,7 @@
 /* Spherical top with one nonholonomic constraint, on a level of Jellett's integral: enclosures in ball arithmetic,
  * from the expressions as they stand, without the optimizer.
  *
- *  Table:      spherical_top_level, SHA-256 a03ac57982f08b300ad072746897d22dbcd0a4e4ebdedbf1bb5bf573f26d0de6
+ *  Table:      spherical_top_level, SHA-256 354294165bef88c837abd694874137bb7226933952335bdf43bb9a6a47b2a4af
  *  Command:    ttc generate --effort full --out DIR spherical_top_level.tt (ttc 0.1.0); do not edit
  */
 #include "kernel_ball.h"

@@ -312,6 +312,8 @@ const jlt_descriptor jlt_kernels_spherical_top_plane_equal_moments = {
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 0, .measure_count = 0, .equilibria_count = 0,
 #ifndef JLT_WITHOUT_BALLS
     .balls = &jlt_balls_spherical_top_plane_general,

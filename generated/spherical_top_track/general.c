@@ -1009,6 +1009,8 @@ const jlt_descriptor jlt_kernels_spherical_top_track_general = {
     .measure_divergences = { .loses_digits = "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 2, .measure_count = 0, .equilibria_count = 0,
     .integrals = integrals,
 #ifndef JLT_WITHOUT_BALLS

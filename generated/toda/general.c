@@ -405,6 +405,8 @@ const jlt_descriptor jlt_kernels_toda_general = {
         "" },
     .time_factor = { .loses_digits = "" },
     .eliminated = { .loses_digits = "" },
+    .observe_values = { .loses_digits = "" },
+    .valid_values = { .loses_digits = "" },
     .integral_count = 3, .measure_count = 1, .equilibria_count = 0,
     .integrals = integrals,
     .measures = measures,

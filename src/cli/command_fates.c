@@ -77,13 +77,15 @@ static void add(shares *sum, const jlt_system *system, const double *q, const jl
 
 static void write_row(FILE *file, const options *o, const jlt_system *system, const double *q, const jlt_fates_end *end)
 {
+    char fate[JLT_FATE_TEXT_MAX];
     double omega_n, omega3;
 
     jlt_chart_top_rotation(&system->chart.top, &omega_n, &omega3, end->x);
-    const double values[] = { end->t, end->x[JLT_CHART_TOP_V_NU], end->x[JLT_CHART_TOP_OMEGA_TAU], omega3, end->contact };
+    const double values[] = { end->t, end->x[JLT_CHART_TOP_V_NU], end->x[JLT_CHART_TOP_OMEGA_TAU], omega3, end->least };
     const bool tells_contact = strcmp(o->motion.contact, "report") == 0;
     jlt_csv_values(file, q, 2);
-    fprintf(file, ",%s,", jlt_section_fate_name(end->fate));
+    jlt_section_fate_text(fate, system->observed, end->fate);
+    fprintf(file, ",%s,", fate);
     jlt_csv_row(file, values, tells_contact ? 5 : 4);
 }
 
@@ -139,14 +141,17 @@ static size_t failures(const shares *sum)
     return count;
 }
 
-static void summary(FILE *stream, const shares *sum)
+static void summary(FILE *stream, const shares *sum, const jlt_system *system)
 {
+    char name[JLT_FATE_TEXT_MAX];
     double turned, error, kept, kept_error;
 
     fprintf(stream, "%zu starts:", sum->all.starts);
     for (int fate = JLT_FATE_ALIVE; fate < (int)JLT_FATE_COUNT; fate++)
-        if (fate <= (int)JLT_FATE_EQUILIBRIUM || sum->all.by_fate[fate] > 0)
-            fprintf(stream, "%s %zu %s", fate == 0 ? "" : ",", sum->all.by_fate[fate], jlt_section_fate_name((jlt_fate)fate));
+        if (fate <= (int)JLT_FATE_EQUILIBRIUM || sum->all.by_fate[fate] > 0) {
+            jlt_section_fate_text(name, system->observed, (jlt_fate)fate);
+            fprintf(stream, "%s %zu %s", fate == 0 ? "" : ",", sum->all.by_fate[fate], name);
+        }
     jlt_fates_share(&turned, &error, &sum->low, sum->high_pole, false);
     jlt_fates_share(&kept, &kept_error, &sum->low, sum->high_pole, true);
     if (sum->low.starts > 0)
@@ -169,7 +174,7 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
     jlt_grid_axis axes[JLT_CHART_DIM_MAX];
     const char *grid = grid_of(o);
     jlt_command_output script;
-    char how[128] = "points pt 5 ps 0.7";
+    char how[128] = "points pt 5 ps 0.7", name[JLT_FATE_TEXT_MAX];
     bool first = true;
     FILE *stream;
     jlt_exit code = jlt_motion_axes(axes, system, grid, "--grid");
@@ -187,10 +192,10 @@ static jlt_exit draw_fates(const options *o, const jlt_system *system, const cha
     fputs("plot ", stream);
     for (int fate = 0; fate < (int)JLT_FATE_COUNT; fate++) {
         if (sum->all.by_fate[fate] == 0) continue;
+        jlt_section_fate_text(name, system->observed, (jlt_fate)fate);
         fprintf(stream, "%s$POINTS using 1:($3==%d?$2:NaN)", first ? "" : ", ", fate);
         if (cells) fprintf(stream, ":(%.9g):(%.9g)", width, height);
-        fprintf(stream, " with %s lc rgb '%s' title \"%zu %s\" noenhanced", how, colours[fate], sum->all.by_fate[fate],
-                jlt_section_fate_name((jlt_fate)fate));
+        fprintf(stream, " with %s lc rgb '%s' title \"%zu %s\" noenhanced", how, colours[fate], sum->all.by_fate[fate], name);
         first = false;
     }
     fputc('\n', stream);
@@ -219,7 +224,7 @@ static jlt_exit one_system(jlt_stream *stream, const options *o, const jlt_syste
     if (code == JLT_EXIT_DONE) {
         if (jlt_motion_interrupted(&o->motion)) fprintf(stderr, "jellett: interrupted; whole rows are saved in %s\n", stream->path);
         fputs("jellett: ", stderr);
-        summary(stderr, &sum);
+        summary(stderr, &sum, system);
         if (points != NULL) code = draw_fates(o, system, points, &sum);
     }
     if (code == JLT_EXIT_DONE && failures(&sum) > 0) code = jlt_motion_failures(failures(&sum), sum.all.starts);
@@ -256,7 +261,7 @@ static void write_shares(FILE *file, FILE *points, double value, const shares *s
     jlt_csv_value(file, value);
     fprintf(file, ",%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,", sum->all.starts, sum->low.starts,
             sum->all.by_fate[JLT_FATE_POLE_PLUS], sum->all.by_fate[JLT_FATE_POLE_MINUS],
-            sum->all.by_fate[JLT_FATE_LOST_CONTACT], sum->all.by_fate[JLT_FATE_EQUILIBRIUM], sum->all.by_fate[JLT_FATE_ALIVE],
+            sum->all.by_fate[JLT_FATE_INVALID], sum->all.by_fate[JLT_FATE_EQUILIBRIUM], sum->all.by_fate[JLT_FATE_ALIVE],
             sum->all.by_fate[JLT_FATE_BUDGET], failures(sum));
     if (sum->low.starts > 0) fprintf(file, "%.9g,%.3g,%.9g\n", turned, error, kept);
     else fputs(",,\n", file);

@@ -45,7 +45,7 @@ typedef struct {
     const char *name;
     const jlt_kernel *kernel;
 } entry;
-enum { KERNELS = 10 };
+enum { KERNELS = 12 };
 
 static void list_kernels(entry out[KERNELS], const jlt_descriptor *d)
 {
@@ -60,6 +60,8 @@ static void list_kernels(entry out[KERNELS], const jlt_descriptor *d)
         { "measure_divergences", &d->measure_divergences },
         { "time_factor", &d->time_factor },
         { "eliminated", &d->eliminated },
+        { "observe_values", &d->observe_values },
+        { "valid_values", &d->valid_values },
     };
     memcpy(out, all, sizeof all);
 }
@@ -119,6 +121,7 @@ static json_t *descriptor_json(const jlt_descriptor *d)
     json_object_set_new(object, "parameters", quantities_json(d->params, d->param_count, true));
     json_object_set_new(object, "integrals", names_json(d->integrals, d->integral_count));
     json_object_set_new(object, "measures", names_json(d->measures, d->measure_count));
+    json_object_set_new(object, "observes", quantities_json(d->observes, d->observe_count, false));
     json_object_set_new(object, "kernels", counts);
     return object;
 }
@@ -142,6 +145,9 @@ static void print_descriptor(FILE *stream, const jlt_descriptor *d, bool first)
         fprintf(stream, "%s: %s\n  table %s\n  %s\n", d->model, d->title, d->sha256, d->generator);
         print_quantities(stream, "states", d->states, d->state_count);
         print_quantities(stream, "parameters", d->params, d->param_count);
+        if (d->observe_count > 0) print_quantities(stream, "observed", d->observes, d->observe_count);
+        for (unsigned i = 0; i < d->valid_count; i++)
+            fprintf(stream, "%s    %-20s %s\n", i == 0 ? "  valid where\n" : "", d->valids[i].name, d->valids[i].meaning);
         if (d->equilibria_count > 0) fputs("  equilibria\n", stream);
         for (unsigned i = 0; i < d->equilibria_count; i++)
             fprintf(stream, "    %-22s %s%s\n", d->equilibria[i].name, d->equilibria[i].condition,

@@ -113,7 +113,7 @@ static const struct argp parser = {
 
 /* Counts for the closing words. */
 typedef struct {
-    size_t orbits, empty, rows, lost_contact, failed;
+    size_t orbits, empty, rows, invalid, failed;
 } totals;
 
 /* How orbits are followed: by the section, or many at once by the batch. */
@@ -195,7 +195,7 @@ static jlt_status run_orbit(follower *f, const double *q, size_t index)
         show_written(f, index, at->number);
     }
     jlt_section_picture_end(f->picture, at->fate);
-    if (at->contact <= 0) sum->lost_contact++;
+    if (at->least <= 0) sum->invalid++;
     if (jlt_section_failed(at->fate)) sum->failed++;
     sum->orbits++;
 done:
@@ -213,16 +213,16 @@ static jlt_exit closing_words(const follower *f, const jlt_stream *stream)
                 stream->path);
     if (sum->empty > 0)
         fprintf(stderr, "jellett: %zu points of the grid have no state on these levels\n", sum->empty);
-    if (o->batch && sum->lost_contact > 0)
+    if (o->batch && sum->invalid > 0)
         fprintf(stderr,
-                "jellett: at least %zu of %zu orbits have returns with N <= 0, where the support no longer pushes and the model "
-                "does not hold; they were followed all the same, and --batch does not look between returns\n",
-                sum->lost_contact, sum->orbits);
-    else if (sum->lost_contact > 0 && !o->motion.flow.end_at_contact_loss)
+                "jellett: at least %zu of %zu orbits have returns where the model does not hold (%s); they were followed all the "
+                "same, and --batch does not look between returns\n",
+                sum->invalid, sum->orbits, jlt_observed_condition(f->table.system->observed));
+    else if (sum->invalid > 0 && !o->motion.flow.end_where_invalid)
         fprintf(stderr,
-                "jellett: %zu of %zu orbits pass through N <= 0, where the support no longer pushes and the model does not "
-                "hold; they were followed all the same (--contact end stops them there)\n",
-                sum->lost_contact, sum->orbits);
+                "jellett: %zu of %zu orbits pass through states where the model does not hold (%s); they were followed all the same "
+                "(--contact end stops them there)\n",
+                sum->invalid, sum->orbits, jlt_observed_condition(f->table.system->observed));
     if (sum->failed > 0) return jlt_motion_failures(sum->failed, sum->orbits);
     if (!o->check) return JLT_EXIT_DONE;
     fprintf(stderr, "jellett: det DP against flux and divergence: worst relative defect %.2g, %.2g of its bound\n",
@@ -358,7 +358,7 @@ static jlt_exit run(int argc, char **argv)
     }
     jlt_motion_header(stream.file, &o.motion, system);
     if (o.batch) batch_header(stream.file, &o, system);
-    f.table = (jlt_section_table){ .system = system, .contact = strcmp(o.motion.contact, "report") == 0, .check = o.check,
+    f.table = (jlt_section_table){ .system = system, .least = strcmp(o.motion.contact, "report") == 0, .check = o.check,
                                    .map = f.map, .time_direction = o.time_direction };
     jlt_section_table_names(stream.file, &f.table);
     code = run_all(&f, stream.file);

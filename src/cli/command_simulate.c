@@ -49,9 +49,10 @@ static const struct argp_child children[] = { { &jlt_session_argp, 0, NULL, 0 },
 
 static const struct argp parser = {
     option_table, parse, "[MODEL]",
-    "One orbit: states at given times, drift of the integrals, contact force, and what ends it."
-    "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to max(1, |F|)), contact_force, the tiers "
-    "compared, and fate: alive, lost_contact (the plane would have had to pull since the start: the model no longer holds), "
+    "One orbit: states at given times, drift of the integrals, what is observed along it, and what ends it."
+    "\vColumns: t, the states, drift_NAME of every integral (|F - F(start)| relative to max(1, |F|)), what the table observes, the tiers "
+    "compared, and fate: alive, lost_NAME (a condition of the model has been broken since the start, for the top lost_contact: the "
+    "plane would have had to pull), "
     "pole+ or pole- (the orbit ends there: the last row has the time and the limits, and later times have none). Where the "
     "tier's coordinates end before the orbit does the last row says left_domain, where the method fails budget, nonfinite, "
     "no_convergence or no_progress, and the status is 4. A field is a number or empty: what is not known, or has no limit.\n\n"
@@ -168,6 +169,8 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     const jlt_plan *plan = &r->plans[0];
     const jlt_instance *kernel = jlt_course_kernel(r->courses[0]);
     const jlt_tier *tier = plan->candidates[plan->chosen].tier;
+    const jlt_quantity *observed;
+    const unsigned observes = jlt_course_observes(r->courses[0], &observed);
 
     jlt_csv_header(file, s->common.command, kernel->descriptor, kernel->params);
     fprintf(file, "# tier %s: %s; method %s, tolerance %.3g%s; nothing is random, so there is no seed\n", jlt_plan_tier(plan),
@@ -177,7 +180,7 @@ static void write_header(FILE *file, const jlt_simulate_request *r)
     for (unsigned i = 0; i < s->descriptor->state_count; i++) fprintf(file, ",%s", s->descriptor->states[i].name);
     for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++)
         fprintf(file, ",drift_%s", jlt_course_integral(r->courses[0], i));
-    if (jlt_plan_has_tiers(s->descriptor)) fputs(",contact_force", file);
+    for (unsigned i = 0; i < observes; i++) fprintf(file, ",%s", observed[i].name);
     if (r->track) {
         fputs(",x,y,x_contact,y_contact", file);
         for (int i = 0; i < 3; i++) fprintf(file, ",%s1,%s2,%s3", axes[i], axes[i], axes[i]);
@@ -206,13 +209,14 @@ static double difference(jlt_simulate_request *r, size_t k, const double *x, dou
 }
 
 /* st: of the call that made the row. */
-static const char *fate_of(const jlt_course_row *row, jlt_status st)
+static void write_fate(FILE *file, const jlt_simulate_request *r, const jlt_course_row *row, jlt_status st)
 {
     jlt_fate failure;
 
-    if (st != JLT_OK) return jlt_section_fate_of(&failure, st) ? jlt_section_fate_name(failure) : "unknown";
-    if (row->end == JLT_END_POLE) return row->side > 0 ? "pole+" : "pole-";
-    return !isnan(row->lost_at) ? "lost_contact" : "alive";
+    if (st != JLT_OK) fprintf(file, ",%s\n", jlt_section_fate_of(&failure, st) ? jlt_section_fate_name(failure) : "unknown");
+    else if (row->end == JLT_END_POLE) fputs(row->side > 0 ? ",pole+\n" : ",pole-\n", file);
+    else if (!isnan(row->lost_at)) fprintf(file, ",lost_%s\n", jlt_course_condition(r->courses[0]));
+    else fputs(",alive\n", file);
 }
 
 static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row *row, jlt_status st)
@@ -223,7 +227,9 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
     values[count++] = row->t;
     for (unsigned i = 0; i < r->session.descriptor->state_count; i++) values[count++] = row->x[i];
     for (unsigned i = 0; i < jlt_course_integrals(r->courses[0]); i++) values[count++] = row->drift[i];
-    if (jlt_plan_has_tiers(r->session.descriptor)) values[count++] = row->contact_force;
+    jlt_csv_values(file, values, count);
+    jlt_csv_more(file, row->observed, jlt_course_observes(r->courses[0], NULL));
+    count = 0;
     if (r->track) {
         for (int i = 0; i < 2; i++) values[count++] = row->attitude.centre[i];
         for (int i = 0; i < 2; i++) values[count++] = row->attitude.contact[i];
@@ -232,8 +238,8 @@ static void write_row(FILE *file, jlt_simulate_request *r, const jlt_course_row 
     }
     for (size_t k = 1; k < r->course_count; k++)
         values[count++] = row->end == JLT_END_TIME ? difference(r, k, row->x, row->t) : NAN;
-    jlt_csv_values(file, values, count);
-    fprintf(file, ",%s\n", fate_of(row, st));
+    jlt_csv_more(file, values, count);
+    write_fate(file, r, row, st);
     if (r->points != NULL) jlt_simulate_point(r, row);
 }
 
@@ -288,9 +294,8 @@ static void closing_words(const jlt_simulate_request *r, const jlt_stream *strea
     }
     if (!isnan(row->lost_at))
         fprintf(stderr,
-                "jellett: the normal reaction is not positive at t = %.10g (least %.6g): from there on the plane would have "
-                "to pull, and the model does not hold\n",
-                row->lost_at, row->least_force);
+                "jellett: at t = %.10g the model's condition %s breaks (least value %.6g): from there on the model does not hold\n",
+                row->lost_at, jlt_course_condition(r->courses[0]), row->least);
 }
 
 static jlt_exit run(int argc, char **argv)
@@ -330,5 +335,5 @@ done:
 
 const jlt_command jlt_command_simulate = {
     "simulate", "[MODEL] --start ... --times ...|--until ... [OPTION...]",
-    "One orbit at given times: states, drift of integrals, contact force, attitude and track", run
+    "One orbit at given times: states, drift of integrals, observed quantities, attitude and track", run
 };

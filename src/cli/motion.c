@@ -50,7 +50,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         if (strcmp(value, "ignore") != 0 && strcmp(value, "report") != 0 && strcmp(value, "end") != 0)
             argp_error(state, "--contact is ignore, report or end, not '%s'", value);
         o->contact = value;
-        o->flow.end_at_contact_loss = strcmp(value, "end") == 0;
+        o->flow.end_where_invalid = strcmp(value, "end") == 0;
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -166,9 +166,11 @@ static jlt_exit plane_system(jlt_system **system, const jlt_motion_options *opti
     if (code != JLT_EXIT_DONE) return code;
     if (options->section == NULL)
         code = jlt_command_fail(JLT_EXIT_USAGE, "say which section of %s: --section STATE=VALUE", descriptor->model);
-    else if (options->level.count > 0 || strcmp(options->contact, "ignore") != 0)
-        code = jlt_command_fail(JLT_EXIT_USAGE, "--%s is for the spherical top, not for %s",
-                                options->level.count > 0 ? "level" : "contact", descriptor->model);
+    else if (options->level.count > 0)
+        code = jlt_command_fail(JLT_EXIT_USAGE, "--level is for the spherical top, not for %s", descriptor->model);
+    else if (strcmp(options->contact, "ignore") != 0 && descriptor->family[0]->valid_count == 0)
+        code = jlt_command_fail(JLT_EXIT_USAGE, "--contact %s: %s has no condition to lose; its table says none by 'valid'",
+                                options->contact, descriptor->model);
     else code = read_section(&section, options->section);
     if (code == JLT_EXIT_DONE && !jlt_descriptor_state(descriptor, section.name, &column))
         code = jlt_command_fail(JLT_EXIT_INPUT, "--section: %s has no state '%s'", descriptor->model, section.name);
@@ -373,7 +375,8 @@ void jlt_motion_header(FILE *stream, const jlt_motion_options *options, const jl
     }
     fprintf(stream, "# section %s=%.17g crossed %s; method %s, tolerance %.3g", system->instance->descriptor->states[chart->column].name,
             chart->level, directions[options->flow.direction + 1], options->flow.method->name, options->flow.tolerance);
-    if (chart->contact != NULL) fprintf(stream, "; loss of contact: %s", options->contact);
+    if (jlt_observed_has_conditions(system->observed))
+        fprintf(stream, "; loss of %s: %s", jlt_observed_condition(system->observed), options->contact);
     fputs("; nothing is random, so there is no seed\n", stream);
 }
 

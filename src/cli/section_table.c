@@ -10,8 +10,9 @@ void jlt_section_table_names(FILE *stream, const jlt_section_table *table)
 
     fputs("orbit,return,t", stream);
     for (unsigned k = 0; k < chart->dim; k++) fprintf(stream, ",%s", chart->names[k]);
-    fprintf(stream, "%s,fate%s%s\n", table->system->is_top ? ",v_nu,omega_n,omega3" : "", table->contact ? ",contact_min" : "",
-            table->check ? ",trace,det,divergence,defect" : "");
+    fprintf(stream, "%s,fate", table->system->is_top ? ",v_nu,omega_n,omega3" : "");
+    if (table->least) fprintf(stream, ",%s_min", jlt_observed_condition(table->system->observed));
+    fprintf(stream, "%s\n", table->check ? ",trace,det,divergence,defect" : "");
 }
 
 /* DP from the point before. */
@@ -48,6 +49,7 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
     const jlt_section_row *which = row;
     const jlt_system *system = self->system;
     const jlt_return *at = &which->at;
+    char fate[JLT_FATE_TEXT_MAX];
     double omega_n, omega3;
 
     fprintf(stream, "%zu,%zu", which->orbit, at->number);
@@ -63,8 +65,9 @@ void jlt_section_table_row(FILE *stream, void *table, const void *row)
         write_field(stream, omega3);
     }
     fputc(',', stream);
-    fputs(jlt_section_fate_name(at->fate), stream);
-    if (self->contact) write_field(stream, at->contact);
+    jlt_section_fate_text(fate, system->observed, at->fate);
+    fputs(fate, stream);
+    if (self->least) write_field(stream, at->least);
     if (self->check) write_check(stream, self, which);
     fputc('\n', stream);
 }

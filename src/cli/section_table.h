@@ -9,7 +9,7 @@
 
 typedef struct {
     const jlt_system *system;
-    bool contact; /* a column for the least reaction */
+    bool least; /* a column for the least value of the model's conditions */
     bool check;   /* columns for DP */
     jlt_map *map; /* of check; not owned */
     int time_direction;

@@ -33,9 +33,6 @@ struct jlt_chart {
     /* Density, in the coordinates q, of the flux of volume through the section on its levels; f = dx/dtau at x. */
     double (*flux)(const jlt_chart *self, const double *x, const double *f);
 
-    /* Normal reaction of the support; the model holds while it is positive. NULL: no such limit. */
-    double (*contact)(const jlt_chart *self, const double *x, const double *f);
-
     /* Side (+1, -1) of the pole at which a state has ended, what vanishes there being put to zero. NULL: there are no poles. */
     int (*side)(const jlt_chart *self, double *x);
 };

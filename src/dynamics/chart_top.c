@@ -120,17 +120,6 @@ static double flux(const jlt_chart *base, const double *x, const double *f)
     return sqrt(here.K / (self->m * here.Theta)) * f[JLT_CHART_TOP_OMEGA_TAU] / x[JLT_CHART_TOP_S];
 }
 
-/* The centre of mass is at the height R + a3 gamma3, so N = m (g + a3 gamma3''), gamma3' = s omega_tau, s' = -gamma3 omega_tau:
- * N = m (g + a3 (s omega_tau' - gamma3 omega_tau^2)), and f holds s omega_tau'. */
-static double contact(const jlt_chart *base, const double *x, const double *f)
-{
-    const jlt_chart_top *self = (const jlt_chart_top *)base;
-    const double omega_tau = x[JLT_CHART_TOP_OMEGA_TAU];
-
-    return self->m *
-           (self->g + self->a3 * (f[JLT_CHART_TOP_OMEGA_TAU] - x[JLT_CHART_TOP_GAMMA3] * omega_tau * omega_tau));
-}
-
 static int side(const jlt_chart *base, double *x)
 {
     const int sign = x[JLT_CHART_TOP_GAMMA3] > 0 ? 1 : -1;
@@ -157,7 +146,6 @@ void jlt_chart_top_init(jlt_chart_top *out, double m, double R, double g, double
     out->base.lift = lift;
     out->base.lower = lower;
     out->base.flux = flux;
-    out->base.contact = contact;
     out->base.side = side;
     out->m = m;
     out->R = R;

@@ -13,7 +13,7 @@ jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end, const doub
     *end = (jlt_fates_end){ .fate = row.fate,
                             .t = row.t,
                             .returns = row.number,
-                            .contact = row.contact,
+                            .least = row.least,
                             .interrupted = row.interrupted };
     memcpy(end->x, row.x, sizeof end->x);
 done:
@@ -24,13 +24,13 @@ void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end)
 {
     count->starts++;
     count->by_fate[end->fate]++;
-    if (end->contact > 0) count->contact[end->fate]++;
+    if (end->least > 0) count->valid[end->fate]++;
 }
 
-void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool contact_kept)
+void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool held)
 {
     const double n = (double)count->starts;
-    const double k = (double)(contact_kept ? count->contact[fate] : count->by_fate[fate]);
+    const double k = (double)(held ? count->valid[fate] : count->by_fate[fate]);
 
     *share = n > 0 ? k / n : NAN;
     *error = n > 0 ? sqrt(*share * (1 - *share) / n) : NAN;

@@ -9,7 +9,7 @@ typedef struct {
     double t;           /* of the end, or of the last return */
     size_t returns;
     double x[JLT_CHART_STATES_MAX]; /* there; at a pole the limit */
-    double contact;     /* least normal reaction met; the model is valid throughout only where it is positive */
+    double least;       /* value met of the model's conditions; it holds throughout only where this is positive */
     bool interrupted;
 } jlt_fates_end;
 
@@ -20,13 +20,13 @@ JLT_CHECKED jlt_status jlt_fates_follow(jlt_section *section, jlt_fates_end *end
 typedef struct {
     size_t starts;                /* that exist on the levels */
     size_t by_fate[JLT_FATE_COUNT];
-    size_t contact[JLT_FATE_COUNT]; /* of these, those whose normal reaction stayed positive */
+    size_t valid[JLT_FATE_COUNT]; /* of these, those on which the model held throughout */
 } jlt_fates_count;
 
 void jlt_fates_add(jlt_fates_count *count, const jlt_fates_end *end);
 
-/** Share of the starts with this fate, with its binomial standard error; NaN for no starts. contact_kept: only those whose
- *  reaction stayed positive. */
-void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool contact_kept);
+/** Share of the starts with this fate, with its binomial standard error; NaN for no starts. held: only those on which
+ *  the model held throughout. */
+void jlt_fates_share(double *share, double *error, const jlt_fates_count *count, jlt_fate fate, bool held);
 
 #endif

@@ -1,6 +1,7 @@
 #include "dynamics/section.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,7 +21,7 @@ struct jlt_section {
     jlt_rest_watch rest; /* since the last return */
     double limit[JLT_CHART_STATES_MAX]; /* when rests: the equilibrium */
     bool accepted;   /* the orbit's own integrator has not been there */
-    double contact;
+    double least;    /* value of the model's conditions since the start */
 };
 
 static const struct {
@@ -30,7 +31,7 @@ static const struct {
     [JLT_FATE_ALIVE] = { "alive", JLT_OK },
     [JLT_FATE_POLE_PLUS] = { "pole+", JLT_ERR_DOMAIN },
     [JLT_FATE_POLE_MINUS] = { "pole-", JLT_ERR_DOMAIN },
-    [JLT_FATE_LOST_CONTACT] = { "lost_contact", JLT_ERR_DOMAIN },
+    [JLT_FATE_INVALID] = { "invalid", JLT_ERR_DOMAIN },
     [JLT_FATE_EQUILIBRIUM] = { "equilibrium", JLT_ERR_DOMAIN },
     [JLT_FATE_LEFT_DOMAIN] = { "left_domain", JLT_ERR_DOMAIN },
     [JLT_FATE_BUDGET] = { "budget", JLT_ERR_BUDGET },
@@ -42,6 +43,13 @@ static const struct {
 const char *jlt_section_fate_name(jlt_fate fate)
 {
     return (unsigned)fate < JLT_FATE_COUNT ? fates[fate].name : "unknown";
+}
+
+void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *observed, jlt_fate fate)
+{
+    if (fate == JLT_FATE_INVALID && observed != NULL)
+        snprintf(text, JLT_FATE_TEXT_MAX, "lost_%s", jlt_observed_condition(observed));
+    else snprintf(text, JLT_FATE_TEXT_MAX, "%s", jlt_section_fate_name(fate));
 }
 
 jlt_status jlt_section_fate_status(jlt_fate fate)
@@ -64,26 +72,22 @@ bool jlt_section_fate_of(jlt_fate *fate, jlt_status status)
     return last > JLT_FATE_EQUILIBRIUM;
 }
 
-/* As an event the reaction needs the field, which the integrator's value function is not given. */
-static double contact_value(void *context, const double *x)
+static double condition_value(void *context, const double *x)
 {
-    const jlt_section *self = context;
-    double f[JLT_CHART_STATES_MAX];
+    return jlt_observed_least(((const jlt_section *)context)->flow.observed, x);
+}
 
-    self->flow.field->call(x, self->flow.field->p, f);
-    return self->flow.chart->contact(self->flow.chart, x, f);
+static void note_conditions(jlt_section *self, const double *x)
+{
+    if (self->flow.observed != NULL) self->least = fmin(self->least, jlt_observed_least(self->flow.observed, x));
 }
 
 static int watch(void *context, jlt_orbit *orbit)
 {
     jlt_section *self = context;
-    const jlt_chart *chart = self->flow.chart;
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
 
-    if (chart->contact != NULL) {
-        const double contact = chart->contact(chart, stepper->x, stepper->f);
-        if (contact < self->contact) self->contact = contact;
-    }
+    note_conditions(self, stepper->x);
     return jlt_rest_watch_step(&self->rest, stepper, self->limit);
 }
 
@@ -108,8 +112,8 @@ jlt_status jlt_section_create(jlt_section **out, const jlt_flow *flow)
                                    .level = flow->chart->level,
                                    .direction = flow->direction };
     self->event_count = 1;
-    if (flow->chart->contact != NULL && flow->end_at_contact_loss) {
-        self->events[1] = (jlt_event){ .value = contact_value, .context = self, .direction = JLT_BOTH };
+    if (flow->observed != NULL && jlt_observed_has_conditions(flow->observed) && flow->end_where_invalid) {
+        self->events[1] = (jlt_event){ .value = condition_value, .context = self, .direction = JLT_BOTH };
         self->event_count = 2;
     }
     jlt_orbit_observe(self->orbit, watch, self);
@@ -127,14 +131,12 @@ void jlt_section_destroy(jlt_section *self)
     free(self);
 }
 
-/* Take x for the point of the current return; f gets the field there. Returns the normal reaction. */
-static double arrive(jlt_section *self, const double *x, double *f)
+/* Take x for the point of the current return; f gets the field there. */
+static void arrive(jlt_section *self, const double *x, double *f)
 {
-    const jlt_chart *chart = self->flow.chart;
-
     self->flow.field->call(x, self->flow.field->p, f);
-    memcpy(self->x, x, chart->states * sizeof *x);
-    return chart->contact != NULL ? chart->contact(chart, x, f) : INFINITY;
+    memcpy(self->x, x, self->flow.chart->states * sizeof *x);
+    note_conditions(self, x);
 }
 
 /* t and x in the flow's units; the row gets them in the table's. */
@@ -148,7 +150,7 @@ static void fill(jlt_return *row, const jlt_section *self, double t, const doubl
     row->t = ldexp(t, self->flow.units.time);
     for (k = 0; k < chart->states; k++) row->x[k] = ldexp(x[k], self->flow.units.state[k]);
     row->residual = ldexp(x[chart->column] - chart->level, self->flow.units.state[chart->column]);
-    row->contact = ldexp(self->contact, self->flow.units.contact);
+    row->least = self->least;
     if (on_section) {
         chart->lower(chart, row->q, NULL, x);
         return;
@@ -171,9 +173,10 @@ static jlt_status begin(jlt_section *self, jlt_return *row, const double *x, int
     self->accepted = self->rests = false;
     self->rest = (jlt_rest_watch){ 0 };
     self->time_direction = time_direction;
-    self->contact = arrive(self, x, f);
+    self->least = INFINITY;
+    arrive(self, x, f);
     if (jlt_rest_is_slower(self->flow.field, x, JLT_REST_STILL)) self->start_fate = JLT_FATE_EQUILIBRIUM;
-    if (self->event_count == 2 && self->contact <= 0) self->start_fate = JLT_FATE_LOST_CONTACT;
+    if (self->event_count == 2 && self->least <= 0) self->start_fate = JLT_FATE_INVALID;
     if (row == NULL) return JLT_OK;
     fill(row, self, 0, x, x[chart->column] == chart->level);
     row->fate = self->start_fate;
@@ -212,7 +215,7 @@ static void end_by(jlt_section *self, jlt_return *row, const jlt_outcome *outcom
 
     switch (outcome->end) {
     case JLT_END_TIME: end(self, row, outcome->t, outcome->x, JLT_FATE_BUDGET); return;
-    case JLT_END_EVENT: end(self, row, outcome->t, outcome->x, JLT_FATE_LOST_CONTACT); return;
+    case JLT_END_EVENT: end(self, row, outcome->t, outcome->x, JLT_FATE_INVALID); return;
     case JLT_END_OBSERVER: end(self, row, outcome->t, self->limit, JLT_FATE_EQUILIBRIUM); return;
     case JLT_END_POLE:
         end(self, row, outcome->t, outcome->x, JLT_FATE_POLE_PLUS);
@@ -252,7 +255,7 @@ jlt_status jlt_section_next(jlt_section *self, jlt_return *row)
         self->t_start = outcome.t;
         fill(row, self, outcome.t, outcome.x, true);
         row->direction = outcome.crossing.direction;
-        (void)arrive(self, outcome.x, f);
+        arrive(self, outcome.x, f);
         self->rest = (jlt_rest_watch){ 0 };
         self->rests = jlt_rest_is_slower(self->flow.field, self->x, jlt_rest_slow(jlt_orbit_stepper(self->orbit)->asked))
                       && jlt_rest_ends(jlt_orbit_stepper(self->orbit), self->limit);
@@ -270,7 +273,7 @@ void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const doub
     self->number++;
     self->t_start = t;
     self->accepted = true;
-    self->contact = fmin(self->contact, arrive(self, x, f));
+    arrive(self, x, f);
     fill(row, self, t, x, true);
     row->direction = (f[column] > 0) - (f[column] < 0);
 }

@@ -6,6 +6,7 @@
 
 #include "dynamics/chart.h"
 #include "integrate/orbit.h"
+#include "kernel/observed.h"
 
 /** A flow with a section: what all of the dynamics works on. Plain data; nothing is owned, and chart and field must live
  *  as long as what is made from it. Zero means the default, in all fields after `field`. */
@@ -18,19 +19,20 @@ typedef struct {
     jlt_direction direction;          /* crossings that count, for growing t; JLT_BOTH is both */
     size_t max_steps;                 /* of the integrator, for one return; default 10^5 */
     double t_max;                     /* physical time for one return; default: no limit */
-    bool end_at_contact_loss;         /* an orbit ends where the normal reaction vanishes; default: it goes on, and rows
-                                         tell the least reaction met */
+    const jlt_observed *observed;     /* of states of the field, in its units: where the model holds; default: everywhere */
+    bool end_where_invalid;           /* an orbit ends where a condition of the model breaks; default: it goes on, and rows tell the
+                                         least value met */
     const volatile sig_atomic_t *interrupt;
     struct {
-        int state[JLT_CHART_STATES_MAX], time, contact;
-    } units; /* binary exponents: x, t and the reaction in rows are 2^these times those of chart and field; default 1 */
+        int state[JLT_CHART_STATES_MAX], time;
+    } units; /* binary exponents: x and t in rows are 2^these times those of chart and field; default 1 */
 } jlt_flow;
 
 typedef enum {
     JLT_FATE_ALIVE,
     JLT_FATE_POLE_PLUS,    /* ended at gamma3 = +1 */
     JLT_FATE_POLE_MINUS,   /* ended at gamma3 = -1 */
-    JLT_FATE_LOST_CONTACT, /* ended where the support no longer pushes */
+    JLT_FATE_INVALID,      /* ended where a condition of the model breaks */
     JLT_FATE_EQUILIBRIUM,  /* has come to rest (integrate/rest.h): crossings would drown in errors; x is the limit */
     JLT_FATE_LEFT_DOMAIN,  /* came to the edge of its table's domain, in the model's own time */
     JLT_FATE_BUDGET,       /* neither a return nor an end was found: steps or time of one return are spent */
@@ -41,8 +43,12 @@ typedef enum {
     JLT_FATE_COUNT
 } jlt_fate;
 
-/** alive, pole+, pole-, lost_contact, equilibrium, left_domain, budget, nonfinite, no_convergence, no_progress. */
+/** alive, pole+, pole-, invalid, equilibrium, left_domain, budget, nonfinite, no_convergence, no_progress. */
 const char *jlt_section_fate_name(jlt_fate fate);
+
+/** The same, with lost_NAME for invalid: the name of the condition that breaks. */
+enum { JLT_FATE_TEXT_MAX = 72 };
+void jlt_section_fate_text(char text[JLT_FATE_TEXT_MAX], const jlt_observed *observed, jlt_fate fate);
 
 /** The fate of an orbit that a function's failure ends. False: none, the failure is not of the orbit. */
 bool jlt_section_fate_of(jlt_fate *fate, jlt_status status);
@@ -62,7 +68,7 @@ typedef struct {
     bool interrupted;            /* the flag was raised before the next return; the row repeats the point then reached */
     double x[JLT_CHART_STATES_MAX];
     double residual;             /* x[column] - level as the integrator left it */
-    double contact;              /* least normal reaction at accepted steps since the start; INFINITY: not known */
+    double least;                /* value of the model's conditions at accepted steps since the start; INFINITY: there are none */
 } jlt_return;
 
 typedef struct jlt_section jlt_section;
@@ -85,7 +91,7 @@ JLT_CHECKED jlt_status jlt_section_next(jlt_section *self, jlt_return *row);
 
 /** The next return, found by another integrator at time t since the start, at x (states,) on the section, both in the flow's
  *  units: row gets what
- *  jlt_section_next makes of it, but for the least reaction, which is looked at there alone; that function goes on from there.
+ *  jlt_section_next makes of it, but for the least value of conditions, which is looked at there alone; that function goes on from there.
  *  Not after an end. */
 void jlt_section_accept(jlt_section *self, jlt_return *row, double t, const double *x);
 

@@ -28,7 +28,7 @@ typedef struct {
 typedef struct jlt_section_batch jlt_section_batch;
 
 /** kernels: those of the flow's field. Everything must live on. Forwards in time alone.
- *  Errors: as jlt_section_create; UNSUPPORTED, the flow asks for a section other than STATE = 0, for the end where contact is lost,
+ *  Errors: as jlt_section_create; UNSUPPORTED, the flow asks for a section other than STATE = 0, for the end where the model no longer holds,
  *  or for an end in time; NOMEM. */
 JLT_CHECKED jlt_status jlt_section_batch_create(jlt_section_batch **out, const jlt_flow *flow, const jlt_kernel_batch *kernels,
                                                 const jlt_section_batch_options *options);

@@ -39,7 +39,8 @@ static jlt_status bind(jlt_system *self, const jlt_descriptor *descriptor, const
     for (unsigned i = 0; i < descriptor->state_count; i++)
         self->flow.units.state[i] = jlt_units_exponent(units, descriptor->states[i].unit);
     self->flow.units.time = units->time;
-    self->flow.units.contact = jlt_units_exponent(units, "kg*m/s^2");
+    JLT_TRY(jlt_observed_create(&self->observed, descriptor, params, units));
+    self->flow.observed = self->observed;
 done:
     return st;
 }
@@ -118,6 +119,7 @@ void jlt_system_destroy(jlt_system *self)
 {
     if (self == NULL) return;
     jlt_instance_destroy(self->instance);
+    jlt_observed_destroy(self->observed);
     free(self);
 }
 

@@ -22,6 +22,7 @@ double *jlt_system_value(jlt_top_values *values, const char *name);
 
 typedef struct {
     jlt_instance *instance; /* its block in the flow's units */
+    jlt_observed *observed;
     jlt_top_values values; /* of the spherical top */
     bool is_top;
     union {

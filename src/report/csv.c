@@ -34,6 +34,14 @@ void jlt_csv_values(FILE *stream, const double *values, size_t count)
     }
 }
 
+void jlt_csv_more(FILE *stream, const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        fputc(',', stream);
+        jlt_csv_value(stream, values[i]);
+    }
+}
+
 void jlt_csv_row(FILE *stream, const double *values, size_t count)
 {
     jlt_csv_values(stream, values, count);

@@ -18,7 +18,10 @@ void jlt_csv_value(FILE *stream, double value);
 /* Numbers as above with commas between them, and no newline. */
 void jlt_csv_values(FILE *stream, const double *values, size_t count);
 
-/* The same, ended by a newline. */
+/* The same with a comma before each: the row goes on. */
+void jlt_csv_more(FILE *stream, const double *values, size_t count);
+
+/* Numbers with commas between them, ended by a newline. */
 void jlt_csv_row(FILE *stream, const double *values, size_t count);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "kernel/observed.h"
 #include "scene/conserved.h"
 #include "scene/rod.h"
 
@@ -15,7 +16,6 @@ struct jlt_course {
     jlt_units units;
     const jlt_quantity *quantities; /* (states,): of the asked model */
     bool has_top;
-    bool has_force; /* the formula of the normal reaction is proved for this table */
     unsigned states;
     int direction; /* of time so far: 0, +1, -1 */
     double t;
@@ -29,7 +29,9 @@ struct jlt_course {
     jlt_orbit *orbit;
     jlt_rod rod;
 
-    double least_force, lost_at;
+    jlt_observed *observed; /* of the asked model's states */
+    double *seen; /* what it observes there */
+    double least, lost_at;
 
     double params[JLT_PLAN_PARAMS_MAX]; /* of the asked model, in the course's units */
     double start[JLT_PLAN_STATES_MAX];
@@ -70,23 +72,34 @@ static void extract(const jlt_course *self, double *x, const double *y)
     else if (self->tier->extract != NULL) self->tier->extract(&self->view, x, y);
 }
 
-static void note_force(jlt_course *self, double t, const double *x)
+unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quantities)
 {
-    /* NaN at a pole where the level does not tell the rotation: no force is known there. */
-    const double force = jlt_top_contact_force(&self->view.top, x);
-
-    if (force < self->least_force) self->least_force = force;
-    if (force <= 0 && isnan(self->lost_at)) self->lost_at = t;
+    if (quantities != NULL) *quantities = jlt_observed_quantities(self->observed);
+    return jlt_observed_count(self->observed);
 }
 
-static int watch_force(void *context, jlt_orbit *orbit)
+const char *jlt_course_condition(const jlt_course *self)
+{
+    return jlt_observed_condition(self->observed);
+}
+
+static void note_conditions(jlt_course *self, double t, const double *x)
+{
+    /* NaN at a pole where the level does not tell the rotation: nothing is known there. */
+    const double value = jlt_observed_least(self->observed, x);
+
+    if (value < self->least) self->least = value;
+    if (value <= 0 && isnan(self->lost_at)) self->lost_at = t;
+}
+
+static int watch_conditions(void *context, jlt_orbit *orbit)
 {
     jlt_course *self = context;
     const jlt_stepper *stepper = jlt_orbit_stepper(orbit);
-    double x[JLT_TOP_STATES];
+    double x[JLT_PLAN_STATES_MAX];
 
     extract(self, x, stepper->x);
-    note_force(self, self->view.mirror * jlt_stepper_time(stepper), x);
+    note_conditions(self, self->view.mirror * jlt_stepper_time(stepper), x);
     return 0;
 }
 
@@ -112,7 +125,7 @@ static jlt_status open_orbit(jlt_course *self, const jlt_candidate *chosen, cons
     if (options->project) JLT_TRY(jlt_conserved_of(&to_orbit.invariants, &self->conserved, chosen->descriptor, &self->field));
     JLT_TRY(jlt_orbit_create(&self->orbit, options->method != NULL ? options->method : jlt_method_find(NULL), &self->field,
                              &to_orbit));
-    if (self->has_force) jlt_orbit_observe(self->orbit, watch_force, self);
+    if (jlt_observed_has_conditions(self->observed)) jlt_orbit_observe(self->orbit, watch_conditions, self);
 done:
     return st;
 }
@@ -154,20 +167,22 @@ jlt_status jlt_course_create(jlt_course **out, const jlt_plan *plan, const jlt_q
     if (self == NULL) return JLT_ERR_NOMEM;
     self->states = model->state_count;
     self->view.mirror = 1;
-    self->least_force = self->lost_at = NAN;
+    self->least = INFINITY;
+    self->lost_at = NAN;
     self->tier = chosen->tier;
     self->quantities = model->states;
     self->has_top = jlt_plan_has_tiers(model);
     if (self->has_top) JLT_TRY(look(self, &told, chosen, question));
-    self->has_force = self->has_top && jlt_plan_has_force(model);
     jlt_units_count(self->start, question->start, model->states, self->states, &self->units);
     memcpy(self->x, self->start, self->states * sizeof *self->x);
     JLT_TRY(jlt_instance_create_in(&self->watch, plan->reduced, question->params, &self->units));
     integrals(self, self->first, self->start);
-    if (self->has_force) {
-        self->least_force = INFINITY;
-        note_force(self, 0, self->start);
-    }
+    JLT_TRY(jlt_observed_create(&self->observed, model, question->params, &self->units));
+    st = JLT_ERR_NOMEM;
+    self->seen = calloc(jlt_observed_count(self->observed) + 1, sizeof *self->seen);
+    if (self->seen == NULL) goto done;
+    st = JLT_OK;
+    note_conditions(self, 0, self->start);
     if (self->has_top) {
         if (chosen->tier != NULL && chosen->tier->model == NULL)
             JLT_TRY(jlt_rod_open(&self->rod, &self->view.top, self->start));
@@ -186,6 +201,8 @@ void jlt_course_destroy(jlt_course *self)
     jlt_orbit_destroy(self->orbit);
     jlt_instance_destroy(self->instance);
     jlt_instance_destroy(self->watch);
+    jlt_observed_destroy(self->observed);
+    free(self->seen);
     free(self);
 }
 
@@ -193,13 +210,10 @@ void jlt_course_destroy(jlt_course *self)
 static void restore(jlt_course *self, jlt_course_row *row, double t)
 {
     const jlt_units *units = &self->units;
-    const int force = jlt_units_exponent(units, "kg*m/s^2");
 
     jlt_units_restore(self->row, self->x, self->quantities, self->states, units);
     row->t = ldexp(t, units->time);
     row->lost_at = ldexp(row->lost_at, units->time);
-    row->contact_force = ldexp(row->contact_force, force);
-    row->least_force = ldexp(row->least_force, force);
     for (unsigned i = 0; i < 2; i++) {
         row->attitude.centre[i] = ldexp(row->attitude.centre[i], units->length);
         row->attitude.contact[i] = ldexp(row->attitude.contact[i], units->length);
@@ -211,7 +225,7 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
 {
     double now[INTEGRALS_MAX];
 
-    *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift, .contact_force = NAN };
+    *row = (jlt_course_row){ .end = end, .x = self->row, .drift = self->drift, .observed = self->seen };
     if (self->has_top) { /* an integrated gamma3 may pass 1 by a rounding error */
         double *gamma3 = &self->x[JLT_TOP_GAMMA3];
         row->side = end == JLT_END_POLE ? (*gamma3 > 0 ? 1 : -1) : 0;
@@ -220,11 +234,9 @@ static void fill(jlt_course *self, jlt_course_row *row, jlt_end end, double t)
     integrals(self, now, self->x);
     for (unsigned i = 0; i < jlt_course_integrals(self); i++)
         self->drift[i] = fabs(now[i] - self->first[i]) / fmax(1, fabs(self->first[i]));
-    if (self->has_force) {
-        row->contact_force = jlt_top_contact_force(&self->view.top, self->x);
-        note_force(self, t, self->x);
-    }
-    row->least_force = self->least_force;
+    jlt_observed_values(self->observed, self->seen, self->x);
+    note_conditions(self, t, self->x);
+    row->least = self->least;
     row->lost_at = self->lost_at;
     if (self->tier != NULL && self->tier->orient != NULL) {
         row->has_attitude = true;

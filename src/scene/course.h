@@ -24,9 +24,9 @@ typedef struct {
     double t;
     const double *x;          /* shape (states of the asked model,), the course's own, valid until the next call */
     const double *drift;      /* shape (integrals,): |F - F(start)|/max(1, |F(start)|) */
-    double contact_force;     /* NaN when the model has no such notion */
-    double least_force;       /* least one over the accepted steps since the start; NaN as above */
-    double lost_at;           /* when the force was first seen not to be positive; NaN: never */
+    const double *observed;   /* shape (jlt_course_observes,): what the asked model's table observes; the course's own */
+    double least;             /* value of the model's conditions over the accepted steps since the start; INFINITY: there are none */
+    double lost_at;           /* when it was first seen not to be positive; NaN: never */
     bool has_attitude;
     jlt_attitude attitude;
     int side;                 /* POLE: sign of gamma3 there */
@@ -52,6 +52,10 @@ const jlt_instance *jlt_course_kernel(const jlt_course *self);
 /** Number and names of the integrals watched. */
 unsigned jlt_course_integrals(const jlt_course *self);
 const char *jlt_course_integral(const jlt_course *self, unsigned index);
+
+/** What is observed, shape (count,), and what the model's condition is called. */
+unsigned jlt_course_observes(const jlt_course *self, const jlt_quantity **quantities);
+const char *jlt_course_condition(const jlt_course *self);
 
 /** Steps and evaluations of the field so far; both 0 for quadratures. */
 void jlt_course_cost(const jlt_course *self, size_t *steps, size_t *evaluations);

@@ -66,14 +66,6 @@ static const char *unproved(const jlt_claim **broken, const jlt_tier *tier, cons
     return want;
 }
 
-bool jlt_plan_has_force(const jlt_descriptor *model)
-{
-    const jlt_descriptor *full = jlt_descriptor_find("spherical_top_full", NULL, NULL, NULL);
-    const jlt_claim *broken;
-
-    return full != NULL && jlt_link_holds(&broken, model, full);
-}
-
 void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate)
 {
     const jlt_claim *claim = candidate->broken;

@@ -36,10 +36,6 @@ typedef struct {
 /** True for models that tiers speak of: the spherical top's reduced system, in its five states. */
 bool jlt_plan_has_tiers(const jlt_descriptor *model);
 
-/** Whether the normal reaction of the plane is known of this model: its table is linked to that of the full system, which proves the
- *  formula. */
-bool jlt_plan_has_force(const jlt_descriptor *model);
-
 /** Why a candidate does not serve, with the claim that is not proved: "...: reduction on_level: dG/dt = ...". */
 void jlt_plan_refusal(char *text, size_t size, const jlt_candidate *candidate);
 

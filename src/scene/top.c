@@ -51,12 +51,3 @@ double jlt_top_jellett(const jlt_top *top, const double *x)
     const double b = top->a3 + top->R * x[JLT_TOP_GAMMA3];
     return top->I1 * top->R * s * x[JLT_TOP_OMEGA_N] - top->I3 * b * x[JLT_TOP_OMEGA3];
 }
-
-double jlt_top_contact_force(const jlt_top *top, const double *x)
-{
-    const double s = jlt_top_sine(x[JLT_TOP_GAMMA3]);
-    const double wt = x[JLT_TOP_OMEGA_TAU], wn = x[JLT_TOP_OMEGA_N];
-    const double D = top->I1 + top->m * top->a3 * top->a3 * s * s;
-    const double turning = top->I1 * x[JLT_TOP_GAMMA3] * (wn * wn + wt * wt) + top->I3 * s * x[JLT_TOP_OMEGA3] * wn;
-    return top->m * (top->I1 * top->g - top->a3 * turning) / D;
-}

@@ -28,7 +28,4 @@ double jlt_top_v_tau(const jlt_top *top, const double *x);
 double jlt_top_energy(const jlt_top *top, const double *x);
 double jlt_top_jellett(const jlt_top *top, const double *x);
 
-/* Normal reaction of the plane, from (2.6) on the constraints. The model holds while it is positive. */
-double jlt_top_contact_force(const jlt_top *top, const double *x);
-
 #endif

@@ -237,21 +237,20 @@ static void loss_of_contact_ends_orbits_when_asked(void **unused)
     jlt_section *section;
     jlt_fates_count count = { 0 };
     jlt_fates_end end;
-    double f[5], share, error;
+    double share, error;
 
     (void)unused;
     assert_ok(jlt_section_create(&section, &system->flow));
     assert_ok(jlt_fates_follow(section, &end, q, 50));
     assert_int_equal(end.fate, JLT_FATE_POLE_PLUS);
-    assert_true(end.contact < 0);
+    assert_true(end.least < 0);
     jlt_fates_add(&count, &end);
     jlt_section_destroy(section);
-    ending.end_at_contact_loss = true;
+    ending.end_where_invalid = true;
     assert_ok(jlt_section_create(&section, &ending));
     assert_ok(jlt_fates_follow(section, &end, q, 50));
-    assert_int_equal(end.fate, JLT_FATE_LOST_CONTACT);
-    system->field.call(end.x, system->field.p, f);
-    assert_near(system->flow.chart->contact(system->flow.chart, end.x, f), 0, 1e-10);
+    assert_int_equal(end.fate, JLT_FATE_INVALID);
+    assert_near(jlt_observed_least(system->observed, end.x), 0, 1e-10);
     jlt_fates_add(&count, &end);
     jlt_fates_share(&share, &error, &count, JLT_FATE_POLE_PLUS, false);
     assert_near(share, 0.5, 0);

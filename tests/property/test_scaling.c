@@ -79,7 +79,7 @@ static void assert_same_row(const jlt_return *row, const jlt_return *base, const
     for (unsigned k = 0; k < 2 && !isnan(base->q[k]); k++) assert_same(row->q[k], base->q[k], 0);
     assert_same_states(row->x, base->x, u);
     assert_same(row->t, base->t, u->time);
-    if (isfinite(base->contact)) assert_same(row->contact, base->contact, u->mass + u->length - 2 * u->time);
+    if (isfinite(base->least)) assert_same(row->least, base->least, u->mass + u->length - 2 * u->time);
 }
 
 static void same_returns(const jlt_system *first, const jlt_system *second, const double *q, const jlt_units *u)
@@ -199,7 +199,7 @@ static int course_rows(double rows[TIMES][COLUMNS], const jlt_top_values *v, con
         memset(out, 0, COLUMNS * sizeof *out);
         out[0] = row.t;
         memcpy(out + 1, row.x, JLT_TOP_STATES * sizeof *out);
-        out[6] = row.contact_force;
+        out[6] = row.observed[0];
         memcpy(out + 7, row.attitude.centre, 2 * sizeof *out);
         memcpy(out + 9, row.attitude.contact, 2 * sizeof *out);
         memcpy(out + 11, row.drift, 2 * sizeof *out);

@@ -40,7 +40,7 @@ static jlt_periodic find(const finding *f, const double *q, double tolerance, co
     assert_ok(jlt_section_create(&section, &system->flow));
     assert_ok(jlt_section_start(section, &row, orbit.points, 1));
     while (row.number < f->period) assert_ok(jlt_section_next(section, &row));
-    *contact = row.contact;
+    *contact = row.least;
     jlt_section_destroy(section);
     jlt_map_destroy(map);
     jlt_system_destroy(system);

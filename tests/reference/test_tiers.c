@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "kernel/descriptor.h"
+#include "kernel/observed.h"
 #include "scene/course.h"
 
 enum { ROWS_MAX = 16, STATES = JLT_TOP_STATES };
@@ -227,22 +228,32 @@ static void the_centre_moves_with_the_velocity_of_the_reduced_state(void **unuse
     assert_true(fabs(hypot(dx, dy) - horizontal) <= 2e-7);
 }
 
-/* The normal reaction from its formula is the one that lifts the centre of mass: z = R + a3 gamma3, m z'' = N - m g. */
+/* The normal reaction that the table observes is the one that lifts the centre of mass: z = R + a3 gamma3, m z'' = N - m g. */
 static void contact_force_is_the_acceleration_of_the_centre(void **unused)
 {
     const double h = 1e-3;
     orbit o = generic;
     double x[ROWS_MAX * STATES], z[5];
     const jlt_top top = { 1.3, 0.7, 9.81, -0.12, 0.29, 0.21 };
+    const double params[] = { top.m, top.R, top.g, top.a3, top.I1, top.I3 };
+    jlt_observed *observed = NULL;
+    double force;
 
     (void)unused;
+    assert_int_equal(jlt_observed_create(&observed, jlt_descriptor_find("spherical_top", NULL, NULL, NULL), params, &(jlt_units){ 0 }),
+                     JLT_OK);
+    assert_int_equal(jlt_observed_count(observed), 1);
+    assert_string_equal(jlt_observed_quantities(observed)[0].name, "contact_force");
     o.count = 5;
     for (size_t i = 0; i < 5; i++) o.times[i] = 0.3 + h * (double)i;
     follow(x, NULL, &o, "five", 1e-14);
     for (size_t i = 0; i < 5; i++) z[i] = top.R + top.a3 * x[i * STATES];
     const double acceleration = (-z[0] + 16 * z[1] - 30 * z[2] + 16 * z[3] - z[4]) / (12 * h * h);
     /* rounding 1e-15/h^2 = 1e-9, truncation h^4 z^(6)/90 < 1e-9 */
-    assert_true(fabs(top.m * (acceleration + top.g) - jlt_top_contact_force(&top, x + 2 * STATES)) <= 2e-8);
+    jlt_observed_values(observed, &force, x + 2 * STATES);
+    assert_true(fabs(top.m * (acceleration + top.g) - force) <= 2e-8);
+    assert_true(jlt_observed_least(observed, x + 2 * STATES) == force);
+    jlt_observed_destroy(observed);
 }
 
 int main(void)

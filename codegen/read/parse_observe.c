@@ -1,0 +1,93 @@
+/* Records that look at the motion: `observe` for quantities along it, `valid` for where the model holds. */
+#include "read/parser.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_observed(const ttc_model *model, uint32_t symbol)
+{
+    for (size_t i = 0; i < model->observed_count; i++)
+        if (model->observed[i] == symbol) return true;
+    return false;
+}
+
+static bool observe(ttc_parser *parser, uint32_t symbol, ttc_place place)
+{
+    ttc_model *model = parser->model;
+    const char *name = model->symbols[symbol].name;
+    if (model->symbols[symbol].kind != TTC_LET)
+        return ttc_parse_error(parser, place, "'%s' is no expression (expected a let, or 'observe NAME = expression')", name);
+    if (is_observed(model, symbol)) return ttc_parse_error(parser, place, "'%s' is observed twice", name);
+    uint32_t *observed = ttc_parse_extend(model->observed, model->observed_count, sizeof *observed);
+    if (observed == NULL) return ttc_parse_no_memory(parser);
+    model->observed = observed;
+    observed[model->observed_count++] = symbol;
+    parser->used[symbol] = 1;
+    return true;
+}
+
+/* NAME [= expression] [unit] "meaning" */
+bool ttc_parse_observe(ttc_parser *parser)
+{
+    uint32_t symbol;
+    const ttc_token *name = ttc_parse_name(parser, "the name of what is observed");
+    if (name == NULL) return false;
+    if (ttc_parse_accept_mark(parser, '=')) {
+        parser->may_rate = true;
+        ttc_id definition = ttc_parse_expression(parser);
+        parser->may_rate = false;
+        if (!ttc_parse_define(parser, name, TTC_LET, definition, &symbol) || definition == TTC_NONE) return false;
+    } else if (!ttc_parse_find(parser, name, &symbol)) {
+        ttc_parse_unknown(parser, name);
+        return false;
+    }
+    ttc_symbol_entry *entry = parser->model->symbols + symbol;
+    return observe(parser, symbol, ttc_token_place(name)) && ttc_parse_unit_and_meaning(parser, &entry->unit, &entry->meaning);
+}
+
+/* NAME : expression > 0 [unit] "meaning" */
+bool ttc_parse_valid(ttc_parser *parser)
+{
+    ttc_model *model = parser->model;
+    const ttc_token *name = ttc_parse_name(parser, "a name for the condition");
+    if (name == NULL || !ttc_parse_expect_mark(parser, ':', "the name")) return false;
+    for (size_t i = 0; i < model->validity_count; i++)
+        if (strlen(model->validities[i].name) == name->length && memcmp(model->validities[i].name, name->text, name->length) == 0)
+            return ttc_parse_error(parser, ttc_token_place(name), "a second valid record '%s' (first in line %u)",
+                                   model->validities[i].name, (unsigned)model->validities[i].place.line);
+    if (model->validity_count >= TTC_REGION_LIMIT)
+        return ttc_parse_error(parser, ttc_token_place(name), "too many valid records (expected at most %d)", TTC_REGION_LIMIT);
+    parser->may_rate = true;
+    ttc_id expression = ttc_parse_expression(parser);
+    parser->may_rate = false;
+    if (expression == TTC_NONE || !ttc_parse_positive(parser, "the model holds where an expression is > 0")) return false;
+    ttc_validity *validities = ttc_parse_extend(model->validities, model->validity_count, sizeof *validities);
+    if (validities == NULL) return ttc_parse_no_memory(parser);
+    model->validities = validities;
+    ttc_validity *validity = validities + model->validity_count;
+    *validity = (ttc_validity){ .expression = expression, .place = ttc_token_place(name) };
+    if ((validity->name = ttc_parse_copy(parser, name->text, name->length)) == NULL) return false;
+    model->validity_count++;
+    return ttc_parse_unit_and_meaning(parser, &validity->unit, &validity->meaning);
+}
+
+ttc_id ttc_parse_rate(ttc_parser *parser, const ttc_token *name)
+{
+    const ttc_model *model = parser->model;
+    const ttc_place place = ttc_token_place(name);
+    size_t missing = 0;
+    if (!parser->may_rate) {
+        ttc_parse_error(parser, place, "rate() stands in 'observe' and 'valid' alone (expected the rate written out)");
+        return TTC_NONE;
+    }
+    while (missing < model->equation_count && model->equations[missing].place.line != 0) missing++;
+    if (missing < model->state_count) {
+        ttc_parse_error(parser, place, "rate() before all equations are there (expected 'eq %s = ...' above it)",
+                        model->symbols[model->states[missing]].name);
+        return TTC_NONE;
+    }
+    ttc_id id = ttc_parse_parentheses(parser);
+    if (id == TTC_NONE) return TTC_NONE;
+    id = ttc_model_rate(model, id);
+    return id == TTC_NONE ? ttc_parse_graph_error(parser, place) : id;
+}

@@ -1,0 +1,78 @@
+#include "kernel/observed.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "kernel/descriptor.h"
+
+struct jlt_observed {
+    jlt_instance *general;
+    int *exponents; /* of the units of what is observed, then of conditions */
+};
+
+jlt_status jlt_observed_create(jlt_observed **observed, const jlt_descriptor *of, const double *params, const jlt_units *units)
+{
+    const jlt_descriptor *general = jlt_descriptor_sibling(of, NULL, of->time, NULL);
+    jlt_status st = JLT_ERR_UNSUPPORTED;
+    jlt_observed *self = NULL;
+
+    *observed = NULL;
+    if (general == NULL || general->valid_count > JLT_OBSERVED_CONDITIONS_MAX) goto done;
+    st = JLT_ERR_NOMEM;
+    self = calloc(1, sizeof *self);
+    if (self == NULL) goto done;
+    self->exponents = calloc(general->observe_count + general->valid_count + 1, sizeof *self->exponents);
+    if (self->exponents == NULL) goto done;
+    JLT_TRY(jlt_instance_create_in(&self->general, general, params, units));
+    for (unsigned i = 0; i < general->observe_count; i++) self->exponents[i] = jlt_units_exponent(units, general->observes[i].unit);
+    for (unsigned i = 0; i < general->valid_count; i++)
+        self->exponents[general->observe_count + i] = jlt_units_exponent(units, general->valids[i].unit);
+    *observed = self;
+    self = NULL; /* ownership moved to the caller */
+done:
+    jlt_observed_destroy(self);
+    return st;
+}
+
+void jlt_observed_destroy(jlt_observed *observed)
+{
+    if (observed == NULL) return;
+    jlt_instance_destroy(observed->general);
+    free(observed->exponents);
+    free(observed);
+}
+
+unsigned jlt_observed_count(const jlt_observed *observed) { return observed->general->descriptor->observe_count; }
+
+const jlt_quantity *jlt_observed_quantities(const jlt_observed *observed) { return observed->general->descriptor->observes; }
+
+bool jlt_observed_has_conditions(const jlt_observed *observed) { return observed->general->descriptor->valid_count > 0; }
+
+const char *jlt_observed_condition(const jlt_observed *observed)
+{
+    const jlt_descriptor *d = observed->general->descriptor;
+    return d->valid_count == 1 ? d->valids[0].name : "valid";
+}
+
+void jlt_observed_values(const jlt_observed *observed, double *values, const double *x)
+{
+    const jlt_instance *general = observed->general;
+
+    if (general->descriptor->observe_count == 0) return;
+    general->descriptor->observe_values.call(x, general->block, values);
+    for (unsigned i = 0; i < general->descriptor->observe_count; i++) values[i] = ldexp(values[i], observed->exponents[i]);
+}
+
+double jlt_observed_least(const jlt_observed *observed, const double *x)
+{
+    const jlt_descriptor *d = observed->general->descriptor;
+    double values[JLT_OBSERVED_CONDITIONS_MAX], least = INFINITY;
+
+    if (d->valid_count == 0) return least;
+    d->valid_values.call(x, observed->general->block, values);
+    for (unsigned i = 0; i < d->valid_count; i++) {
+        const double value = ldexp(values[i], observed->exponents[d->observe_count + i]);
+        if (value < least) least = value;
+    }
+    return least;
+}
