@@ -37,7 +37,7 @@ house=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mktemp -d)
 scratch=$(mktemp -d)
 trap 'rm -rf "$folder" "$scratch"' EXIT
-for room in codegen tests tools; do ln -s "$house/$room" "$folder/$room"; done
+for room in codegen generated tests tools; do ln -s "$house/$room" "$folder/$room"; done
 export XDG_CACHE_HOME=$scratch/cache LC_ALL=C.UTF-8 # pictures have Greek letters
 
 status=0

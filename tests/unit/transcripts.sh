@@ -22,7 +22,7 @@ passes '$ echo a \' '    b' 'a b'
 passes '$ printf unfinished' unfinished
 passes '$ echo one > file' '$ cat file' one
 passes '$ cat' # nothing to read
-passes '$ ls' codegen tests tools
+passes '$ ls' codegen generated tests tools
 
 passes '$ echo x=0.5000001,y' x=0.5,y
 fails '$ echo x=0.500001,y' x=0.5,y
