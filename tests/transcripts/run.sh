@@ -47,8 +47,9 @@ place= command= within=1e-6
 finish() {
     local code fault=
     [ -n "$command" ] || return 0
-    (cd "$folder" && exec bash -c "$command") > "$scratch/actual" 2>&1 < /dev/null
-    code=$?
+    # A pipe has buffers of the same size everywhere, on which it hangs how the two outputs mix.
+    (cd "$folder" && exec bash -c "$command") 2>&1 < /dev/null | cat > "$scratch/actual"
+    code=${PIPESTATUS[0]}
     [ -z "$(tail -c 1 "$scratch/actual")" ] || echo >> "$scratch/actual" # a last line that has no end
     [ $code -eq 0 ] || echo "[status $code]" >> "$scratch/actual"
     if LC_ALL=C awk -v within="$within" -f "$house/tests/transcripts/agree.awk" "$scratch/expected" "$scratch/actual" > "$scratch/near"; then
