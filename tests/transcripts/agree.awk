@@ -45,6 +45,7 @@ function squeezed(text) {
 
 function lines_agree(one, other,    count, i, moved) {
     if (one "" == other "") return 1
+    if (one ~ / \.\.\.$/) return substr(one, 1, length(one) - 3) "" == substr(other, 1, length(one) - 3) ""
     count = split_line(one, texts_one, numbers_one)
     if (count == 0 || split_line(other, texts_other, numbers_other) != count) return 0
     for (i = 1; i <= count; i++) {

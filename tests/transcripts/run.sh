@@ -7,6 +7,7 @@
 #     $ ttc prove codegen/models/lorenz.tt     a command; a backslash at its end continues it on the next line
 #     lorenz: 2 claims                         what it says, standard output and standard error together
 #     ...                                      a line of three dots alone stands for any number of lines
+#     table ...                                dots after a blank at the end of a line, for any end of that line
 #     [status 1]                               the exit status, where it is not 0
 #
 # Commands of a page run one after another, each by bash with no standard input, in one new folder with links to the folders
@@ -36,8 +37,8 @@ house=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mktemp -d)
 scratch=$(mktemp -d)
 trap 'rm -rf "$folder" "$scratch"' EXIT
-for room in codegen tests tools; do ln -s "$house/$room" "$folder/$room"; done
-export XDG_CACHE_HOME=$scratch/cache LC_ALL=C
+for room in codegen generated tests tools; do ln -s "$house/$room" "$folder/$room"; done
+export XDG_CACHE_HOME=$scratch/cache LC_ALL=C.UTF-8 # pictures have Greek letters
 
 status=0
 place= command= within=1e-6
@@ -46,11 +47,12 @@ place= command= within=1e-6
 finish() {
     local code fault=
     [ -n "$command" ] || return 0
-    (cd "$folder" && exec bash -c "$command") > "$scratch/actual" 2>&1 < /dev/null
-    code=$?
+    # A pipe has buffers of the same size everywhere, on which it hangs how the two outputs mix.
+    (cd "$folder" && exec bash -c "$command") 2>&1 < /dev/null | cat > "$scratch/actual"
+    code=${PIPESTATUS[0]}
     [ -z "$(tail -c 1 "$scratch/actual")" ] || echo >> "$scratch/actual" # a last line that has no end
     [ $code -eq 0 ] || echo "[status $code]" >> "$scratch/actual"
-    if awk -v within="$within" -f "$house/tests/transcripts/agree.awk" "$scratch/expected" "$scratch/actual" > "$scratch/near"; then
+    if LC_ALL=C awk -v within="$within" -f "$house/tests/transcripts/agree.awk" "$scratch/expected" "$scratch/actual" > "$scratch/near"; then
         cat "$scratch/expected" >> "$scratch/page"
     else
         status=1

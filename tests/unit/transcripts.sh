@@ -22,7 +22,7 @@ passes '$ echo a \' '    b' 'a b'
 passes '$ printf unfinished' unfinished
 passes '$ echo one > file' '$ cat file' one
 passes '$ cat' # nothing to read
-passes '$ ls' codegen tests tools
+passes '$ ls' codegen generated tests tools
 
 passes '$ echo x=0.5000001,y' x=0.5,y
 fails '$ echo x=0.500001,y' x=0.5,y
@@ -56,6 +56,9 @@ fails '$ seq 9' 1 ... 8
 fails '$ seq 9' ... 5 4 ...
 fails '$ seq 9' 2 ...
 fails '$ echo 1' 1 ... 1
+passes '$ echo table 1 a' 'table 1 ...'
+fails '$ echo table 2 a' 'table 1 ...'
+fails '$ echo table 2 a' 'table...'
 
 printf '%s\n' text '```console' '$ echo 2.00000001' 2 '$ seq 9' 1 ... 9 '$ echo new; false' old '```' end > "$scratch/page.md"
 bash "$run" --update "$scratch/page.md" > "$scratch/out" && fail "--update: a page that was wrong passes"
