@@ -179,6 +179,34 @@ static void functions_are_enclosed(void **unused)
     ttc_diagnostics_destroy(diagnostics);
 }
 
+/* An enclosure does not depend on what was asked before: after one that failed at every precision, and after one that needed
+ * many bits, it is that of a new ball to the last bit. */
+static void an_enclosure_is_that_of_a_new_ball_whatever_went_before(void **unused)
+{
+    const double before[] = { 1.0, 1.0 - 0x1p-53, -1.0 };
+
+    (void)unused;
+    for (size_t k = 0; k < sizeof before / sizeof *before; k++) {
+        fixture used = set_up(), fresh = set_up();
+        ttc_enclosure ignored, one, other;
+        assert_true(ttc_ball_set(used.ball, used.p, 1.3) && ttc_ball_set(used.ball, used.q, 0.7) && ttc_ball_set(used.ball, used.y, -2.1));
+        assert_true(ttc_ball_set(used.ball, used.x, before[k]));
+        assert_int_equal(ttc_ball_enclose(&ignored, used.ball, ttc_model_field(used.model, 1)), fabs(before[k]) < 1.0);
+        assert_true(ttc_ball_set(used.ball, used.x, 0.3));
+        assert_true(ttc_ball_set(fresh.ball, fresh.p, 1.3) && ttc_ball_set(fresh.ball, fresh.q, 0.7) &&
+                    ttc_ball_set(fresh.ball, fresh.y, -2.1) && ttc_ball_set(fresh.ball, fresh.x, 0.3));
+        for (size_t i = 0; i < 2; i++) {
+            assert_true(ttc_ball_enclose(&one, used.ball, ttc_model_field(used.model, i)));
+            assert_true(ttc_ball_enclose(&other, fresh.ball, ttc_model_field(fresh.model, i)));
+            assert_true(one.value == other.value && one.rest == other.rest && one.radius == other.radius);
+            assert_true(one.rounding == other.rounding && one.plain_rounding == other.plain_rounding);
+            assert_true(one.radius > 0.0);
+        }
+        tear_down(&used);
+        tear_down(&fresh);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -186,6 +214,7 @@ int main(void)
         cmocka_unit_test(rational_points_are_exact),
         cmocka_unit_test(running_errors_know_where_digits_are_lost),
         cmocka_unit_test(functions_are_enclosed),
+        cmocka_unit_test(an_enclosure_is_that_of_a_new_ball_whatever_went_before),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The documentation keeps pace with the programs: every command that --help names is in the man page with its
-# options, and in the README, every program and file that the README names exists, and examples can be copied.
+# The documentation keeps pace with the programs: every command that --help names is in the man page with its options, and in the
+# page of commands; every page is reached from README.md; every program, file and page that a page names exists; examples can be copied.
 set -euo pipefail
 awk() { LC_ALL=C command awk "$@"; } # numbers have points in any locale
 cd "$JLT_SOURCE_DIR"
@@ -13,7 +13,7 @@ for program in ttc jellett; do
     [ -n "$commands" ] || fail "$program --help: no line '  COMMAND ...' found"
     for command in $commands; do
         grep -qx "\.Ss $command" "$JLT_BINARY_DIR/man/$program.1" || fail "$program.1: '$command' is missing"
-        grep -qE "\b$program $command\b" README.md || fail "README.md: '$program $command' is not mentioned"
+        grep -qE "\b$program $command\b" tools/docs/commands.md || fail "tools/docs/commands.md: '$program $command' is not mentioned"
         # An indented example that argp has wrapped goes on at the left edge.
         $program "$command" --help | awk -v what="$program $command --help" '
             example && /^[^ ]/ { print what ": wrapped example: " last; wrapped = 1 }
@@ -25,12 +25,41 @@ for program in ttc jellett; do
     done
 done
 
-# What README.md types in code: scripts of tools/ exist, commands of the programs exist.
-while IFS= read -r script; do
-    [ -e "$script" ] || fail "README.md: $script does not exist"
-done < <(grep -oE '\b(tools|codegen|src|tests|generated)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]' README.md | grep -vw NAME | sort -u)
-while read -r program command; do
-    help=$($program --help)
-    grep -qE "^  $command\b" <<< "$help" || fail "README.md: '$program $command' is no command"
-done < <(grep -oE '(^    |`)(build/bin/)?(ttc|jellett) [a-z]+' README.md | sed -E 's/^( +|`)(build\/bin\/)?//' | sort -u)
+# What a page types in code: scripts and files of the source exist, commands of the programs exist. (Transcripts of refusals, which are
+# run, type what does not.)
+mapfile -t pages < <(find README.md codegen generated src tests tools -name '*.md' ! -path '*/results/*' ! -path 'tests/transcripts/*' | sort)
+[ ${#pages[@]} -ge 10 ] || fail "only ${#pages[@]} pages are found"
+for page in "${pages[@]}"; do
+    while IFS= read -r name; do
+        [ -e "$name" ] || fail "$page: $name does not exist"
+    done < <(grep -oE '\b(tools|codegen|src|tests|generated)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]' "$page" | grep -vE 'NAME|ROOM' | sort -u)
+    while read -r program command; do
+        help=$($program --help)
+        grep -qE "^  $command\b" <<< "$help" || fail "$page: '$program $command' is no command"
+    done < <(grep -oE '(^    |^\$ |`)(build/bin/)?(ttc|jellett) [a-z]+' "$page" | sed -E 's/^( +|\$ |`)(build\/bin\/)?//' | sort -u)
+    # Links to pages and pictures, relative to the page.
+    while IFS= read -r link; do
+        case $link in http*) continue ;; esac
+        [ -e "$(dirname "$page")/$link" ] || fail "$page: the link to $link leads nowhere"
+    done < <(grep -oE '\]\([^)# ]+\)' "$page" | sed -E 's/^\]\(|\)$//g' | sort -u)
+done
+
+# The walk through the source: rows "| step | `file` | `function` | ..." name a function that the file has.
+walked=0
+while IFS='|' read -r _ _ file function _; do
+    file=${file//[\` ]/} function=${function//[\` ]/}
+    walked=$((walked + 1))
+    grep -qE "^[a-z].*\b$function\(" "$file" || fail "src/README.md: $file has no function $function"
+done < <(grep -E '^\| [a-zA-Z]+ \| `[a-z]+/[a-z_/]+\.c` \| `[a-z_0-9]+` \|' src/README.md)
+[ $walked -ge 20 ] || fail "src/README.md: only $walked steps name a file and a function"
+
+[ "$(wc -l < README.md)" -le 150 ] || fail "README.md is longer than 150 lines"
+
+# From README.md every page is at most two links away.
+linked() { grep -oE '\]\([^)# ]+\.md\)' "$1" | sed -E 's/^\]\(|\)$//g' | while IFS= read -r to; do realpath -m --relative-to=. "$(dirname "$1")/$to"; done; }
+reached=$({ echo README.md; linked README.md; linked README.md | while IFS= read -r page; do linked "$page"; done; } | sort -u)
+for page in "${pages[@]}"; do
+    case $page in tests/reference/data/*) continue ;; esac
+    grep -qxF "$page" <<< "$reached" || fail "$page is not reached from README.md"
+done
 exit $status

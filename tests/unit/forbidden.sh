@@ -4,11 +4,11 @@
 set -euo pipefail
 cd "$JLT_SOURCE_DIR"
 status=0
-refuse() { # REASON PATTERN FILE...: no line of the files may match
+refuse() { # REASON PATTERN FILE...: no line of the files, as far as they are text, may match
     local reason=$1 pattern=$2
     shift 2
     [ $# -gt 0 ] || return 0
-    if grep -nE -- "$pattern" "$@" /dev/null; then
+    if grep -InE -- "$pattern" "$@" /dev/null; then
         echo "^ $reason"
         status=1
     fi

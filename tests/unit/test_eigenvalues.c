@@ -217,6 +217,25 @@ static void condition_numbers_of_a_triangular_matrix_are_those_by_hand(void **un
     for (int i = 0; i < 2; i++) assert_true(fabs(d.values[i].condition / sqrt(1.0 + 1e6) - 1.0) < 1e-9);
 }
 
+/* One number that is not finite, wherever it stands: in the matrix, in gradients, or in the bounds of either. */
+static void what_is_not_finite_is_refused_wherever_it_stands(void **unused)
+{
+    const double wrong[] = { NAN, INFINITY, -INFINITY };
+    const size_t sizes[4] = { 4, 4, 2, 2 };
+
+    (void)unused;
+    for (size_t argument = 0; argument < 4; argument++)
+        for (size_t at = 0; at < sizes[argument]; at++)
+            for (size_t k = 0; k < 3; k++) {
+                double a[4] = { 0, 1, 0, 2 }, error[4] = { 1e-16, 1e-16, 1e-16, 1e-16 }, w[2] = { 2, -1 }, w_error[2] = { 0, 0 };
+                double *const arguments[] = { a, error, w, w_error };
+                jlt_deflation d;
+                assert_int_equal(jlt_deflation_compute(&d, a, error, 2, w, w_error, 1), JLT_OK);
+                arguments[argument][at] = wrong[k];
+                assert_int_equal(jlt_deflation_compute(&d, a, error, 2, w, w_error, 1), JLT_ERR_NONFINITE);
+            }
+}
+
 static void wrong_arguments_of_outside_solvers_are_statuses(void **unused)
 {
     double re[5], im[5], a[25] = { NAN };
@@ -300,6 +319,7 @@ int main(void)
         cmocka_unit_test(dependent_gradients_are_not_counted_twice),
         cmocka_unit_test(condition_numbers_are_one_for_symmetric_matrices),
         cmocka_unit_test(condition_numbers_of_a_triangular_matrix_are_those_by_hand),
+        cmocka_unit_test(what_is_not_finite_is_refused_wherever_it_stands),
         cmocka_unit_test(wrong_arguments_of_outside_solvers_are_statuses),
         cmocka_unit_test(quadrature_is_exact_to_its_estimate_and_passes_failures_on),
         cmocka_unit_test(gsl_has_no_handler_between_calls),

@@ -291,6 +291,12 @@ static void fusing_keeps_values_and_flops_and_saves_operations(void **unused)
         assert_true(after.fma > 0);
         assert_true(ttc_count_flops(after) <= ttc_count_flops(before));
         assert_true(operations(after) + after.fma < operations(before));
+        /* Once more changes nothing, operations of three operands included. */
+        ttc_program *again = ttc_program_fuse(fused);
+        assert_non_null(again);
+        same_values(&s, again, &block);
+        assert_int_equal(operations(ttc_program_count(again)), operations(after));
+        ttc_program_destroy(again);
         ttc_program_destroy(fused);
         ttc_program_destroy(program);
         ttc_block_clear(&block);

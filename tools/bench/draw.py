@@ -1,6 +1,7 @@
 """Pictures of the tables that tools/bench/run has written, by gnuplot.
 
-usage: draw.py RESULTS [svg|png]
+usage: draw.py RESULTS [svg|png]         all of them
+       draw.py --best RESULTS FILE.png   the best curve of each program alone, which README.md shows
 
 Colours are those of Okabe and Ito, told apart by the colour-blind; forms differ in marks and dashes as well."""
 import csv
@@ -169,6 +170,37 @@ set label 1 'reference, as doubles' at {ROUNDING}, graph 0.02 rotate by 90 font 
     draw_panels(f"{results}/{table}", kind, (1500, 1000), "2,3", title, settings, work_panels(rows, "error", groups, 5e-2))
 
 
+BEST = [  # what is shown of a program, its name and the place of it, mark, dash, colour: in grey, marks, dashes and names tell them apart
+    (batched, "jellett, many orbits at once", (2e-7, 2.9e6), 7, "solid", "#0072B2", 4),
+    (scalar, "jellett, one at a time", (3e-6, 5.3e5), 5, "solid", "#0072B2", 4),
+    (lambda row: row["program"] == "heyoka", "heyoka, 8 at once", (2.5e-10, 1.03e5), 9, "'-'", "#D55E00", 2),
+    (lambda row: row["program"] == "odeint", "Boost.odeint, below it GSL", (2.5e-5, 5.5e4), 11, "'-.'", "#009E73", 2),
+    (lambda row: row["program"] == "gsl", "", (1, 1), 13, "'.'", "#AA4499", 2),
+    (lambda row: row["program"] == "sundials", "SUNDIALS", (3e-6, 6e3), 15, "'_'", "#555555", 2),
+]
+
+
+def best(results, path):
+    """Returns a second against error: of each program the points that none of its own beats in both. heyoka's runs with time among
+    the states are left out, as in figures.py, which says why."""
+    rows = [row for row in read(f"{results}/section.csv")
+            if row["threads"] == "1" and not (row["program"] == "heyoka" and row["form"].endswith("_t"))]
+    blocks, items, names = [], [], []
+    for i, (chosen, name, (x, y), mark_type, dashes, colour, width) in enumerate(BEST):
+        points = front([row for row in rows if chosen(row)], "error", TIME, 5e-2)
+        points = [(error, 1e6 / least) for error, _, least, *_ in points if 1e-14 <= error <= 1e-4]
+        blocks.append("\n".join([f"$b{i} << END", *(f"{error:.4g} {rate:.6g}" for error, rate in points), "END"]))
+        items.append(f"$b{i} using 1:2 with linespoints lc rgb '{colour}' dt {dashes} pt {mark_type} lw {width} ps 1.6 notitle")
+        names.append(f"set label '{name}' at {x},{y} tc rgb '{'#333333' if 'GSL' in name else colour}'")
+    ends = ", ".join(f"'10^{{{power}}}' 1e{power}" for power in range(-14, -3, 2))
+    script = ["set terminal pngcairo size 1600,1000 font 'DejaVu Sans,31' lw 2", f"set output '{path}'", "set encoding utf8", *blocks, AXES,
+              "set margins 8.5,2,3.4,0.8", f"set xtics ({ends}) font ',31' scale 0.6", "set ytics font ',31' scale 0.6", "set format y '10^{%T}'",
+              "set xrange [1e-4:8e-15]", "set yrange [400:6e6]", "set xlabel 'error of ten returns   (more accurate →)' offset 0,0.3",
+              "set ylabel 'returns a second   (faster →)' offset 0.8,0", *names]
+    script.append("plot " + ", \\\n  ".join(items))
+    subprocess.run(["gnuplot", "-"], input="\n".join(script) + "\n", text=True, check=True)
+
+
 def times(results, kind):
     rows = [row for row in read(f"{results}/section.csv") if row["time_error"] or row["form"].endswith("_t")]
     if not rows:
@@ -273,6 +305,9 @@ def kernels(results, kind):
 
 
 def main():
+    if len(sys.argv) == 4 and sys.argv[1] == "--best":
+        best(sys.argv[2], sys.argv[3])
+        return
     if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
     results, kind = sys.argv[1], sys.argv[2] if len(sys.argv) == 3 else "svg"

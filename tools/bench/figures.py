@@ -1,6 +1,6 @@
 """The figures of the tables that tools/bench/run has written, as Markdown.
 
-usage: figures.py RESULTS [README]     README: also put those that it shows between its two marks
+usage: figures.py RESULTS
 
 A ratio compares the fastest point of the peers whose error is at most the one asked for with the fastest of jellett: of those with
 at most the error asked for, and, what must meet the target, at that peer's own error, where time is interpolated between two
@@ -12,7 +12,6 @@ import os
 import sys
 
 TIME = "us_least"
-MARKS = ("<!-- figures of tools/bench/run: begin -->", "<!-- figures of tools/bench/run: end -->")
 
 
 def read(name):
@@ -133,16 +132,9 @@ def kernels():
 
 
 def main():
-    if len(sys.argv) not in (2, 3):
+    if len(sys.argv) != 2:
         sys.exit(__doc__)
-    shown = [*sections(), grazing(), threads(), kernels()]
-    print("\n".join(part for part in [*shown, tiers()] if part))
-    if len(sys.argv) == 3:
-        with open(sys.argv[2], encoding="utf-8") as file:
-            text = file.read()
-        begin, end = text.index(MARKS[0]) + len(MARKS[0]), text.index(MARKS[1])
-        with open(sys.argv[2], "w", encoding="utf-8") as file:
-            file.write(text[:begin] + "\n" + "\n".join(part for part in shown if part) + text[end:])
+    print("\n".join(part for part in [*sections(), grazing(), threads(), kernels(), tiers()] if part))
 
 
 main()
