@@ -22,6 +22,7 @@ static void write_caption(FILE *stream, const jlt_eigen_request *r)
 static void write_script(FILE *stream, const jlt_eigen_request *r, const jlt_eigen_row *rows, size_t count)
 {
     const jlt_eigen_target *axis = r->axis_count > 0 ? &r->targets[0] : NULL;
+    bool zeros = false; /* whether integrals force any */
 
     fputs("$values << EOD\n", stream);
     for (size_t k = 0; k < count; k++) {
@@ -31,6 +32,7 @@ static void write_script(FILE *stream, const jlt_eigen_request *r, const jlt_eig
             const jlt_eigenvalue *value = &row->result.eigen.values[i];
             const double colour = axis == NULL ? 0.0 : axis->is_state ? row->x[axis->index] : row->params[axis->index];
             if (value->source < 0) fprintf(stream, "%.17g %.17g %.17g\n", value->re, value->im, colour);
+            else zeros = true;
         }
     }
     fputs("EOD\n", stream);
@@ -39,15 +41,12 @@ static void write_script(FILE *stream, const jlt_eigen_request *r, const jlt_eig
           "set key inside top right\n",
           stream);
     if (axis == NULL) {
-        fputs("plot $values using 1:2 with points pt 7 ps 1 title 'eigenvalues', "
-              "'-' using 1:2 with points pt 2 ps 1.5 title 'zero, by the integrals'\n0 0\ne\n",
-              stream);
-        return;
+        fputs("plot $values using 1:2 with points pt 7 ps 1 title 'eigenvalues'", stream);
+    } else {
+        fprintf(stream, "set cblabel '%s' noenhanced\nset palette defined (0 '#2166ac', 1 '#bbbbbb', 2 '#b2182b')\n", r->axes[0].name);
+        fputs("plot $values using 1:2:3 with points pt 7 ps 0.5 palette notitle", stream);
     }
-    fprintf(stream, "set cblabel '%s' noenhanced\nset palette defined (0 '#2166ac', 1 '#bbbbbb', 2 '#b2182b')\n", r->axes[0].name);
-    fputs("plot $values using 1:2:3 with points pt 7 ps 0.5 palette notitle, "
-          "'-' using 1:2 with points pt 2 ps 1.5 lc black title 'zero, by the integrals'\n0 0\ne\n",
-          stream);
+    fputs(zeros ? ", '-' using 1:2 with points pt 2 ps 1.5 lc black title 'zero, by the integrals'\n0 0\ne\n" : "\n", stream);
 }
 
 jlt_exit jlt_eigen_draw(const jlt_eigen_request *request, const jlt_eigen_row *rows, size_t count)

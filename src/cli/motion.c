@@ -236,6 +236,7 @@ jlt_exit jlt_motion_top(jlt_system **system, const jlt_motion_options *options, 
     if (code != JLT_EXIT_DONE) return code;
     if (!is_top(descriptor))
         return jlt_command_fail(JLT_EXIT_INPUT, "%s are those of the spherical top, not of %s", what, descriptor->model);
+    if (options->section != NULL) return jlt_command_fail(JLT_EXIT_USAGE, "--section: %s go by the section omega_tau=0 alone", what);
     code = check_levels(descriptor);
     return code == JLT_EXIT_DONE ? top_system(system, options) : code;
 }

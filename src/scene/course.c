@@ -253,7 +253,6 @@ static jlt_status along_orbit(jlt_course *self, double t, jlt_course_row *row)
     const jlt_event edge = { .value = has_edge ? self->tier->edge : NULL, .context = &self->view };
     jlt_outcome outcome = { 0 };
 
-    row->x = NULL;
     if (has_edge && self->direction == 0 && !(edge.value(edge.context, self->y) > 0)) {
         fill(self, row, JLT_END_TIME, 0);
         row->edge = self->tier->edge_meaning;
@@ -285,6 +284,8 @@ jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row)
 {
     jlt_status st = JLT_OK;
 
+    row->x = NULL; /* until a point is reached */
+    row->lost_at = NAN;
     t = ldexp(t, -self->units.time);
     if (self->direction != 0 && self->direction * (t - self->t) < 0) return JLT_ERR_ARG;
     if (t == self->t) {

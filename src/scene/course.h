@@ -43,7 +43,7 @@ void jlt_course_destroy(jlt_course *self); /* NULL is legal */
 
 /** Go to time t; the start is at 0, and t must not turn back. *row is filled in any case in which JLT_OK is returned.
  *  Errors: those of jlt_orbit_next, and DOMAIN, the tier's coordinates end before t: the row then holds the last point reached,
- *  or has x NULL when there is none; ARG (t turns back). */
+ *  or has x NULL and lost_at NaN when there is none; ARG (t turns back). */
 JLT_CHECKED jlt_status jlt_course_to(jlt_course *self, double t, jlt_course_row *row);
 
 /** The kernel that does the work, bound to its parameters and levels; for quadratures the asked model's own. */

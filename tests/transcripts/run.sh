@@ -8,6 +8,7 @@
 #     lorenz: 2 claims                         what it says, standard output and standard error together
 #     ...                                      a line of three dots alone stands for any number of lines
 #     table ...                                dots after a blank at the end of a line, for any end of that line
+#     [no end of line]                         follows a last line that has none
 #     [status 1]                               the exit status, where it is not 0
 #
 # Commands of a page run one after another, each by bash with no standard input, in one new folder with links to the folders
@@ -50,7 +51,7 @@ finish() {
     # A pipe has buffers of the same size everywhere, on which it hangs how the two outputs mix.
     (cd "$folder" && exec bash -c "$command") 2>&1 < /dev/null | cat > "$scratch/actual"
     code=${PIPESTATUS[0]}
-    [ -z "$(tail -c 1 "$scratch/actual")" ] || echo >> "$scratch/actual" # a last line that has no end
+    [ -z "$(tail -c 1 "$scratch/actual")" ] || printf '\n[no end of line]\n' >> "$scratch/actual"
     [ $code -eq 0 ] || echo "[status $code]" >> "$scratch/actual"
     if LC_ALL=C awk -v within="$within" -f "$house/tests/transcripts/agree.awk" "$scratch/expected" "$scratch/actual" > "$scratch/near"; then
         cat "$scratch/expected" >> "$scratch/page"

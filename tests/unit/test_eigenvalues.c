@@ -8,11 +8,13 @@
 
 #include "analysis/charpoly.h"
 #include "analysis/deflation.h"
+#include "analysis/linearization.h"
 #include "analysis/quadratic.h"
 #include "core/random.h"
 #include "ext/arpack.h"
 #include "ext/eigen.h"
 #include "ext/quadrature.h"
+#include "kernel/descriptor.h"
 
 #include <gsl/gsl_errno.h>
 
@@ -236,6 +238,29 @@ static void what_is_not_finite_is_refused_wherever_it_stands(void **unused)
             }
 }
 
+/* Fills the stack that the next call uses, so that what is read there before it is written is no address. */
+static int scribble(void)
+{
+    volatile unsigned char room[16384];
+    for (size_t i = 0; i < sizeof room; i++) room[i] = 0xa5;
+    return room[77];
+}
+
+static void a_model_of_too_many_states_is_refused(void **unused)
+{
+    const jlt_descriptor *full = jlt_descriptor_find("spherical_top_full", NULL, NULL, NULL);
+    const double params[] = { 1, 1, 1, 0.5, 1, 1 }, x[17] = { 0 };
+    static jlt_linearization result;
+
+    (void)unused;
+    assert_non_null(full);
+    assert_true(full->state_count == 17 && full->state_count > JLT_LINEARIZATION_SIZE_MAX);
+    assert_int_equal(scribble(), 0xa5);
+    assert_int_equal(jlt_linearization_residual(&result, full, params, x), JLT_ERR_UNSUPPORTED);
+    assert_int_equal(scribble(), 0xa5);
+    assert_int_equal(jlt_linearization_compute(&result, full, params, x, NULL, NULL), JLT_ERR_UNSUPPORTED);
+}
+
 static void wrong_arguments_of_outside_solvers_are_statuses(void **unused)
 {
     double re[5], im[5], a[25] = { NAN };
@@ -320,6 +345,7 @@ int main(void)
         cmocka_unit_test(condition_numbers_are_one_for_symmetric_matrices),
         cmocka_unit_test(condition_numbers_of_a_triangular_matrix_are_those_by_hand),
         cmocka_unit_test(what_is_not_finite_is_refused_wherever_it_stands),
+        cmocka_unit_test(a_model_of_too_many_states_is_refused),
         cmocka_unit_test(wrong_arguments_of_outside_solvers_are_statuses),
         cmocka_unit_test(quadrature_is_exact_to_its_estimate_and_passes_failures_on),
         cmocka_unit_test(gsl_has_no_handler_between_calls),

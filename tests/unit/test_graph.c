@@ -6,7 +6,7 @@
 #include <cmocka.h>
 #include <stdlib.h>
 
-#include "expression/graph.h"
+#include "expression/graph_node.h"
 
 static void equal_expressions_are_one_node(void **unused)
 {
@@ -124,6 +124,28 @@ static void dependence_is_reachability(void **unused)
     ttc_graph_destroy(g);
 }
 
+/* Nodes are found at once, in a small graph and in one that has grown: with as many buckets as nodes, chains of good hashes are
+ * shorter than 16, but for a chance of 1e-8. */
+static void nodes_spread_over_their_buckets(void **unused)
+{
+    (void)unused;
+    ttc_graph *g = ttc_graph_create();
+    ttc_id x = ttc_symbol(g, 0), y = ttc_symbol(g, 1);
+    for (int size = 0, checked = 0; checked < 2; size++) {
+        ttc_multiply(g, ttc_integer(g, size + 2), ttc_add(g, ttc_power(g, x, size % 200 + 1), ttc_power(g, y, size / 200 + 1)));
+        if (size != 300 && size != 5000) continue;
+        size_t longest = 0;
+        for (size_t i = 0; i < g->bucket_count; i++) {
+            size_t length = 0;
+            for (ttc_id id = g->buckets[i]; id != TTC_NONE; id = g->nodes[id]->next) length++;
+            if (length > longest) longest = length;
+        }
+        assert_true(g->count > (size_t)size && longest < 16);
+        checked++;
+    }
+    ttc_graph_destroy(g);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -132,6 +154,7 @@ int main(void)
         cmocka_unit_test(errors_are_told_first_and_until_cleared),
         cmocka_unit_test(a_sum_has_a_bounded_number_of_terms),
         cmocka_unit_test(dependence_is_reachability),
+        cmocka_unit_test(nodes_spread_over_their_buckets),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -252,6 +252,36 @@ static void a_slow_crossing_is_where_the_orbit_crosses_wherever_steps_end(void *
         }
 }
 
+/* At rest on the section until t = 1, then off it to the side of p. */
+static void leaving_late(const double *restrict x, const double *restrict p, double *restrict f)
+{
+    const double since = fmax(0, x[0] - 1);
+    f[0] = 1;
+    f[1] = p[0] * since * since * since;
+}
+
+/* An orbit that has been on the section since its start belongs to the side it leaves to at last: that is no crossing. Not by
+ * gauss, whose steps take a field for smoother than this one is. */
+static void leaving_the_section_after_a_while_on_it_is_no_crossing(void **unused)
+{
+    (void)unused;
+    for (unsigned m = 0; m < METHODS; m++)
+        for (int side = -1; side <= 1; side++) {
+            const double p = side, x[2] = { 0, 0 };
+            const jlt_field field = { .dim = 2, .call = leaving_late, .p = &p, .root = -1 };
+            const jlt_event event = { .column = 1 };
+            jlt_orbit *orbit = NULL;
+            jlt_outcome at;
+            if (strcmp(methods[m], "gauss") == 0) continue;
+            assert_ok(jlt_orbit_create(&orbit, jlt_method_find(methods[m]), &field, &(jlt_options){ .tolerance = 1e-9, .max_step = 0.25 }));
+            assert_ok(jlt_orbit_start(orbit, 0, x, +1));
+            assert_ok(jlt_orbit_next(orbit, 3, &event, 1, &at));
+            if (at.end != JLT_END_TIME) fail_msg("%s, side %d: an event at t = %g", methods[m], side, at.t);
+            assert_near(at.x[1], 4.0 * side, 1e-6);
+            jlt_orbit_destroy(orbit);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -265,6 +295,7 @@ int main(void)
         cmocka_unit_test(events_of_functions_are_found_with_and_without_their_rate),
         cmocka_unit_test(a_slow_crossing_is_where_the_orbit_crosses_wherever_steps_end),
         cmocka_unit_test(several_events_and_times_interleave_in_order),
+        cmocka_unit_test(leaving_the_section_after_a_while_on_it_is_no_crossing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -219,6 +219,43 @@ static void bad_arguments_are_refused(void **unused)
     jlt_stepper_destroy(stepper);
 }
 
+static void focus(const double *restrict x, const double *restrict p, double *restrict f)
+{
+    (void)p;
+    f[0] = -0.3 * x[0] - x[1];
+    f[1] = x[0] - 0.3 * x[1];
+}
+
+/* The same motion in other units, of length, a power of two, with the scales. Every step is the same to the last bit,
+ * from the first one, which the method proposes, on. */
+static void steps_are_the_same_in_other_units(void **unused)
+{
+    const jlt_method *method;
+
+    (void)unused;
+    for (size_t i = 0; (method = jlt_method_at(i)) != NULL; i++) {
+        double lengths[2][4];
+        if (method->needs_jet) continue;
+        for (int large = 0; large < 2; large++) {
+            const double unit = large != 0 ? 0x1p20 : 1, x[] = { 0.7 * unit, 0.2 * unit }, scale[] = { 0.5 * unit, 0.5 * unit };
+            const jlt_field field = { .dim = 2, .call = focus, .root = -1, .scale = scale };
+            jlt_stepper *stepper = NULL;
+            assert_ok(jlt_stepper_create(&stepper, method, &field, 1e-9, INFINITY));
+            assert_ok(jlt_stepper_start(stepper, 0, x, 1, 0));
+            lengths[large][0] = stepper->h_next;
+            for (int k = 1; k < 4; k++) {
+                assert_ok(jlt_stepper_advance(stepper, INFINITY));
+                lengths[large][k] = stepper->h;
+            }
+            jlt_stepper_destroy(stepper);
+        }
+        for (int k = 0; k < 4; k++)
+            if (lengths[0][k] != lengths[1][k])
+                fail_msg("%s: step %d is %.17g, and %.17g in other units", method->name, k, lengths[0][k], lengths[1][k]);
+        assert_true(lengths[0][0] > 1e-4 && lengths[0][0] < 1);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -229,6 +266,7 @@ int main(void)
         cmocka_unit_test(taylor_and_dop853_agree_on_lorenz),
         cmocka_unit_test(taylor_chooses_its_order_by_the_tolerance),
         cmocka_unit_test(a_solution_that_ends_is_reported_and_not_passed),
+        cmocka_unit_test(steps_are_the_same_in_other_units),
         cmocka_unit_test(bad_arguments_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

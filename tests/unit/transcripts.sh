@@ -19,7 +19,9 @@ passes '$ false' '[status 1]'
 fails '$ false' '[status 2]'
 passes '$ echo out; echo err >&2' out err
 passes '$ echo a \' '    b' 'a b'
-passes '$ printf unfinished' unfinished
+passes '$ printf unfinished' unfinished '[no end of line]'
+fails '$ printf unfinished' unfinished
+fails '$ echo finished' finished '[no end of line]'
 passes '$ echo one > file' '$ cat file' one
 passes '$ cat' # nothing to read
 passes '$ ls' codegen generated tests tools
